@@ -1,0 +1,69 @@
+#pragma once
+/** @file
+The one error class: a fault of the user, of a file or of the environment, told to a person.
+
+Three cases, three mechanisms:
+- our own bug: GRASPBENCH_DEMAND, stops with file, line and values;
+- the user's or a file's fault: throw Error (several faults in one file: see diagnostics.h);
+- the outcome of an experiment (dropped, diverged): a status in the result, never an exception.
+
+A message says what was found, where, what was expected, and what to do about it. */
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace graspbench {
+
+enum class ErrorKind {
+  kUsage,        ///< the command line asks for something that does not exist or contradicts itself
+  kNotFound,     ///< no hand, object, grasp or file of that name
+  kFormat,       ///< a file's content is not what its format promises
+  kRange,        ///< a value is outside its range, or not finite
+  kVersion,      ///< written by another version
+  kIo,           ///< reading or writing failed (disk full, no permission)
+  kUnsupported,  ///< valid, but not possible here
+  kEnvironment,  ///< the machine lacks something (no off-screen renderer, ...)
+  kInterrupted,  ///< stopped on request; can be resumed
+};
+
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  ErrorKind kind() const { return kind_; }
+
+ private:
+  ErrorKind kind_;
+};
+
+/** The program's exit codes. Ok and failed work are 0 and 1; the rest follow from the error. */
+enum ExitCode : int {
+  kExitOk = 0,
+  kExitFailed = 1,
+  kExitUsage = 2,
+  kExitBadInput = 3,
+  kExitNumericalFailures = 4,
+  kExitEnvironment = 5,
+  kExitInterrupted = 75,
+};
+ExitCode ExitCodeOf(ErrorKind kind);
+
+/** "; did you mean "mug"? Known: a, b, c" for a misspelt name; at most 24 names are listed.
+The suggestion is left out when nothing known is within a third of the name's length in edits. */
+std::string SuggestNames(std::string_view misspelt, const std::vector<std::string>& known);
+
+namespace internal {
+[[noreturn]] void DemandFailed(const char* condition, const char* file, int line,
+                               const std::string& values);
+}  // namespace internal
+
+}  // namespace graspbench
+
+/** Stops the program on a bug of ours. `values` is a std::string that shows the culprits.
+User input must never reach it. */
+#define GRASPBENCH_DEMAND(condition, values)                                          \
+  do {                                                                                \
+    if (!(condition))                                                                 \
+      ::graspbench::internal::DemandFailed(#condition, __FILE__, __LINE__, (values)); \
+  } while (false)

@@ -1,0 +1,77 @@
+#include "core/base/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+fs::path FindDataRoot() {
+  const char* home = std::getenv("GRASPBENCH_HOME");
+  return home && *home ? fs::path(home) : fs::path(GRASPBENCH_SOURCE_DIR);
+}
+
+fs::path FindCacheRoot() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) {
+    return fs::path(cache) / "graspbench";
+  }
+  if (const char* home = std::getenv("HOME"); home && *home) {
+    return fs::path(home) / ".cache" / "graspbench";
+  }
+  return fs::temp_directory_path() / "graspbench";
+}
+
+std::string ReadFile(const fs::path& path) {
+  std::error_code status;
+  if (!fs::exists(path, status)) {
+    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
+  }
+  if (fs::is_directory(path, status)) {
+    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream content;
+  content << in.rdbuf();
+  if (!in) {
+    throw Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
+  }
+  return std::move(content).str();
+}
+
+void WriteFileAtomically(const fs::path& path, std::string_view content) {
+  const std::string temporary = path.string() + ".part" + std::to_string(::getpid());
+  const auto fail = [&](const char* what) {
+    const std::string reason = std::strerror(errno);
+    ::unlink(temporary.c_str());
+    throw Error(ErrorKind::kIo,
+                std::string("cannot ") + what + " \"" + path.string() + "\": " + reason);
+  };
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) fail("create");
+  for (size_t written = 0; written < content.size();) {
+    const ssize_t count = ::write(file, content.data() + written, content.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      ::close(file);
+      fail("write");
+    }
+    written += static_cast<size_t>(count);
+  }
+  if (::fsync(file) != 0) {
+    ::close(file);
+    fail("sync");
+  }
+  ::close(file);
+  if (::rename(temporary.c_str(), path.c_str()) != 0) fail("rename to");
+}
+
+}  // namespace graspbench

@@ -1,0 +1,26 @@
+#pragma once
+/** @file
+Whole files, and where the project's own data lie. */
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace graspbench {
+
+/** Folder that holds `core/hand/models` and `objects/catalogue`: the environment variable
+GRASPBENCH_HOME, else the source folder this program was built from. */
+std::filesystem::path FindDataRoot();
+
+/** Folder for things that can be rebuilt at any time: $XDG_CACHE_HOME/graspbench, else
+$HOME/.cache/graspbench, else the system's temporary folder. */
+std::filesystem::path FindCacheRoot();
+
+/** @throws Error(kNotFound, kIo) naming the file and the system's reason. */
+std::string ReadFile(const std::filesystem::path& path);
+
+/** Writes beside the target, syncs, renames: the file is the old or the new one, never half.
+@throws Error(kIo) with the system's reason (disk full, read-only, ...). */
+void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace graspbench

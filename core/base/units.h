@@ -1,0 +1,20 @@
+#pragma once
+/** @file
+Inside the program everything is SI (m, kg, s, rad, N) and carries no suffix. Any other unit carries
+one in its name (`_mm`, `_deg`, `_g`, `_ms`) and is converted here, at the border, and nowhere else.
+*/
+
+namespace graspbench {
+
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kStandardGravity = 9.80665;  ///< [m/s^2]
+
+constexpr double RadFromDeg(double angle_deg) { return angle_deg * (kPi / 180.0); }
+constexpr double DegFromRad(double angle) { return angle * (180.0 / kPi); }
+constexpr double MFromMm(double length_mm) { return length_mm * 1e-3; }
+constexpr double MmFromM(double length) { return length * 1e3; }
+constexpr double KgFromG(double mass_g) { return mass_g * 1e-3; }
+constexpr double GFromKg(double mass) { return mass * 1e3; }
+constexpr double MsFromS(double time) { return time * 1e3; }
+
+}  // namespace graspbench

@@ -1,0 +1,123 @@
+#include "core/base/yaml.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/files.h"
+
+namespace graspbench {
+
+YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems) {
+  const std::string text = ReadFile(path);
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& e) {
+    problems.Fail(path.string(), e.mark.line + 1, "not valid YAML: " + e.msg);
+    return YAML::Node();
+  }
+}
+
+int LineOf(const YAML::Node& node) { return node.IsDefined() ? node.Mark().line + 1 : 0; }
+
+YamlMap::YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems)
+    : node_(node), file_(std::move(file)), where_(std::move(where)), problems_(&problems) {
+  if (!node_.IsMap()) {
+    problems_->Fail(file_, LineOf(node_), where_ + ": expected a map of keys and values");
+    node_ = YAML::Node(YAML::NodeType::Map);
+  }
+}
+
+bool YamlMap::Has(const std::string& key) const {
+  const YAML::Node& node = node_;  // the const operator[] does not create the key
+  return node[key].IsDefined();
+}
+
+YAML::Node YamlMap::Child(const std::string& key, Needed needed) {
+  known_.push_back(key);
+  const YAML::Node& node = node_;
+  const YAML::Node child = node[key];
+  if (child.IsDefined()) return child;
+  if (needed == Needed::kYes) {
+    problems_->Fail(file_, LineOf(node_), where_ + ": the key \"" + key + "\" is missing");
+  }
+  return YAML::Node();
+}
+
+void YamlMap::Fail(const std::string& key, const std::string& text) {
+  const YAML::Node& node = node_;
+  const YAML::Node child = node[key];
+  problems_->Fail(file_, LineOf(child.IsDefined() ? child : node_),
+                  where_ + (key.empty() ? "" : ", " + key) + ": " + text);
+}
+
+namespace {
+
+bool IsFinite(double value) { return std::isfinite(value); }
+bool IsFinite(const Eigen::Vector3d& value) { return value.allFinite(); }
+bool IsFinite(const std::vector<double>& value) {
+  return std::all_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); });
+}
+template <class T>
+bool IsFinite(const T&) {
+  return true;
+}
+
+void Convert(const YAML::Node& node, Eigen::Vector3d& value) {
+  const auto numbers = node.as<std::vector<double>>();
+  if (numbers.size() != 3) throw YAML::Exception(node.Mark(), "three numbers");
+  value = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+}
+template <class T>
+void Convert(const YAML::Node& node, T& value) {
+  value = node.as<T>();
+}
+
+}  // namespace
+
+template <class T>
+void YamlMap::ReadAs(const std::string& key, T& value, const char* expected, Needed needed) {
+  const YAML::Node child = Child(key, needed);
+  if (!child.IsDefined() || child.IsNull()) return;
+  try {
+    T read{};
+    Convert(child, read);
+    if (!IsFinite(read)) throw YAML::Exception(child.Mark(), "not finite");
+    value = read;
+  } catch (const YAML::Exception&) {
+    Fail(key, std::string("expected ") + expected);
+  }
+}
+
+void YamlMap::Read(const std::string& key, std::string& value, Needed needed) {
+  ReadAs(key, value, "a text", needed);
+}
+void YamlMap::Read(const std::string& key, double& value, Needed needed) {
+  ReadAs(key, value, "a finite number", needed);
+}
+void YamlMap::Read(const std::string& key, int& value, Needed needed) {
+  ReadAs(key, value, "a whole number", needed);
+}
+void YamlMap::Read(const std::string& key, bool& value, Needed needed) {
+  ReadAs(key, value, "true or false", needed);
+}
+void YamlMap::Read(const std::string& key, Eigen::Vector3d& value, Needed needed) {
+  ReadAs(key, value, "three finite numbers in brackets", needed);
+}
+void YamlMap::Read(const std::string& key, std::vector<double>& value, Needed needed) {
+  ReadAs(key, value, "a list of finite numbers", needed);
+}
+void YamlMap::Read(const std::string& key, std::vector<std::string>& value, Needed needed) {
+  ReadAs(key, value, "a list of texts", needed);
+}
+
+void YamlMap::FinishKnownKeys() {
+  for (const auto& item : node_) {
+    const std::string key = item.first.as<std::string>("");
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+      problems_->Fail(file_, LineOf(item.first),
+                      where_ + ": unknown key \"" + key + "\"" + SuggestNames(key, known_));
+    }
+  }
+}
+
+}  // namespace graspbench

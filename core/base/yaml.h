@@ -1,0 +1,63 @@
+#pragma once
+/** @file
+YAML with positions: every wrong key or value is reported with file and line, all at once.
+
+    Diagnostics problems;
+    const YAML::Node root = LoadYaml(path, problems);
+    YamlMap map(root, path.string(), "hand", problems);
+    map.Read("name", name);                        // required
+    map.Read("trials", trials, Needed::kNo);       // keeps the default when absent
+    map.FinishKnownKeys();                         // unknown keys are errors
+    problems.ThrowIfErrors(ErrorKind::kFormat, "the hand cannot be used"); */
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+
+namespace graspbench {
+
+enum class Needed { kYes, kNo };
+
+/** Reads a YAML file. A syntax error goes into `problems` with its line and gives a null node. */
+YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems);
+
+/** One-based line of a node, 0 when unknown. */
+int LineOf(const YAML::Node& node);
+
+class YamlMap {
+ public:
+  /** @param where  what this map is, for messages: "grasp g2". */
+  YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems);
+
+  bool Has(const std::string& key) const;
+  void Read(const std::string& key, std::string& value, Needed needed = Needed::kYes);
+  void Read(const std::string& key, double& value, Needed needed = Needed::kYes);
+  void Read(const std::string& key, int& value, Needed needed = Needed::kYes);
+  void Read(const std::string& key, bool& value, Needed needed = Needed::kYes);
+  void Read(const std::string& key, Eigen::Vector3d& value, Needed needed = Needed::kYes);
+  void Read(const std::string& key, std::vector<double>& value, Needed needed = Needed::kYes);
+  void Read(const std::string& key, std::vector<std::string>& value, Needed needed = Needed::kYes);
+  /** A child node of any shape; marks the key as known. Null when absent. */
+  YAML::Node Child(const std::string& key, Needed needed = Needed::kYes);
+  /** Records a problem at the line of `key` (or of the map when absent). */
+  void Fail(const std::string& key, const std::string& text);
+  /** Every key nobody asked for is an error with a suggestion. Call once, last. */
+  void FinishKnownKeys();
+
+ private:
+  template <class T>
+  void ReadAs(const std::string& key, T& value, const char* expected, Needed needed);
+
+  YAML::Node node_;
+  std::string file_;
+  std::string where_;
+  Diagnostics* problems_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,42 @@
+#pragma once
+/** @file
+Simultaneity of contacts, for robots and people alike.
+
+With t_i the first contacts of the grasping digits, T the thumb and t0 the start of closure
+(simulation: start of phase 3; human: instant of the widest hand opening):
+
+    GCT = max t_i - t0                      grasp closure time
+    GFT = max t_i - min t_i                 grasp forming time
+    GOT = |t_T - min of the others|         grasp opposing time
+    GFT% = GFT / GCT,  GOT% = GOT / GCT     (as ratios here)
+
+Source: Roethling 2007 (names, ratios); the formulas are inferred. GCT >= GFT >= GOT whenever every
+contact comes after t0; with two digits GFT = GOT. */
+
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+struct DigitContact {
+  std::string digit;  ///< "TH", "FF", ...
+  bool is_thumb = false;
+  double time = 0.0;  ///< first contact [s]; NaN: never touched
+};
+
+struct ContactTiming {
+  double gct = 0.0;  ///< [s]; NaN where not defined, as all below
+  double gft = 0.0;
+  double got = 0.0;
+  double gft_ratio = 0.0;
+  double got_ratio = 0.0;
+  /** A contact came before t0 (GFT > GCT is then possible): reported, never clipped. */
+  bool contact_before_start = false;
+};
+
+/** A digit that never touches makes GCT and GFT missing; GOT needs the thumb and one other digit.
+GCT = 0 makes the ratios missing. @pre at most one thumb. Asserts the order of the three measures.
+*/
+ContactTiming CalcContactTiming(const std::vector<DigitContact>& contacts, double t0);
+
+}  // namespace graspbench

@@ -1,0 +1,51 @@
+#pragma once
+/** @file
+The taxonomy: four grasp types t1..t4 and the five standard grasps g1..g5 that realise them
+(Roethling 2007, chapter 3). A grasp is a pre-grasp posture, a target posture (reached with nothing
+between the fingers), where the hand stands to the object, and an approach distance d. d and alpha
+belong to the grasp and are the same for every hand; the rest belongs to the hand and is read from
+its hand.yaml. */
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+enum class GraspType { kAllFingerPrecision, kTwoFingerPrecision, kPower, kTwoFingerPinch };
+
+struct GraspTaxon {
+  std::string id;            ///< "g1".."g5"
+  std::string name;          ///< "all finger precision", ..., "three finger special"
+  GraspType type;            ///< g5 is an all finger precision grasp with three fingers
+  double approach_distance;  ///< d [m], hand-independent
+  double alpha;              ///< yaw between the object's long axis and the opposition axis [rad]
+};
+/** g1..g5 in order. */
+const std::vector<GraspTaxon>& ListGraspTaxa();
+/** @throws Error(kNotFound) with suggestions. */
+const GraspTaxon& FindGraspTaxon(const std::string& id);
+
+/** One grasp of one hand. */
+struct StandardGrasp {
+  std::string id;  ///< "g1".."g5", or the name of an optimised grasp
+  GraspType type = GraspType::kAllFingerPrecision;
+  double approach_distance = 0.1;                  ///< d [m]
+  double alpha = 0.0;                              ///< [rad]
+  Eigen::VectorXd q_pre;                           ///< (num_joints) [rad], coupled joints filled in
+  Eigen::VectorXd q_target;                        ///< (num_joints) [rad]
+  Eigen::Vector3d p_HG = Eigen::Vector3d::Zero();  ///< grasp centre in the palm's frame [m]
+  Eigen::Vector3d approach_H = -Eigen::Vector3d::UnitY();  ///< unit; this direction of the hand
+                                                           ///< goes down when grasping from above
+  Eigen::Vector3d opposition_H = Eigen::Vector3d::UnitX();  ///< unit; thumb towards fingers
+  std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
+  bool palm_may_touch = false;      ///< power grasps
+};
+
+/** All standard grasps the hand can do, from its hand.yaml.
+@throws Error(kFormat) listing every problem with file and line. */
+std::vector<StandardGrasp> LoadStandardGrasps(const Hand& hand);
+
+}  // namespace graspbench

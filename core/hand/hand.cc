@@ -1,0 +1,39 @@
+#include "core/hand/hand.h"
+
+namespace graspbench {
+namespace {
+
+template <class Item>
+int FindByName(const std::vector<Item>& items, const std::string& name) {
+  for (size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+int Hand::FindJoint(const std::string& joint_name) const { return FindByName(joints, joint_name); }
+int Hand::FindLink(const std::string& link_name) const { return FindByName(links, link_name); }
+
+int Hand::FindDigitOfLink(int link) const {
+  for (size_t d = 0; d < digits.size(); ++d) {
+    for (int l : digits[d].links) {
+      if (l == link) return static_cast<int>(d);
+    }
+  }
+  return -1;
+}
+
+std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q) {
+  std::vector<Pose> X_HL(hand.links.size(), Pose::Identity());
+  for (size_t i = 0; i < hand.links.size(); ++i) {
+    const HandLink& link = hand.links[i];
+    if (link.parent < 0) continue;
+    X_HL[i] = X_HL[link.parent] * link.X_PJ;
+    if (link.joint >= 0) X_HL[i].rotate(Eigen::AngleAxisd(q[link.joint], link.axis));
+  }
+  return X_HL;
+}
+
+}  // namespace graspbench

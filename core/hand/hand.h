@@ -1,0 +1,111 @@
+#pragma once
+/** @file
+A robot hand as data: kinematic tree, mass, contact surface, drives, coupling, digits, looks.
+
+The tree hangs below the palm's frame H. Every moving joint is a revolute joint about an axis fixed
+in its frame J: with X_PJ the joint frame in the parent link P, X_PL(q) = X_PJ * Rot(axis, q). A
+link's frame L is its joint's frame (URDF's rule).
+
+Joint angles q hold one angle for every revolute joint, in the order of `joints`. Coupled distal
+joints are part of q but are no freedoms of their own: see coupling.h. */
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+/** A ball fixed to a link; the hand's surface for contact is the union of its balls. */
+struct ContactSphere {
+  int link = -1;                                   ///< index into Hand::links
+  Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< centre in the link's frame [m]
+  double radius = 0.0;                             ///< [m]
+  bool is_pad = false;                             ///< soft flesh of a fingertip
+};
+
+/** A capsule of a link, for contact of the hand with itself. */
+struct LinkCapsule {
+  int link = -1;
+  Eigen::Vector3d p_LA = Eigen::Vector3d::Zero();  ///< ends of the axis in the link's frame [m]
+  Eigen::Vector3d p_LB = Eigen::Vector3d::Zero();
+  double radius = 0.0;  ///< [m]
+};
+
+/** A part to draw. */
+struct LinkVisual {
+  int link = -1;
+  TriMesh mesh;                                                ///< in the link's frame [m]
+  Eigen::Vector3f colour = Eigen::Vector3f(0.6f, 0.6f, 0.6f);  ///< linear RGB
+};
+
+struct HandLink {
+  std::string name;
+  int parent = -1;                                   ///< index into links; -1: none (the palm)
+  int joint = -1;                                    ///< index into joints; -1: fixed to parent
+  Pose X_PJ = Pose::Identity();                      ///< joint frame in the parent link
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();   ///< unit, in J; unused when fixed
+  double mass = 0.0;                                 ///< [kg]
+  Eigen::Vector3d p_LLcm = Eigen::Vector3d::Zero();  ///< centre of mass [m]
+  Eigen::Matrix3d I_LLcm = Eigen::Matrix3d::Zero();  ///< about the centre of mass, axes of L
+};
+
+/** Position drive: tau = clamp(stiffness (q_cmd - q) - damping qdot, +-torque_limit). */
+struct JointDrive {
+  double stiffness = 0.0;     ///< [N m/rad]
+  double damping = 0.0;       ///< [N m s/rad]
+  double torque_limit = 0.0;  ///< [N m]
+};
+
+struct HandJoint {
+  std::string name;
+  int link = -1;        ///< the link it moves
+  double lower = 0.0;   ///< [rad]
+  double upper = 0.0;   ///< [rad]
+  JointDrive drive;     ///< of an actuated joint; unset for a coupled one
+  int coupled_to = -1;  ///< index of the middle joint whose drive moves this one too; -1: own drive
+};
+
+/** How a distal joint follows its middle joint; see coupling.h. */
+enum class CouplingRule { kMiddleFirst, kEven, kFixed };
+
+struct Digit {
+  std::string id;    ///< "TH", "FF", "MF", "RF", "LF"
+  std::string name;  ///< "thumb", "index", ...
+  bool is_thumb = false;
+  std::vector<int> links;                            ///< from the base outwards
+  int distal_link = -1;                              ///< link that carries the pad
+  Eigen::Vector3d p_LTip = Eigen::Vector3d::Zero();  ///< tip in the distal link [m]
+  Eigen::Vector3d p_LPad = Eigen::Vector3d::Zero();  ///< middle of the pad's surface [m]
+};
+
+struct Hand {
+  std::string id;      ///< "shadow"
+  std::string name;    ///< "Shadow Hand"
+  std::string folder;  ///< where hand.urdf and hand.yaml were read; never written into results
+  std::vector<HandLink> links;    ///< parents before children; links[0] is the palm, frame H
+  std::vector<HandJoint> joints;  ///< all revolute joints, finger by finger
+  std::vector<Digit> digits;      ///< in the hand's order, e.g. FF MF RF LF TH
+  CouplingRule coupling = CouplingRule::kMiddleFirst;
+  double fixed_coupling_ratio = 0.8;  ///< J1 = ratio * J2 under kFixed
+  double joint_accuracy = 0.0;  ///< half-width of the per-trial uniform error of each drive [rad]
+  double pad_torsion_radius = 0.004;  ///< largest pad moment about the normal per mu and newton [m]
+  std::vector<ContactSphere> contact_spheres;
+  std::vector<LinkCapsule> capsules;
+  std::vector<LinkVisual> visuals;
+  Eigen::Vector3d p_HCentre = Eigen::Vector3d::Zero();      ///< middle of the palm's surface [m]
+  Eigen::Vector3d palm_normal = -Eigen::Vector3d::UnitY();  ///< out of the palm, in H
+  std::string content_hash;                                 ///< of hand.urdf and hand.yaml
+
+  int num_joints() const { return static_cast<int>(joints.size()); }
+  int FindJoint(const std::string& joint_name) const;  ///< -1: none
+  int FindLink(const std::string& link_name) const;    ///< -1: none
+  int FindDigitOfLink(int link) const;                 ///< -1: the palm or wrist
+};
+
+/** Poses of all links in H, X_HL, for joint angles q (num_joints) [rad]. */
+std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q);
+
+}  // namespace graspbench

@@ -1,0 +1,30 @@
+#pragma once
+/** @file
+Reads a hand: `hand.urdf` (kinematics, inertia, collision and visual shapes, limits) and `hand.yaml`
+(digits, pads, drives, coupling; standard grasps are read by core/grasp).
+
+Collision shapes become contact: a sphere stays one; a cylinder is taken as the capsule of the same
+axis and radius and is sampled by spheres; a box is filled by rows of capsules of its half
+thickness. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+/** Ids of the hands that come with the program: the folders of core/hand/models, sorted. */
+std::vector<std::string> ListHands();
+
+/** @param id_or_folder  a known id, or the path of a folder with hand.urdf and hand.yaml.
+@throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem with file and line.
+*/
+Hand LoadHand(const std::string& id_or_folder);
+
+/** As LoadHand, but collects the problems (warnings too) instead of throwing on them. The hand is
+usable only when `problems` holds no error. */
+Hand CheckHand(const std::string& id_or_folder, Diagnostics& problems);
+
+}  // namespace graspbench

@@ -1,0 +1,61 @@
+#pragma once
+/** @file
+Off-screen pictures: a list of meshes with poses and colours, a camera, an image.
+
+OSMesa core 3.3 is loaded at first use and every GL function is taken from its own loader, so a
+program without pictures pays nothing and libGL cannot get in between. 2 x 2 supersampling, soft
+ground shadow. The same scene gives the same bytes on one Mesa version. */
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+struct Drawable {
+  std::shared_ptr<const TriMesh> mesh;  ///< shared, so that a hand is uploaded once
+  Pose X_WM = Pose::Identity();         ///< mesh frame in the world
+  Eigen::Vector3f colour = Eigen::Vector3f(0.7f, 0.7f, 0.7f);  ///< linear RGB
+  double crease_angle = 0.7;  ///< edges sharper than this stay sharp [rad]
+};
+
+/** Looks from `eye` at `target`; z of the world is up in the picture. */
+struct Camera {
+  Eigen::Vector3d p_WEye = Eigen::Vector3d(0.4, -0.5, 0.35);    ///< [m]
+  Eigen::Vector3d p_WTarget = Eigen::Vector3d(0.0, 0.0, 0.06);  ///< [m]
+  double field_of_view = 0.6;                                   ///< vertical [rad]
+};
+
+struct Scene {
+  std::vector<Drawable> drawables;
+  bool has_table = true;  ///< the plane z = 0, catching the shadow
+};
+
+/** 8-bit sRGB, rows from the top. */
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<uint8_t> rgb;  ///< (height x width x 3)
+};
+
+class Renderer {
+ public:
+  /** @throws Error(kEnvironment) when OSMesa cannot be loaded, saying which package is missing. */
+  Renderer(int width, int height);
+  ~Renderer();
+  Image Render(const Scene& scene, const Camera& camera);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/** PNG bytes, without time stamps. */
+std::string EncodePng(const Image& image);
+
+}  // namespace graspbench

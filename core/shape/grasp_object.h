@@ -1,0 +1,34 @@
+#pragma once
+/** @file
+A thing to grasp, as the simulation and the pictures need it. Made by objects/ from the catalogue or
+from a user's mesh; shared read-only between threads. */
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "core/shape/mass_properties.h"
+#include "core/shape/signed_distance_field.h"
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+struct GraspObject {
+  std::string id;    ///< "adhesive_tape"
+  std::string name;  ///< "adhesive tape"
+  /** In frame O: centre of the bounding box as the object rests on the table; x along length, y
+  along width, z up. These are the sizes of grasp (what three fingers compress a soft object to). */
+  TriMesh mesh;
+  std::shared_ptr<const SignedDistanceField> field;         ///< of `mesh`
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();           ///< of grasp: length, width, height [m]
+  Eigen::Vector3d size_of_sight = Eigen::Vector3d::Zero();  ///< what a camera sees [m]
+  MassProperties mass_properties;
+  double friction_static = 0.0;   ///< Coulomb coefficient against the hand
+  double friction_dynamic = 0.0;  ///< <= friction_static
+  std::string best_grasp_tum;     ///< best-suited standard grasp, "g1".."g5"
+  std::string best_grasp_shadow;
+  Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for pictures
+  std::string content_hash;  ///< of everything that the simulation depends on
+};
+
+}  // namespace graspbench

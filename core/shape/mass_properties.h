@@ -1,0 +1,22 @@
+#pragma once
+/** @file
+Mass, centre of mass and inertia of a homogeneous closed mesh by the divergence theorem
+(Mirtich 1996; signed tetrahedra against the origin). */
+
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+struct MassProperties {
+  double mass = 0.0;                                 ///< [kg]
+  Eigen::Vector3d p_OOcm = Eigen::Vector3d::Zero();  ///< centre of mass, in O [m]
+  Eigen::Matrix3d I_OOcm = Eigen::Matrix3d::Zero();  ///< about Ocm, axes of O [kg m^2]
+};
+
+/** Signed volume [m^3]; negative when the mesh is inside out. */
+double CalcVolume(const TriMesh& mesh);
+
+/** @pre closed, positive volume. The inertia is that of the homogeneous solid of this mass. */
+MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass);
+
+}  // namespace graspbench

@@ -1,0 +1,132 @@
+#pragma once
+/** @file
+One grasp trial: the five-phase strategy carried out by a hand on an object, in physics.
+
+    1 pre-grasp   the hand stands at distance d and takes the pre-grasp posture
+    2 placing     it moves to the grasp position
+    3 closure     it closes towards the target posture, until all grasping digits touch
+    4 stabilisation   until the fingers exert enough force
+    5 lift-off    back along the approach; the object comes along, or not
+
+then a hold, after which the verdict is given (method: see outcome names below). */
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/base/pose.h"
+#include "core/grasp/contact_timing.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+enum class Phase { kPreGrasp, kPlacing, kClosure, kStabilisation, kLiftOff, kHold };
+const char* NameOf(Phase phase);  ///< "pre-grasp", "placing", ...
+
+enum class Outcome {
+  kNotRun,
+  kSuccess,
+  kNoContact,            ///< not all grasping digits ever touched
+  kPushedAway,           ///< the object left the fingers' reach before or during closure
+  kKnockedOver,          ///< it tipped over
+  kLostWhileClosing,     ///< touched, but contact was lost again before lift-off
+  kSlippedInLiftOff,     ///< it did not come along
+  kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
+  kNumericalFailure,     ///< the simulation gave up; `reason` says why
+};
+const char* NameOf(Outcome outcome);  ///< "success", "no contact", ...
+/** All outcomes but kNotRun, in the order above. */
+const std::vector<Outcome>& ListOutcomes();
+Outcome OutcomeFromName(const std::string& name);
+
+/** Settings of the simulation and the strategy; part of the frozen session configuration. */
+struct SimConfig {
+  double step = 0.002;                ///< [s]
+  double contact_stiffness = 4e4;     ///< normal, per contact point [N/m]
+  double contact_dissipation = 1.0;   ///< Hunt-Crossley d in f = k x (1 + d xdot) [s/m]
+  double tangential_stiffness = 4e4;  ///< bristle [N/m]
+  double closure_time = 1.0;          ///< linear closing from pre-grasp to target [s]
+  double lift_time = 1.0;             ///< [s]
+  double lift_height = 0.1;           ///< = d of every grasp [m]
+  double hold_time = 2.0;             ///< [s]
+  int max_newton_iterations = 30;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("step_s", step);
+    v("contact_stiffness_n_per_m", contact_stiffness);
+    v("contact_dissipation_s_per_m", contact_dissipation);
+    v("tangential_stiffness_n_per_m", tangential_stiffness);
+    v("closure_time_s", closure_time);
+    v("lift_time_s", lift_time);
+    v("lift_height_m", lift_height);
+    v("hold_time_s", hold_time);
+    v("max_newton_iterations", max_newton_iterations);
+  }
+};
+
+/** What differs from trial to trial. The draws depend on the trial's number and the object only, so
+that every grasp and variant meets the same poses. */
+struct TrialDraw {
+  double offset_x = 0.0;        ///< of the object on the table [m]
+  double offset_y = 0.0;        ///< [m]
+  double offset_yaw = 0.0;      ///< [rad]
+  Eigen::VectorXd joint_error;  ///< added to every drive's command (num_joints) [rad]
+};
+
+struct TrialSetup {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  StandardGrasp grasp;
+  SimConfig config;
+  TrialDraw draw;
+};
+
+/** A posture of the whole scene, for pictures. */
+struct SceneSnapshot {
+  std::string name;   ///< "pregrasp", "closed", "lifted"
+  double time = 0.0;  ///< since the start of placing [s]
+  Pose X_WH = Pose::Identity();
+  Pose X_WO = Pose::Identity();
+  Eigen::VectorXd q;  ///< (num_joints) [rad]
+};
+
+struct TrialResult {
+  Outcome outcome = Outcome::kNotRun;
+  std::string reason;                  ///< one sentence for a person; empty for a success
+  std::vector<DigitContact> contacts;  ///< of the grasping digits; times since the start of closure
+  ContactTiming timing;                ///< t0 = 0 = start of closure
+  double lift_height = 0.0;            ///< of the object's centre at the end, above rest [m]
+  double hold_slip = 0.0;              ///< motion of the object relative to the palm while held [m]
+  double end_speed = 0.0;              ///< relative to the palm at the end [m/s]
+  double grip_force = 0.0;             ///< sum of normal forces on the object before lift-off [N]
+  double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
+  double energy_residual = 0.0;        ///< unexplained energy of the whole trial [J]
+  int num_steps = 0;
+  int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
+  double simulated_time = 0.0;  ///< [s]
+  std::vector<SceneSnapshot> snapshots;
+};
+
+Json ToJson(const TrialResult& result);
+TrialResult TrialResultFromJson(const Json& json);
+
+/** Runs trials of one hand and object; builds the Simbody system once and resets it.
+Not to be shared between threads. Never throws for what happens inside a trial. */
+class TrialRunner {
+ public:
+  TrialRunner(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object);
+  ~TrialRunner();
+  /** @pre setup.hand and setup.object are those of the constructor. */
+  TrialResult Run(const TrialSetup& setup);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace graspbench

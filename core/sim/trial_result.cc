@@ -1,0 +1,143 @@
+#include "core/base/error.h"
+#include "core/sim/trial.h"
+
+namespace graspbench {
+
+const char* NameOf(Phase phase) {
+  switch (phase) {
+    case Phase::kPreGrasp:
+      return "pre-grasp";
+    case Phase::kPlacing:
+      return "placing";
+    case Phase::kClosure:
+      return "closure";
+    case Phase::kStabilisation:
+      return "stabilisation";
+    case Phase::kLiftOff:
+      return "lift-off";
+    case Phase::kHold:
+      return "hold";
+  }
+  return "";
+}
+
+const char* NameOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kNotRun:
+      return "not run";
+    case Outcome::kSuccess:
+      return "success";
+    case Outcome::kNoContact:
+      return "no contact";
+    case Outcome::kPushedAway:
+      return "pushed away";
+    case Outcome::kKnockedOver:
+      return "knocked over";
+    case Outcome::kLostWhileClosing:
+      return "lost while closing";
+    case Outcome::kSlippedInLiftOff:
+      return "slipped in lift-off";
+    case Outcome::kDroppedWhileHolding:
+      return "dropped while holding";
+    case Outcome::kNumericalFailure:
+      return "numerical failure";
+  }
+  return "";
+}
+
+const std::vector<Outcome>& ListOutcomes() {
+  static const std::vector<Outcome> outcomes = {Outcome::kSuccess,
+                                                Outcome::kNoContact,
+                                                Outcome::kPushedAway,
+                                                Outcome::kKnockedOver,
+                                                Outcome::kLostWhileClosing,
+                                                Outcome::kSlippedInLiftOff,
+                                                Outcome::kDroppedWhileHolding,
+                                                Outcome::kNumericalFailure};
+  return outcomes;
+}
+
+Outcome OutcomeFromName(const std::string& name) {
+  std::vector<std::string> known;
+  for (Outcome outcome : ListOutcomes()) {
+    if (name == NameOf(outcome)) return outcome;
+    known.push_back(NameOf(outcome));
+  }
+  throw Error(ErrorKind::kFormat, "no outcome \"" + name + "\"" + SuggestNames(name, known));
+}
+
+namespace {
+
+Json ToJson(const SceneSnapshot& snapshot) {
+  Json q = Json::array();
+  for (double angle : snapshot.q) q.push_back(angle);
+  return Json{{"name", snapshot.name},
+              {"time_s", snapshot.time},
+              {"X_WH", JsonPose(snapshot.X_WH)},
+              {"X_WO", JsonPose(snapshot.X_WO)},
+              {"q_rad", q}};
+}
+
+SceneSnapshot SnapshotFromJson(const Json& json) {
+  SceneSnapshot snapshot;
+  snapshot.name = json.at("name").get<std::string>();
+  snapshot.time = json.at("time_s").get<double>();
+  snapshot.X_WH = PoseFrom(json.at("X_WH"));
+  snapshot.X_WO = PoseFrom(json.at("X_WO"));
+  const auto q = json.at("q_rad").get<std::vector<double>>();
+  snapshot.q = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+  return snapshot;
+}
+
+}  // namespace
+
+Json ToJson(const TrialResult& result) {
+  Json contacts = Json::array();
+  for (const DigitContact& contact : result.contacts) {
+    contacts.push_back({{"digit", contact.digit},
+                        {"is_thumb", contact.is_thumb},
+                        {"time_s", JsonNumber(contact.time)}});
+  }
+  Json snapshots = Json::array();
+  for (const SceneSnapshot& snapshot : result.snapshots) snapshots.push_back(ToJson(snapshot));
+  return Json{{"outcome", NameOf(result.outcome)},
+              {"reason", result.reason},
+              {"contacts", contacts},
+              {"lift_height_m", JsonNumber(result.lift_height)},
+              {"hold_slip_m", JsonNumber(result.hold_slip)},
+              {"end_speed_m_per_s", JsonNumber(result.end_speed)},
+              {"grip_force_n", JsonNumber(result.grip_force)},
+              {"worst_penetration_m", JsonNumber(result.worst_penetration)},
+              {"energy_residual_j", JsonNumber(result.energy_residual)},
+              {"num_steps", result.num_steps},
+              {"num_unconverged", result.num_unconverged},
+              {"simulated_time_s", JsonNumber(result.simulated_time)},
+              {"snapshots", snapshots}};
+}
+
+TrialResult TrialResultFromJson(const Json& json) {
+  TrialResult result;
+  result.outcome = OutcomeFromName(json.at("outcome").get<std::string>());
+  result.reason = json.at("reason").get<std::string>();
+  for (const Json& contact : json.at("contacts")) {
+    result.contacts.push_back({contact.at("digit").get<std::string>(),
+                               contact.at("is_thumb").get<bool>(),
+                               NumberFrom(contact.at("time_s"))});
+  }
+  result.timing = CalcContactTiming(result.contacts, 0.0);
+  result.lift_height = NumberFrom(json.at("lift_height_m"));
+  result.hold_slip = NumberFrom(json.at("hold_slip_m"));
+  result.end_speed = NumberFrom(json.at("end_speed_m_per_s"));
+  result.grip_force = NumberFrom(json.at("grip_force_n"));
+  result.worst_penetration = NumberFrom(json.at("worst_penetration_m"));
+  result.energy_residual = NumberFrom(json.at("energy_residual_j"));
+  result.num_steps = json.at("num_steps").get<int>();
+  result.num_unconverged = json.at("num_unconverged").get<int>();
+  result.simulated_time = NumberFrom(json.at("simulated_time_s"));
+  for (const Json& snapshot : json.at("snapshots")) {
+    result.snapshots.push_back(SnapshotFromJson(snapshot));
+  }
+  return result;
+}
+
+}  // namespace graspbench

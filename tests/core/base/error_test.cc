@@ -1,0 +1,38 @@
+#include "core/base/error.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/diagnostics.h"
+
+namespace graspbench {
+namespace {
+
+TEST(SuggestNames, NamesTheClosestAndListsTheKnown) {
+  EXPECT_EQ(SuggestNames("pencl", {"pencil", "cup"}),
+            "; did you mean \"pencil\"? Known: pencil, cup");
+}
+
+TEST(SuggestNames, DoesNotGuessWhenNothingIsNear) {
+  EXPECT_EQ(SuggestNames("xylophone", {"pencil", "cup"}), ". Known: pencil, cup");
+  EXPECT_EQ(SuggestNames("a", {}), ". Known: none");
+}
+
+TEST(Diagnostics, TellsAllProblemsAtOnce) {
+  Diagnostics problems;
+  problems.Warn("hand.urdf", 3, "no visual");
+  EXPECT_NO_THROW(problems.ThrowIfErrors(ErrorKind::kFormat, "bad hand"));
+  problems.Fail("hand.urdf", 7, "zero mass");
+  problems.Fail("hand.yaml", 0, "no digits");
+  try {
+    problems.ThrowIfErrors(ErrorKind::kFormat, "bad hand");
+    FAIL() << "should have thrown";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kFormat);
+    EXPECT_STREQ(e.what(),
+                 "bad hand\nhand.urdf:3: warning: no visual\nhand.urdf:7: error: zero mass\n"
+                 "hand.yaml: error: no digits");
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,41 @@
+#include "core/base/files.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+const std::filesystem::path kTemporary = testing::TempDir();
+
+TEST(Files, WriteThenReadGivesTheSameBytes) {
+  const std::string bytes("a\0b\r\n\xff", 6);
+  WriteFileAtomically(kTemporary / "bytes", bytes);
+  EXPECT_EQ(ReadFile(kTemporary / "bytes"), bytes);
+}
+
+TEST(Files, AMissingFileIsNamed) {
+  try {
+    ReadFile("no/such/file");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kNotFound);
+    EXPECT_STREQ(e.what(), "no file \"no/such/file\"");
+  }
+}
+
+TEST(Files, AFolderIsNotAFile) { EXPECT_THROW(ReadFile(kTemporary), Error); }
+
+TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {
+  try {
+    WriteFileAtomically("/proc/none/file", "x");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kIo);
+    EXPECT_NE(std::string(e.what()).find("No such file"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace graspbench
