@@ -4,8 +4,10 @@ A thing to grasp, as the simulation and the pictures need it. Made by objects/ f
 from a user's mesh; shared read-only between threads. */
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/shape/mass_properties.h"
 #include "core/shape/signed_distance_field.h"
@@ -25,8 +27,11 @@ struct GraspObject {
   MassProperties mass_properties;
   double friction_static = 0.0;   ///< Coulomb coefficient against the hand
   double friction_dynamic = 0.0;  ///< <= friction_static
-  std::string best_grasp_tum;     ///< best-suited standard grasp, "g1".."g5"
-  std::string best_grasp_shadow;
+  /** Best-suited standard grasp, "g1".."g5", by hand id; hands not named here use grasp_order. */
+  std::map<std::string, std::string> best_grasp;
+  /** Grasps by falling suitability; a hand without an entry in best_grasp takes the first of them
+  that it can do. */
+  std::vector<std::string> grasp_order = {"g1", "g3", "g2", "g5", "g4"};
   Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for pictures
   std::string content_hash;  ///< of everything that the simulation depends on
 };

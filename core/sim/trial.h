@@ -24,6 +24,10 @@ then a hold, after which the verdict is given (method: see outcome names below).
 
 namespace graspbench {
 
+/** Counts changes of the physics that change results. Part of every trial id, so that records of
+different physics never meet under one id. */
+inline constexpr int kPhysicsVersion = 1;
+
 enum class Phase { kPreGrasp, kPlacing, kClosure, kStabilisation, kLiftOff, kHold };
 const char* NameOf(Phase phase);  ///< "pre-grasp", "placing", ...
 
