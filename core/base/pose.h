@@ -4,7 +4,8 @@ Frames and poses.
 
 Frames (right-handed), by letter:
 
-    W   world: z up, origin on the table's top      H   hand base (the palm's frame)
+    W   world: z up, origin on the table's top      H   hand base: fixed to the link the arm
+                                                        carries, = the palm's frame at rest
     L   a link of the hand                          F   a finger's last link (F1 thumb .. F5)
     O   object: centre of the bounding box as it rests; x along its length, y its width, z up
     Ocm the object's frame moved to its centre of mass

@@ -29,8 +29,7 @@ std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q) {
   std::vector<Pose> X_HL(hand.links.size(), Pose::Identity());
   for (size_t i = 0; i < hand.links.size(); ++i) {
     const HandLink& link = hand.links[i];
-    if (link.parent < 0) continue;
-    X_HL[i] = X_HL[link.parent] * link.X_PJ;
+    X_HL[i] = link.parent < 0 ? link.X_PJ : X_HL[link.parent] * link.X_PJ;
     if (link.joint >= 0) X_HL[i].rotate(Eigen::AngleAxisd(q[link.joint], link.axis));
   }
   return X_HL;

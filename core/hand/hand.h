@@ -2,9 +2,11 @@
 /** @file
 A robot hand as data: kinematic tree, mass, contact surface, drives, coupling, digits, looks.
 
-The tree hangs below the palm's frame H. Every moving joint is a revolute joint about an axis fixed
-in its frame J: with X_PJ the joint frame in the parent link P, X_PL(q) = X_PJ * Rot(axis, q). A
-link's frame L is its joint's frame (URDF's rule).
+The arm carries links[0], the root: the palm itself, or a forearm below wrist joints. Frame H is
+fixed to the root and is the palm's frame with all joints at zero, so a hand with a straight wrist
+has its palm at H. Every moving joint is a revolute joint about an axis fixed in its frame J: with
+X_PJ the joint frame in the parent link P, X_PL(q) = X_PJ * Rot(axis, q). A link's frame L is its
+joint's frame (URDF's rule).
 
 Joint angles q hold one angle for every revolute joint, in the order of `joints`. Coupled distal
 joints are part of q but are no freedoms of their own: see coupling.h. */
@@ -43,9 +45,9 @@ struct LinkVisual {
 
 struct HandLink {
   std::string name;
-  int parent = -1;                                   ///< index into links; -1: none (the palm)
+  int parent = -1;                                   ///< index into links; -1: none (the root)
   int joint = -1;                                    ///< index into joints; -1: fixed to parent
-  Pose X_PJ = Pose::Identity();                      ///< joint frame in the parent link
+  Pose X_PJ = Pose::Identity();                      ///< joint frame in the parent link; root: X_HL
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();   ///< unit, in J; unused when fixed
   double mass = 0.0;                                 ///< [kg]
   Eigen::Vector3d p_LLcm = Eigen::Vector3d::Zero();  ///< centre of mass [m]
@@ -85,7 +87,8 @@ struct Hand {
   std::string id;      ///< "shadow"
   std::string name;    ///< "Shadow Hand"
   std::string folder;  ///< where hand.urdf and hand.yaml were read; never written into results
-  std::vector<HandLink> links;    ///< parents before children; links[0] is the palm, frame H
+  std::vector<HandLink> links;    ///< parents before children; links[0] is the root
+  int palm_link = 0;              ///< index into links; joints between root and palm are a wrist
   std::vector<HandJoint> joints;  ///< all revolute joints, finger by finger
   std::vector<Digit> digits;      ///< in the hand's order, e.g. FF MF RF LF TH
   CouplingRule coupling = CouplingRule::kMiddleFirst;
@@ -105,7 +108,8 @@ struct Hand {
   int FindDigitOfLink(int link) const;                 ///< -1: the palm or wrist
 };
 
-/** Poses of all links in H, X_HL, for joint angles q (num_joints) [rad]. */
+/** Poses of all links in H, X_HL, for joint angles q (num_joints) [rad]. With the wrist at zero the
+palm's is the identity. */
 std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q);
 
 }  // namespace graspbench
