@@ -31,6 +31,7 @@ struct SessionConfig {
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
   VariationConfig variation;
+  StrategyConfig strategy;
   SimConfig sim;
 
   template <class V>
@@ -41,6 +42,7 @@ struct SessionConfig {
     v("trials", trials);
     v("seed", seed);
     v("variation", variation);
+    v("strategy", strategy);
     v("sim", sim);
   }
 };

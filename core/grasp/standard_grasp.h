@@ -28,18 +28,16 @@ const std::vector<GraspTaxon>& ListGraspTaxa();
 /** @throws Error(kNotFound) with suggestions. */
 const GraspTaxon& FindGraspTaxon(const std::string& id);
 
-/** One grasp of one hand. */
+/** One grasp of one hand. Where the hand stands follows from the postures: see placement.h. */
 struct StandardGrasp {
   std::string id;  ///< "g1".."g5", or the name of an optimised grasp
   GraspType type = GraspType::kAllFingerPrecision;
-  double approach_distance = 0.1;                  ///< d [m]
-  double alpha = 0.0;                              ///< [rad]
-  Eigen::VectorXd q_pre;                           ///< (num_joints) [rad], coupled joints filled in
-  Eigen::VectorXd q_target;                        ///< (num_joints) [rad]
-  Eigen::Vector3d p_HG = Eigen::Vector3d::Zero();  ///< grasp centre in the palm's frame [m]
-  Eigen::Vector3d approach_H = -Eigen::Vector3d::UnitY();  ///< unit; this direction of the hand
-                                                           ///< goes down when grasping from above
-  Eigen::Vector3d opposition_H = Eigen::Vector3d::UnitX();  ///< unit; thumb towards fingers
+  double approach_distance = 0.1;  ///< d [m]
+  double alpha = 0.0;              ///< [rad]
+  double tilt = 0.0;  ///< from above, the hand is turned by this from the palm's normal towards the
+                      ///< fingertips, so that curled fingers stay above the pinch point [rad]
+  Eigen::VectorXd q_pre;            ///< (num_joints) [rad], coupled joints filled in
+  Eigen::VectorXd q_target;         ///< (num_joints) [rad]
   std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
   bool palm_may_touch = false;      ///< power grasps
 };

@@ -1,14 +1,7 @@
 #pragma once
 /** @file
-One grasp trial: the five-phase strategy carried out by a hand on an object, in physics.
-
-    1 pre-grasp   the hand stands at distance d and takes the pre-grasp posture
-    2 placing     it moves to the grasp position
-    3 closure     it closes towards the target posture, until all grasping digits touch
-    4 stabilisation   until the fingers exert enough force
-    5 lift-off    back along the approach; the object comes along, or not
-
-then a hold, after which the verdict is given (method: see outcome names below). */
+One grasp trial: the five-phase strategy (core/grasp/strategy.h) carried out by a hand on an object
+in physics, then a hold, after which the outcome is given. */
 
 #include <Eigen/Core>
 #include <memory>
@@ -19,6 +12,7 @@ then a hold, after which the verdict is given (method: see outcome names below).
 #include "core/base/pose.h"
 #include "core/grasp/contact_timing.h"
 #include "core/grasp/standard_grasp.h"
+#include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 
@@ -27,9 +21,6 @@ namespace graspbench {
 /** Counts changes of the physics that change results. Part of every trial id, so that records of
 different physics never meet under one id. */
 inline constexpr int kPhysicsVersion = 1;
-
-enum class Phase { kPreGrasp, kPlacing, kClosure, kStabilisation, kLiftOff, kHold };
-const char* NameOf(Phase phase);  ///< "pre-grasp", "placing", ...
 
 enum class Outcome {
   kNotRun,
@@ -47,17 +38,14 @@ const char* NameOf(Outcome outcome);  ///< "success", "no contact", ...
 const std::vector<Outcome>& ListOutcomes();
 Outcome OutcomeFromName(const std::string& name);
 
-/** Settings of the simulation and the strategy; part of the frozen session configuration. */
+/** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
-  double step = 0.002;                ///< [s]
-  double contact_stiffness = 4e4;     ///< normal, per contact point [N/m]
-  double contact_dissipation = 1.0;   ///< Hunt-Crossley d in f = k x (1 + d xdot) [s/m]
-  double tangential_stiffness = 4e4;  ///< bristle [N/m]
-  double closure_time = 1.0;          ///< linear closing from pre-grasp to target [s]
-  double lift_time = 1.0;             ///< [s]
-  double lift_height = 0.1;           ///< = d of every grasp [m]
-  double hold_time = 2.0;             ///< [s]
-  int max_newton_iterations = 30;
+  double step = 0.002;                 ///< [s]
+  double contact_stiffness = 4e4;      ///< normal, per contact point [N/m]
+  double contact_dissipation = 1.0;    ///< Hunt-Crossley d in f = k x (1 + d xdot) [s/m]
+  double tangential_stiffness = 4e4;   ///< bristle, per contact point [N/m]
+  double table_friction_static = 0.4;  ///< object and fingers on the table
+  double table_friction_dynamic = 0.35;
 
   template <class V>
   void Visit(V&& v) {
@@ -65,11 +53,8 @@ struct SimConfig {
     v("contact_stiffness_n_per_m", contact_stiffness);
     v("contact_dissipation_s_per_m", contact_dissipation);
     v("tangential_stiffness_n_per_m", tangential_stiffness);
-    v("closure_time_s", closure_time);
-    v("lift_time_s", lift_time);
-    v("lift_height_m", lift_height);
-    v("hold_time_s", hold_time);
-    v("max_newton_iterations", max_newton_iterations);
+    v("table_friction_static", table_friction_static);
+    v("table_friction_dynamic", table_friction_dynamic);
   }
 };
 
@@ -86,7 +71,8 @@ struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   StandardGrasp grasp;
-  SimConfig config;
+  StrategyConfig strategy;
+  SimConfig sim;
   TrialDraw draw;
 };
 

@@ -3,24 +3,6 @@
 
 namespace graspbench {
 
-const char* NameOf(Phase phase) {
-  switch (phase) {
-    case Phase::kPreGrasp:
-      return "pre-grasp";
-    case Phase::kPlacing:
-      return "placing";
-    case Phase::kClosure:
-      return "closure";
-    case Phase::kStabilisation:
-      return "stabilisation";
-    case Phase::kLiftOff:
-      return "lift-off";
-    case Phase::kHold:
-      return "hold";
-  }
-  return "";
-}
-
 const char* NameOf(Outcome outcome) {
   switch (outcome) {
     case Outcome::kNotRun:

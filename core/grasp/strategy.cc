@@ -1,0 +1,113 @@
+#include "core/grasp/strategy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+/** Minimum-jerk course from 0 to 1 (Flash and Hogan 1985) and its derivative, x in [0, 1]. */
+double CalcCourse(double x) { return x * x * x * (10.0 + x * (6.0 * x - 15.0)); }
+double CalcCourseRate(double x) { return 30.0 * x * x * (1.0 - x) * (1.0 - x); }
+
+/** The grip counts as steady when its force has stayed within this share for this long. */
+constexpr double kSteadyShare = 0.02;
+constexpr double kSteadyTime = 0.1;
+
+}  // namespace
+
+const char* NameOf(Phase phase) {
+  switch (phase) {
+    case Phase::kPreGrasp:
+      return "pre-grasp";
+    case Phase::kPlacing:
+      return "placing";
+    case Phase::kClosure:
+      return "closure";
+    case Phase::kStabilisation:
+      return "stabilisation";
+    case Phase::kLiftOff:
+      return "lift-off";
+    case Phase::kHold:
+      return "hold";
+    case Phase::kDone:
+      return "done";
+  }
+  return "";
+}
+
+GraspStrategy::GraspStrategy(const StrategyConfig& config, double distance)
+    : config_(config), distance_(distance) {}
+
+void GraspStrategy::Enter(Phase phase) {
+  phase_ = phase;
+  time_in_phase_ = 0.0;
+  settled_since_ = 0.0;
+  settled_force_ = 0.0;
+}
+
+void GraspStrategy::StartPlacing(double time_before_arrival) {
+  Enter(Phase::kPlacing);
+  time_in_phase_ = config_.placing_time - time_before_arrival;
+}
+
+double GraspStrategy::CalcPlacingDistance(double time_before_arrival) const {
+  const double x = std::clamp(1.0 - time_before_arrival / config_.placing_time, 0.0, 1.0);
+  return distance_ * (1.0 - CalcCourse(x));
+}
+
+StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& observation) {
+  StrategyCommand command;
+  time_in_phase_ += step;
+
+  switch (phase_) {
+    case Phase::kPreGrasp:
+      command.distance = distance_;
+      break;
+    case Phase::kPlacing: {
+      const double x = std::clamp(time_in_phase_ / config_.placing_time, 0.0, 1.0);
+      command.distance = distance_ * (1.0 - CalcCourse(x));
+      command.speed = -distance_ * CalcCourseRate(x) / config_.placing_time;
+      if (time_in_phase_ >= config_.placing_time) Enter(Phase::kClosure);
+      break;
+    }
+    case Phase::kClosure:
+      closing_ = std::min(1.0, closing_ + step / config_.closure_time);
+      if (observation.all_digits_touched ||
+          time_in_phase_ >= config_.closure_time + config_.closure_patience) {
+        Enter(Phase::kStabilisation);
+      }
+      break;
+    case Phase::kStabilisation:
+      closing_ = std::min(1.0, closing_ + step / config_.closure_time);
+      if (closing_ < 1.0 ||
+          std::abs(observation.grip_force - settled_force_) > kSteadyShare * settled_force_) {
+        settled_since_ = time_in_phase_;
+        settled_force_ = observation.grip_force;
+      }
+      if ((time_in_phase_ >= config_.stabilisation_min_time &&
+           time_in_phase_ - settled_since_ >= kSteadyTime) ||
+          time_in_phase_ >= config_.stabilisation_max_time) {
+        Enter(Phase::kLiftOff);
+      }
+      break;
+    case Phase::kLiftOff: {
+      const double x = std::clamp(time_in_phase_ / config_.lift_time, 0.0, 1.0);
+      command.distance = distance_ * CalcCourse(x);
+      command.speed = distance_ * CalcCourseRate(x) / config_.lift_time;
+      if (time_in_phase_ >= config_.lift_time) Enter(Phase::kHold);
+      break;
+    }
+    case Phase::kHold:
+      command.distance = distance_;
+      if (time_in_phase_ >= config_.hold_time) Enter(Phase::kDone);
+      break;
+    case Phase::kDone:
+      command.distance = distance_;
+      break;
+  }
+  command.closing = closing_;
+  return command;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,86 @@
+#pragma once
+/** @file
+The five-phase grasp strategy as a serial state machine (Roethling 2007, chapter 3):
+
+    1 pre-grasp       the hand stands at distance d and takes the pre-grasp posture
+    2 placing         it moves to the grasp position
+    3 closure         only after it has arrived: it closes towards the target posture; ends at the
+first instant at which all grasping digits touch 4 stabilisation   until the fingers exert enough
+force 5 lift-off        back to the pre-grasp position; the object comes along, or not
+
+and a hold, in which the verdict is reached. The machine knows time and touch, no physics: the same
+one can drive a simulation or a replay. Closing is linear in the joint angles, q(s) = q_pre + s
+(q_target - q_pre), and goes on after the first touch until s = 1: what the object prevents becomes
+force. */
+
+namespace graspbench {
+
+enum class Phase { kPreGrasp, kPlacing, kClosure, kStabilisation, kLiftOff, kHold, kDone };
+const char* NameOf(Phase phase);  ///< "pre-grasp", "placing", ...
+
+/** Times of the phases. Proposed by graspbench; the thesis names phases, not seconds. */
+struct StrategyConfig {
+  double placing_time = 0.8;            ///< [s]
+  double closure_time = 1.0;            ///< from pre-grasp to target with nothing between [s]
+  double closure_patience = 0.3;        ///< after s = 1, wait this long for missing digits [s]
+  double stabilisation_min_time = 0.5;  ///< sigma is taken over its last 0.5 s [s]
+  double stabilisation_max_time = 2.0;  ///< [s]
+  double lift_time = 1.0;               ///< [s]
+  double hold_time = 2.0;               ///< [s]
+
+  template <class V>
+  void Visit(V&& v) {
+    v("placing_time_s", placing_time);
+    v("closure_time_s", closure_time);
+    v("closure_patience_s", closure_patience);
+    v("stabilisation_min_time_s", stabilisation_min_time);
+    v("stabilisation_max_time_s", stabilisation_max_time);
+    v("lift_time_s", lift_time);
+    v("hold_time_s", hold_time);
+  }
+};
+
+/** What the machine must know of the world, once a step. */
+struct StrategyObservation {
+  bool all_digits_touched = false;  ///< every grasping digit has touched the object at least once
+  double grip_force = 0.0;          ///< sum of the normal forces on the object by the hand [N]
+};
+
+/** What the hand is asked to do at the end of the step. */
+struct StrategyCommand {
+  double closing = 0.0;   ///< s in [0, 1]
+  double distance = 0.0;  ///< of the hand from the grasp position, against the approach [m]
+  double speed = 0.0;     ///< d distance / dt [m/s]
+};
+
+class GraspStrategy {
+ public:
+  /** @param distance  d: where the hand starts and returns to [m]. */
+  GraspStrategy(const StrategyConfig& config, double distance);
+
+  /** Starts in the placing phase `time_before_arrival` before the hand arrives; nothing can touch
+  earlier than that, so there is nothing to compute. */
+  void StartPlacing(double time_before_arrival);
+
+  /** Advances by one step. */
+  StrategyCommand Step(double step, const StrategyObservation& observation);
+
+  Phase phase() const { return phase_; }
+  double time_in_phase() const { return time_in_phase_; }
+
+  /** The hand's distance `time_before_arrival` before the end of placing [m]. */
+  double CalcPlacingDistance(double time_before_arrival) const;
+
+ private:
+  void Enter(Phase phase);
+
+  StrategyConfig config_;
+  double distance_;
+  Phase phase_ = Phase::kPreGrasp;
+  double time_in_phase_ = 0.0;
+  double closing_ = 0.0;
+  double settled_since_ = 0.0;  ///< time in phase at which the grip force last changed
+  double settled_force_ = 0.0;  ///< [N]
+};
+
+}  // namespace graspbench
