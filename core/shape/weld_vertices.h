@@ -1,0 +1,13 @@
+#pragma once
+/** @file Joins coincident vertices, so that neighbouring triangles share them. */
+
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+/** Vertices within `tolerance` [m] of an earlier one become that one; triangles that lose a corner
+and vertices that no triangle uses are dropped. The order of what remains is kept.
+@pre finite vertices, valid indices, tolerance > 0. */
+TriMesh WeldVertices(const TriMesh& mesh, double tolerance);
+
+}  // namespace graspbench
