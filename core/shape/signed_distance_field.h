@@ -5,10 +5,9 @@ step, so a query costs one trilinear interpolation.
 
     phi(p) = +- min over the surface of |p - s|,  positive outside
 
-Nodes within `kExactBand` of the surface are exact (nearest triangle by a bounding-volume tree, sign
-by angle-weighted normals, Baerentzen and Aanaes 2005); farther nodes carry the nearest sign and a
-lower bound. Between nodes the error is that of trilinear interpolation, O(cell^2 * curvature); next
-to a sharp edge it is up to about half a cell, so query a few millimetres away from the surface
+Every node is exact: nearest triangle by a tree of boxes, sign by angle-weighted normals (Baerentzen
+and Aanaes 2005). Between nodes the error is that of trilinear interpolation, O(cell^2 * curvature);
+next to a sharp edge it is up to about half a cell, so query a few millimetres away from the surface
 (sphere centres), where the field is smooth. */
 
 #include <Eigen/Core>
@@ -22,15 +21,17 @@ namespace graspbench {
 
 class SignedDistanceField {
  public:
-  static constexpr double kExactBand = 0.015;  ///< [m] nodes nearer than this are exact
-  static constexpr int kMaxCells = 96;         ///< along the longest side
+  static constexpr double kMargin = 0.015;    ///< [m] the grid reaches this far beyond the mesh
+  static constexpr double kMinCell = 0.0005;  ///< [m]
+  static constexpr int kMaxNodes = 700000;    ///< sets the cell of all but the smallest objects
 
-  /** @pre the mesh is closed (core/shape/mesh_check.h). The grid covers the bounding box plus
-  kExactBand; cells are cubes. Costs about a second for 20,000 triangles. */
+  /** @pre the mesh is closed (core/shape/mesh_check.h). Cells are cubes. Costs about half a second
+  for 5,000 triangles. */
   static SignedDistanceField Build(const TriMesh& mesh);
 
   /** Build, or read what an earlier call stored under the mesh's hash in `cache_folder`. A damaged
-  or foreign cache file is rebuilt. The result is the same bits either way. */
+  or foreign cache file is rebuilt; a cache that cannot be written is done without. The result is
+  the same bits either way. */
   static std::shared_ptr<const SignedDistanceField> LoadOrBuild(
       const TriMesh& mesh, const std::filesystem::path& cache_folder);
 
@@ -38,7 +39,8 @@ class SignedDistanceField {
     double distance = 0.0;                                ///< [m]
     Eigen::Vector3d gradient = Eigen::Vector3d::UnitZ();  ///< unit, points away from the object
   };
-  /** Outside the grid: a lower bound of the distance, gradient from the nearest grid point. */
+  /** The interpolant and its own gradient, made unit. Outside the grid: a lower bound of the
+  distance, gradient from the nearest grid point. */
   Sample Query(const Eigen::Vector3d& p_O) const;
 
   const Eigen::Vector3d& lower() const { return lower_; }  ///< corner of node (0,0,0), in O [m]

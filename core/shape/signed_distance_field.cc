@@ -1,0 +1,227 @@
+#include "core/shape/signed_distance_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
+#include "core/shape/triangle_tree.h"
+
+namespace graspbench {
+namespace {
+
+// Raise when the stored layout or the rule that fills it changes.
+constexpr char kCacheMagic[8] = {'g', 'b', 's', 'd', 'f', '0', '0', '1'};
+
+// Normals that tell inside from outside for a nearest point on a face, an edge or a vertex.
+class PseudoNormals {
+ public:
+  explicit PseudoNormals(const TriMesh& mesh)
+      : mesh_(&mesh),
+        of_vertex_(mesh.vertices.size(), Eigen::Vector3d::Zero()),
+        of_edge_(mesh.triangles.size()) {
+    std::map<std::pair<int, int>, Eigen::Vector3d> edges;
+    const auto edge_key = [](int a, int b) { return std::pair<int, int>(std::minmax(a, b)); };
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      const Eigen::Vector3d normal = CalcFaceNormal(t);
+      for (int k = 0; k < 3; ++k) {
+        const int here = t[k], next = t[(k + 1) % 3], last = t[(k + 2) % 3];
+        const Eigen::Vector3d u = mesh.vertices[next] - mesh.vertices[here];
+        const Eigen::Vector3d v = mesh.vertices[last] - mesh.vertices[here];
+        of_vertex_[here] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
+        edges.try_emplace(edge_key(here, next), Eigen::Vector3d::Zero()).first->second += normal;
+      }
+    }
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Eigen::Vector3i& t = mesh.triangles[i];
+      for (int k = 0; k < 3; ++k) of_edge_[i][k] = edges.at(edge_key(t[k], t[(k + 1) % 3]));
+    }
+  }
+
+  // Not unit: only the sign of a product with it matters.
+  Eigen::Vector3d Find(const TriangleTree::Nearest& nearest) const {
+    using Feature = TriangleTree::Feature;
+    const Eigen::Vector3i& t = mesh_->triangles[nearest.triangle];
+    switch (nearest.feature) {
+      case Feature::kFace:
+        return CalcFaceNormal(t);
+      case Feature::kEdge01:
+        return of_edge_[nearest.triangle][0];
+      case Feature::kEdge12:
+        return of_edge_[nearest.triangle][1];
+      case Feature::kEdge20:
+        return of_edge_[nearest.triangle][2];
+      case Feature::kVertex0:
+        return of_vertex_[t[0]];
+      case Feature::kVertex1:
+        return of_vertex_[t[1]];
+      case Feature::kVertex2:
+        return of_vertex_[t[2]];
+    }
+    return Eigen::Vector3d::Zero();
+  }
+
+ private:
+  Eigen::Vector3d CalcFaceNormal(const Eigen::Vector3i& t) const {
+    const auto& v = mesh_->vertices;
+    return (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).normalized();
+  }
+  const TriMesh* mesh_;
+  std::vector<Eigen::Vector3d> of_vertex_;
+  std::vector<std::array<Eigen::Vector3d, 3>> of_edge_;  // edge k from corner k to k + 1
+};
+
+uint64_t CalcMeshHash(const TriMesh& mesh) {
+  static_assert(sizeof(Eigen::Vector3d) == 24 && sizeof(Eigen::Vector3i) == 12);
+  const std::string_view vertices(reinterpret_cast<const char*>(mesh.vertices.data()),
+                                  mesh.vertices.size() * sizeof(Eigen::Vector3d));
+  const std::string_view triangles(reinterpret_cast<const char*>(mesh.triangles.data()),
+                                   mesh.triangles.size() * sizeof(Eigen::Vector3i));
+  return CalcHash64(triangles, CalcHash64(vertices, mesh.vertices.size()));
+}
+
+// What stands before the values in a cache file.
+struct CacheHeader {
+  char magic[8];
+  uint64_t mesh_hash;
+  uint64_t values_hash;
+  double lower[3];
+  double cell;
+  int32_t num_nodes[3];
+  int32_t padding;
+};
+static_assert(sizeof(CacheHeader) == 72);
+
+std::string_view BytesOf(const std::vector<float>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
+}  // namespace
+
+SignedDistanceField SignedDistanceField::Build(const TriMesh& mesh) {
+  GRASPBENCH_DEMAND(!mesh.triangles.empty(), "a mesh without triangles has no distance");
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
+  const Eigen::Vector3d covered = box.sizes() + Eigen::Vector3d::Constant(2.0 * kMargin);
+
+  SignedDistanceField field;
+  field.lower_ = box.min() - Eigen::Vector3d::Constant(kMargin);
+  field.cell_ = std::max(kMinCell, std::cbrt(covered.prod() / kMaxNodes));
+  field.num_nodes_ = (covered / field.cell_).array().ceil().cast<int>() + 1;
+  field.values_.resize(static_cast<size_t>(field.num_nodes_.cast<int64_t>().prod()));
+
+  const TriangleTree tree(mesh);
+  const PseudoNormals normals(mesh);
+  int nearest_triangle = 0;  // of the previous node: an excellent first guess
+  float* value = field.values_.data();
+  for (int k = 0; k < field.num_nodes_.z(); ++k) {
+    for (int j = 0; j < field.num_nodes_.y(); ++j) {
+      for (int i = 0; i < field.num_nodes_.x(); ++i) {
+        const Eigen::Vector3d p = field.lower_ + field.cell_ * Eigen::Vector3d(i, j, k);
+        const TriangleTree::Nearest nearest = tree.FindNearest(p, nearest_triangle);
+        nearest_triangle = nearest.triangle;
+        const bool is_inside = (p - nearest.point).dot(normals.Find(nearest)) < 0.0;
+        const double distance = std::sqrt(nearest.squared_distance);
+        *value++ = static_cast<float>(is_inside ? -distance : distance);
+      }
+    }
+  }
+  return field;
+}
+
+std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadOrBuild(
+    const TriMesh& mesh, const std::filesystem::path& cache_folder) {
+  const uint64_t mesh_hash = CalcMeshHash(mesh);
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx.sdf", static_cast<unsigned long long>(mesh_hash));
+  const std::filesystem::path path = cache_folder / name;
+
+  std::error_code status;
+  if (std::filesystem::exists(path, status)) {
+    try {
+      const std::string bytes = ReadFile(path);
+      CacheHeader header;
+      SignedDistanceField field;
+      if (bytes.size() > sizeof header) {
+        std::memcpy(&header, bytes.data(), sizeof header);
+        field.lower_ = Eigen::Map<const Eigen::Vector3d>(header.lower);
+        field.cell_ = header.cell;
+        field.num_nodes_ = Eigen::Map<const Eigen::Vector3i>(header.num_nodes);
+        const std::string_view values = std::string_view(bytes).substr(sizeof header);
+        if (std::memcmp(header.magic, kCacheMagic, sizeof kCacheMagic) == 0 &&
+            header.mesh_hash == mesh_hash && CalcHash64(values) == header.values_hash &&
+            (field.num_nodes_.array() > 1).all() && (field.num_nodes_.array() <= kMaxNodes).all() &&
+            static_cast<size_t>(field.num_nodes_.cast<int64_t>().prod()) * sizeof(float) ==
+                values.size()) {
+          field.values_.resize(values.size() / sizeof(float));
+          std::memcpy(field.values_.data(), values.data(), values.size());
+          return std::make_shared<const SignedDistanceField>(std::move(field));
+        }
+      }
+    } catch (const Error&) {
+      // Unreadable: as good as absent.
+    }
+  }
+
+  auto field = std::make_shared<const SignedDistanceField>(Build(mesh));
+  CacheHeader header = {};
+  std::memcpy(header.magic, kCacheMagic, sizeof kCacheMagic);
+  header.mesh_hash = mesh_hash;
+  header.values_hash = CalcHash64(BytesOf(field->values_));
+  Eigen::Map<Eigen::Vector3d>(header.lower) = field->lower_;
+  header.cell = field->cell_;
+  Eigen::Map<Eigen::Vector3i>(header.num_nodes) = field->num_nodes_;
+  std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
+  bytes += BytesOf(field->values_);
+  try {
+    std::filesystem::create_directories(cache_folder, status);
+    WriteFileAtomically(path, bytes);
+  } catch (const Error&) {
+    // A read-only or full disk costs the next start some seconds, nothing else.
+  }
+  return field;
+}
+
+SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& p_O) const {
+  // In cells from the first node, clamped onto the grid.
+  const Eigen::Vector3d wanted = (p_O - lower_) / cell_;
+  const Eigen::Vector3d highest = (num_nodes_.array() - 1).cast<double>();
+  const Eigen::Vector3d clamped = wanted.cwiseMax(0.0).cwiseMin(highest);
+  const Eigen::Vector3i node = clamped.cast<int>().cwiseMin((num_nodes_.array() - 2).matrix());
+  const double x = clamped.x() - node.x(), y = clamped.y() - node.y(), z = clamped.z() - node.z();
+
+  const int64_t row = num_nodes_.x();
+  const int64_t layer = row * num_nodes_.y();
+  const float* v = values_.data() + node.x() + row * node.y() + layer * node.z();
+  const double v000 = v[0], v100 = v[1], v010 = v[row], v110 = v[row + 1];
+  const double v001 = v[layer], v101 = v[layer + 1], v011 = v[layer + row],
+               v111 = v[layer + row + 1];
+
+  // Along x on the four edges, along y on the two faces, along z.
+  const double e00 = v000 + x * (v100 - v000), e10 = v010 + x * (v110 - v010);
+  const double e01 = v001 + x * (v101 - v001), e11 = v011 + x * (v111 - v011);
+  const double f0 = e00 + y * (e10 - e00), f1 = e01 + y * (e11 - e01);
+  const double dx0 = (1.0 - y) * (v100 - v000) + y * (v110 - v010);
+  const double dx1 = (1.0 - y) * (v101 - v001) + y * (v111 - v011);
+
+  Sample sample;
+  sample.distance = f0 + z * (f1 - f0);
+  const Eigen::Vector3d gradient(dx0 + z * (dx1 - dx0), (1.0 - z) * (e10 - e00) + z * (e11 - e01),
+                                 f1 - f0);
+  // It vanishes on the medial axis only; the default direction is as good as any there.
+  const double norm = gradient.norm();
+  if (norm > 0.0) sample.gradient = gradient / norm;
+
+  // The object lies in the grid's box: beyond it the way out adds at a right angle or more.
+  const double beyond = cell_ * (wanted - clamped).norm();
+  if (beyond > 0.0) sample.distance = std::hypot(sample.distance, beyond);
+  return sample;
+}
+
+}  // namespace graspbench

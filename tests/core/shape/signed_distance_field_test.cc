@@ -1,0 +1,228 @@
+#include "core/shape/signed_distance_field.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/base/files.h"
+#include "core/base/random.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Signed distance of a box with half sizes h; the textbook formula.
+double CalcBoxDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& h) {
+  const Eigen::Vector3d q = p.cwiseAbs() - h;
+  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
+}
+
+Eigen::Vector3d DrawNode(const SignedDistanceField& field, RandomStream& random) {
+  const Eigen::Vector3i n = field.num_nodes();
+  return field.lower() + field.cell() * Eigen::Vector3d(random.NextIndex(n.x()),
+                                                        random.NextIndex(n.y()),
+                                                        random.NextIndex(n.z()));
+}
+
+Eigen::Vector3d DrawPoint(const SignedDistanceField& field, RandomStream& random) {
+  const Eigen::Vector3d size = field.cell() * (field.num_nodes().array() - 1).cast<double>();
+  return field.lower() + Eigen::Vector3d(random.NextUnit(), random.NextUnit(), random.NextUnit())
+                             .cwiseProduct(size);
+}
+
+TEST(SignedDistanceFieldTest, BoxIsExactAtNodesAndSmoothAwayFromEdges) {
+  const Eigen::Vector3d size(0.06, 0.04, 0.03);
+  const auto field = SignedDistanceField::Build(MakeRoundedBox(size, 0.0));
+  RandomStream random("box", "nodes");
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3d p = DrawNode(field, random);
+    ASSERT_NEAR(field.Query(p).distance, CalcBoxDistance(p, 0.5 * size), 1e-8) << p.transpose();
+  }
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d p = DrawPoint(field, random);
+    const double expected = CalcBoxDistance(p, 0.5 * size);
+    ASSERT_NEAR(field.Query(p).distance, expected, 0.5 * field.cell());
+    // Curvature 1/d at distance d from an edge, two curved directions at a corner.
+    if (expected > 0.004) {
+      ASSERT_NEAR(field.Query(p).distance, expected,
+                  0.25 * field.cell() * field.cell() / (expected - 2.0 * field.cell()));
+    }
+  }
+}
+
+TEST(SignedDistanceFieldTest, BoxFacesHaveExactNormals) {
+  const Eigen::Vector3d size(0.06, 0.04, 0.03);
+  const auto field = SignedDistanceField::Build(MakeRoundedBox(size, 0.0));
+  const auto above = field.Query({0.01, -0.005, 0.02});
+  EXPECT_NEAR(above.distance, 0.005, 1e-8);
+  EXPECT_LT((above.gradient - Eigen::Vector3d::UnitZ()).norm(), 1e-4);
+  const auto left = field.Query({-0.0371, 0.003, 0.002});
+  EXPECT_NEAR(left.distance, 0.0071, 1e-8);
+  EXPECT_LT((left.gradient + Eigen::Vector3d::UnitX()).norm(), 1e-4);
+}
+
+TEST(SignedDistanceFieldTest, SphereValueAndGradient) {
+  const double radius = 0.02;
+  const int num_segments = 128;
+  const auto field = SignedDistanceField::Build(MakeSphere(radius, num_segments));
+  const double sagitta = radius * (1.0 - std::cos(M_PI / num_segments)) * 2.0;
+  RandomStream random("sphere", "points");
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d p = DrawPoint(field, random);
+    const double expected = p.norm() - radius;
+    const auto sample = field.Query(p);
+    if (p.norm() < 0.005) continue;  // next to the centre the field has a kink
+    ASSERT_NEAR(sample.distance, expected, sagitta + 0.25 * field.cell() * field.cell() / p.norm());
+    ASSERT_GT(sample.gradient.dot(p.normalized()), 0.995);
+    ASSERT_NEAR(sample.gradient.norm(), 1.0, 1e-12);
+  }
+}
+
+TEST(SignedDistanceFieldTest, GradientIsThatOfTheInterpolant) {
+  const auto field =
+      SignedDistanceField::Build(MakeTaperedCapsule({0, 0, 0}, 0.02, {0.05, 0, 0}, 0.01));
+  RandomStream random("capsule", "points");
+  int num_checked = 0;
+  while (num_checked < 500) {
+    const Eigen::Vector3d p = DrawPoint(field, random);
+    // Inside one cell the interpolant is smooth and central differences of a trilinear
+    // function are exact.
+    const double h = 1e-3 * field.cell();
+    const Eigen::Vector3d in_cell = (p - field.lower()) / field.cell();
+    const Eigen::Vector3d fraction = in_cell - in_cell.array().floor().matrix();
+    if (fraction.minCoeff() < 0.01 || fraction.maxCoeff() > 0.99) continue;
+    Eigen::Vector3d difference;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(axis);
+      difference[axis] = field.Query(p + step).distance - field.Query(p - step).distance;
+    }
+    if (difference.norm() < 0.5 * 2.0 * h) continue;  // medial axis
+    ASSERT_LT((difference.normalized() - field.Query(p).gradient).norm(), 1e-6);
+    ++num_checked;
+  }
+}
+
+// Distance by every triangle, sign by the winding number: another method altogether.
+double CalcDistanceByBruteForce(const TriMesh& mesh, const Eigen::Vector3d& p) {
+  double best = INFINITY, winding = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices[t[0]] - p;
+    const Eigen::Vector3d b = mesh.vertices[t[1]] - p;
+    const Eigen::Vector3d c = mesh.vertices[t[2]] - p;
+    // Van Oosterom and Strackee 1983.
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    winding += 2.0 * std::atan2(a.dot(b.cross(c)),
+                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    const auto segment = [](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+      const Eigen::Vector3d d = v - u;
+      const double s = std::clamp(-u.dot(d) / d.squaredNorm(), 0.0, 1.0);
+      return (u + s * d).norm();
+    };
+    best = std::min({best, segment(a, b), segment(b, c), segment(c, a)});
+    const Eigen::Vector3d n = (b - a).cross(c - a).normalized();
+    const Eigen::Vector3d foot = n.dot(a) * n;
+    const bool is_within = n.dot((b - a).cross(foot - a)) >= 0.0 &&
+                           n.dot((c - b).cross(foot - b)) >= 0.0 &&
+                           n.dot((a - c).cross(foot - c)) >= 0.0;
+    if (is_within) best = std::min(best, foot.norm());
+  }
+  return winding > 2.0 * M_PI ? -best : best;
+}
+
+// A star-shaped solid with ridges and valleys: convex and concave edges and vertices.
+TriMesh MakeBurr() {
+  TriMesh mesh = MakeSphere(0.03, 20);
+  for (int i = 0; i < mesh.num_vertices(); ++i) mesh.vertices[i] *= i % 2 ? 1.0 : 0.7;
+  return mesh;
+}
+
+TEST(SignedDistanceFieldTest, NodesEqualBruteForce) {
+  const TriMesh mesh = MakeBurr();
+  const auto field = SignedDistanceField::Build(mesh);
+  RandomStream random("burr", "nodes");
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3d p = DrawNode(field, random);
+    ASSERT_NEAR(field.Query(p).distance, CalcDistanceByBruteForce(mesh, p), 1e-8) << p.transpose();
+  }
+}
+
+TEST(SignedDistanceFieldTest, BeyondTheGridItIsALowerBoundThatGrows) {
+  const TriMesh mesh = MakeSphere(0.02, 48);
+  const auto field = SignedDistanceField::Build(mesh);
+  RandomStream random("far", "points");
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d direction =
+        Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
+    double previous = 0.0;
+    for (const double r : {0.07, 0.1, 0.3, 1.0}) {
+      const auto sample = field.Query(r * direction);
+      EXPECT_LE(sample.distance, r - 0.02 + 1e-4);
+      EXPECT_GT(sample.distance, previous);
+      EXPECT_GT(sample.gradient.dot(direction), 0.5);
+      previous = sample.distance;
+    }
+  }
+}
+
+class SdfCacheTest : public testing::Test {
+ protected:
+  SdfCacheTest() {
+    folder_ = fs::path(testing::TempDir()) /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+  }
+  ~SdfCacheTest() override { fs::remove_all(folder_); }
+  fs::path OnlyFile() const { return fs::directory_iterator(folder_)->path(); }
+
+  fs::path folder_;
+  TriMesh mesh_ = MakeRoundedBox({0.02, 0.02, 0.02}, 0.002);
+};
+
+void ExpectSameBits(const SignedDistanceField& a, const SignedDistanceField& b) {
+  ASSERT_EQ(a.num_nodes(), b.num_nodes());
+  EXPECT_EQ(a.lower(), b.lower());
+  EXPECT_EQ(a.cell(), b.cell());
+  RandomStream random("cache", "points");
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3d p = DrawNode(a, random);
+    ASSERT_EQ(a.Query(p).distance, b.Query(p).distance);
+  }
+}
+
+TEST_F(SdfCacheTest, SecondCallReadsTheSameBits) {
+  const auto built = SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  const auto stamp = fs::last_write_time(OnlyFile());
+  const auto loaded = SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  EXPECT_EQ(fs::last_write_time(OnlyFile()), stamp);
+  ExpectSameBits(*built, *loaded);
+}
+
+TEST_F(SdfCacheTest, DamagedFilesAreRebuilt) {
+  const auto built = SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  const std::string good = ReadFile(OnlyFile());
+  std::string flipped = good;
+  flipped[good.size() / 2] ^= 1;
+  std::string huge = good;
+  const int32_t many = 1 << 30;
+  std::memcpy(huge.data() + 56, &many, sizeof many);
+  for (const std::string& bad :
+       {std::string(), std::string("x"), good.substr(0, 72), good.substr(0, good.size() - 4),
+        good + "tail", flipped, huge, std::string(good.size(), '\xff')}) {
+    WriteFileAtomically(OnlyFile(), bad);
+    ExpectSameBits(*built, *SignedDistanceField::LoadOrBuild(mesh_, folder_));
+    EXPECT_EQ(ReadFile(OnlyFile()), good);
+  }
+}
+
+TEST_F(SdfCacheTest, AFolderThatCannotBeWrittenIsDoneWithout) {
+  WriteFileAtomically(folder_, "a file where the folder should be");
+  EXPECT_NE(SignedDistanceField::LoadOrBuild(mesh_, folder_), nullptr);
+}
+
+}  // namespace
+}  // namespace graspbench
