@@ -1,0 +1,170 @@
+#include "core/grasp/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kLowestGrasp = 0.009;     ///< smallest h_g [m]
+constexpr double kBelowTop = 0.008;        ///< h_g stays this far below the object's top [m]
+constexpr double kPalmGap = 0.003;         ///< power: palm to object [m]
+constexpr double kTableClearance = 0.002;  ///< [m]
+constexpr int kClosingSteps = 200;
+
+struct Pads {
+  Vector3d p_HThumb;
+  Vector3d p_HFingers;  ///< mean of the other grasping digits' pads
+};
+
+Pads CalcPads(const Hand& hand, const StandardGrasp& grasp, const std::vector<Pose>& X_HL) {
+  Pads pads{Vector3d::Zero(), Vector3d::Zero()};
+  // A grasp without the thumb opposes its first digit to the others.
+  std::string opposing = grasp.digits.front();
+  for (const Digit& digit : hand.digits) {
+    if (digit.is_thumb && std::count(grasp.digits.begin(), grasp.digits.end(), digit.id)) {
+      opposing = digit.id;
+    }
+  }
+  for (const Digit& digit : hand.digits) {
+    if (!std::count(grasp.digits.begin(), grasp.digits.end(), digit.id)) continue;
+    const Vector3d p_HPad = X_HL[digit.distal_link] * digit.p_LPad;
+    if (digit.id == opposing) {
+      pads.p_HThumb = p_HPad;
+    } else {
+      pads.p_HFingers += p_HPad / static_cast<double>(grasp.digits.size() - 1);
+    }
+  }
+  return pads;
+}
+
+/** Axis about which the fingers flex, at rest: that of the first coupled finger's middle joint. */
+Vector3d CalcFlexionAxis(const Hand& hand) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to < 0) continue;
+    const int digit = hand.FindDigitOfLink(joint.link);
+    if (digit >= 0 && hand.digits[digit].is_thumb) continue;
+    return X_HL[joint.link].linear() * hand.links[joint.link].axis;
+  }
+  return hand.palm_normal.unitOrthogonal();
+}
+
+/** How far the fingers reach beyond the palm when bent, about: that much can be held from above. */
+double CalcReach(const Hand& hand) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  double reach = 0.0;
+  for (const Digit& digit : hand.digits) {
+    if (digit.is_thumb) continue;
+    const Vector3d p_HBase = X_HL[digit.links.front()].translation();
+    reach = std::max(reach, (X_HL[digit.distal_link] * digit.p_LTip - p_HBase).norm());
+  }
+  return reach;
+}
+
+/** Largest coordinate along unit `direction_W` of the spheres of `link` (-1: all links). */
+double CalcExtent(const Hand& hand, const std::vector<Pose>& X_HL, const Pose& X_WH, int link,
+                  const Vector3d& direction_W) {
+  double extent = -std::numeric_limits<double>::infinity();
+  for (const ContactSphere& sphere : hand.contact_spheres) {
+    if (link >= 0 && sphere.link != link) continue;
+    const Vector3d p_WS = X_WH * (X_HL[sphere.link] * sphere.p_LS);
+    extent = std::max(extent, direction_W.dot(p_WS) + sphere.radius);
+  }
+  return extent;
+}
+
+}  // namespace
+
+Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s) {
+  Eigen::VectorXd q = grasp.q_pre + s * (grasp.q_target - grasp.q_pre);
+  ApplyCoupling(hand, q);
+  return q;
+}
+
+Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size) {
+  GRASPBENCH_DEMAND(object_size.minCoeff() > 0.0, "an object's sizes must be positive");
+  const double width = object_size.y();
+  const double height = object_size.z();
+  const bool from_side = grasp.type == GraspType::kPower && height > CalcReach(hand);
+
+  const Vector3d lateral_H = CalcFlexionAxis(hand);
+  const double tilt = from_side ? 0.0 : grasp.tilt;
+  // Turning about the flexion axis by the tilt moves the approach from the palm's normal towards
+  // the fingertips, whichever way the axis points.
+  Vector3d fingertips_H = Vector3d::Zero();
+  const std::vector<Pose> X_HL_rest = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const Digit& digit : hand.digits) {
+    if (!digit.is_thumb) fingertips_H += X_HL_rest[digit.distal_link] * digit.p_LTip;
+  }
+  Vector3d forward_H = hand.palm_normal.cross(lateral_H).normalized();
+  if (forward_H.dot(fingertips_H) < 0.0) forward_H = -forward_H;
+  const Vector3d approach_H = std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
+
+  // The opening seen along the approach.
+  const auto across = [&](const Vector3d& v) -> Vector3d {
+    return v - v.dot(approach_H) * approach_H;
+  };
+  Placement placement;
+  placement.closing_at_contact = 1.0;
+  std::vector<std::vector<Pose>> course;  // of the links, from s = 0 to s*
+  Pads pads;
+  for (int k = 0; k <= kClosingSteps; ++k) {
+    const double s = static_cast<double>(k) / kClosingSteps;
+    course.push_back(CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, s)));
+    pads = CalcPads(hand, grasp, course.back());
+    if (across(pads.p_HFingers - pads.p_HThumb).norm() <= width) {
+      placement.closing_at_contact = s;
+      break;
+    }
+  }
+  const Vector3d p_HG = 0.5 * (pads.p_HThumb + pads.p_HFingers);
+  const Vector3d opposition_H = across(pads.p_HFingers - pads.p_HThumb).normalized();
+
+  Matrix3d R_HX;  // columns: the hand's directions ...
+  Matrix3d R_WX;  // ... and where they go in the world
+  if (from_side) {
+    // The hand comes along +y of the world, its thumb's side up.
+    const Vector3d up_H =
+        lateral_H.dot(across(pads.p_HThumb)) < 0.0 ? Vector3d(-lateral_H) : lateral_H;
+    R_HX << approach_H, up_H, approach_H.cross(up_H);
+    placement.approach_W = Vector3d::UnitY();
+    R_WX << placement.approach_W, Vector3d::UnitZ(), placement.approach_W.cross(Vector3d::UnitZ());
+  } else {
+    placement.approach_W = -Vector3d::UnitZ();
+    const Vector3d opposition_W(std::cos(grasp.alpha), std::sin(grasp.alpha), 0.0);
+    R_HX << approach_H, opposition_H, approach_H.cross(opposition_H);
+    R_WX << placement.approach_W, opposition_W, placement.approach_W.cross(opposition_W);
+  }
+  const Matrix3d R_WH = R_WX * R_HX.transpose();
+
+  const double grasp_height =
+      from_side ? 0.5 * height : std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
+  placement.X_WH = MakePose(R_WH, Vector3d(0.0, 0.0, grasp_height) - R_WH * p_HG);
+
+  if (grasp.type == GraspType::kPower) {
+    const double near_face = from_side ? -0.5 * width : -height;  // along the approach
+    const double palm =
+        CalcExtent(hand, course.front(), placement.X_WH, hand.palm_link, placement.approach_W);
+    placement.X_WH.pretranslate((near_face - kPalmGap - palm) * placement.approach_W);
+  }
+
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::vector<Pose>& X_HL : course) {
+    lowest = std::min(lowest, -CalcExtent(hand, X_HL, placement.X_WH, -1, -Vector3d::UnitZ()));
+  }
+  if (lowest < kTableClearance) {
+    placement.X_WH.pretranslate((kTableClearance - lowest) * Vector3d::UnitZ());
+  }
+  return placement;
+}
+
+}  // namespace graspbench

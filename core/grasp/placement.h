@@ -1,0 +1,46 @@
+#pragma once
+/** @file
+Where the hand stands to the object: computed, never stored.
+
+The hand knows the object's nominal pose (frame O: centre of its bounding box, resting on the table)
+and its sizes. With q(s) the linear closing from pre-grasp to target,
+
+    s*   the first s at which thumb pad and the mean of the other pads are as far apart as the
+object is wide G    the grasp centre: midway between the two at s* G is put over the object's centre
+at grasp height h_g, the opposition axis (thumb to fingers) is turned by alpha from the object's
+long axis, the approach direction (the palm's normal tilted towards the fingertips) points straight
+down.
+
+h_g = max(9 mm, min(height / 2, height - 8 mm)) for precision and pinch, so that the pads clear the
+table; a power grasp brings the palm to 3 mm from the object instead. No sphere of the hand comes
+nearer to the table than 2 mm while it closes to s*.
+
+An object taller than the fingers reach is grasped with power from the side: the approach is
+horizontal and the flexion axis of the fingers vertical, the grasp centre at half height; the
+strategy is the same, only position and orientation differ.
+
+All of this is proposed by graspbench: the thesis gives d and alpha, and that p is computed. */
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+struct Placement {
+  Pose X_WH =
+      Pose::Identity();  ///< at the grasp position, for an object with p_WO = (0, 0, height/2)
+  Eigen::Vector3d approach_W = -Eigen::Vector3d::UnitZ();  ///< unit; the hand moves along it by d
+  double closing_at_contact = 1.0;                         ///< s*, in [0, 1]
+};
+
+/** The posture at closing parameter s in [0, 1], coupled joints included. */
+Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s);
+
+/** @param object_size  length, width, height of the object as it rests [m], all > 0. */
+Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
+                        const Eigen::Vector3d& object_size);
+
+}  // namespace graspbench

@@ -1,0 +1,128 @@
+#include "core/grasp/standard_grasp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/base/units.h"
+#include "core/base/yaml.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+/** Reads {TH: [..], FF: [..]} in degrees into the actuated joints of each digit, base to tip. */
+void ReadPosture(const Hand& hand, YAML::Node node, const std::string& file,
+                 const std::string& where, Diagnostics& problems, Eigen::VectorXd& q) {
+  q = Eigen::VectorXd::Zero(hand.num_joints());
+  YamlMap map(node, file, where, problems);
+  for (const Digit& digit : hand.digits) {
+    std::vector<double> angles_deg;
+    map.Read(digit.id, angles_deg);
+    std::vector<int> actuated;
+    for (int link : digit.links) {
+      const int joint = hand.links[link].joint;
+      if (joint >= 0 && hand.joints[joint].coupled_to < 0) actuated.push_back(joint);
+    }
+    if (!map.Has(digit.id)) continue;
+    if (angles_deg.size() != actuated.size()) {
+      map.Fail(digit.id, "expected " + std::to_string(actuated.size()) +
+                             " angles, one for each driven joint from base to tip, found " +
+                             std::to_string(angles_deg.size()));
+      continue;
+    }
+    for (size_t i = 0; i < actuated.size(); ++i) {
+      const HandJoint& joint = hand.joints[actuated[i]];
+      const double angle = RadFromDeg(angles_deg[i]);
+      constexpr double kRounding = 1e-9;
+      if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
+        map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) +
+                               " deg is outside its limits");
+      }
+      q[actuated[i]] = std::clamp(angle, joint.lower, joint.upper);
+    }
+  }
+  map.FinishKnownKeys();
+  ApplyCoupling(hand, q);
+}
+
+StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, YAML::Node node,
+                        const std::string& file, Diagnostics& problems) {
+  const std::string where = "grasp " + taxon.id;
+  YamlMap map(node, file, where, problems);
+  StandardGrasp grasp;
+  grasp.id = taxon.id;
+  grasp.type = taxon.type;
+  grasp.approach_distance = taxon.approach_distance;
+  grasp.alpha = taxon.alpha;
+
+  double tilt_deg = 0.0;
+  std::string changed;
+  map.Read("digits", grasp.digits);
+  map.Read("tilt_deg", tilt_deg);
+  map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
+  map.Read("changed", changed, Needed::kNo);
+  grasp.tilt = RadFromDeg(tilt_deg);
+
+  std::vector<std::string> known;
+  for (const Digit& digit : hand.digits) known.push_back(digit.id);
+  for (const std::string& id : grasp.digits) {
+    if (std::find(known.begin(), known.end(), id) == known.end()) {
+      map.Fail("digits", "the hand has no digit \"" + id + "\"" + SuggestNames(id, known));
+    }
+  }
+  if (grasp.digits.size() < 2) map.Fail("digits", "a grasp needs at least two digits");
+  ReadPosture(hand, map.Child("pre_deg"), file, where + ", pre_deg", problems, grasp.q_pre);
+  ReadPosture(hand, map.Child("target_deg"), file, where + ", target_deg", problems,
+              grasp.q_target);
+  map.FinishKnownKeys();
+  return grasp;
+}
+
+}  // namespace
+
+const std::vector<GraspTaxon>& ListGraspTaxa() {
+  static const std::vector<GraspTaxon> taxa = {
+      {"g1", "all finger precision", GraspType::kAllFingerPrecision, 0.1, RadFromDeg(75.0)},
+      {"g2", "two finger precision", GraspType::kTwoFingerPrecision, 0.1, RadFromDeg(75.0)},
+      {"g3", "power", GraspType::kPower, 0.1, RadFromDeg(75.0)},
+      {"g4", "two finger pinch", GraspType::kTwoFingerPinch, 0.1, RadFromDeg(90.0)},
+      {"g5", "three finger special", GraspType::kAllFingerPrecision, 0.1, RadFromDeg(90.0)},
+  };
+  return taxa;
+}
+
+const GraspTaxon& FindGraspTaxon(const std::string& id) {
+  std::vector<std::string> known;
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == id) return taxon;
+    known.push_back(taxon.id);
+  }
+  throw Error(ErrorKind::kNotFound, "no grasp \"" + id + "\"" + SuggestNames(id, known));
+}
+
+std::vector<StandardGrasp> LoadStandardGrasps(const Hand& hand) {
+  const std::filesystem::path path = std::filesystem::path(hand.folder) / "hand.yaml";
+  const std::string file = path.string();
+  Diagnostics problems;
+  const YAML::Node root = LoadYaml(path, problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat,
+                         "the grasps of hand \"" + hand.id + "\" cannot be read:");
+  std::vector<StandardGrasp> grasps;
+  const YAML::Node node = root["grasps"];
+  if (!node.IsDefined()) return grasps;
+
+  YamlMap map(node, file, "grasps", problems);
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    const YAML::Node child = map.Child(taxon.id, Needed::kNo);
+    if (child.IsDefined() && !child.IsNull()) {
+      grasps.push_back(ReadGrasp(hand, taxon, child, file, problems));
+    }
+  }
+  map.FinishKnownKeys();
+  problems.ThrowIfErrors(ErrorKind::kFormat,
+                         "the grasps of hand \"" + hand.id + "\" cannot be used:");
+  return grasps;
+}
+
+}  // namespace graspbench

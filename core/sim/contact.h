@@ -1,0 +1,100 @@
+#pragma once
+/** @file
+Points of contact and their force law.
+
+A contact lies between a side A (a link of the hand, or the object) and a side B (the object, or the
+table). nhat points from B into A; relative velocity is that of A's point minus B's, so a positive
+normal rate separates. Everything below is evaluated at the END of the step, with v the speeds then
+and depth x0 the penetration at its middle:
+
+    normal     fn = k (x0 - h vn)+ (1 - d vn)+                  (Hunt and Crossley 1975, implicit)
+    tangent    ft = -clip(kt (s + h vt) + ct vt, mu fn)         bristle s with a Coulomb limit
+    spin       m  = -clip(kr (phi + h wn) + cr wn, mu fn r)     soft pads only, r = torsion radius
+
+mu is mu_s while the contact sticks and mu_d once it slides; it sticks again when the bristle's
+force falls below the limit. A bristle is really a spring: a sticking contact does not creep. Not
+modelled: rolling resistance, wear, adhesion. */
+
+#include <Eigen/Core>
+#include <array>
+
+namespace graspbench {
+
+/** Constants of one pair of surfaces. */
+struct ContactMaterial {
+  double stiffness = 0.0;             ///< k [N/m]
+  double dissipation = 0.0;           ///< d [s/m]
+  double tangential_stiffness = 0.0;  ///< kt [N/m]; 0 = no friction
+  double friction_static = 0.0;
+  double friction_dynamic = 0.0;
+  double torsion_radius = 0.0;  ///< r [m]; 0 = no resistance to spin
+};
+
+/** What a contact remembers from step to step. */
+struct ContactMemory {
+  Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  ///< s, in W [m]
+  double twist = 0.0;                                 ///< phi [rad]
+  double normal_force = 0.0;                          ///< of the last step [N]
+  bool is_sliding = false;
+  int last_step = -2;  ///< number of the last step it was alive
+};
+
+/** Rows of a contact's rates and forces. */
+enum ContactRow { kNormalRow, kTangentRow1, kTangentRow2, kSpinRow, kNumContactRows };
+
+using ContactRates = std::array<double, kNumContactRows>;
+
+struct ContactPoint {
+  static constexpr int kMaxDofs = 24;
+
+  ContactMaterial material;
+  Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();
+  Eigen::Vector3d nhat_BA_W = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d tangent1_W = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d tangent2_W = Eigen::Vector3d::UnitY();
+  double depth = 0.0;               ///< x0; negative: a gap [m]
+  int link = -1;                    ///< hand link on side A; -1: none
+  bool is_on_object = false;        ///< the object is one of the sides
+  ContactMemory* memory = nullptr;  ///< null: without friction
+
+  /** Rates = jacobian * v[dofs] + drift, drift from the prescribed motion of the hand's root. */
+  int num_dofs = 0;
+  std::array<int, kMaxDofs> dofs;
+  std::array<std::array<double, kMaxDofs>, kNumContactRows> jacobian;
+  ContactRates drift = {0.0, 0.0, 0.0, 0.0};
+
+  /** In the frame of the contact, set by PrepareContact from the memory. */
+  std::array<double, 2> stretch = {0.0, 0.0};
+  double twist = 0.0;
+  double friction_limit = 0.0;  ///< mu fn in this pass of the solver [N]
+  bool is_sliding = false;
+
+  int num_rows() const {
+    if (!memory) return 1;
+    return material.torsion_radius > 0.0 ? 4 : 3;
+  }
+};
+
+/** Forces on side A along the rows, and their negative derivatives by the rates (the tangential
+block is symmetric 2 x 2). */
+struct ContactForces {
+  ContactRates force = {0.0, 0.0, 0.0, 0.0};
+  double normal_gain = 0.0;                        ///< -d fn / d vn >= 0
+  std::array<double, 3> tangent_gain = {0, 0, 0};  ///< (11, 12, 22)
+  double spin_gain = 0.0;
+  bool is_at_limit = false;  ///< the tangential force was clipped
+};
+
+/** Chooses tangents, turns the remembered bristle into them, and takes over the last normal force.
+A memory that was not alive in the last step is forgotten. */
+void PrepareContact(int step_number, ContactPoint& contact);
+
+/** The force law with the friction limit held fixed: then every force is the gradient of a convex
+potential, which is what makes the solver robust. @param h  step [s]. */
+ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates& rates, double h);
+
+/** Moves the bristles to the end of the step and remembers. */
+void FinishContact(const ContactPoint& contact, const ContactRates& rates,
+                   const ContactForces& forces, double h, int step_number);
+
+}  // namespace graspbench

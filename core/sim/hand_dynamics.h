@@ -1,0 +1,84 @@
+#pragma once
+/** @file
+Kinematics, mass matrix and bias of the hand, in flat arrays for the inner loop.
+
+The numbers are those of the Simbody model; its own routines cost several times more per step
+because the packaged library checks every access. Tests hold both equal on random states (mass
+matrix and bias to 1e-12), and every trial compares them again at its end.
+
+Method: spatial vectors about the world's origin, expressed in W (Featherstone 2008): a joint's
+motion vector is S = (a, p x a); composite rigid bodies give the mass matrix, recursive Newton-Euler
+the bias.
+
+Freedoms: one for every driven joint. A coupled distal joint shares the freedom of its middle joint:
+u_joint = rate_j * u_dof (coupling.h). */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/hand/coupling.h"
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+using SpatialVector = Eigen::Matrix<double, 6, 1>;  ///< (angular, linear)
+
+class HandDynamics {
+ public:
+  explicit HandDynamics(const Hand& hand);
+
+  int num_dofs() const { return num_dofs_; }
+  int num_joints() const { return static_cast<int>(joint_link_.size()); }
+  int dof_of_joint(int joint) const { return dof_of_joint_[joint]; }
+  /** The joint a freedom is named after (its middle joint when coupled). */
+  int joint_of_dof(int dof) const { return joint_of_dof_[dof]; }
+  /** The distal joint that shares the freedom; -1: none. */
+  int distal_of_dof(int dof) const { return distal_of_dof_[dof]; }
+  double rate_of_joint(int joint) const { return rate_[joint]; }
+  void SetRate(int joint, double rate) { rate_[joint] = rate; }
+
+  /** Poses of all links and the joints' motion vectors. @param q  (num_joints) [rad]. */
+  void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
+
+  const Pose& X_WL(int link) const { return X_WL_[link]; }
+  /** Motion vector of a joint about the world's origin; a unit rate of the joint. */
+  const SpatialVector& motion(int joint) const { return S_[joint]; }
+  /** Joints between root and link, base first. */
+  const std::vector<int>& chain(int link) const { return chain_[link]; }
+
+  /** Mass matrix (num_dofs x num_dofs) for the current positions. */
+  void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const;
+
+  /** Generalised force (num_dofs) that gives zero acceleration of all freedoms at speeds u, the
+  root moving with velocity v_WH and acceleration a_WH, gravity g along -z. Returns the power of
+  gravity and of the root's inertial force on the links, relative to the moving root [W]. */
+  double CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& v_WH,
+                  const Eigen::Vector3d& a_WH, double gravity,
+                  Eigen::Ref<Eigen::VectorXd> bias) const;
+
+ private:
+  struct LinkInertia {
+    double mass;
+    Eigen::Vector3d p_LLcm;
+    Eigen::Matrix3d I_LLcm;
+  };
+
+  int num_dofs_ = 0;
+  Pose X_HR_ = Pose::Identity();
+  std::vector<int> parent_;  // by link
+  std::vector<int> joint_;   // by link; -1: fixed
+  std::vector<Pose> X_PJ_;   // by link
+  std::vector<Eigen::Vector3d> axis_;
+  std::vector<LinkInertia> inertia_;
+  std::vector<std::vector<int>> chain_;
+  std::vector<int> joint_link_;  // by joint
+  std::vector<int> dof_of_joint_;
+  std::vector<double> rate_;
+  std::vector<int> joint_of_dof_;
+  std::vector<int> distal_of_dof_;
+  std::vector<Pose> X_WL_;
+  std::vector<SpatialVector> S_;  // by joint
+};
+
+}  // namespace graspbench

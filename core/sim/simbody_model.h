@@ -1,0 +1,51 @@
+#pragma once
+/** @file
+The hand and the object as a Simbody multibody system: the one place where Simbody is spoken to.
+
+Bodies: the hand's root on a Free mobilizer whose pose the strategy prescribes, one Pin (or Weld) a
+link, the object on a Free mobilizer about its centre of mass. Generalised speeds are ordered as
+
+    u = [ joint rates (num_joints) | w_WO (3) | v_WOcm (3) ]      object's parts expressed in W
+
+Debian's Simbody is built without NDEBUG, which changes the layout of its classes; this library must
+be too (checked in the .cc). One model belongs to one thread. */
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+class SimbodyModel {
+ public:
+  SimbodyModel(const Hand& hand, const MassProperties& object);
+  ~SimbodyModel();
+
+  int num_speeds() const;  ///< num_joints + 6
+
+  /** Sets all positions. @param X_WH  the hand's frame H; @param q  all joint angles;
+  @param X_WOcm  the object's centre of mass, axes of O. */
+  void SetPositions(const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WOcm);
+  /** Sets all speeds; the root moves with translational velocity v_WH. @pre SetPositions. */
+  void SetSpeeds(const Eigen::Vector3d& v_WH, const Eigen::VectorXd& u);
+
+  /** Poses X_WL of all links; costs a realisation of the position stage. */
+  void CalcLinkPoses(std::vector<Pose>& X_WL);
+
+  /** Mass matrix (num_speeds x num_speeds), by Simbody's calcM. Not for a loop. */
+  Eigen::MatrixXd CalcMassMatrix();
+  /** Generalised force that gives zero joint acceleration under gravity g (along -z), the root
+  accelerating with a_WH: Coriolis, centrifugal, gyroscopic, gravity (num_speeds). By Simbody's
+  calcResidualForceIgnoringConstraints. */
+  Eigen::VectorXd CalcBias(const Eigen::Vector3d& a_WH, double gravity);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,115 @@
+#pragma once
+/** @file
+A hand, an object and a table in time.
+
+One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
+1. positions move by h u / 2 to the middle of the step (the object turns by its rotation vector);
+2. mass matrix, bias and contacts are taken there;
+3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
+speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
+4. positions move by h v / 2.
+Contact and drives look ahead from the middle by the whole of h v, which makes stiff springs settle
+in one step instead of ringing.
+
+The hand's root moves as the strategy says; its motion is prescribed, whatever force that takes. */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+#include "core/sim/collider.h"
+#include "core/sim/hand_dynamics.h"
+#include "core/sim/step_solver.h"
+#include "core/sim/trial.h"
+
+namespace graspbench {
+
+struct WorldState {
+  Pose X_WH = Pose::Identity();
+  Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();  ///< of the prescribed root [m/s]
+  Eigen::VectorXd q;                               ///< (num_joints) [rad]
+  Eigen::VectorXd u;                               ///< (num_dofs) [rad/s]
+  Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_WOcm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d w_WO = Eigen::Vector3d::Zero();    ///< [rad/s]
+  Eigen::Vector3d v_WOcm = Eigen::Vector3d::Zero();  ///< [m/s]
+};
+
+/** What the hand is asked for at the end of a step. */
+struct WorldCommand {
+  Eigen::VectorXd q;             ///< drive commands (num_joints) [rad]
+  Pose X_WH = Pose::Identity();  ///< rotation must not change
+  Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();
+};
+
+/** What happened in a step. Forces are those of its end. */
+struct StepReport {
+  bool is_finite = true;
+  bool converged = true;
+  double grip_force = 0.0;                ///< sum of normal forces of the hand on the object [N]
+  double table_force = 0.0;               ///< normal force of the table on the object [N]
+  double worst_penetration = 0.0;         ///< deepest point of the hand in the object [m]
+  std::vector<bool> link_touches_object;  ///< (num_links)
+};
+
+/** Energy account in the frame that moves with the hand's root [J]. Were the integration exact,
+kinetic_energy - start = drives + gravity + contacts + limits; the rest is the residual. */
+struct EnergyAccount {
+  double drives = 0.0;    ///< work of the drives on the joints
+  double limits = 0.0;    ///< work of the joint limits
+  double gravity = 0.0;   ///< work of gravity and of the moving frame's inertial force
+  double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
+  double kinetic_at_start = 0.0;
+};
+
+class World {
+ public:
+  World(const Hand& hand, const GraspObject& object, const SimConfig& config);
+
+  /** Starts anew, without contacts or history. */
+  void Reset(const WorldState& state);
+
+  /** @param gravity  [m/s^2] along -z. */
+  StepReport Step(const WorldCommand& command);
+
+  const WorldState& state() const { return state_; }
+  double time() const { return step_number_ * config_.step; }
+  Pose CalcObjectPose() const;  ///< X_WO
+  const EnergyAccount& energy() const { return energy_; }
+  double CalcKineticEnergy();   ///< relative to the moving root [J]
+  double CalcEnergyResidual();  ///< [J]
+  const Collider& collider() const { return collider_; }
+  HandDynamics& dynamics() { return dynamics_; }
+  /** Contacts and forces of the last step, for records and pictures. */
+  const std::vector<ContactPoint>& contacts() const { return problem_.contacts; }
+  const std::vector<ContactForces>& forces() const { return solver_.forces(); }
+
+ private:
+  void ChooseDistalModes(const WorldCommand& command);
+  void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
+  void AddDrivesAndLimits(const WorldCommand& command);
+  double CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& v_WH,
+                  const Eigen::Vector3d& a_WH, Eigen::VectorXd& bias) const;
+  void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
+  StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
+
+  const Hand* hand_;
+  MassProperties mass_;
+  SimConfig config_;
+  HandDynamics dynamics_;
+  Collider collider_;
+  StepSolver solver_;
+  StepProblem problem_;
+  WorldState state_;
+  WorldState middle_;               // of the current step
+  Eigen::VectorXd v_;               // speeds at the end of the last step: [hand dofs, w, v]
+  std::vector<DistalMode> modes_;   // by dof
+  std::vector<bool> link_touches_;  // in the last step
+  int num_drives_ = 0;              // the first entries of problem_.scalars
+  int step_number_ = 0;
+  EnergyAccount energy_;
+};
+
+}  // namespace graspbench
