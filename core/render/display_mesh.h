@@ -1,0 +1,29 @@
+#pragma once
+/** @file
+A triangle mesh made ready for drawing: corners with smooth normals, sharp edges kept sharp. */
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+struct DisplayVertex {
+  Eigen::Vector3f position;  ///< [m], in the mesh's frame
+  Eigen::Vector3f normal;    ///< unit
+};
+
+struct DisplayMesh {
+  std::vector<DisplayVertex> vertices;
+  std::vector<uint32_t> indices;  ///< three per triangle
+};
+
+/** At each corner the normal is the mean of the faces around that point whose own normal is within
+`crease_angle` [rad] of the corner's face, weighted by their angle at the point (Thuermer and
+Wuethrich 1998). Vertices at the same place count as one, so a seam in the file does not show.
+Triangles without area are left out. */
+DisplayMesh MakeDisplayMesh(const TriMesh& mesh, double crease_angle);
+
+}  // namespace graspbench

@@ -1,0 +1,102 @@
+#include "core/render/gl_context.h"
+
+// Keep this order: osmesa.h brings the old gl.h, which must find the types already there.
+#include <GL/osmesa.h>
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kDummySize = 16;  // OSMesa wants a window; the pictures go to framebuffer objects
+
+template <class Function>
+Function FindSymbol(void* handle, const char* name, const std::string& library) {
+  void* symbol = dlsym(handle, name);
+  if (symbol == nullptr) {
+    throw Error(ErrorKind::kEnvironment, "\"" + library + "\" has no function " + name +
+                                             "; expected OSMesa 22 of the Debian package "
+                                             "libosmesa6");
+  }
+  return reinterpret_cast<Function>(symbol);
+}
+
+}  // namespace
+
+struct GlContext::Library {
+  decltype(&::OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&::OSMesaDestroyContext) destroy_context = nullptr;
+  OSMesaContext context = nullptr;
+  std::array<uint32_t, kDummySize * kDummySize> window{};
+
+  ~Library() {
+    if (context != nullptr) destroy_context(context);
+  }
+};
+
+GlContext::GlContext(const std::string& library) : library_(std::make_unique<Library>()) {
+  // Mesa would keep compiled shaders in the user's cache folder. A user's own setting wins.
+  static std::once_flag once;
+  std::call_once(once, [] { setenv("MESA_SHADER_CACHE_DISABLE", "true", /*overwrite=*/0); });
+
+  // Never closed: Mesa's threads and exit handlers live as long as the program.
+  void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    throw Error(ErrorKind::kEnvironment,
+                "pictures need the off-screen renderer OSMesa, which cannot be loaded (" +
+                    std::string(dlerror()) + "); install the Debian package libosmesa6");
+  }
+  const auto create_context = FindSymbol<decltype(&::OSMesaCreateContextAttribs)>(
+      handle, "OSMesaCreateContextAttribs", library);
+  const auto find_function =
+      FindSymbol<decltype(&::OSMesaGetProcAddress)>(handle, "OSMesaGetProcAddress", library);
+  library_->make_current =
+      FindSymbol<decltype(&::OSMesaMakeCurrent)>(handle, "OSMesaMakeCurrent", library);
+  library_->destroy_context =
+      FindSymbol<decltype(&::OSMesaDestroyContext)>(handle, "OSMesaDestroyContext", library);
+
+  const std::array<int, 9> attributes = {OSMESA_FORMAT,
+                                         OSMESA_RGBA,
+                                         OSMESA_PROFILE,
+                                         OSMESA_CORE_PROFILE,
+                                         OSMESA_CONTEXT_MAJOR_VERSION,
+                                         3,
+                                         OSMESA_CONTEXT_MINOR_VERSION,
+                                         3,
+                                         0};
+  library_->context = create_context(attributes.data(), nullptr);
+  if (library_->context == nullptr) {
+    throw Error(ErrorKind::kEnvironment,
+                "OSMesa cannot make an OpenGL 3.3 core context; check the environment variables "
+                "GALLIUM_DRIVER (llvmpipe or softpipe) and MESA_GL_VERSION_OVERRIDE (unset)");
+  }
+  MakeCurrent();
+#define GRASPBENCH_LOAD(name) \
+  functions_.name = reinterpret_cast<decltype(functions_.name)>(find_function("gl" #name));
+  GRASPBENCH_FOR_EACH_GL_FUNCTION(GRASPBENCH_LOAD)
+#undef GRASPBENCH_LOAD
+#define GRASPBENCH_CHECK(name)                                                           \
+  if (functions_.name == nullptr) {                                                      \
+    throw Error(ErrorKind::kEnvironment, "OSMesa has no function gl" #name               \
+                                         "; expected "                                   \
+                                         "OpenGL 3.3 of the Debian package libosmesa6"); \
+  }
+  GRASPBENCH_FOR_EACH_GL_FUNCTION(GRASPBENCH_CHECK)
+#undef GRASPBENCH_CHECK
+}
+
+GlContext::~GlContext() = default;
+
+void GlContext::MakeCurrent() {
+  if (!library_->make_current(library_->context, library_->window.data(), GL_UNSIGNED_BYTE,
+                              kDummySize, kDummySize)) {
+    throw Error(ErrorKind::kEnvironment, "OSMesa refuses to make its context current");
+  }
+}
+
+}  // namespace graspbench

@@ -1,0 +1,494 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/render/display_mesh.h"
+#include "core/render/gl_context.h"
+#include "core/render/scene.h"
+#include "core/render/shaders.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr int kSamples = 2;             // per side of a pixel
+constexpr int kMaxSize = 4096;          // of a picture's side [pixel]
+constexpr int kLightMapSize = 1024;     // [texel]
+constexpr int kTableLightSize = 256;    // [texel]
+constexpr double kNear = 0.01;          // [m]
+constexpr double kFar = 100.0;          // [m]
+constexpr double kShadowMargin = 0.06;  // the widest penumbra around a shadow on the table [m]
+
+// Directions to the lights in S: from the left before the scene, from the right, from behind.
+const Vector3d kToKey = Vector3d(-0.50, -0.42, 0.95).normalized();
+const Vector3d kToFill = Vector3d(0.80, -0.55, 0.30).normalized();
+const Vector3d kToRim = Vector3d(0.35, 0.90, 0.45).normalized();
+
+// Everything that is no surface, linear; also the colour of the lit table.
+const Vector3f kBackground = Vector3f(0.847f, 0.855f, 0.871f);
+
+struct Box {
+  Vector3d lower = Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Vector3d upper = Vector3d::Constant(-std::numeric_limits<double>::infinity());
+
+  void Add(const Vector3d& p) {
+    lower = lower.cwiseMin(p);
+    upper = upper.cwiseMax(p);
+  }
+  Vector3d Corner(int i) const {
+    return Vector3d(i & 1 ? upper.x() : lower.x(), i & 2 ? upper.y() : lower.y(),
+                    i & 4 ? upper.z() : lower.z());
+  }
+};
+
+struct GpuMesh {
+  std::weak_ptr<const TriMesh> source;
+  GLuint vertex_array = 0;
+  GLuint vertex_buffer = 0;
+  GLuint index_buffer = 0;
+  GLsizei num_indices = 0;
+  Box box;  // in M
+};
+
+struct Program {
+  GLuint id = 0;
+  const GlFunctions* gl = nullptr;
+
+  GLint Find(const char* name) const { return gl->GetUniformLocation(id, name); }
+  void Set(const char* name, int value) const { gl->Uniform1i(Find(name), value); }
+  void Set(const char* name, double value) const {
+    gl->Uniform1f(Find(name), static_cast<float>(value));
+  }
+  void Set(const char* name, const Vector3f& value) const {
+    gl->Uniform3fv(Find(name), 1, value.data());
+  }
+  void Set(const char* name, const Vector3d& value) const {
+    Set(name, Vector3f(value.cast<float>()));
+  }
+  void Set(const char* name, const Eigen::Vector4d& value) const {
+    gl->Uniform4fv(Find(name), 1, Eigen::Vector4f(value.cast<float>()).data());
+  }
+  void Set(const char* name, const Matrix4d& value) const {
+    gl->UniformMatrix4fv(Find(name), 1, GL_FALSE, Eigen::Matrix4f(value.cast<float>()).data());
+  }
+};
+
+// Texture and the framebuffer object that draws into it.
+struct Target {
+  GLuint texture = 0;
+  GLuint framebuffer = 0;
+  int width = 0;
+  int height = 0;
+};
+
+// A light at infinity, as a box in S that its map covers.
+struct Light {
+  Matrix4d map_from_S = Matrix4d::Identity();  // to coordinates from 0 to 1
+  Vector3d extent = Vector3d::Ones();          // of the box [m]
+};
+
+struct View {
+  Pose X_SW = Pose::Identity();
+  Vector3d p_SEye = Vector3d::Zero();
+  Matrix4d clip_from_S = Matrix4d::Identity();
+  double half_height = 0.0;  // of the picture at the target [m]
+};
+
+GLuint CompileShader(const GlFunctions& gl, GLenum stage, const char* name,
+                     const std::string& source) {
+  const GLuint shader = gl.CreateShader(stage);
+  const char* text = source.c_str();
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  GLint is_compiled = 0;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &is_compiled);
+  char log[1024] = "";
+  if (!is_compiled) gl.GetShaderInfoLog(shader, sizeof(log), nullptr, log);
+  GRASPBENCH_DEMAND(is_compiled, std::string(name) + " shader: " + log);
+  return shader;
+}
+
+Program MakeProgram(const GlFunctions& gl, const ShaderSource& source) {
+  Program program;
+  program.gl = &gl;
+  program.id = gl.CreateProgram();
+  for (const GLuint shader :
+       {CompileShader(gl, GL_VERTEX_SHADER, source.name, source.vertex),
+        CompileShader(gl, GL_FRAGMENT_SHADER, source.name, source.fragment)}) {
+    gl.AttachShader(program.id, shader);
+    gl.DeleteShader(shader);
+  }
+  gl.LinkProgram(program.id);
+  GLint is_linked = 0;
+  gl.GetProgramiv(program.id, GL_LINK_STATUS, &is_linked);
+  char log[1024] = "";
+  if (!is_linked) gl.GetProgramInfoLog(program.id, sizeof(log), nullptr, log);
+  GRASPBENCH_DEMAND(is_linked, std::string(source.name) + " program: " + log);
+  return program;
+}
+
+View MakeView(const Camera& camera, double aspect) {
+  const Vector3d to_target = camera.p_WTarget - camera.p_WEye;
+  const double distance = to_target.norm();
+  GRASPBENCH_DEMAND(distance > 0.0 && camera.field_of_view > 0.0 && camera.field_of_view < M_PI,
+                    "camera " + std::to_string(distance) + " m from its target, field of view " +
+                        std::to_string(camera.field_of_view) + " rad");
+  const Vector3d forward_W = to_target / distance;
+  // Looking straight down there is no heading; the world's y is up in the picture then.
+  const Vector2d level = forward_W.head<2>();
+  const Vector2d heading = level.norm() > 1e-6 ? level.normalized() : Vector2d(0.0, 1.0);
+  Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
+  R_WS.col(0) = Vector3d(heading.y(), -heading.x(), 0.0);
+  R_WS.col(1) = Vector3d(heading.x(), heading.y(), 0.0);
+
+  View view;
+  const Vector3d p_WS(camera.p_WTarget.x(), camera.p_WTarget.y(), 0.0);
+  view.X_SW = MakePose(R_WS, p_WS).inverse();
+  view.p_SEye = view.X_SW * camera.p_WEye;
+  view.half_height = distance * std::tan(0.5 * camera.field_of_view);
+
+  const Vector3d forward = R_WS.transpose() * forward_W;
+  const Vector3d right = Vector3d::UnitX();  // of S, by its definition
+  const Vector3d up = right.cross(forward);
+  Matrix4d eye_from_S = Matrix4d::Identity();
+  eye_from_S.block<1, 3>(0, 0) = right.transpose();
+  eye_from_S.block<1, 3>(1, 0) = up.transpose();
+  eye_from_S.block<1, 3>(2, 0) = -forward.transpose();
+  eye_from_S.block<3, 1>(0, 3) = -eye_from_S.block<3, 3>(0, 0) * view.p_SEye;
+
+  Matrix4d clip_from_eye = Matrix4d::Zero();
+  clip_from_eye(1, 1) = 1.0 / std::tan(0.5 * camera.field_of_view);
+  clip_from_eye(0, 0) = clip_from_eye(1, 1) / aspect;
+  clip_from_eye(2, 2) = -(kFar + kNear) / (kFar - kNear);
+  clip_from_eye(2, 3) = -2.0 * kFar * kNear / (kFar - kNear);
+  clip_from_eye(3, 2) = -1.0;
+  view.clip_from_S = clip_from_eye * eye_from_S;
+  return view;
+}
+
+// A light whose map holds all of `boxes` (corners in S).
+Light MakeLight(const Vector3d& to_light, const std::vector<Vector3d>& corners) {
+  Eigen::Matrix3d R_LS;
+  R_LS.row(2) = -to_light.transpose();
+  R_LS.row(0) = Vector3d::UnitY().cross(to_light).normalized().transpose();
+  R_LS.row(1) = R_LS.row(2).cross(R_LS.row(0));
+  Box box;
+  for (const Vector3d& p_S : corners) box.Add(R_LS * p_S);
+  constexpr double kMargin = 0.004;  // no caster touches the map's border [m]
+  box.lower.array() -= kMargin;
+  box.upper.array() += kMargin;
+
+  Light light;
+  light.extent = box.upper - box.lower;
+  const Vector3d scale = light.extent.cwiseInverse();
+  light.map_from_S.topLeftCorner<3, 3>() = scale.asDiagonal() * R_LS;
+  light.map_from_S.topRightCorner<3, 1>() = -scale.cwiseProduct(box.lower);
+  return light;
+}
+
+// The part of the table that may lie in shadow: x, y of its corner, length, width in S [m].
+Eigen::Vector4d FindShadowArea(const std::vector<Vector3d>& corners) {
+  Box box;
+  for (const Vector3d& p_S : corners) {
+    box.Add(p_S);
+    box.Add(p_S - std::max(p_S.z(), 0.0) / kToKey.z() * kToKey);
+  }
+  const Vector2d lower = box.lower.head<2>() - Vector2d::Constant(kShadowMargin);
+  const Vector2d upper = box.upper.head<2>() + Vector2d::Constant(kShadowMargin);
+  Eigen::Vector4d area;
+  area << lower, upper - lower;
+  return area;
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  Impl(int width, int height);
+  Image Render(const Scene& scene, const Camera& camera);
+
+  GLuint MakeTexture(GLint internal_format, GLenum format, GLenum type, int w, int h, GLint filter);
+  Target MakeTarget(GLenum attachment, GLuint texture, int w, int h);
+  void DropUnusedMeshes();
+  const GpuMesh& FindOrUpload(const Drawable& drawable);
+  void Begin(const Target& target, const Program& program);
+  void BindTexture(const Program& program, const char* name, int unit, GLuint texture);
+  void BindLights(const Program& program, const Light& key, const Light& sky);
+  void DrawDepth(const Target& map, const Light& light);
+  void DrawMesh(const GpuMesh& mesh);
+
+  GlContext context;
+  const GlFunctions& gl;
+  int width;
+  int height;
+  Program depth, table_light, surface, table, resolve;
+  Target key_map, sky_map, table_light_map, picture, resolved;
+  GLuint compare_sampler = 0;  // compares with the depth in the map; without it: the depth itself
+  GLuint no_vertices = 0;
+  std::map<std::pair<const TriMesh*, double>, GpuMesh> meshes;
+
+  struct Item {
+    const GpuMesh* mesh;
+    Matrix4d S_from_M;
+    Vector3f colour;
+  };
+  std::vector<Item> items;  // of the picture being drawn
+};
+
+Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h) {
+  depth = MakeProgram(gl, MakeDepthShader());
+  table_light = MakeProgram(gl, MakeTableLightShader());
+  surface = MakeProgram(gl, MakeSurfaceShader());
+  table = MakeProgram(gl, MakeTableShader());
+  resolve = MakeProgram(gl, MakeResolveShader());
+
+  const auto make_light_map = [this] {
+    const GLuint texture = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                                       kLightMapSize, kLightMapSize, GL_NEAREST);
+    return MakeTarget(GL_DEPTH_ATTACHMENT, texture, kLightMapSize, kLightMapSize);
+  };
+  key_map = make_light_map();
+  sky_map = make_light_map();
+  gl.GenSamplers(1, &compare_sampler);
+  gl.SamplerParameteri(compare_sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(compare_sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(compare_sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(compare_sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+
+  table_light_map = MakeTarget(
+      GL_COLOR_ATTACHMENT0,
+      MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kTableLightSize, kTableLightSize, GL_LINEAR),
+      kTableLightSize, kTableLightSize);
+  const int fine_width = kSamples * width;
+  const int fine_height = kSamples * height;
+  picture =
+      MakeTarget(GL_COLOR_ATTACHMENT0,
+                 MakeTexture(GL_RGBA16F, GL_RGBA, GL_FLOAT, fine_width, fine_height, GL_NEAREST),
+                 fine_width, fine_height);
+  const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
+                                           GL_UNSIGNED_INT, fine_width, fine_height, GL_NEAREST);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
+  resolved = MakeTarget(GL_COLOR_ATTACHMENT0,
+                        MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_NEAREST),
+                        width, height);
+  gl.GenVertexArrays(1, &no_vertices);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+GLuint Renderer::Impl::MakeTexture(GLint internal_format, GLenum format, GLenum type, int w, int h,
+                                   GLint filter) {
+  GLuint texture = 0;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, internal_format, w, h, 0, format, type, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+Target Renderer::Impl::MakeTarget(GLenum attachment, GLuint texture, int w, int h) {
+  Target target = {texture, 0, w, h};
+  gl.GenFramebuffers(1, &target.framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
+  const GLenum buffer = attachment == GL_DEPTH_ATTACHMENT ? GL_NONE : attachment;
+  gl.DrawBuffer(buffer);
+  gl.ReadBuffer(buffer);
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  GRASPBENCH_DEMAND(status == GL_FRAMEBUFFER_COMPLETE, "status " + std::to_string(status));
+  return target;
+}
+
+void Renderer::Impl::DropUnusedMeshes() {
+  for (auto it = meshes.begin(); it != meshes.end();) {
+    if (!it->second.source.expired()) {
+      ++it;
+      continue;
+    }
+    gl.DeleteVertexArrays(1, &it->second.vertex_array);
+    gl.DeleteBuffers(1, &it->second.vertex_buffer);
+    gl.DeleteBuffers(1, &it->second.index_buffer);
+    it = meshes.erase(it);
+  }
+}
+
+const GpuMesh& Renderer::Impl::FindOrUpload(const Drawable& drawable) {
+  const auto [it, is_new] = meshes.try_emplace({drawable.mesh.get(), drawable.crease_angle});
+  GpuMesh& mesh = it->second;
+  if (!is_new) return mesh;
+
+  const DisplayMesh display = MakeDisplayMesh(*drawable.mesh, drawable.crease_angle);
+  mesh.source = drawable.mesh;
+  mesh.num_indices = static_cast<GLsizei>(display.indices.size());
+  for (const DisplayVertex& vertex : display.vertices) mesh.box.Add(vertex.position.cast<double>());
+  gl.GenVertexArrays(1, &mesh.vertex_array);
+  gl.BindVertexArray(mesh.vertex_array);
+  gl.GenBuffers(1, &mesh.vertex_buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertex_buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, display.vertices.size() * sizeof(DisplayVertex),
+                display.vertices.data(), GL_STATIC_DRAW);
+  gl.GenBuffers(1, &mesh.index_buffer);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.index_buffer);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, display.indices.size() * sizeof(uint32_t),
+                display.indices.data(), GL_STATIC_DRAW);
+  gl.EnableVertexAttribArray(0);
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), nullptr);
+  gl.EnableVertexAttribArray(1);
+  gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex),
+                         reinterpret_cast<const void*>(offsetof(DisplayVertex, normal)));
+  return mesh;
+}
+
+void Renderer::Impl::Begin(const Target& target, const Program& program) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  gl.Viewport(0, 0, target.width, target.height);
+  gl.UseProgram(program.id);
+}
+
+void Renderer::Impl::BindTexture(const Program& program, const char* name, int unit,
+                                 GLuint texture) {
+  gl.ActiveTexture(GL_TEXTURE0 + unit);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.BindSampler(unit, 0);
+  program.Set(name, unit);
+}
+
+void Renderer::Impl::BindLights(const Program& program, const Light& key, const Light& sky) {
+  BindTexture(program, "key_map", 0, key_map.texture);
+  gl.BindSampler(0, compare_sampler);
+  BindTexture(program, "key_depth", 1, key_map.texture);
+  BindTexture(program, "sky_map", 2, sky_map.texture);
+  gl.BindSampler(2, compare_sampler);
+  BindTexture(program, "sky_depth", 3, sky_map.texture);
+  program.Set("key_from_S", key.map_from_S);
+  program.Set("key_extent", key.extent);
+  program.Set("sky_from_S", sky.map_from_S);
+  program.Set("sky_extent", sky.extent);
+}
+
+void Renderer::Impl::DrawMesh(const GpuMesh& mesh) {
+  gl.BindVertexArray(mesh.vertex_array);
+  gl.DrawElements(GL_TRIANGLES, mesh.num_indices, GL_UNSIGNED_INT, nullptr);
+}
+
+void Renderer::Impl::DrawDepth(const Target& map, const Light& light) {
+  Begin(map, depth);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  Matrix4d clip_from_map = Matrix4d::Identity();
+  clip_from_map.diagonal().head<3>().setConstant(2.0);
+  clip_from_map.topRightCorner<3, 1>().setConstant(-1.0);
+  for (const Item& item : items) {
+    depth.Set("clip_from_M", Matrix4d(clip_from_map * light.map_from_S * item.S_from_M));
+    DrawMesh(*item.mesh);
+  }
+}
+
+Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
+  context.MakeCurrent();
+  DropUnusedMeshes();
+  const View view = MakeView(camera, static_cast<double>(width) / height);
+
+  items.clear();
+  std::vector<Vector3d> corners;  // of the meshes' boxes, in S
+  for (const Drawable& drawable : scene.drawables) {
+    const GpuMesh& mesh = FindOrUpload(drawable);
+    if (mesh.num_indices == 0) continue;
+    const Pose X_SM = view.X_SW * drawable.X_WM;
+    items.push_back({&mesh, X_SM.matrix(), drawable.colour});
+    for (int i = 0; i < 8; ++i) corners.push_back(X_SM * mesh.box.Corner(i));
+  }
+  if (corners.empty()) corners.push_back(Vector3d::Zero());
+  const Light key = MakeLight(kToKey, corners);
+  const Light sky = MakeLight(Vector3d::UnitZ(), corners);
+
+  gl.Enable(GL_DEPTH_TEST);
+  DrawDepth(key_map, key);
+  DrawDepth(sky_map, sky);
+
+  Begin(picture, surface);
+  gl.ClearColor(kBackground.x(), kBackground.y(), kBackground.z(), 1.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  BindLights(surface, key, sky);
+  surface.Set("clip_from_S", view.clip_from_S);
+  surface.Set("p_SEye", view.p_SEye);
+  surface.Set("to_key", kToKey);
+  surface.Set("to_fill", kToFill);
+  surface.Set("to_rim", kToRim);
+  for (const Item& item : items) {
+    surface.Set("S_from_M", item.S_from_M);
+    surface.Set("albedo", item.colour);
+    DrawMesh(*item.mesh);
+  }
+
+  gl.BindVertexArray(no_vertices);
+  if (scene.has_table && view.p_SEye.z() > 0.0) {
+    const Eigen::Vector4d area = FindShadowArea(corners);
+    gl.Disable(GL_DEPTH_TEST);
+    Begin(table_light_map, table_light);
+    BindLights(table_light, key, sky);
+    table_light.Set("table_area", area);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+
+    gl.Enable(GL_DEPTH_TEST);
+    Begin(picture, table);
+    BindTexture(table, "table_light", 0, table_light_map.texture);
+    table.Set("table_area", area);
+    table.Set("clip_from_S", view.clip_from_S);
+    table.Set("background", kBackground);
+    table.Set("fade_radius", 3.0 * view.half_height);
+    const Pose X_WS = view.X_SW.inverse();
+    table.Set("world_from_S", Eigen::Vector4d(X_WS.linear()(0, 0), X_WS.linear()(1, 0),
+                                              X_WS.translation().x(), X_WS.translation().y()));
+    gl.Enable(GL_POLYGON_OFFSET_FILL);  // what lies on the table stays before it
+    gl.PolygonOffset(1.0f, 4.0f);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl.Disable(GL_POLYGON_OFFSET_FILL);
+  }
+
+  gl.Disable(GL_DEPTH_TEST);
+  Begin(resolved, resolve);
+  BindTexture(resolve, "radiance", 0, picture.texture);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+
+  std::vector<uint8_t> pixels(3 * static_cast<size_t>(width) * height);
+  gl.ReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+  const GLenum error = gl.GetError();
+  GRASPBENCH_DEMAND(error == GL_NO_ERROR, "OpenGL error " + std::to_string(error));
+
+  Image image;
+  image.width = width;
+  image.height = height;
+  const size_t row = 3 * static_cast<size_t>(width);
+  image.rgb.reserve(pixels.size());
+  for (int y = height - 1; y >= 0; --y) {  // OpenGL's rows run upwards
+    image.rgb.insert(image.rgb.end(), pixels.begin() + y * row, pixels.begin() + (y + 1) * row);
+  }
+  return image;
+}
+
+Renderer::Renderer(int width, int height) {
+  if (width < 1 || height < 1 || width > kMaxSize || height > kMaxSize) {
+    throw Error(ErrorKind::kRange, "a picture of " + std::to_string(width) + " x " +
+                                       std::to_string(height) + " pixels; expected 1 to " +
+                                       std::to_string(kMaxSize) + " on each side");
+  }
+  impl_ = std::make_unique<Impl>(width, height);
+}
+
+Renderer::~Renderer() = default;
+
+Image Renderer::Render(const Scene& scene, const Camera& camera) {
+  return impl_->Render(scene, camera);
+}
+
+}  // namespace graspbench

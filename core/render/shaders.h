@@ -1,0 +1,30 @@
+#pragma once
+/** @file
+The GLSL programs of the renderer, one vertex and one fragment stage each.
+
+All shading happens in the stage frame S: origin on the table below the camera's target, z up, y
+along the camera's heading. Light comes from fixed directions in S, so a picture depends on where
+the camera stands relative to the scene and not on where both stand in the world. */
+
+#include <string>
+
+namespace graspbench {
+
+struct ShaderSource {
+  const char* name;  ///< for messages
+  std::string vertex;
+  std::string fragment;
+};
+
+/** Depth of the surfaces as a light sees them. */
+ShaderSource MakeDepthShader();
+/** How much of the key light and of the sky each point of the table sees: a small texture. */
+ShaderSource MakeTableLightShader();
+/** The drawables. */
+ShaderSource MakeSurfaceShader();
+/** The table with its shadow and its 50 mm grid. */
+ShaderSource MakeTableShader();
+/** Mean of 2 x 2 samples, linear to sRGB. */
+ShaderSource MakeResolveShader();
+
+}  // namespace graspbench
