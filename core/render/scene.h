@@ -24,7 +24,9 @@ struct Drawable {
   double crease_angle = 0.7;  ///< edges sharper than this stay sharp [rad]
 };
 
-/** Looks from `eye` at `target`; z of the world is up in the picture. */
+/** Pinhole that looks from `p_WEye` at `p_WTarget`; z of the world is up in the picture (looking
+straight down: y). Nothing nearer than 10 mm is drawn.
+@pre eye and target differ, 0 < field_of_view < pi. */
 struct Camera {
   Eigen::Vector3d p_WEye = Eigen::Vector3d(0.4, -0.5, 0.35);    ///< [m]
   Eigen::Vector3d p_WTarget = Eigen::Vector3d(0.0, 0.0, 0.06);  ///< [m]
@@ -33,19 +35,26 @@ struct Camera {
 
 struct Scene {
   std::vector<Drawable> drawables;
-  bool has_table = true;  ///< the plane z = 0, catching the shadow
+  bool has_table = true;  ///< the plane z = 0 with a 50 mm grid, catching the shadow
 };
 
-/** 8-bit sRGB, rows from the top. */
+/** 8-bit sRGB, rows from the top. The background and the lit table are (237, 238, 240). */
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<uint8_t> rgb;  ///< (height x width x 3)
 };
 
+/** Draws pictures of one size. The lights are fixed to the camera's heading: the key light comes
+from the left before the scene, high up, so shadows fall to the right and back.
+
+Not to be used by two threads at once; each thread may have its own. Meshes are uploaded when they
+are first seen and kept as long as somebody owns them, so a filmstrip costs little more than its
+pixels. @pre a mesh is not changed once it was drawn. */
 class Renderer {
  public:
-  /** @throws Error(kEnvironment) when OSMesa cannot be loaded, saying which package is missing. */
+  /** @throws Error(kEnvironment) when OSMesa cannot be loaded, saying which package is missing;
+  Error(kRange) for sides outside 1 to 4096 pixels. */
   Renderer(int width, int height);
   ~Renderer();
   Image Render(const Scene& scene, const Camera& camera);

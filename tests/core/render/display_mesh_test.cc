@@ -1,0 +1,65 @@
+#include "core/render/display_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+TEST(DisplayMeshTest, CubeKeepsItsEdgesBelowTheCreaseAngle) {
+  const TriMesh cube = MakeRoundedBox(Vector3d::Constant(2.0), 0.0);
+  const DisplayMesh sharp = MakeDisplayMesh(cube, 0.7);
+  EXPECT_EQ(sharp.vertices.size(), 24u + 2u);  // three at each corner; two caps
+  for (const DisplayVertex& vertex : sharp.vertices) {
+    EXPECT_NEAR(vertex.normal.cwiseAbs().maxCoeff(), 1.0f, 1e-6f);
+    EXPECT_NEAR(vertex.normal.dot(vertex.position), 1.0f, 1e-6f);  // on its own face
+  }
+  const DisplayMesh round = MakeDisplayMesh(cube, M_PI);
+  EXPECT_EQ(round.vertices.size(), 8u + 2u);
+  for (const DisplayVertex& vertex : round.vertices) {
+    EXPECT_TRUE(vertex.normal.isApprox(vertex.position.normalized(), 1e-6f));
+  }
+}
+
+TEST(DisplayMeshTest, SphereHasRadialNormals) {
+  const TriMesh sphere = MakeSphere(0.03, 64);
+  const DisplayMesh display = MakeDisplayMesh(sphere, 0.7);
+  EXPECT_EQ(static_cast<int>(display.vertices.size()), sphere.num_vertices());
+  EXPECT_EQ(static_cast<int>(display.indices.size()), 3 * sphere.num_triangles());
+  for (const DisplayVertex& vertex : display.vertices) {
+    EXPECT_GT(vertex.normal.dot(vertex.position.normalized()), std::cos(0.02));
+  }
+}
+
+// Files often repeat vertices where texture patches meet; no seam may show.
+TEST(DisplayMeshTest, RepeatedVerticesCountAsOne) {
+  const TriMesh sphere = MakeSphere(0.03, 32);
+  TriMesh soup;
+  for (const Eigen::Vector3i& triangle : sphere.triangles) {
+    const int n = soup.num_vertices();
+    for (int i = 0; i < 3; ++i) soup.vertices.push_back(sphere.vertices[triangle[i]]);
+    soup.triangles.push_back(Eigen::Vector3i(n, n + 1, n + 2));
+  }
+  const DisplayMesh display = MakeDisplayMesh(soup, 0.7);
+  EXPECT_EQ(static_cast<int>(display.vertices.size()), sphere.num_vertices());
+}
+
+TEST(DisplayMeshTest, TrianglesWithoutAreaAreLeftOut) {
+  TriMesh mesh;
+  mesh.vertices = {Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY(), 2.0 * Vector3d::UnitX()};
+  mesh.triangles = {Eigen::Vector3i(0, 1, 2), Eigen::Vector3i(0, 1, 3), Eigen::Vector3i(0, 0, 2)};
+  const DisplayMesh display = MakeDisplayMesh(mesh, 0.7);
+  ASSERT_EQ(display.indices.size(), 3u);
+  for (const uint32_t index : display.indices) {
+    EXPECT_TRUE(display.vertices[index].normal.isApprox(Vector3f::UnitZ()));
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,291 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/render/scene.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kWidth = 240;
+constexpr int kHeight = 180;
+constexpr int kBackground[3] = {237, 238, 240};  // sRGB, as scene.h promises
+
+// The pinhole camera written down once more, as the truth for the pictures: pixel (u, v) with v
+// downwards, pixel centres at half integers.
+struct Pinhole {
+  explicit Pinhole(const Camera& camera) : p_WEye(camera.p_WEye) {
+    forward = (camera.p_WTarget - camera.p_WEye).normalized();
+    right = forward.cross(Vector3d::UnitZ()).normalized();
+    down = forward.cross(right);
+    focal_length = 0.5 * kHeight / std::tan(0.5 * camera.field_of_view);
+  }
+  Vector2d Project(const Vector3d& p_W) const {
+    const Vector3d p = p_W - p_WEye;
+    return Vector2d(0.5 * kWidth + focal_length * p.dot(right) / p.dot(forward),
+                    0.5 * kHeight + focal_length * p.dot(down) / p.dot(forward));
+  }
+  Vector3d CalcRay(double u, double v) const {
+    return (forward + (u - 0.5 * kWidth) / focal_length * right +
+            (v - 0.5 * kHeight) / focal_length * down)
+        .normalized();
+  }
+  Vector3d p_WEye, forward, right, down;
+  double focal_length = 0.0;
+};
+
+const uint8_t* FindPixel(const Image& image, int u, int v) {
+  return &image.rgb[3 * (static_cast<size_t>(v) * image.width + u)];
+}
+
+bool IsBackground(const Image& image, int u, int v) {
+  return std::equal(kBackground, kBackground + 3, FindPixel(image, u, v));
+}
+
+int CalcBrightness(const Image& image, const Vector2d& pixel) {
+  const uint8_t* rgb = FindPixel(image, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  return rgb[0] + rgb[1] + rgb[2];
+}
+
+// Pixels that differ from what a ray through their centre says, away from the outline.
+int CountWrongPixels(const Image& image, const Camera& camera,
+                     const std::function<bool(const Vector3d& p_W, const Vector3d& ray_W)>& hits) {
+  const Pinhole pinhole(camera);
+  int num_wrong = 0;
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      int num_hits = 0;  // at the pixel's corners
+      for (int i = 0; i < 4; ++i) {
+        num_hits += hits(pinhole.p_WEye, pinhole.CalcRay(u + (i & 1), v + (i >> 1)));
+      }
+      if (num_hits % 4 != 0) continue;
+      if (IsBackground(image, u, v) != (num_hits == 0)) ++num_wrong;
+    }
+  }
+  return num_wrong;
+}
+
+Drawable MakeDrawable(TriMesh mesh, const Pose& X_WM, const Eigen::Vector3f& colour) {
+  Drawable drawable;
+  drawable.mesh = std::make_shared<const TriMesh>(std::move(mesh));
+  drawable.X_WM = X_WM;
+  drawable.colour = colour;
+  return drawable;
+}
+
+const Eigen::Vector3f kRed(0.7f, 0.05f, 0.05f);
+const Eigen::Vector3f kGreen(0.05f, 0.6f, 0.05f);
+
+// A tall box and a ball on the table.
+Scene MakeStillLife(const Pose& X_WS) {
+  Scene scene;
+  scene.drawables.push_back(MakeDrawable(MakeRoundedBox(Vector3d(0.04, 0.04, 0.1), 0.0),
+                                         X_WS * MakePose(Vector3d(0.0, 0.0, 0.05)), kRed));
+  scene.drawables.push_back(
+      MakeDrawable(MakeSphere(0.02), X_WS * MakePose(Vector3d(0.06, -0.02, 0.02)), kGreen));
+  return scene;
+}
+
+TEST(RendererTest, SphereFillsThePixelsOfItsProjection) {
+  const Vector3d centre(0.05, 0.03, 0.08);
+  const double radius = 0.03;
+  Scene scene;
+  scene.has_table = false;
+  scene.drawables.push_back(MakeDrawable(MakeSphere(radius, 256), MakePose(centre), kRed));
+  const Camera camera;
+  const Image image = Renderer(kWidth, kHeight).Render(scene, camera);
+
+  EXPECT_EQ(CountWrongPixels(image, camera,
+                             [&](const Vector3d& p_W, const Vector3d& ray_W) {
+                               return (centre - p_W).cross(ray_W).norm() < radius;
+                             }),
+            0);
+
+  // The outline is an ellipse: the cone of half-angle alpha about the ray to the centre, cut by the
+  // image plane.
+  const Pinhole pinhole(camera);
+  const Vector3d to_centre = centre - pinhole.p_WEye;
+  const double alpha = std::asin(radius / to_centre.norm());
+  const double theta = std::acos(to_centre.normalized().dot(pinhole.forward));
+  const double a = 0.5 * (std::tan(theta + alpha) - std::tan(theta - alpha));
+  const double middle = 0.5 * (std::tan(theta + alpha) + std::tan(theta - alpha));
+  const double b = std::sqrt(std::pow(middle * std::sin(theta) + std::cos(theta), 2.0) /
+                                 std::pow(std::cos(alpha), 2.0) -
+                             middle * middle - 1.0);
+  const double f = pinhole.focal_length;
+  const Vector2d principal(0.5 * kWidth, 0.5 * kHeight);
+  const Vector2d expected_centre =
+      principal + f * middle * (pinhole.Project(centre) - principal).normalized();
+  double area = 0.0;
+  Vector2d sum = Vector2d::Zero();
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      if (IsBackground(image, u, v)) continue;
+      area += 1.0;
+      sum += Vector2d(u + 0.5, v + 0.5);
+    }
+  }
+  // A pixel counts when one of its samples, a quarter pixel off its centre along u and v, is hit:
+  // (|nx| + |ny|) / 4 past the outline with normal n, 1 / pi on average.
+  const double past = 1.0 / M_PI;
+  EXPECT_NEAR(area, M_PI * (f * a + past) * (f * b + past), 0.01 * area);
+  EXPECT_LT((sum / area - expected_centre).norm(), 0.1);
+}
+
+TEST(RendererTest, CubeFillsThePixelsThatRaysHit) {
+  Scene scene;
+  scene.has_table = false;
+  const Matrix3d R_WM = MakeRotationRpy(0.3, 0.2, 0.9);
+  scene.drawables.push_back(
+      MakeDrawable(MakeRoundedBox(Vector3d::Ones(), 0.0), MakePose(R_WM, Vector3d::Zero()), kRed));
+  Camera camera;
+  camera.p_WEye = Vector3d(2.0, -3.0, 1.5);
+  camera.p_WTarget = Vector3d(0.2, 0.1, 0.0);
+  const Image image = Renderer(kWidth, kHeight).Render(scene, camera);
+  EXPECT_EQ(CountWrongPixels(image, camera,
+                             [&](const Vector3d& p_W, const Vector3d& ray_W) {
+                               const Vector3d p = R_WM.transpose() * p_W;
+                               const Eigen::Array3d ray = R_WM.transpose() * ray_W;
+                               const Eigen::Array3d t0 = (-0.5 - p.array()) / ray;
+                               const Eigen::Array3d t1 = (0.5 - p.array()) / ray;
+                               return t0.min(t1).maxCoeff() < t0.max(t1).minCoeff();
+                             }),
+            0);
+}
+
+TEST(RendererTest, NearerThingHidesTheFartherOne) {
+  Camera camera;
+  camera.p_WEye = Vector3d(0.0, -0.5, 0.05);
+  camera.p_WTarget = Vector3d(0.0, 0.0, 0.05);
+  Scene scene;
+  const auto add = [&](double y, double radius, const Eigen::Vector3f& colour) {
+    scene.drawables.push_back(
+        MakeDrawable(MakeSphere(radius), MakePose(Vector3d(0.0, y, 0.05)), colour));
+  };
+  add(-0.1, 0.01, kRed);
+  add(0.0, 0.04, kGreen);
+  Renderer renderer(kWidth, kHeight);
+  for (int i = 0; i < 2; ++i) {  // in either order
+    const Image image = renderer.Render(scene, camera);
+    const uint8_t* middle = FindPixel(image, kWidth / 2, kHeight / 2);
+    EXPECT_GT(middle[0], 2 * middle[1]);
+    const Vector2d beside = Pinhole(camera).Project(Vector3d(0.025, 0.0, 0.05));
+    const uint8_t* rim =
+        FindPixel(image, static_cast<int>(beside.x()), static_cast<int>(beside.y()));
+    EXPECT_GT(rim[1], 2 * rim[0]);
+    std::reverse(scene.drawables.begin(), scene.drawables.end());
+  }
+}
+
+TEST(RendererTest, EmptySceneIsBackground) {
+  Scene scene;
+  scene.has_table = false;
+  const Image image = Renderer(kWidth, kHeight).Render(scene, Camera());
+  ASSERT_EQ(image.rgb.size(), 3u * kWidth * kHeight);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) ASSERT_TRUE(IsBackground(image, u, v)) << u << " " << v;
+  }
+}
+
+// Off the grid's lines, which run through multiples of 50 mm.
+TEST(RendererTest, ShadowLiesAwayFromTheKeyLight) {
+  Camera camera;  // looks along +y; the key light comes from the left before the scene
+  camera.p_WEye = Vector3d(0.02, -0.4, 0.5);
+  camera.p_WTarget = Vector3d(0.02, 0.0, 0.0);
+  const Pose X_WS = MakePose(Vector3d(0.02, 0.0, 0.0));
+  const Image image = Renderer(kWidth, kHeight).Render(MakeStillLife(X_WS), camera);
+  const Pinhole pinhole(camera);
+  const auto brightness_at = [&](double x, double y) {
+    return CalcBrightness(image, pinhole.Project(Vector3d(0.02 + x, y, 0.0)));
+  };
+  const int lit = kBackground[0] + kBackground[1] + kBackground[2];
+  EXPECT_LT(brightness_at(0.04, 0.035), lit - 60);
+  EXPECT_GT(brightness_at(-0.06, -0.055), lit - 20);
+  EXPECT_NEAR(brightness_at(-0.135, -0.085), lit, 3);
+}
+
+// The picture tells where the camera stands relative to the scene, not where both are.
+TEST(RendererTest, MovingCameraAndSceneTogetherChangesNothing) {
+  const Scene scene = MakeStillLife(Pose::Identity());
+  const Camera camera;
+  Renderer renderer(kWidth, kHeight);
+  const Image reference = renderer.Render(scene, camera);
+  // By the grid's spacing and a quarter turn, so that its lines fall onto themselves.
+  const Pose X_WS = MakePose(MakeRotationRpy(0.0, 0.0, 0.5 * M_PI), Vector3d(0.25, -0.6, 0.0));
+  Camera moved_camera = camera;
+  moved_camera.p_WEye = X_WS * camera.p_WEye;
+  moved_camera.p_WTarget = X_WS * camera.p_WTarget;
+  const Image moved = renderer.Render(MakeStillLife(X_WS), moved_camera);
+  int num_different = 0;
+  for (size_t i = 0; i < reference.rgb.size(); ++i) {
+    num_different += std::abs(reference.rgb[i] - moved.rgb[i]) > 2;
+  }
+  EXPECT_LT(num_different, 0.001 * reference.rgb.size());
+  EXPECT_NE(renderer.Render(MakeStillLife(X_WS), camera).rgb, reference.rgb);
+}
+
+TEST(RendererTest, SameSceneGivesSameBytes) {
+  const Scene scene = MakeStillLife(Pose::Identity());
+  Renderer renderer(kWidth, kHeight);
+  const Image first = renderer.Render(scene, Camera());
+  renderer.Render(MakeStillLife(MakePose(Vector3d(0.1, 0.0, 0.0))), Camera());
+  EXPECT_EQ(renderer.Render(scene, Camera()).rgb, first.rgb);
+  EXPECT_EQ(Renderer(kWidth, kHeight).Render(scene, Camera()).rgb, first.rgb);
+}
+
+// A new mesh often takes the address of a dead one; the picture must not show the dead one.
+TEST(RendererTest, MeshAtTheAddressOfADeadOneIsDrawnAfresh) {
+  Renderer renderer(kWidth, kHeight);
+  const auto render = [](Renderer* with, double radius) {
+    Scene scene;
+    scene.drawables.push_back(
+        MakeDrawable(MakeSphere(radius), MakePose(Vector3d(0.0, 0.0, 0.06)), kRed));
+    return with->Render(scene, Camera());
+  };
+  for (const double radius : {0.02, 0.05, 0.03}) {
+    Renderer fresh(kWidth, kHeight);
+    EXPECT_EQ(render(&renderer, radius).rgb, render(&fresh, radius).rgb) << radius;
+  }
+}
+
+TEST(RendererTest, LooksStraightDownWithWorldYUpwards) {
+  Camera camera;
+  camera.p_WEye = Vector3d(0.0, 0.0, 0.5);
+  camera.p_WTarget = Vector3d::Zero();
+  Scene scene;
+  scene.has_table = false;
+  scene.drawables.push_back(
+      MakeDrawable(MakeSphere(0.02), MakePose(Vector3d(0.0, 0.08, 0.0)), kRed));
+  const Image image = Renderer(kWidth, kHeight).Render(scene, camera);
+  const double focal_length = 0.5 * kHeight / std::tan(0.5 * camera.field_of_view);
+  const int v = static_cast<int>(0.5 * kHeight - focal_length * 0.08 / 0.5);
+  EXPECT_FALSE(IsBackground(image, kWidth / 2, v));
+  EXPECT_TRUE(IsBackground(image, kWidth / 2, kHeight - v));
+}
+
+TEST(RendererTest, RefusesImpossibleSizes) {
+  for (const auto& [width, height] : {std::pair(0, 10), std::pair(10, 5000)}) {
+    try {
+      Renderer renderer(width, height);
+      FAIL() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kRange);
+      EXPECT_EQ(std::string(error.what()), "a picture of " + std::to_string(width) + " x " +
+                                               std::to_string(height) +
+                                               " pixels; expected 1 to 4096 on each side");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graspbench
