@@ -8,11 +8,14 @@
 namespace graspbench {
 
 YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems) {
-  const std::string text = ReadFile(path);
+  return ParseYaml(ReadFile(path), path.string(), problems);
+}
+
+YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems) {
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& e) {
-    problems.Fail(path.string(), e.mark.line + 1, "not valid YAML: " + e.msg);
+    problems.Fail(file, e.mark.line + 1, "not valid YAML: " + e.msg);
     return YAML::Node();
   }
 }

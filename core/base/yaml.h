@@ -26,6 +26,9 @@ enum class Needed { kYes, kNo };
 /** Reads a YAML file. A syntax error goes into `problems` with its line and gives a null node. */
 YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems);
 
+/** The same for a text that is at hand; `file` names it in messages. */
+YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems);
+
 /** One-based line of a node, 0 when unknown. */
 int LineOf(const YAML::Node& node);
 

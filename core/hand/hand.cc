@@ -13,6 +13,24 @@ int FindByName(const std::vector<Item>& items, const std::string& name) {
 
 }  // namespace
 
+std::string NameOf(CouplingRule rule) {
+  switch (rule) {
+    case CouplingRule::kMiddleFirst:
+      return "middle-first";
+    case CouplingRule::kEven:
+      return "even";
+    case CouplingRule::kFixed:
+      break;
+  }
+  return "fixed";
+}
+
+const std::vector<CouplingRule>& ListCouplingRules() {
+  static const std::vector<CouplingRule> rules = {CouplingRule::kMiddleFirst, CouplingRule::kEven,
+                                                  CouplingRule::kFixed};
+  return rules;
+}
+
 int Hand::FindJoint(const std::string& joint_name) const { return FindByName(joints, joint_name); }
 int Hand::FindLink(const std::string& link_name) const { return FindByName(links, link_name); }
 

@@ -72,6 +72,8 @@ struct HandJoint {
 
 /** How a distal joint follows its middle joint; see coupling.h. */
 enum class CouplingRule { kMiddleFirst, kEven, kFixed };
+std::string NameOf(CouplingRule rule);  ///< "middle-first", "even", "fixed"
+const std::vector<CouplingRule>& ListCouplingRules();
 
 struct Digit {
   std::string id;    ///< "TH", "FF", "MF", "RF", "LF"

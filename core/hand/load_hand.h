@@ -5,8 +5,9 @@ Reads a hand: `hand.urdf` (kinematics, inertia, collision and visual shapes, lim
 
 Collision shapes become contact: a sphere stays one; a cylinder is taken as the capsule of the same
 axis and radius and is sampled by spheres; a box is filled by rows of capsules of its half
-thickness. */
+thickness (contact_shape.h). */
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,10 @@ Hand LoadHand(const std::string& id_or_folder);
 /** As LoadHand, but collects the problems (warnings too) instead of throwing on them. The hand is
 usable only when `problems` holds no error. */
 Hand CheckHand(const std::string& id_or_folder, Diagnostics& problems);
+
+/** As CheckHand, from the texts of hand.urdf and hand.yaml. @param folder  names the hand, and
+meshes are found relative to it. */
+Hand ParseHand(const std::string& urdf, const std::string& yaml,
+               const std::filesystem::path& folder, Diagnostics& problems);
 
 }  // namespace graspbench

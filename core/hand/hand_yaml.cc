@@ -1,0 +1,249 @@
+#include "core/hand/hand_yaml.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/units.h"
+#include "core/base/yaml.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kLargestOffset = 1.0;  // [m] of a point from its link
+
+class HandYamlReader {
+ public:
+  HandYamlReader(std::string file, const UrdfOutline& outline, Hand& hand, Diagnostics& problems)
+      : file_(std::move(file)), outline_(outline), hand_(hand), problems_(problems) {}
+
+  void Read(const YAML::Node& root) {
+    YamlMap map(root, file_, "hand", problems_);
+    map.Read("name", hand_.name);
+    ReadPalm(map.Child("palm"));
+    double accuracy_deg = 0.0;
+    map.Read("joint_accuracy_deg", accuracy_deg);
+    if (accuracy_deg < 0.0 || accuracy_deg > 45.0) {
+      map.Fail("joint_accuracy_deg", "expected 0 to 45 degrees");
+    }
+    hand_.joint_accuracy = RadFromDeg(accuracy_deg);
+    map.Read("pad_torsion_radius_m", hand_.pad_torsion_radius, Needed::kNo);
+    if (hand_.pad_torsion_radius < 0.0) map.Fail("pad_torsion_radius_m", "must not be negative");
+    ReadDigits(map.Child("digits"));
+    if (map.Has("coupling")) ReadCoupling(map.Child("coupling"));
+    ReadDrives(map.Child("drives"));
+    map.Child("grasps", Needed::kNo);
+    map.FinishKnownKeys();
+  }
+
+ private:
+  /** Tells when the URDF has no such link or joint; `what` is "link" or "joint". */
+  bool CheckName(const std::string& name, const char* what, int line, const std::string& where) {
+    const auto& known = *what == 'l' ? outline_.links : outline_.revolute_joints;
+    if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+    problems_.Fail(file_, line,
+                   where + ": hand.urdf has no " + (*what == 'l' ? "link" : "revolute joint") +
+                       " \"" + name + "\"" + SuggestNames(name, known));
+    return false;
+  }
+  /** The items of a sequence; a problem when the node is something else. A missing key has been
+  told before. */
+  std::vector<YAML::Node> Items(const YAML::Node& node, const std::string& where) {
+    if (node.IsSequence() && node.size() > 0) return {node.begin(), node.end()};
+    if (node.IsDefined() && LineOf(node) > 0) {
+      problems_.Fail(file_, LineOf(node), where + ": expected a list with at least one entry");
+    }
+    return {};
+  }
+
+  void ReadPalm(const YAML::Node& node);
+  void ReadDigits(const YAML::Node& node);
+  void ReadDigit(const YAML::Node& node);
+  void ReadCoupling(const YAML::Node& node);
+  void ReadDrives(const YAML::Node& node);
+
+  std::string file_;
+  const UrdfOutline& outline_;
+  Hand& hand_;
+  Diagnostics& problems_;
+  std::map<std::string, std::string> digit_of_link_;
+  std::set<std::string> coupled_;
+};
+
+void HandYamlReader::ReadPalm(const YAML::Node& node) {
+  if (!node.IsDefined() || node.IsNull()) return;
+  YamlMap map(node, file_, "palm", problems_);
+  std::string link;
+  map.Read("link", link);
+  map.Read("centre_m", hand_.p_HCentre);
+  map.Read("normal", hand_.palm_normal);
+  map.FinishKnownKeys();
+  if (!link.empty() && CheckName(link, "link", LineOf(node), "palm")) {
+    hand_.palm_link = std::max(0, hand_.FindLink(link));
+  }
+  if (hand_.p_HCentre.norm() > kLargestOffset) map.Fail("centre_m", "farther than 1 m away");
+  if (hand_.palm_normal.norm() < 1e-6) {
+    map.Fail("normal", "has no direction");
+  } else {
+    hand_.palm_normal.normalize();
+  }
+}
+
+void HandYamlReader::ReadDigit(const YAML::Node& node) {
+  Digit& digit = hand_.digits.emplace_back();
+  const int line = LineOf(node);
+  YamlMap map(node, file_, "digit " + std::to_string(hand_.digits.size()), problems_);
+  std::vector<std::string> links;
+  map.Read("id", digit.id);
+  map.Read("name", digit.name);
+  map.Read("thumb", digit.is_thumb, Needed::kNo);
+  map.Read("links", links);
+  map.Read("tip_m", digit.p_LTip);
+  map.Read("pad_m", digit.p_LPad);
+  map.FinishKnownKeys();
+  const std::string where = "digit " + digit.id;
+  if (map.Has("links") && links.empty()) map.Fail("links", "a digit needs at least one link");
+  if (std::max(digit.p_LTip.norm(), digit.p_LPad.norm()) > kLargestOffset) {
+    map.Fail("tip_m", "tip and pad lie within 1 m of the last link's frame");
+  }
+  for (const std::string& name : links) {
+    if (!CheckName(name, "link", line, where)) continue;
+    const auto [taken, is_new] = digit_of_link_.emplace(name, digit.id);
+    if (!is_new) {
+      problems_.Fail(file_, line, where + ": link \"" + name + "\" is in digit " + taken->second);
+    }
+    const int link = hand_.FindLink(name);
+    if (link < 0) continue;  // the URDF is broken and its tree unknown
+    if (!digit.links.empty() && hand_.links[link].parent != digit.links.back()) {
+      problems_.Fail(file_, line,
+                     where + ": link \"" + name + "\" does not hang on the link before it, \"" +
+                         hand_.links[digit.links.back()].name + "\"; name them from base to tip");
+    }
+    digit.links.push_back(link);
+  }
+  if (!digit.links.empty()) digit.distal_link = digit.links.back();
+}
+
+void HandYamlReader::ReadDigits(const YAML::Node& node) {
+  std::set<std::string> ids;
+  int num_thumbs = 0;
+  for (const YAML::Node& item : Items(node, "digits")) {
+    ReadDigit(item);
+    const Digit& digit = hand_.digits.back();
+    num_thumbs += digit.is_thumb;
+    if (!digit.id.empty() && !ids.insert(digit.id).second) {
+      problems_.Fail(file_, LineOf(item), "digit " + digit.id + ": the id is taken");
+    }
+  }
+  if (!hand_.digits.empty() && num_thumbs != 1) {
+    problems_.Fail(
+        file_, LineOf(node),
+        "digits: one digit must have \"thumb: true\", found " + std::to_string(num_thumbs));
+  }
+}
+
+void HandYamlReader::ReadCoupling(const YAML::Node& node) {
+  YamlMap map(node, file_, "coupling", problems_);
+  std::string rule;
+  map.Read("rule", rule);
+  map.Read("fixed_ratio", hand_.fixed_coupling_ratio, Needed::kNo);
+  const YAML::Node joints = map.Child("joints");
+  map.FinishKnownKeys();
+  const auto& rules = ListCouplingRules();
+  const auto found =
+      std::find_if(rules.begin(), rules.end(), [&](CouplingRule r) { return NameOf(r) == rule; });
+  if (found != rules.end()) {
+    hand_.coupling = *found;
+  } else if (!rule.empty()) {
+    std::vector<std::string> names;
+    for (CouplingRule r : rules) names.push_back(NameOf(r));
+    map.Fail("rule", "unknown rule \"" + rule + "\"" + SuggestNames(rule, names));
+  }
+  if (hand_.fixed_coupling_ratio <= 0.0 || hand_.fixed_coupling_ratio > 1.0) {
+    map.Fail("fixed_ratio", "expected a number above 0, at most 1");
+  }
+  if (!joints.IsDefined() || joints.IsNull()) return;
+  if (!joints.IsMap()) {
+    map.Fail("joints", "expected pairs, distal joint: middle joint");
+    return;
+  }
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& pair : joints) {
+    const std::string distal = pair.first.as<std::string>("");
+    const std::string middle = pair.second.as<std::string>("");
+    const int line = LineOf(pair.first);
+    const std::string where = "coupling of " + distal;
+    const bool knows_distal = CheckName(distal, "joint", line, where);
+    const bool knows_middle = CheckName(middle, "joint", line, where);
+    if (!knows_distal || !knows_middle) continue;
+    if (!coupled_.insert(distal).second) {
+      problems_.Fail(file_, line, where + ": named twice");
+    }
+    const int d = hand_.FindJoint(distal), m = hand_.FindJoint(middle);
+    if (d < 0 || m < 0) continue;
+    if (hand_.links[hand_.joints[d].link].parent != hand_.joints[m].link) {
+      problems_.Fail(file_, line,
+                     where + ": joint \"" + middle + "\" is not the joint before it in the finger");
+    }
+    hand_.joints[d].coupled_to = m;
+    pairs.emplace_back(d, line);
+  }
+  for (const auto& [d, line] : pairs) {
+    if (hand_.joints[hand_.joints[d].coupled_to].coupled_to >= 0) {
+      problems_.Fail(file_, line,
+                     "coupling of " + hand_.joints[d].name + ": joint \"" +
+                         hand_.joints[hand_.joints[d].coupled_to].name +
+                         "\" is coupled itself; it must have a drive");
+    }
+  }
+}
+
+void HandYamlReader::ReadDrives(const YAML::Node& node) {
+  std::set<std::string> driven;
+  int number = 0;
+  for (const YAML::Node& item : Items(node, "drives")) {
+    const std::string where = "drives, entry " + std::to_string(++number);
+    YamlMap map(item, file_, where, problems_);
+    std::vector<std::string> joints;
+    JointDrive drive;
+    map.Read("joints", joints);
+    map.Read("stiffness_nm_per_rad", drive.stiffness);
+    map.Read("damping_nms_per_rad", drive.damping);
+    map.Read("torque_limit_nm", drive.torque_limit);
+    map.FinishKnownKeys();
+    for (const auto& [key, value] : {std::pair{"stiffness_nm_per_rad", drive.stiffness},
+                                     {"torque_limit_nm", drive.torque_limit}}) {
+      if (map.Has(key) && value <= 0.0) map.Fail(key, "must be positive");
+    }
+    if (drive.damping < 0.0) map.Fail("damping_nms_per_rad", "must not be negative");
+    for (const std::string& name : joints) {
+      if (!CheckName(name, "joint", LineOf(item), where)) continue;
+      if (coupled_.count(name) != 0) {
+        map.Fail("joints", "\"" + name + "\" is coupled and has no drive of its own");
+      } else if (!driven.insert(name).second) {
+        map.Fail("joints", "\"" + name + "\" already has a drive");
+      }
+      if (const int joint = hand_.FindJoint(name); joint >= 0) hand_.joints[joint].drive = drive;
+    }
+  }
+  for (const std::string& name : outline_.revolute_joints) {
+    if (driven.count(name) == 0 && coupled_.count(name) == 0) {
+      problems_.Fail(file_, LineOf(node),
+                     "drives: joint \"" + name +
+                         "\" has neither drive nor "
+                         "coupling");
+    }
+  }
+}
+
+}  // namespace
+
+void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
+                  Hand& hand, Diagnostics& problems) {
+  const int num_errors_before = problems.num_errors();
+  const YAML::Node root = ParseYaml(text, file, problems);
+  if (problems.num_errors() > num_errors_before) return;
+  HandYamlReader(file, outline, hand, problems).Read(root);
+}
+
+}  // namespace graspbench

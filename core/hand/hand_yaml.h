@@ -1,0 +1,44 @@
+#pragma once
+/** @file
+hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the frame named.
+
+    name: Three-finger Hand
+    palm:
+      link: palm
+      centre_m: [0, 0, 0]      # middle of the palm's surface, in the palm's frame
+      normal: [0, 0, 1]        # out of the palm, in the palm's frame
+    joint_accuracy_deg: 2      # half-width of the per-trial uniform error of every drive
+    pad_torsion_radius_m: 0.004
+    digits:                    # their order is the order of the hand's joints
+      - id: TH
+        name: thumb
+        thumb: true            # one digit
+        links: [th_base, th_proximal, th_distal]   # from the base outwards; the last has the pad
+        tip_m: [0, 0, 0.02]    # in the last link
+        pad_m: [0.007, 0, 0.014]
+    coupling:                  # absent: none
+      rule: middle-first       # middle-first, even or fixed
+      fixed_ratio: 0.8         # of rule fixed
+      joints: {THJ1: THJ2}     # distal joint: the middle joint that it follows
+    drives:                    # every joint that is not coupled, once
+      - joints: [THJ3, THJ2]
+        stiffness_nm_per_rad: 3.0
+        damping_nms_per_rad: 0.03
+        torque_limit_nm: 1.0
+    grasps: ...                # see core/grasp/standard_grasp.h */
+
+#include <string>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/hand.h"
+#include "core/hand/urdf_check.h"
+
+namespace graspbench {
+
+/** Fills palm_link, digits, coupling, drives and the scalars of `hand`, whose links and joints were
+read from the URDF. Names are checked against `outline`; so a hand whose URDF is broken still gets
+all problems of its hand.yaml told. */
+void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
+                  Hand& hand, Diagnostics& problems);
+
+}  // namespace graspbench

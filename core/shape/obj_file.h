@@ -1,0 +1,20 @@
+#pragma once
+/** @file
+Wavefront OBJ, the part that carries shape: `v` and `f`. For meshes that belong to the project and
+for the looks of a hand; other formats of a user's object are read in objects/. */
+
+#include <string>
+
+#include "core/base/diagnostics.h"
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+/** Polygons are split into fans; texture and normal indices and all other statements are skipped. A
+bad line goes into `problems`; the first one ends the reading with an empty mesh. */
+TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& problems);
+
+/** Coordinates in metres with six decimals: the same mesh gives the same bytes. */
+std::string FormatObj(const TriMesh& mesh);
+
+}  // namespace graspbench
