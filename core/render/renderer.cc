@@ -227,8 +227,8 @@ struct Renderer::Impl {
   const GlFunctions& gl;
   int width;
   int height;
-  Program depth, table_light, surface, table, resolve;
-  Target key_map, sky_map, table_light_map, picture, resolved;
+  Program depth, table_light, smooth, surface, table, resolve;
+  Target key_map, sky_map, rough_table_light, smooth_table_light, picture, resolved;
   GLuint compare_sampler = 0;  // compares with the depth in the map; without it: the depth itself
   GLuint no_vertices = 0;
   std::map<std::pair<const TriMesh*, double>, GpuMesh> meshes;
@@ -244,6 +244,7 @@ struct Renderer::Impl {
 Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h) {
   depth = MakeProgram(gl, MakeDepthShader());
   table_light = MakeProgram(gl, MakeTableLightShader());
+  smooth = MakeProgram(gl, MakeSmoothShader());
   surface = MakeProgram(gl, MakeSurfaceShader());
   table = MakeProgram(gl, MakeTableShader());
   resolve = MakeProgram(gl, MakeResolveShader());
@@ -263,10 +264,11 @@ Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 
-  table_light_map = MakeTarget(
-      GL_COLOR_ATTACHMENT0,
-      MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kTableLightSize, kTableLightSize, GL_LINEAR),
-      kTableLightSize, kTableLightSize);
+  for (Target* target : {&rough_table_light, &smooth_table_light}) {
+    const GLuint texture =
+        MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kTableLightSize, kTableLightSize, GL_LINEAR);
+    *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, kTableLightSize, kTableLightSize);
+  }
   const int fine_width = kSamples * width;
   const int fine_height = kSamples * height;
   picture =
@@ -434,14 +436,17 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   if (scene.has_table && view.p_SEye.z() > 0.0) {
     const Eigen::Vector4d area = FindShadowArea(corners);
     gl.Disable(GL_DEPTH_TEST);
-    Begin(table_light_map, table_light);
+    Begin(rough_table_light, table_light);
     BindLights(table_light, key, sky);
     table_light.Set("table_area", area);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    Begin(smooth_table_light, smooth);
+    BindTexture(smooth, "rough", 0, rough_table_light.texture);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
 
     gl.Enable(GL_DEPTH_TEST);
     Begin(picture, table);
-    BindTexture(table, "table_light", 0, table_light_map.texture);
+    BindTexture(table, "table_light", 0, smooth_table_light.texture);
     table.Set("table_area", area);
     table.Set("clip_from_S", view.clip_from_S);
     table.Set("background", kBackground);

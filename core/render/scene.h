@@ -64,7 +64,12 @@ class Renderer {
   std::unique_ptr<Impl> impl_;
 };
 
-/** PNG bytes, without time stamps. */
+/** PNG bytes, without time stamps: exact. */
 std::string EncodePng(const Image& image);
+
+/** WebP bytes, lossy but without visible loss, for pages with many pictures: 1080 x 300 pixels of a
+filmstrip take 13 KB, as PNG 100 KB. Every current browser shows it.
+@throws Error(kUnsupported) when the image is larger than 16383 pixels on a side. */
+std::string EncodeWebp(const Image& image);
 
 }  // namespace graspbench

@@ -26,16 +26,17 @@ uniform sampler2D sky_depth;
 uniform mat4 sky_from_S;
 uniform vec3 sky_extent;
 
-vec2 SunflowerPoint(int i, int taps) {
-  float angle = 2.399963 * float(i);
+vec2 SunflowerPoint(int i, int taps, float turn) {
+  float angle = 2.399963 * float(i) + turn;
   return sqrt((float(i) + 0.5) / float(taps)) * vec2(cos(angle), sin(angle));
 }
 
 // Share of a disc of `radius` metres around the point that the light reaches.
-float CalcVisibility(sampler2DShadow map, vec3 p, vec2 extent, float radius, int taps) {
+float CalcVisibility(sampler2DShadow map, vec3 p, vec2 extent, float radius, int taps,
+                     float turn) {
   float sum = 0.0;
   for (int i = 0; i < taps; ++i) {
-    sum += texture(map, vec3(p.xy + radius * SunflowerPoint(i, taps) / extent, p.z));
+    sum += texture(map, vec3(p.xy + radius * SunflowerPoint(i, taps, turn) / extent, p.z));
   }
   return sum / float(taps);
 }
@@ -43,11 +44,12 @@ float CalcVisibility(sampler2DShadow map, vec3 p, vec2 extent, float radius, int
 // The same for a light of angular size `spread` (tangent): the disc grows with the distance to
 // whatever is in the way (percentage-closer soft shadows, Fernando 2005).
 float CalcSoftVisibility(sampler2DShadow map, sampler2D depth, vec3 p, vec3 extent, float spread,
-                         float search_radius, int taps) {
+                         float search_radius, int taps, float turn) {
   float blocker_sum = 0.0;
   float num_blockers = 0.0;
   for (int i = 0; i < taps; ++i) {
-    float blocker = texture(depth, p.xy + search_radius * SunflowerPoint(i, taps) / extent.xy).r;
+    vec2 offset = search_radius * SunflowerPoint(i, taps, turn);
+    float blocker = texture(depth, p.xy + offset / extent.xy).r;
     if (blocker < min(p.z, 1.0)) {
       blocker_sum += blocker;
       num_blockers += 1.0;
@@ -56,7 +58,7 @@ float CalcSoftVisibility(sampler2DShadow map, sampler2D depth, vec3 p, vec3 exte
   if (num_blockers == 0.0) return 1.0;
   float gap = (p.z - blocker_sum / num_blockers) * extent.z;
   float radius = clamp(gap * spread, 0.0015, search_radius);
-  return CalcVisibility(map, p, extent.xy, radius, taps);
+  return CalcVisibility(map, p, extent.xy, radius, taps, turn);
 }
 )";
 
@@ -79,10 +81,30 @@ uniform vec4 table_area;  // x, y of its corner, length, width in S [m]
 out vec2 visibility;      // of the key light and of the sky
 void main() {
   vec4 p_S = vec4(table_area.xy + uv * table_area.zw, 0.0, 1.0);
+  // Each of 4 x 4 neighbours turns its disc of taps by another sixteenth; the smoothing pass takes
+  // their mean, so the penumbra has sixteen times as many taps and no pattern.
+  ivec2 texel = ivec2(gl_FragCoord.xy) & 3;
+  float turn = 2.399963 * 2.6180340 * float(texel.x + 4 * texel.y);
   visibility.x = CalcSoftVisibility(key_map, key_depth, (key_from_S * p_S).xyz, key_extent, 0.13,
-                                    0.03, 24);
+                                    0.03, 16, turn);
   visibility.y = CalcSoftVisibility(sky_map, sky_depth, (sky_from_S * p_S).xyz, sky_extent, 0.8,
-                                    0.06, 24);
+                                    0.06, 16, turn);
+}
+)"};
+}
+
+ShaderSource MakeSmoothShader() {
+  return {"smooth", std::string(kVersion) + kWholePictureVertex, std::string(kVersion) + R"(
+in vec2 uv;
+uniform sampler2D rough;
+out vec2 smooth_value;
+void main() {
+  vec2 texel = 1.0 / vec2(textureSize(rough, 0));
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < 4; ++i) {  // each tap is the mean of 2 x 2 texels
+    sum += texture(rough, uv + texel * (2.0 * vec2(i & 1, i >> 1) - 0.5)).rg;
+  }
+  smooth_value = 0.25 * sum;
 }
 )"};
 }
@@ -116,21 +138,23 @@ void main() {
   if (!gl_FrontFacing) n = -n;
   vec3 to_eye = normalize(p_SEye - p_S);
 
+  // The four samples of a pixel turn their discs of taps differently.
+  float turn = 0.6 * float((int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1));
   // Look up beside the surface, so that it does not shade itself.
   float key = max(dot(n, to_key), 0.0);
   if (key > 0.0) {
     const float kRadius = 0.0015;
     vec4 p = vec4(p_S + 1.5 * kRadius * n + 0.5 * kRadius * to_key, 1.0);
-    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, 8);
+    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, 8, turn);
   }
   const float kSkyRadius = 0.012;
-  vec4 p = vec4(p_S + kSkyRadius * n + vec3(0.0, 0.0, 0.5 * kSkyRadius), 1.0);
-  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, 8);
+  vec4 p = vec4(p_S + 1.4 * kSkyRadius * n + vec3(0.0, 0.0, 0.5 * kSkyRadius), 1.0);
+  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, 8, turn);
 
   float up = 0.5 + 0.5 * n.z;
-  vec3 light = mix(vec3(0.20, 0.19, 0.18), vec3(0.34, 0.36, 0.39) * mix(0.45, 1.0, sky), up);
-  light += vec3(0.86, 0.83, 0.78) * key;
-  light += vec3(0.17, 0.19, 0.22) * max(dot(n, to_fill), 0.0);
+  vec3 light = mix(vec3(0.13, 0.125, 0.12), vec3(0.27, 0.29, 0.32) * mix(0.3, 1.0, sky), up);
+  light += vec3(1.00, 0.97, 0.92) * key;
+  light += vec3(0.13, 0.15, 0.18) * max(dot(n, to_fill), 0.0);
 
   float edge = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0);
   float gloss = pow(max(dot(n, normalize(to_key + to_eye)), 0.0), 48.0);

@@ -20,6 +20,8 @@ struct ShaderSource {
 ShaderSource MakeDepthShader();
 /** How much of the key light and of the sky each point of the table sees: a small texture. */
 ShaderSource MakeTableLightShader();
+/** Mean of 4 x 4 neighbours of that texture. */
+ShaderSource MakeSmoothShader();
 /** The drawables. */
 ShaderSource MakeSurfaceShader();
 /** The table with its shadow and its 50 mm grid. */
