@@ -127,17 +127,15 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const {
   }
 }
 
-double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH, const Vector3d& a_WH,
-                              double gravity, Eigen::Ref<Eigen::VectorXd> bias) const {
+double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH,
+                              const Vector3d& lift_W, Eigen::Ref<Eigen::VectorXd> bias) const {
   const size_t num_links = parent_.size();
   thread_local std::vector<SpatialVector> V, A, F;
   V.resize(num_links);
   A.resize(num_links);
   F.resize(num_links);
   V[0] << Vector3d::Zero(), v_WH;
-  // Gravity as an upward acceleration of the root.
-  const Vector3d lift = a_WH + Vector3d(0.0, 0.0, gravity);
-  A[0] << Vector3d::Zero(), lift;
+  A[0] << Vector3d::Zero(), lift_W;
   F[0].setZero();
   double power = 0.0;
   for (size_t i = 1; i < num_links; ++i) {
@@ -153,7 +151,7 @@ double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH, co
     F[i] = I * A[i] + CrossForce(V[i], I * V[i]);
     const Vector3d momentum_rel =
         I.mass * (Vector3d(V[i].tail<3>()) - v_WH) - I.moment.cross(Vector3d(V[i].head<3>()));
-    power -= lift.dot(momentum_rel);
+    power -= lift_W.dot(momentum_rel);
   }
   bias.setZero();
   for (size_t i = num_links; i-- > 1;) {

@@ -51,11 +51,11 @@ class HandDynamics {
   void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const;
 
   /** Generalised force (num_dofs) that gives zero acceleration of all freedoms at speeds u, the
-  root moving with velocity v_WH and acceleration a_WH, gravity g along -z. Returns the power of
-  gravity and of the root's inertial force on the links, relative to the moving root [W]. */
+  root moving with velocity v_WH; lift_W is the root's acceleration minus that of gravity. Returns
+  the power of gravity and of the root's inertial force on the links, relative to the moving root
+  [W]. */
   double CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& v_WH,
-                  const Eigen::Vector3d& a_WH, double gravity,
-                  Eigen::Ref<Eigen::VectorXd> bias) const;
+                  const Eigen::Vector3d& lift_W, Eigen::Ref<Eigen::VectorXd> bias) const;
 
  private:
   struct LinkInertia {

@@ -142,7 +142,7 @@ Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
   return result;
 }
 
-Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& a_WH, double gravity) {
+Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   Impl& model = *impl_;
   model.system.realize(model.state, SimTK::Stage::Velocity);
   SimTK::Vector_<SimTK::SpatialVec> forces(model.matter.getNumBodies(),
@@ -151,13 +151,10 @@ Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& a_WH, double gravi
     const SimTK::MobilizedBody& body = model.matter.getMobilizedBody(b);
     const SimTK::MassProperties& mass = body.getBodyMassProperties(model.state);
     body.applyForceToBodyPoint(model.state, mass.getMassCenter(),
-                               SimTK::Vec3(0, 0, -gravity * mass.getMass()), forces);
+                               ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
   }
-  SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
-  SimTK::Vector accelerations(model.state.getNU(), 0.0);
-  // The root's speeds are [w, v] in W (Free: F is ground's frame).
-  const int root = model.root.getFirstUIndex(model.state);
-  for (int i = 0; i < 3; ++i) accelerations[root + 3 + i] = a_WH[i];
+  const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
+  const SimTK::Vector accelerations(model.state.getNU(), 0.0);
   SimTK::Vector residual;
   model.matter.calcResidualForceIgnoringConstraints(model.state, no_mobility_forces, forces,
                                                     accelerations, residual);

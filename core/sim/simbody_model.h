@@ -38,10 +38,10 @@ class SimbodyModel {
 
   /** Mass matrix (num_speeds x num_speeds), by Simbody's calcM. Not for a loop. */
   Eigen::MatrixXd CalcMassMatrix();
-  /** Generalised force that gives zero joint acceleration under gravity g (along -z), the root
-  accelerating with a_WH: Coriolis, centrifugal, gyroscopic, gravity (num_speeds). By Simbody's
+  /** Generalised force that gives zero acceleration of joints and object under gravity, the root at
+  constant speed: Coriolis, centrifugal, gyroscopic, gravity (num_speeds). By Simbody's
   calcResidualForceIgnoringConstraints. */
-  Eigen::VectorXd CalcBias(const Eigen::Vector3d& a_WH, double gravity);
+  Eigen::VectorXd CalcBias(const Eigen::Vector3d& gravity_W);
 
  private:
   struct Impl;

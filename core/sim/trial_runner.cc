@@ -396,14 +396,13 @@ double TrialRunner::Impl::CalcSimbodyDifference() {
   simbody.SetSpeeds(state.v_WH, u);
   const Eigen::MatrixXd M_theirs =
       T.transpose() * simbody.CalcMassMatrix().topLeftCorner(joints, joints) * T;
-  const VectorXd bias_theirs =
-      T.transpose() * simbody.CalcBias(Vector3d::Zero(), kStandardGravity).head(joints);
+  const VectorXd bias_theirs = T.transpose() * simbody.CalcBias(state.gravity_W).head(joints);
 
   dynamics.UpdatePositions(state.X_WH, state.q);
   Eigen::MatrixXd M(dofs, dofs);
   dynamics.CalcMassMatrix(M);
   VectorXd bias(dofs);
-  dynamics.CalcBias(state.u, state.v_WH, Vector3d::Zero(), kStandardGravity, bias);
+  dynamics.CalcBias(state.u, state.v_WH, -state.gravity_W, bias);
   return std::max((M - M_theirs).cwiseAbs().maxCoeff() / M_theirs.cwiseAbs().maxCoeff(),
                   (bias - bias_theirs).cwiseAbs().maxCoeff() / bias_theirs.cwiseAbs().maxCoeff());
 }

@@ -132,17 +132,15 @@ void World::AddDrivesAndLimits(const WorldCommand& command) {
   }
 }
 
-double World::CalcBias(const VectorXd& mean_speeds, const Vector3d& v_WH, const Vector3d& a_WH,
+double World::CalcBias(const VectorXd& mean_speeds, const Vector3d& v_WH, const Vector3d& lift_W,
                        VectorXd& bias) const {
   const int dofs = dynamics_.num_dofs();
-  const double power =
-      dynamics_.CalcBias(mean_speeds, v_WH, a_WH, kStandardGravity, bias.head(dofs));
+  const double power = dynamics_.CalcBias(mean_speeds, v_WH, lift_W, bias.head(dofs));
   const Vector3d w = mean_speeds.segment<3>(dofs), v = mean_speeds.segment<3>(dofs + 3);
   const Vector3d momentum = problem_.M.block<3, 3>(dofs, dofs) * w;
   bias.segment<3>(dofs) = w.cross(momentum);
-  bias.segment<3>(dofs + 3) = Vector3d(0.0, 0.0, mass_.mass * kStandardGravity);
-  const Vector3d lift = a_WH + Vector3d(0.0, 0.0, kStandardGravity);
-  return power - mass_.mass * lift.dot(v - v_WH);
+  bias.segment<3>(dofs + 3) = -mass_.mass * state_.gravity_W;
+  return power - mass_.mass * lift_W.dot(v - v_WH);
 }
 
 StepReport World::Step(const WorldCommand& command) {
@@ -164,15 +162,15 @@ StepReport World::Step(const WorldCommand& command) {
                          problem_.contacts);
   AddDrivesAndLimits(command);
 
-  const Vector3d a_WH = (command.v_WH - state_.v_WH) / h;
+  const Vector3d lift_W = (command.v_WH - state_.v_WH) / h - state_.gravity_W;
   const Vector3d mean_v_WH = 0.5 * (state_.v_WH + command.v_WH);
   VectorXd mean_speeds = 0.5 * (problem_.u + v_);
-  double power = CalcBias(mean_speeds, mean_v_WH, a_WH, problem_.bias);
+  double power = CalcBias(mean_speeds, mean_v_WH, lift_W, problem_.bias);
   const bool converged = solver_.Solve(problem_, v_, [&](const VectorXd& v) {
     const VectorXd refreshed = 0.5 * (problem_.u + v);
     if ((refreshed - mean_speeds).cwiseAbs().maxCoeff() < kBiasSpeedTolerance) return false;
     mean_speeds = refreshed;
-    power = CalcBias(mean_speeds, mean_v_WH, a_WH, problem_.bias);
+    power = CalcBias(mean_speeds, mean_v_WH, lift_W, problem_.bias);
     return true;
   });
 

@@ -17,6 +17,7 @@ The hand's root moves as the strategy says; its motion is prescribed, whatever f
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/base/units.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 #include "core/sim/collider.h"
@@ -33,8 +34,9 @@ struct WorldState {
   Eigen::VectorXd u;                               ///< (num_dofs) [rad/s]
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WOcm = Eigen::Vector3d::Zero();
-  Eigen::Vector3d w_WO = Eigen::Vector3d::Zero();    ///< [rad/s]
-  Eigen::Vector3d v_WOcm = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d w_WO = Eigen::Vector3d::Zero();                            ///< [rad/s]
+  Eigen::Vector3d v_WOcm = Eigen::Vector3d::Zero();                          ///< [m/s]
+  Eigen::Vector3d gravity_W = Eigen::Vector3d(0.0, 0.0, -kStandardGravity);  ///< [m/s^2]
 };
 
 /** What the hand is asked for at the end of a step. */
@@ -71,7 +73,6 @@ class World {
   /** Starts anew, without contacts or history. */
   void Reset(const WorldState& state);
 
-  /** @param gravity  [m/s^2] along -z. */
   StepReport Step(const WorldCommand& command);
 
   const WorldState& state() const { return state_; }
@@ -91,7 +92,7 @@ class World {
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
   void AddDrivesAndLimits(const WorldCommand& command);
   double CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& v_WH,
-                  const Eigen::Vector3d& a_WH, Eigen::VectorXd& bias) const;
+                  const Eigen::Vector3d& lift_W, Eigen::VectorXd& bias) const;
   void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
   StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
 
