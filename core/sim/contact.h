@@ -15,7 +15,7 @@ mu is mu_s while the contact sticks and mu_d once it slides; it sticks again whe
 force falls below the limit. A bristle is really a spring: a sticking contact does not creep. Not
 modelled: rolling resistance, wear, adhesion. */
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 
 namespace graspbench {

@@ -107,7 +107,7 @@ void SimbodyModel::SetSpeeds(const Eigen::Vector3d& v_WH, const Eigen::VectorXd&
 
 void SimbodyModel::CalcLinkPoses(std::vector<Pose>& X_WL) {
   Impl& model = *impl_;
-  model.matter.realizePositionKinematics(model.state);
+  model.system.realize(model.state, SimTK::Stage::Position);
   X_WL.resize(model.links.size());
   for (size_t i = 0; i < model.links.size(); ++i) {
     X_WL[i] = FromSimTK(model.links[i].getBodyTransform(model.state));

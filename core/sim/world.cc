@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 /** Stiffness of the stops at the joint limits, and of a blocked joint [N m/rad]. */
 constexpr double kLimitStiffness = 200.0;
 /** Speeds may differ by this much from those the bias was taken at [rad/s, m/s]. */
-constexpr double kBiasSpeedTolerance = 1e-3;
+constexpr double kBiasSpeedTolerance = 1e-5;
 
 Matrix3d MakeRotation(const Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();

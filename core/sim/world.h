@@ -75,6 +75,9 @@ class World {
 
   StepReport Step(const WorldCommand& command);
 
+  /** Turns gravity, as a test or a verdict asks [m/s^2]. */
+  void SetGravity(const Eigen::Vector3d& gravity_W) { state_.gravity_W = gravity_W; }
+
   const WorldState& state() const { return state_; }
   double time() const { return step_number_ * config_.step; }
   Pose CalcObjectPose() const;  ///< X_WO
