@@ -1,6 +1,11 @@
 #pragma once
 /** @file
-Things to grasp: the catalogue's 21 objects by id, or any mesh of a user by path. */
+Things to grasp: the catalogue's 21 objects by id, or any mesh of a user by path.
+
+The mesh is moved so that its bounding box is centred at O. The inertia is that of the homogeneous
+solid of the mesh, scaled to the mass; where object.yaml gives a centre of mass, the same tensor is
+taken about that point. The thesis's table gives the centre of mass along the length only: across
+and upwards the catalogue puts it in the middle. */
 
 #include <memory>
 #include <string>
@@ -10,12 +15,14 @@ Things to grasp: the catalogue's 21 objects by id, or any mesh of a user by path
 
 namespace graspbench {
 
-/** Ids of the catalogue in the order of the thesis's table 4.1. */
+/** Ids of the catalogue in the order of the thesis's table 4.1, from
+objects/catalogue/catalogue.yaml. */
 std::vector<std::string> ListObjects();
 
-/** Loads a catalogue object, or the folder of a user's object (object.yaml and a mesh). The
+/** Loads a catalogue object by its id, or a user's object by the path of its folder (object.yaml
+and a mesh, see object_file.h) or of its object.yaml. The mesh is checked (mesh_check.h); the
 distance field comes from the cache when it is there.
 @throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem. */
-std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_folder);
+std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path);
 
 }  // namespace graspbench

@@ -23,7 +23,7 @@ class SignedDistanceField {
  public:
   static constexpr double kMargin = 0.015;    ///< [m] the grid reaches this far beyond the mesh
   static constexpr double kMinCell = 0.0005;  ///< [m]
-  static constexpr int kMaxNodes = 700000;    ///< sets the cell of all but the smallest objects
+  static constexpr int kMaxNodes = 500000;    ///< sets the cell of all but the smallest objects
 
   /** @pre the mesh is closed (core/shape/mesh_check.h). Cells are cubes. Costs about half a second
   for 5,000 triangles. */

@@ -1,0 +1,11 @@
+#pragma once
+/** @file The unit of a mesh file's numbers. No mesh format states it reliably, so the user does. */
+
+namespace graspbench {
+
+enum class LengthUnit { kM, kMm };
+
+constexpr double MetresPer(LengthUnit unit) { return unit == LengthUnit::kM ? 1.0 : 1e-3; }
+constexpr const char* NameOf(LengthUnit unit) { return unit == LengthUnit::kM ? "m" : "mm"; }
+
+}  // namespace graspbench

@@ -1,0 +1,117 @@
+#include "objects/load_mesh.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/shape/weld_vertices.h"
+
+namespace graspbench {
+namespace {
+
+// assimp stores single precision: seven digits of the largest coordinate are noise-free.
+constexpr double kRelativeWeldTolerance = 1e-6;
+
+// Parts of the scene hang in a tree of transforms; faces are triangles already.
+void AppendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_WParent,
+                const std::string& name, TriMesh& mesh) {
+  const aiMatrix4x4 X_WN = X_WParent * node.mTransformation;
+  const bool is_mirrored = X_WN.Determinant() < 0.0f;
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[node.mMeshes[m]];
+    const int first = mesh.num_vertices();
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D p = X_WN * part.mVertices[i];
+      mesh.vertices.emplace_back(p.x, p.y, p.z);
+    }
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices != 3) continue;  // points and lines enclose nothing
+      Eigen::Vector3i t;
+      for (int k = 0; k < 3; ++k) {
+        if (face.mIndices[k] >= part.mNumVertices) {
+          throw Error(ErrorKind::kFormat, "mesh \"" + name + "\": face " + std::to_string(i + 1) +
+                                              " uses vertex " +
+                                              std::to_string(face.mIndices[k] + 1) + " of " +
+                                              std::to_string(part.mNumVertices));
+        }
+        t[k] = first + static_cast<int>(face.mIndices[k]);
+      }
+      if (is_mirrored) std::swap(t[1], t[2]);
+      mesh.triangles.push_back(t);
+    }
+  }
+  for (unsigned c = 0; c < node.mNumChildren; ++c) {
+    AppendNode(scene, *node.mChildren[c], X_WN, name, mesh);
+  }
+}
+
+bool IsFinite(const TriMesh& mesh) {
+  for (const Eigen::Vector3d& p : mesh.vertices) {
+    if (!p.allFinite()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit) {
+  if (bytes.empty()) {
+    throw Error(ErrorKind::kFormat,
+                "mesh \"" + name + "\" is empty (0 bytes); export it again from its program");
+  }
+  std::string ending = std::filesystem::path(name).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  Assimp::Importer importer;
+  // Only positions and faces matter: materials, bones and cameras stay unread.
+  importer.SetPropertyInteger(
+      AI_CONFIG_PP_RVC_FLAGS,
+      aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+          aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+          aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS);
+  const aiScene* scene = importer.ReadFileFromMemory(
+      bytes.data(), bytes.size(), aiProcess_RemoveComponent | aiProcess_Triangulate,
+      ending.c_str());
+  if (!scene || !scene->mRootNode) {
+    throw Error(ErrorKind::kFormat,
+                "mesh \"" + name + "\" cannot be read (" + importer.GetErrorString() +
+                    "); expected a complete mesh file such as .obj, .stl, .ply or .glb");
+  }
+  TriMesh mesh;
+  AppendNode(*scene, *scene->mRootNode, aiMatrix4x4(), name, mesh);
+  double largest = 0.0;
+  for (Eigen::Vector3d& p : mesh.vertices) {
+    p *= MetresPer(unit);
+    largest = std::fmax(largest, p.cwiseAbs().maxCoeff());
+  }
+  if (largest == 0.0 || !IsFinite(mesh)) return mesh;
+  return WeldVertices(mesh, kRelativeWeldTolerance * largest);
+}
+
+TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit) {
+  return ParseMesh(ReadFile(path), path.string(), unit);
+}
+
+std::string FormatObj(const TriMesh& mesh, LengthUnit unit) {
+  std::string text;
+  char line[96];
+  for (const Eigen::Vector3d& p : mesh.vertices) {
+    // Adding 0 turns -0 into 0.
+    const Eigen::Vector3d scaled = p / MetresPer(unit) + Eigen::Vector3d::Zero();
+    std::snprintf(line, sizeof line, "v %.7g %.7g %.7g\n", scaled.x(), scaled.y(), scaled.z());
+    text += line;
+  }
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace graspbench

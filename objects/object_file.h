@@ -1,0 +1,52 @@
+#pragma once
+/** @file
+object.yaml: what is known of a thing to grasp beside its mesh.
+
+    name: coffee mug
+    mesh: mesh.stl                  # beside this file; any format assimp reads
+    mesh_unit: mm                   # m or mm
+    mass_kg: 0.31                   # or density_kg_per_m3
+    friction_static: 0.45           # against the hand
+    friction_dynamic: 0.40          # at most the static one
+    # the rest may be left out
+    size_m: [0.12, 0.085, 0.09]           # the mesh must have it within 0.1 mm
+    size_of_sight_m: [0.12, 0.085, 0.09]  # if soft: the size before it is squeezed
+    centre_of_mass_m: [0.01, 0, 0]        # from the middle of the bounding box; else homogeneous
+    best_grasp: {tum: g3, shadow: g1}     # by hand
+    grasp_order: [g1, g3, g2, g5, g4]     # for hands not named above, best first
+    colour: [0.8, 0.2, 0.1]               # linear RGB */
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "objects/length_unit.h"
+
+namespace graspbench {
+
+/** Values that were left out are NaN. */
+struct ObjectFile {
+  static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+
+  std::string name;
+  std::string mesh;  ///< file name beside object.yaml
+  LengthUnit mesh_unit = LengthUnit::kM;
+  double mass = kUnset;     ///< [kg]; either this
+  double density = kUnset;  ///< [kg/m^3]; or this
+  double friction_static = kUnset;
+  double friction_dynamic = kUnset;
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(kUnset);           ///< [m]
+  Eigen::Vector3d size_of_sight = Eigen::Vector3d::Constant(kUnset);  ///< [m]
+  Eigen::Vector3d p_OOcm = Eigen::Vector3d::Constant(kUnset);         ///< [m]
+  std::map<std::string, std::string> best_grasp;                      ///< by hand id
+  std::vector<std::string> grasp_order;                               ///< empty: left out
+  Eigen::Vector3d colour = Eigen::Vector3d(0.8, 0.7, 0.5);            ///< linear RGB
+};
+
+/** @throws Error(kNotFound, kIo); Error(kFormat) listing every problem with its line. */
+ObjectFile LoadObjectFile(const std::filesystem::path& path);
+
+}  // namespace graspbench
