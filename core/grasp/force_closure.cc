@@ -1,0 +1,49 @@
+#include "core/grasp/force_closure.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/grasp/affine_basis.h"
+#include "core/grasp/epsilon_fast.h"
+#include "core/grasp/linear_program.h"
+
+namespace graspbench {
+
+bool IsForceClosure(const Eigen::MatrixXd& wrenches) {
+  return CalcEpsilonBounds(wrenches).lower > 0.0;
+}
+
+double CalcMinSingularValue(const WrenchMatrix& grasp_matrix) {
+  if (grasp_matrix.cols() < 6) return 0.0;
+  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(grasp_matrix).singularValues();
+  return values[5] > kNegligibleShare * values[0] ? values[5] : 0.0;
+}
+
+double CalcTaskForce(const ConeWrenches& cones, const Eigen::Matrix<double, 6, 1>& direction,
+                     ForceLimit limit) {
+  GRASPBENCH_DEMAND(std::abs(direction.norm() - 1.0) < 1e-9,
+                    "length: " + std::to_string(direction.norm()));
+  if (cones.contact_indices.empty()) return 0.0;
+  const Eigen::Index num_generators = cones.wrenches.cols();
+  const int num_limits = limit == ForceLimit::kSum ? 1 : cones.contact_indices.back() + 1;
+  // Variables: the weights, then s. Rows: W lambda - s d <= 0, the same >= 0, the limits. Dividing
+  // by the largest wrench makes all entries at most one.
+  const double scale = cones.wrenches.cwiseAbs().maxCoeff();
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(12 + num_limits, num_generators + 1);
+  A.topLeftCorner(6, num_generators) = cones.wrenches / scale;
+  A.block<6, 1>(0, num_generators) = -direction;
+  A.middleRows<6>(6) = -A.topRows<6>();
+  for (Eigen::Index j = 0; j < num_generators; ++j) {
+    A(12 + (limit == ForceLimit::kSum ? 0 : cones.contact_indices[j]), j) = 1.0;
+  }
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(12 + num_limits);
+  b.tail(num_limits).setOnes();
+  const Eigen::VectorXd c = Eigen::VectorXd::Unit(num_generators + 1, num_generators);
+  const LinearProgramResult result = SolveLinearProgram(A, b, c);
+  GRASPBENCH_DEMAND(result.is_bounded, "generators: " + std::to_string(num_generators));
+  return result.value * scale;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,68 @@
+#include "core/grasp/linear_program.h"
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kZero = 1e-11;  // smaller entries of the tableau are rounding
+
+}  // namespace
+
+LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                       const Eigen::VectorXd& c) {
+  const Eigen::Index num_rows = A.rows(), num_variables = A.cols();
+  GRASPBENCH_DEMAND(b.size() == num_rows && c.size() == num_variables,
+                    "sizes: " + std::to_string(b.size()) + ", " + std::to_string(c.size()));
+  GRASPBENCH_DEMAND(num_rows == 0 || b.minCoeff() >= 0.0, "a negative bound");
+
+  // Columns: variables, slacks, right-hand side. The last row holds minus the gains.
+  const Eigen::Index num_columns = num_variables + num_rows;
+  Eigen::MatrixXd tableau = Eigen::MatrixXd::Zero(num_rows + 1, num_columns + 1);
+  tableau.topLeftCorner(num_rows, num_variables) = A;
+  tableau.block(0, num_variables, num_rows, num_rows).setIdentity();
+  tableau.col(num_columns).head(num_rows) = b;
+  tableau.row(num_rows).head(num_variables) = -c.transpose();
+  std::vector<Eigen::Index> basis(num_rows);  // the variable each row stands for
+  for (Eigen::Index row = 0; row < num_rows; ++row) basis[row] = num_variables + row;
+
+  LinearProgramResult result;
+  for (;;) {
+    // Bland's rule: the first variable that gains enters; of the tightest rows the one with the
+    // first variable leaves.
+    Eigen::Index enter = 0;
+    while (enter < num_columns && tableau(num_rows, enter) >= -kZero) ++enter;
+    if (enter == num_columns) break;
+    Eigen::Index leave = -1;
+    double tightest = 0.0;
+    for (Eigen::Index row = 0; row < num_rows; ++row) {
+      if (tableau(row, enter) <= kZero) continue;
+      const double ratio = tableau(row, num_columns) / tableau(row, enter);
+      if (leave < 0 || ratio < tightest || (ratio == tightest && basis[row] < basis[leave])) {
+        leave = row;
+        tightest = ratio;
+      }
+    }
+    if (leave < 0) {
+      result.is_bounded = false;
+      return result;
+    }
+    tableau.row(leave) /= tableau(leave, enter);
+    for (Eigen::Index row = 0; row <= num_rows; ++row) {
+      if (row != leave) tableau.row(row) -= tableau(row, enter) * tableau.row(leave);
+    }
+    basis[leave] = enter;
+  }
+
+  result.x = Eigen::VectorXd::Zero(num_variables);
+  for (Eigen::Index row = 0; row < num_rows; ++row) {
+    if (basis[row] < num_variables) result.x[basis[row]] = tableau(row, num_columns);
+  }
+  result.value = c.dot(result.x);
+  return result;
+}
+
+}  // namespace graspbench

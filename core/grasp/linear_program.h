@@ -1,0 +1,31 @@
+#pragma once
+/** @file
+A small dense linear program:
+
+    maximise c.x   subject to   A x <= b,  x >= 0,      with b >= 0
+
+so that x = 0 is feasible and no first phase is needed. An equality is two inequalities. Simplex
+method on a full tableau with Bland's rule (R. G. Bland, Math. Oper. Res. 2, 1977), which cannot
+cycle; our programs are degenerate throughout (b = 0 in every row of the force balance), where
+faster rules can.
+
+Meant for what this folder needs: up to a few dozen rows and a few hundred variables of similar
+size, the same bits on every run, from any thread, and no package for it. For anything larger take a
+solver. */
+
+#include <Eigen/Core>
+
+namespace graspbench {
+
+struct LinearProgramResult {
+  bool is_bounded = true;  ///< false: c.x grows without limit; value and x then mean nothing
+  double value = 0.0;      ///< c.x at the optimum
+  Eigen::VectorXd x;       ///< an optimal point (num_variables)
+};
+
+/** @param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
+ * finite. */
+LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                       const Eigen::VectorXd& c);
+
+}  // namespace graspbench
