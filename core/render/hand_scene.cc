@@ -26,6 +26,7 @@ void AddHand(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q, 
     drawable.mesh = std::shared_ptr<const TriMesh>(hand, &visual.mesh);
     drawable.X_WM = X_WH * X_HL[visual.link];
     drawable.colour = visual.colour;
+    drawable.must_be_seen = hand->FindDigitOfLink(visual.link) >= 0;
     scene->drawables.push_back(std::move(drawable));
   }
 }
@@ -89,6 +90,7 @@ Camera FrameScenes(const std::vector<Scene>& scenes, const Vector3d& to_eye_W, d
   double farthest = -nearest;
   for (const Scene& scene : scenes) {
     for (const Drawable& drawable : scene.drawables) {
+      if (!drawable.must_be_seen) continue;
       for (const Vector3d& p_M : drawable.mesh->vertices) {
         const Vector3d p_W = drawable.X_WM * p_M;
         const double x = p_W.dot(right);
@@ -104,7 +106,7 @@ Camera FrameScenes(const std::vector<Scene>& scenes, const Vector3d& to_eye_W, d
     }
   }
   GRASPBENCH_DEMAND(nearest <= farthest,
-                    "no vertex in " + std::to_string(scenes.size()) + " scenes");
+                    "nothing to see in " + std::to_string(scenes.size()) + " scenes");
 
   const double eye_depth =
       std::min(-0.5 * (most_right + most_left) / slope_x, -0.5 * (most_up + most_down) / slope_y);

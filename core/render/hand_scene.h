@@ -15,7 +15,8 @@ for all pictures of a study. */
 
 namespace graspbench {
 
-/** @pre q has num_joints angles [rad]. */
+/** The digits must be seen; palm and forearm may be cut by the picture's edge.
+@pre q has num_joints angles [rad]. */
 void AddHand(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q, const Pose& X_WH,
              Scene* scene);
 void AddObject(const std::shared_ptr<const GraspObject>& object, const Pose& X_WO, Scene* scene);
@@ -29,9 +30,9 @@ the line from the thumb's tip to the fingers' tips, a little above, with the roo
 behind. */
 Eigen::Vector3d FindGraspView(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH);
 
-/** The nearest camera in direction `to_eye_W` whose picture of `aspect` (width / height) holds all
-of all scenes with a small margin: one camera for the pictures of a filmstrip.
-@pre some scene has a drawable; to_eye_W is not zero. */
+/** The nearest camera in direction `to_eye_W` whose picture of `aspect` (width / height) holds what
+must be seen of all scenes, with a small margin: one camera for the pictures of a filmstrip.
+@pre something must be seen; to_eye_W is not zero. */
 Camera FrameScenes(const std::vector<Scene>& scenes, const Eigen::Vector3d& to_eye_W,
                    double aspect);
 

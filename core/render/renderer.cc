@@ -31,8 +31,11 @@ const Vector3d kToKey = Vector3d(-0.50, -0.42, 0.95).normalized();
 const Vector3d kToFill = Vector3d(0.80, -0.55, 0.30).normalized();
 const Vector3d kToRim = Vector3d(0.35, 0.90, 0.45).normalized();
 
-// Everything that is no surface, linear; also the colour of the lit table.
-const Vector3f kBackground = Vector3f(0.847f, 0.855f, 0.871f);
+// Everything that is no surface, and the lit table.
+const Vector3f kBackgroundSrgb = Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
+
+// Inverse of the encoding at the end of the shaders; for values beyond its linear part.
+Vector3f DecodeSrgb(const Vector3f& srgb) { return ((srgb.array() + 0.055f) / 1.055f).pow(2.4f); }
 
 struct Box {
   Vector3d lower = Vector3d::Constant(std::numeric_limits<double>::infinity());
@@ -271,10 +274,10 @@ Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h
   }
   const int fine_width = kSamples * width;
   const int fine_height = kSamples * height;
-  picture =
-      MakeTarget(GL_COLOR_ATTACHMENT0,
-                 MakeTexture(GL_RGBA16F, GL_RGBA, GL_FLOAT, fine_width, fine_height, GL_NEAREST),
-                 fine_width, fine_height);
+  picture = MakeTarget(
+      GL_COLOR_ATTACHMENT0,
+      MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, fine_width, fine_height, GL_LINEAR),
+      fine_width, fine_height);
   const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
                                            GL_UNSIGNED_INT, fine_width, fine_height, GL_NEAREST);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
@@ -418,7 +421,7 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   DrawDepth(sky_map, sky);
 
   Begin(picture, surface);
-  gl.ClearColor(kBackground.x(), kBackground.y(), kBackground.z(), 1.0f);
+  gl.ClearColor(kBackgroundSrgb.x(), kBackgroundSrgb.y(), kBackgroundSrgb.z(), 1.0f);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   BindLights(surface, key, sky);
   surface.Set("clip_from_S", view.clip_from_S);
@@ -449,7 +452,7 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
     BindTexture(table, "table_light", 0, smooth_table_light.texture);
     table.Set("table_area", area);
     table.Set("clip_from_S", view.clip_from_S);
-    table.Set("background", kBackground);
+    table.Set("background", DecodeSrgb(kBackgroundSrgb));
     table.Set("fade_radius", 3.0 * view.half_height);
     const Pose X_WS = view.X_SW.inverse();
     table.Set("world_from_S", Eigen::Vector4d(X_WS.linear()(0, 0), X_WS.linear()(1, 0),
@@ -462,7 +465,7 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
 
   gl.Disable(GL_DEPTH_TEST);
   Begin(resolved, resolve);
-  BindTexture(resolve, "radiance", 0, picture.texture);
+  BindTexture(resolve, "fine", 0, picture.texture);
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 
   std::vector<uint8_t> pixels(3 * static_cast<size_t>(width) * height);

@@ -14,6 +14,15 @@ void main() {
 }
 )";
 
+// Colours are clipped and encoded before the mean of a pixel's samples is taken: so edges of dark
+// things on the bright table get even steps, and no highlight eats the edge beside it.
+const char kEncode[] = R"(
+vec4 EncodeSrgb(vec3 radiance) {
+  vec3 c = min(radiance, vec3(1.0));
+  return vec4(mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)), 1.0);
+}
+)";
+
 // What a light map tells about a point. A map's coordinates run from 0 to 1 over `extent` metres,
 // depth last. `taps` points on a sunflower disc cover the filter evenly.
 const char kLightMaps[] = R"(
@@ -124,7 +133,7 @@ void main() {
   gl_Position = clip_from_S * p;
 }
 )",
-          std::string(kVersion) + kLightMaps + R"(
+          std::string(kVersion) + kEncode + kLightMaps + R"(
 in vec3 p_S;
 in vec3 n_S;
 uniform vec3 p_SEye;
@@ -132,7 +141,7 @@ uniform vec3 to_key;
 uniform vec3 to_fill;
 uniform vec3 to_rim;
 uniform vec3 albedo;
-out vec4 radiance;
+out vec4 srgb;
 void main() {
   vec3 n = normalize(n_S);
   if (!gl_FrontFacing) n = -n;
@@ -160,7 +169,7 @@ void main() {
   float gloss = pow(max(dot(n, normalize(to_key + to_eye)), 0.0), 48.0);
   vec3 shine = vec3(0.16) * gloss * step(1e-3, key) * min(4.0 * key, 1.0);
   shine += vec3(0.22, 0.24, 0.27) * edge * max(dot(n, to_rim), 0.0);
-  radiance = vec4(albedo * light + shine, 1.0);
+  srgb = EncodeSrgb(albedo * light + shine);
 }
 )"};
 }
@@ -174,14 +183,14 @@ void main() {
   gl_Position = clip_from_S * vec4(p_S, 0.0, 1.0);
 }
 )",
-          std::string(kVersion) + R"(
+          std::string(kVersion) + kEncode + R"(
 in vec2 p_S;
 uniform vec4 world_from_S;  // cosine and sine of the heading, x, y of S in W
 uniform sampler2D table_light;
 uniform vec4 table_area;
 uniform vec3 background;
 uniform float fade_radius;
-out vec4 radiance;
+out vec4 srgb;
 void main() {
   vec2 visibility = texture(table_light, (p_S - table_area.xy) / table_area.zw).rg;
   float light = mix(0.52, 1.0, visibility.x) * mix(0.55, 1.0, visibility.y);
@@ -196,7 +205,7 @@ void main() {
                min(2.0 * kHalfWidth / pixel, 1.0);
   float line = max(cover.x, cover.y) *
                (1.0 - smoothstep(0.5 * fade_radius, fade_radius, length(p_S)));
-  radiance = vec4(background * light * (1.0 - 0.16 * line), 1.0);
+  srgb = EncodeSrgb(background * light * (1.0 - 0.25 * line));
 }
 )"};
 }
@@ -204,17 +213,14 @@ void main() {
 ShaderSource MakeResolveShader() {
   return {"resolve", std::string(kVersion) + kWholePictureVertex, std::string(kVersion) + R"(
 in vec2 uv;
-uniform sampler2D radiance;
+uniform sampler2D fine;
 out vec4 srgb;
 void main() {
-  ivec2 corner = 2 * ivec2(gl_FragCoord.xy);
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    // Clipped before the mean: a highlight must not eat the edge beside it.
-    sum += min(texelFetch(radiance, corner + ivec2(i & 1, i >> 1), 0).rgb, vec3(1.0));
-  }
-  vec3 c = 0.25 * sum;
-  srgb = vec4(mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)), 1.0);
+  // Weights 1 3 3 1 along each side, by four taps that lie between texels.
+  vec2 offset = 0.75 / vec2(textureSize(fine, 0));
+  srgb = 0.25 * (texture(fine, uv - offset) + texture(fine, uv + offset) +
+                 texture(fine, uv + vec2(offset.x, -offset.y)) +
+                 texture(fine, uv + vec2(-offset.x, offset.y)));
 }
 )"};
 }

@@ -26,7 +26,7 @@ ShaderSource MakeSmoothShader();
 ShaderSource MakeSurfaceShader();
 /** The table with its shadow and its 50 mm grid. */
 ShaderSource MakeTableShader();
-/** Mean of 2 x 2 samples, linear to sRGB. */
+/** Two samples a side become one pixel; a tent of two pixels width smooths the edges. */
 ShaderSource MakeResolveShader();
 
 }  // namespace graspbench

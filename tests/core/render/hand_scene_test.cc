@@ -76,6 +76,11 @@ TEST(HandSceneTest, PutsEveryPartWhereItsLinkIs) {
   }
   EXPECT_TRUE(scene.drawables.back().X_WM.isApprox(X_WO));
   EXPECT_EQ(scene.drawables.back().colour, object->colour);
+  // A forearm would make everything else small.
+  for (size_t i = 0; i < hand->visuals.size(); ++i) {
+    EXPECT_EQ(scene.drawables[i].must_be_seen, hand->FindDigitOfLink(hand->visuals[i].link) >= 0);
+  }
+  EXPECT_TRUE(scene.drawables.back().must_be_seen);
 }
 
 // Where a point appears, as shares of half the picture's size; within +-1 it is in the picture.
@@ -88,7 +93,7 @@ Vector2d FindInPicture(const Camera& camera, double aspect, const Vector3d& p_W)
   return Vector2d(p.dot(right) / (aspect * half), p.dot(up) / half);
 }
 
-TEST(FrameScenesTest, HoldsEveryVertexAndTouchesTheMargin) {
+TEST(FrameScenesTest, HoldsWhatMustBeSeenAndTouchesTheMargin) {
   const auto hand = MakePincer();
   const auto object = MakeBlock();
   const VectorXd q = VectorXd::Constant(3, 0.2);
@@ -103,6 +108,7 @@ TEST(FrameScenesTest, HoldsEveryVertexAndTouchesTheMargin) {
       Vector2d upper = -lower;
       for (const Scene& scene : scenes) {
         for (const Drawable& drawable : scene.drawables) {
+          if (!drawable.must_be_seen) continue;
           for (const Vector3d& p_M : drawable.mesh->vertices) {
             const Vector2d p = FindInPicture(camera, aspect, drawable.X_WM * p_M);
             lower = lower.cwiseMin(p);
