@@ -1,0 +1,54 @@
+#pragma once
+/** @file
+Lines and cells of tab- or comma-separated text, with line numbers for messages. */
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace graspbench {
+
+/** Reads lines; strips a byte order mark and carriage returns. */
+class LineReader {
+ public:
+  LineReader(std::istream& stream, std::string file) : stream_(stream), file_(std::move(file)) {}
+
+  /** The next line, valid until the next call; false at the end. */
+  bool Next(std::string_view& line);
+  /** As Next, but an end of the file is an error: "ends before <what>". */
+  std::string_view Require(const std::string& what);
+  int line() const { return line_; }
+  const std::string& file() const { return file_; }
+  [[noreturn]] void Fail(const std::string& text) const;
+
+ private:
+  std::istream& stream_;
+  std::string file_;
+  std::string buffer_;
+  int line_ = 0;
+};
+
+using Cells = std::vector<std::string_view>;
+
+/** Splits at `delimiter` and trims blanks and enclosing double quotes; a quoted cell may hold the
+delimiter. Empty line: one empty cell. */
+void SplitCells(std::string_view line, char delimiter, Cells& cells);
+
+/** NaN for an empty cell, "nan" or "n/a"; anything else that is not a number fails with line and
+column. */
+double ParseNumber(const Cells& cells, size_t column, const LineReader& reader);
+
+/** A number of a header: finite and within [min, max], else fails naming `what`. */
+double ParseHeaderNumber(std::string_view cell, const std::string& what, double min, double max,
+                         const LineReader& reader);
+
+/** Drops empty cells at the end: exporters like to write a delimiter too many. */
+void DropEmptyEnd(Cells& cells);
+
+bool IsBlank(const Cells& cells);
+
+std::string LowerCase(std::string_view text);
+bool StartsWith(std::string_view text, std::string_view start);
+
+}  // namespace graspbench

@@ -1,0 +1,118 @@
+#include "human_study/importers/importer.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "human_study/importers/delimited_text.h"
+#include "human_study/importers/importer_list.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+namespace {
+
+bool EndsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::ifstream OpenFile(const fs::path& path) {
+  std::error_code status;
+  if (!fs::exists(path, status)) {
+    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
+  }
+  if (fs::is_directory(path, status)) {
+    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a recording was expected");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
+  }
+  return stream;
+}
+
+std::string ReadHead(std::istream& stream) {
+  std::string head(4096, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<size_t>(stream.gcount()));
+  stream.clear();
+  stream.seekg(0);
+  return head;
+}
+
+}  // namespace
+
+const std::vector<Importer>& ImporterList() {
+  static const std::vector<Importer> list = {
+#define GRASPBENCH_IMPORTER(name) Make##name##Importer(),
+#include "human_study/importers/importer_list.inc"
+#undef GRASPBENCH_IMPORTER
+  };
+  return list;
+}
+
+const Importer& FindImporter(const std::string& format, std::string_view head,
+                             const fs::path& path) {
+  std::vector<std::string> ids;
+  for (const Importer& importer : ImporterList()) ids.emplace_back(importer.id);
+  if (!format.empty()) {
+    for (const Importer& importer : ImporterList()) {
+      if (format == importer.id) return importer;
+    }
+    throw Error(ErrorKind::kNotFound,
+                "no recording format \"" + format + "\"" + SuggestNames(format, ids));
+  }
+  const std::string name = LowerCase(path.filename().string());
+  const auto has_extension = [&](const Importer& importer) {
+    return std::any_of(importer.extensions.begin(), importer.extensions.end(),
+                       [&](const std::string& extension) { return EndsWith(name, extension); });
+  };
+  for (const Importer& importer : ImporterList()) {
+    if (importer.recognises != nullptr && importer.recognises(head)) return importer;
+  }
+  for (const Importer& importer : ImporterList()) {
+    if (has_extension(importer)) return importer;
+  }
+  std::string known;
+  for (const std::string& id : ids) known += (known.empty() ? "" : ", ") + id;
+  throw Error(ErrorKind::kFormat,
+              path.string() + ": " +
+                  (head.empty() ? "the file is empty"
+                                : "neither its content nor its name tells the format") +
+                  "; known formats: " + known +
+                  " (--format names one; a plain table needs --mapping columns.yaml)");
+}
+
+Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
+  std::ifstream stream = OpenFile(path);
+  // A mapping is only of use to the plain table.
+  const std::string format =
+      options.format.empty() && !options.mapping.empty() ? "table" : options.format;
+  const Importer& importer = FindImporter(format, ReadHead(stream), path);
+  const auto read_sibling = [&](const std::string& name) -> std::optional<std::string> {
+    const fs::path sibling = path.parent_path() / name;
+    std::error_code status;
+    if (!fs::is_regular_file(sibling, status)) return std::nullopt;
+    return ReadFile(sibling);
+  };
+  Recording recording = importer.import({stream, path.string(), read_sibling}, options);
+  recording.format = importer.id;
+  return recording;
+}
+
+std::vector<PersonalField> RedactRecording(const fs::path& in, const fs::path& out) {
+  std::string bytes = ReadFile(in);
+  const Importer& importer = FindImporter("", std::string_view(bytes).substr(0, 4096), in);
+  if (importer.redact == nullptr) {
+    throw Error(ErrorKind::kUnsupported, in.string() + ": " + importer.title +
+                                             " has no known places for personal data; look at the "
+                                             "file yourself before sharing it");
+  }
+  const std::vector<PersonalField> fields = importer.redact(bytes, in.string());
+  WriteFileAtomically(out, bytes);
+  return fields;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,42 @@
+#pragma once
+/** @file
+Names the columns of a plain table, in YAML:
+
+    unit: mm
+    points:
+      index: [indexXraw, indexYraw, indexZraw]
+      thumb: [thumbXraw, thumbYraw, thumbZraw]
+    time: globalTime        # optional; without it rate_hz is needed
+    time_unit: ms           # s (default) or ms
+    rate_hz: 85             # optional; without it the inverse of the median interval
+    trial: trialN           # optional; one file, many trials: --trial chooses
+    occluded: fingersOccluded   # optional; a value other than 0 makes all points invalid */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+struct TableMapping {
+  struct Point {
+    std::string label;
+    std::vector<std::string> columns;  ///< x, y, z
+  };
+  std::vector<Point> points;
+  std::string unit;
+  std::string time;  ///< empty: none
+  double seconds_per_time_unit = 1.0;
+  double rate = 0.0;  ///< [Hz]; 0: not stated
+  std::string trial;
+  std::string occluded;
+};
+
+/** @throws Error(kNotFound, kFormat) with file and line of every problem. */
+TableMapping LoadTableMapping(const std::filesystem::path& path);
+
+/** The trials a table holds, in their order. @throws as LoadRecording. */
+std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
+                                         const TableMapping& mapping);
+
+}  // namespace graspbench

@@ -1,0 +1,123 @@
+#pragma once
+/** @file
+One motion-capture recording in memory, whatever file it came from.
+
+Coordinates are kept as 32-bit floats in the file's own unit, exactly as the formats store them, so
+that a file written back loses nothing and a long recording fits into memory. What is handed out is
+in metres and double precision (RecordedPoint::Position). A coordinate of 1 m is resolved to
+0.06 um, three orders below the noise of the cameras.
+
+Clock: a recording without time stamps places frame number f at (f - 1) / rate, so one that starts
+at frame 1 starts at zero and a cropped one keeps its place. */
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+enum class SampleState : uint8_t {
+  kMeasured,  ///< seen by the cameras
+  kFilled,    ///< computed or interpolated: by the recording software or by our own cleaning
+  kInvalid,   ///< missing; its coordinates are NaN
+};
+
+/** One named point over all frames. */
+struct RecordedPoint {
+  std::string label;  ///< unique in its recording
+  std::string unit;   ///< as the file says it: "mm"
+  /** Length of `unit` [m]; NaN when the file does not state a unit or the values are not lengths
+  (C3D stores angles and forces as points, too). */
+  double metres_per_unit = std::numeric_limits<double>::quiet_NaN();
+  std::vector<float> xyz;           ///< 3 x num_frames, in `unit`; NaN where invalid
+  std::vector<SampleState> states;  ///< num_frames
+  std::vector<float> residuals;     ///< num_frames, in `unit`; empty: the format has none
+
+  bool IsLength() const { return std::isfinite(metres_per_unit); }
+  /** In the laboratory's frame [m]; NaN where invalid or not a length. */
+  Eigen::Vector3d Position(size_t frame) const {
+    const float* p = &xyz[3 * frame];
+    return metres_per_unit * Eigen::Vector3d(p[0], p[1], p[2]);
+  }
+  size_t CountStates(SampleState state) const;
+  /** Mean position over the valid samples [m]; NaN without any. */
+  Eigen::Vector3d CalcMeanPosition() const;
+
+  void Resize(size_t num_frames);
+  /** Stores a measured sample in file units; a coordinate that is not finite makes it invalid. */
+  void SetMeasured(size_t frame, double x, double y, double z);
+  void SetInvalid(size_t frame);
+  /** One more frame, as SetMeasured. */
+  void Append(double x, double y, double z) {
+    Resize(states.size() + 1);
+    SetMeasured(states.size() - 1, x, y, z);
+  }
+};
+
+struct AnalogChannel {
+  std::string label;
+  std::string unit;            ///< of the samples, as the file says it
+  double rate = 0.0;           ///< [Hz]
+  std::vector<float> samples;  ///< physical values: offset and scale are applied
+};
+
+enum class EventSource {
+  kEventGroup,  ///< C3D's EVENT parameters, or the event list of another format
+  kHeader,      ///< the up to 18 events of a C3D header
+};
+
+struct RecordedEvent {
+  std::string label;
+  std::string context;  ///< side or subject ("Left"); empty when the file has none
+  double time = 0.0;    ///< on the recording's clock [s]
+  EventSource source = EventSource::kEventGroup;
+};
+
+/** One deviation from its format that was accepted. */
+struct ImportFinding {
+  std::string code;   ///< stable, for programs: "duplicate_label"
+  std::string where;  ///< "POINT:LABELS", "byte 512", "line 3"
+  std::string text;   ///< what was found and what was assumed
+};
+
+struct Recording {
+  std::string format;     ///< id of the importer: "c3d"
+  std::string processor;  ///< C3D: "Intel", "DEC" or "MIPS" and "float" or "integer"; else empty
+  double rate = std::numeric_limits<double>::quiet_NaN();  ///< nominal [Hz]; NaN: not stated
+  int first_frame = 1;                                     ///< number of the first stored frame
+  size_t num_frames = 0;
+  double start_time = 0.0;    ///< of the first stored frame [s]
+  std::vector<double> times;  ///< [s] one per frame; empty: even sampling from start_time
+  std::vector<RecordedPoint> points;
+  std::vector<AnalogChannel> analog;
+  std::vector<RecordedEvent> events;
+  std::vector<ImportFinding> findings;
+
+  double Time(size_t frame) const {
+    return times.empty() ? start_time + static_cast<double>(frame) / rate : times[frame];
+  }
+  /** @throws Error(kNotFound) listing the labels. */
+  const RecordedPoint& FindPoint(const std::string& label) const;
+  void Note(std::string code, std::string where, std::string text) {
+    findings.push_back({std::move(code), std::move(where), std::move(text)});
+  }
+};
+
+/** Appends "_2", "_3", .. to repeated point labels and notes each ("duplicate_label"); a point
+without a label becomes "point_<number>" ("missing_label"). */
+void MakeLabelsUnique(Recording& recording, const std::string& where);
+
+/** [m] for "mm", "Millimeters", "m", "cm", "um", "in", "ft", ..; NaN for anything else. */
+double FindMetresPerUnit(const std::string& unit);
+
+/** Gives every point the unit. Unknown or empty: `metres_per_unit` stays NaN and a finding
+"unit_missing" says what to do. */
+void SetLengthUnit(Recording& recording, const std::string& unit, const std::string& where);
+
+/** @throws Error(kFormat) when a point's unit is not known, with what to do about it. */
+void CheckLengthUnits(const Recording& recording, const std::string& file);
+
+}  // namespace graspbench
