@@ -50,24 +50,29 @@ Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::Vecto
 
 Vector3d FindGraspView(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
-  Vector3d thumb = Vector3d::Zero();
-  Vector3d fingers = Vector3d::Zero();
-  int num_thumbs = 0;
-  for (const Digit& digit : hand.digits) {
-    const Vector3d p_WTip = X_WH * (X_HL[digit.distal_link] * digit.p_LTip);
-    (digit.is_thumb ? thumb : fingers) += p_WTip;
-    num_thumbs += digit.is_thumb;
+  const auto find_end = [&](const Digit& digit) -> Vector3d {  // tips may meet, last links do not
+    return X_WH * X_HL[digit.distal_link].translation();
+  };
+  // The opposing pair: of all thumbs and fingers the two whose ends are nearest to each other.
+  Vector3d thumb = X_WH * hand.p_HCentre;
+  Vector3d finger = thumb;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Digit& a : hand.digits) {
+    for (const Digit& b : hand.digits) {
+      const double distance = (find_end(a) - find_end(b)).norm();
+      if (!a.is_thumb || b.is_thumb || distance >= nearest) continue;
+      nearest = distance;
+      thumb = find_end(a);
+      finger = find_end(b);
+    }
   }
-  const int num_fingers = static_cast<int>(hand.digits.size()) - num_thumbs;
-  if (num_thumbs > 0) thumb /= num_thumbs;
-  if (num_fingers > 0) fingers /= num_fingers;
 
-  Vector3d to_thumb = thumb - fingers;
+  Vector3d to_thumb = thumb - finger;
   to_thumb.z() = 0.0;
   to_thumb = to_thumb.norm() > 1e-3 ? to_thumb.normalized() : Vector3d::UnitX();
   Vector3d across(-to_thumb.y(), to_thumb.x(), 0.0);
   const Vector3d p_WRoot = X_WH * X_HL[0].translation();
-  if (across.dot(p_WRoot - 0.5 * (thumb + fingers)) > 0.0) across = -across;
+  if (across.dot(p_WRoot - 0.5 * (thumb + finger)) > 0.0) across = -across;
   const Vector3d level = std::cos(kTowardsThumb) * across + std::sin(kTowardsThumb) * to_thumb;
   return std::cos(kElevation) * level + std::sin(kElevation) * Vector3d::UnitZ();
 }

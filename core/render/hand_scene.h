@@ -25,8 +25,8 @@ Scene MakeGraspScene(const std::shared_ptr<const Hand>& hand, const Eigen::Vecto
                      const Pose& X_WH, const std::shared_ptr<const GraspObject>& object,
                      const Pose& X_WO);
 
-/** Unit vector in W towards a camera that sees the thumb and the fingers beside each other: across
-the line from the thumb's tip to the fingers' tips, a little above, with the root of the hand
+/** Unit vector in W towards a camera that sees the thumb and the finger next to it beside each
+other: across the line between the ends of the two, a little above, with the root of the hand
 behind. */
 Eigen::Vector3d FindGraspView(const Hand& hand, const Eigen::VectorXd& q, const Pose& X_WH);
 

@@ -169,7 +169,11 @@ void main() {
   float gloss = pow(max(dot(n, normalize(to_key + to_eye)), 0.0), 48.0);
   vec3 shine = vec3(0.16) * gloss * step(1e-3, key) * min(4.0 * key, 1.0);
   shine += vec3(0.22, 0.24, 0.27) * edge * max(dot(n, to_rim), 0.0);
-  srgb = EncodeSrgb(albedo * light + shine);
+  // Above the knee brightness is compressed, so that white things keep their shape.
+  vec3 radiance = albedo * light + shine;
+  const float kKnee = 0.5;
+  vec3 excess = max(radiance - kKnee, 0.0) / (1.0 - kKnee);
+  srgb = EncodeSrgb(min(radiance, kKnee) + (1.0 - kKnee) * (1.0 - exp(-excess)));
 }
 )"};
 }
