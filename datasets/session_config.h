@@ -47,15 +47,32 @@ struct SessionConfig {
   }
 };
 
-/** @throws Error(kFormat, kRange) listing every problem with file and line; unknown keys are
- * errors. */
-SessionConfig LoadSessionConfig(const std::string& path);
+/** A value that a session must not have. */
+struct ConfigProblem {
+  std::string key;   ///< full name: "sim.step_s"
+  std::string text;  ///< what it is and what was expected
+};
 
-/** Applies "sim.step_s=0.001". @throws Error(kUsage) naming the known keys. */
+/** All problems of the values: ranges, empty or repeated names. Whether hands, objects and grasps
+of these names exist is asked when they are loaded (session_inputs.h). */
+std::vector<ConfigProblem> Validate(const SessionConfig& config);
+/** @throws Error(kRange) listing all problems. */
+void CheckSessionConfig(const SessionConfig& config);
+
+/** @throws Error(kNotFound, kIo) when the file cannot be read; Error(kFormat) listing every problem
+with file and line; unknown keys are errors. */
+SessionConfig LoadSessionConfig(const std::string& path);
+/** The same for text in memory; `file` is its name in messages. */
+SessionConfig ParseSessionConfig(const std::string& text, const std::string& file);
+
+/** Applies "sim.step_s=0.001". The range is checked with the rest, by CheckSessionConfig.
+@throws Error(kUsage) naming the known keys or the expected type. */
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out. */
 Json ToJson(const SessionConfig& config);
-SessionConfig SessionConfigFromJson(const Json& json);
+/** @param file  name of the file in messages.
+@throws Error(kFormat) listing every missing, unknown or wrong key or value. */
+SessionConfig SessionConfigFromJson(const Json& json, const std::string& file = "session.json");
 
 }  // namespace graspbench

@@ -2,16 +2,19 @@
 /** @file
 A session's folder:
 
-    session.json          frozen configuration, schema and program version
+    session.json          frozen configuration, schema and program version; its presence makes the
+                          folder a session
     plan.jsonl            one planned trial a line
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/trials.csv     and other exports
+    export/               trials.csv, trials.schema.json, records.jsonl
     report/index.html
     run.json              when, where, how long: the only file with clock and host
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
-error. Resume = plan minus finished. Results hold no wall clock, host or absolute path. */
+error. Resume = plan minus finished. Results hold no wall clock or host, and no absolute path but
+those a person wrote into the configuration. session.json, plan.jsonl, index.sqlite and export/ have
+the same bytes for any number of workers and any number of interruptions. */
 
 #include <filesystem>
 #include <memory>
@@ -21,13 +24,15 @@ error. Resume = plan minus finished. Results hold no wall clock, host or absolut
 #include "core/base/diagnostics.h"
 #include "datasets/session_config.h"
 #include "datasets/session_plan.h"
+#include "datasets/trial_record.h"
 
 namespace graspbench {
 
-struct TrialRecord {
-  PlannedTrial plan;
-  TrialResult result;
-};
+/** Version of the folder's layout and of the records; older and newer ones are refused. */
+inline constexpr int kSessionSchema = 1;
+
+/** True when the folder holds a session, of whatever version and state. */
+bool HasSession(const std::filesystem::path& folder);
 
 /** Creates the folder with configuration and plan. @throws Error(kUsage) when it already holds a
 session (suggesting --resume), Error(kIo) when it cannot be written. */
@@ -38,14 +43,27 @@ struct Session {
   SessionConfig config;
   std::vector<PlannedTrial> plan;
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
-  Diagnostics findings;              ///< torn or damaged journal lines that were skipped
+  /** Warnings about journal lines that were skipped; files are named from the session's folder. */
+  Diagnostics findings;
 };
-/** @throws Error(kNotFound) no session there; kVersion; kFormat for unequal duplicates. */
+/** @throws Error(kNotFound) no session there; kVersion; kFormat for damage to session.json or
+plan.jsonl and for unequal duplicates; kIo. */
 Session LoadSession(const std::filesystem::path& folder);
 
-/** Appends finished trials to one worker's journal; each Append is on the disk when it returns. */
+/** What resuming has to run: the plan without the finished trials, in the plan's order. */
+std::vector<PlannedTrial> FindUnfinished(const Session& session);
+
+/** To be called before a session is resumed.
+@throws Error(kUsage) listing the settings that differ, or the cells whose hand, object, grasp or
+physics has changed since. */
+void CheckSameSession(const Session& session, const SessionConfig& config,
+                      const std::vector<PlannedTrial>& plan);
+
+/** Appends finished trials to one worker's journal; each Append is on the disk when it returns. A
+line that a crash has torn stays where it is; the next one starts on a line of its own. */
 class JournalWriter {
  public:
+  /** @throws Error(kIo) when the journal cannot be written or another process writes it. */
   JournalWriter(const std::filesystem::path& folder, int worker);
   ~JournalWriter();
   /** @throws Error(kIo) with the system's reason; what was appended before stays valid. */
@@ -56,8 +74,7 @@ class JournalWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/** Writes index.sqlite and export/trials.csv from what LoadSession gives. Same records, same bytes.
- */
+/** Writes index.sqlite and export/ from what LoadSession gives. Same records, same bytes. */
 void ExportSession(const std::filesystem::path& folder, const Session& session);
 
 }  // namespace graspbench

@@ -47,6 +47,26 @@ std::string ReadFile(const fs::path& path) {
   return std::move(content).str();
 }
 
+void MakeFolder(const fs::path& folder) {
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (status) {
+    throw Error(ErrorKind::kIo,
+                "cannot create folder \"" + folder.string() + "\": " + status.message());
+  }
+}
+
+void SyncFolder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // EINVAL: a file system that has nothing to sync here.
+  const bool synced = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);
+  const std::string reason = std::strerror(errno);
+  if (file >= 0) ::close(file);
+  if (!synced) {
+    throw Error(ErrorKind::kIo, "cannot sync folder \"" + folder.string() + "\": " + reason);
+  }
+}
+
 void WriteFileAtomically(const fs::path& path, std::string_view content) {
   const std::string temporary = path.string() + ".part" + std::to_string(::getpid());
   const auto fail = [&](const char* what) {
@@ -72,6 +92,7 @@ void WriteFileAtomically(const fs::path& path, std::string_view content) {
   }
   ::close(file);
   if (::rename(temporary.c_str(), path.c_str()) != 0) fail("rename to");
+  SyncFolder(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
 }  // namespace graspbench

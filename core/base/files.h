@@ -19,6 +19,14 @@ std::filesystem::path FindCacheRoot();
 /** @throws Error(kNotFound, kIo) naming the file and the system's reason. */
 std::string ReadFile(const std::filesystem::path& path);
 
+/** Creates a folder and those above it; one that is there is fine.
+@throws Error(kIo) with the system's reason. */
+void MakeFolder(const std::filesystem::path& folder);
+
+/** Makes the names of new and renamed files in a folder survive a power failure.
+@throws Error(kIo) with the system's reason. */
+void SyncFolder(const std::filesystem::path& folder);
+
 /** Writes beside the target, syncs, renames: the file is the old or the new one, never half.
 @throws Error(kIo) with the system's reason (disk full, read-only, ...). */
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);

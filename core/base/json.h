@@ -4,8 +4,11 @@ JSON through one door: keys keep their order, numbers are written shortest-exact
 missing is null, never a plausible number. */
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "core/base/error.h"
 #include "core/base/pose.h"
 
 namespace graspbench {
@@ -19,23 +22,36 @@ inline double NumberFrom(const Json& json) {
   return json.is_null() ? std::nan("") : json.get<double>();
 }
 
+/** A whole number that fits. @throws Error(kFormat). */
+inline int IntFrom(const Json& json) {
+  const double value = json.is_number_integer() ? json.get<double>() : std::nan("");
+  if (!(std::abs(value) <= std::numeric_limits<int>::max())) {
+    throw Error(ErrorKind::kFormat, "expected a whole number");
+  }
+  return json.get<int>();
+}
+
+/** On one line, or indented; bytes that are not UTF-8 (in names of files) become U+FFFD. */
+inline std::string FormatJson(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 inline Json JsonVector(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
-/** {"p_m": [x, y, z], "q_wxyz": [w, x, y, z]}. */
+/** {"p_m": [x, y, z], "R": three rows}. A matrix, not a quaternion, so that reading gives the very
+same pose. */
 inline Json JsonPose(const Pose& X) {
-  const Eigen::Quaterniond q(X.linear());
+  const Eigen::Matrix3d R = X.linear();
   return Json{{"p_m", JsonVector(X.translation())},
-              {"q_wxyz", Json::array({q.w(), q.x(), q.y(), q.z()})}};
+              {"R", {JsonVector(R.row(0)), JsonVector(R.row(1)), JsonVector(R.row(2))}}};
 }
 inline Eigen::Vector3d VectorFrom(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 inline Pose PoseFrom(const Json& json) {
-  const Json& q = json.at("q_wxyz");
-  return MakePose(Eigen::Quaterniond(q.at(0).get<double>(), q.at(1).get<double>(),
-                                     q.at(2).get<double>(), q.at(3).get<double>())
-                      .normalized()
-                      .toRotationMatrix(),
-                  VectorFrom(json.at("p_m")));
+  Eigen::Matrix3d R;
+  for (int row = 0; row < 3; ++row)
+    R.row(row) = VectorFrom(json.at("R").at(static_cast<size_t>(row)));
+  return MakePose(R, VectorFrom(json.at("p_m")));
 }
 
 }  // namespace graspbench

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/files.h"
 
@@ -114,8 +115,12 @@ void YamlMap::Read(const std::string& key, std::vector<std::string>& value, Need
 }
 
 void YamlMap::FinishKnownKeys() {
+  std::set<std::string> seen;
   for (const auto& item : node_) {
     const std::string key = item.first.as<std::string>("");
+    if (!seen.insert(key).second) {
+      problems_->Fail(file_, LineOf(item.first), where_ + ": \"" + key + "\" is given twice");
+    }
     if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
       problems_->Fail(file_, LineOf(item.first),
                       where_ + ": unknown key \"" + key + "\"" + SuggestNames(key, known_));

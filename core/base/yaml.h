@@ -25,6 +25,8 @@ enum class Needed { kYes, kNo };
 
 /** Reads a YAML file. A syntax error goes into `problems` with its line and gives a null node. */
 YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems);
+/** The same for text in memory; `file` is its name in messages. */
+YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems);
 
 /** The same for a text that is at hand; `file` names it in messages. */
 YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems);
@@ -49,7 +51,8 @@ class YamlMap {
   YAML::Node Child(const std::string& key, Needed needed = Needed::kYes);
   /** Records a problem at the line of `key` (or of the map when absent). */
   void Fail(const std::string& key, const std::string& text);
-  /** Every key nobody asked for is an error with a suggestion. Call once, last. */
+  /** Every key nobody asked for is an error with a suggestion, and so is a key given twice. Call
+  once, last. */
   void FinishKnownKeys();
 
  private:

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/sim/trial.h"
 
@@ -106,6 +108,10 @@ TrialResult TrialResultFromJson(const Json& json) {
                                contact.at("is_thumb").get<bool>(),
                                NumberFrom(contact.at("time_s"))});
   }
+  if (std::count_if(result.contacts.begin(), result.contacts.end(),
+                    [](const DigitContact& contact) { return contact.is_thumb; }) > 1) {
+    throw Error(ErrorKind::kFormat, "contacts: more than one thumb");
+  }
   result.timing = CalcContactTiming(result.contacts, 0.0);
   result.lift_height = NumberFrom(json.at("lift_height_m"));
   result.hold_slip = NumberFrom(json.at("hold_slip_m"));
@@ -113,8 +119,8 @@ TrialResult TrialResultFromJson(const Json& json) {
   result.grip_force = NumberFrom(json.at("grip_force_n"));
   result.worst_penetration = NumberFrom(json.at("worst_penetration_m"));
   result.energy_residual = NumberFrom(json.at("energy_residual_j"));
-  result.num_steps = json.at("num_steps").get<int>();
-  result.num_unconverged = json.at("num_unconverged").get<int>();
+  result.num_steps = IntFrom(json.at("num_steps"));
+  result.num_unconverged = IntFrom(json.at("num_unconverged"));
   result.simulated_time = NumberFrom(json.at("simulated_time_s"));
   for (const Json& snapshot : json.at("snapshots")) {
     result.snapshots.push_back(SnapshotFromJson(snapshot));

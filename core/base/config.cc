@@ -1,0 +1,154 @@
+#include "core/base/config.h"
+
+#include <algorithm>
+
+namespace graspbench {
+namespace {
+
+std::string Trim(const std::string& text) {
+  const size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (size_t start = 0; start <= text.size();) {
+    const size_t comma = std::min(text.find(',', start), text.size());
+    parts.push_back(Trim(text.substr(start, comma - start)));
+    start = comma + 1;
+  }
+  return parts;
+}
+
+}  // namespace
+
+namespace internal {
+
+JsonConfigReader::JsonConfigReader(const Json& json, std::string file, std::string where,
+                                   Diagnostics& problems)
+    : json_(&json), file_(std::move(file)), where_(std::move(where)), problems_(&problems) {
+  if (!json.is_object()) Fail("", "expected an object of keys and values");
+}
+
+const Json* JsonConfigReader::FindChild(const std::string& key) {
+  known_.push_back(key);
+  if (!json_->is_object()) return nullptr;
+  const auto child = json_->find(key);
+  if (child != json_->end()) return &*child;
+  Fail(key, "is missing");
+  return nullptr;
+}
+
+void JsonConfigReader::Fail(const std::string& key, const std::string& text) {
+  problems_->Fail(file_, 0, where_ + key + ": " + text);
+}
+
+void JsonConfigReader::Read(const std::string& key, const Json& json, int& value) {
+  try {
+    value = IntFrom(json);
+  } catch (const Error& e) {
+    Fail(key, e.what());
+  }
+}
+
+void JsonConfigReader::Read(const std::string& key, const Json& json, double& value) {
+  if (!json.is_number()) return Fail(key, "expected a number");
+  value = json.get<double>();
+}
+
+void JsonConfigReader::Read(const std::string& key, const Json& json, bool& value) {
+  if (!json.is_boolean()) return Fail(key, "expected true or false");
+  value = json.get<bool>();
+}
+
+void JsonConfigReader::Read(const std::string& key, const Json& json, std::string& value) {
+  if (!json.is_string()) return Fail(key, "expected a text");
+  value = json.get<std::string>();
+}
+
+void JsonConfigReader::Read(const std::string& key, const Json& json,
+                            std::vector<std::string>& value) {
+  const auto is_string = [](const Json& item) { return item.is_string(); };
+  if (!json.is_array() || !std::all_of(json.begin(), json.end(), is_string)) {
+    return Fail(key, "expected a list of texts");
+  }
+  value = json.get<std::vector<std::string>>();
+}
+
+void JsonConfigReader::FinishKnownKeys() {
+  if (!json_->is_object()) return;
+  for (const auto& item : json_->items()) {
+    if (std::find(known_.begin(), known_.end(), item.key()) == known_.end()) {
+      Fail(item.key(), "unknown key" + SuggestNames(item.key(), known_));
+    }
+  }
+}
+
+void YamlConfigReader::Read(const char* key, std::vector<std::string>& value) {
+  const YAML::Node child = map_.Child(key, Needed::kNo);
+  if (child.IsNull()) return;
+  try {
+    value = child.IsScalar() ? SplitAtCommas(child.Scalar()) : child.as<std::vector<std::string>>();
+  } catch (const YAML::Exception&) {
+    map_.Fail(key, "expected a list of texts");
+  }
+}
+
+YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known) {
+  const size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw Error(
+        ErrorKind::kUsage,
+        "--set \"" + assignment + "\": expected KEY=VALUE, for example " + known.front() + "=...");
+  }
+  const std::string key = Trim(assignment.substr(0, equals));
+  if (std::find(known.begin(), known.end(), key) == known.end()) {
+    throw Error(ErrorKind::kUsage, "--set \"" + assignment + "\": no setting \"" + key + "\"" +
+                                       SuggestNames(key, known));
+  }
+  YAML::Node node;
+  try {
+    node = YAML::Load(assignment.substr(equals + 1));
+  } catch (const YAML::Exception& e) {
+    throw Error(ErrorKind::kUsage, "--set \"" + assignment + "\": not a YAML value: " + e.msg);
+  }
+  if (node.IsNull()) {
+    throw Error(ErrorKind::kUsage, "--set \"" + assignment + "\": the value is missing");
+  }
+  for (size_t end = key.size(); end != std::string::npos;) {
+    const size_t dot = key.rfind('.', end - 1);
+    const size_t start = dot == std::string::npos ? 0 : dot + 1;
+    YAML::Node outer(YAML::NodeType::Map);
+    outer[key.substr(start, end - start)] = node;
+    node.reset(outer);
+    end = dot;
+  }
+  return node;
+}
+
+void FindDifferences(const Json& a, const Json& b, const std::string& where,
+                     std::vector<std::string>& differences) {
+  for (const auto& item : a.items()) {
+    const Json& other = b.at(item.key());
+    if (item.value().is_object()) {
+      FindDifferences(item.value(), other, where + item.key() + ".", differences);
+    } else if (item.value() != other) {
+      differences.push_back(where + item.key() + ": " + FormatJson(item.value()) + " and " +
+                            FormatJson(other));
+    }
+  }
+}
+
+}  // namespace internal
+
+int FindConfigLine(const YAML::Node& root, std::string_view full_key) {
+  if (!root.IsMap()) return 0;
+  const size_t dot = full_key.find('.');
+  const YAML::Node child = root[std::string(full_key.substr(0, dot))];
+  if (!child.IsDefined()) return 0;
+  if (dot == std::string_view::npos) return LineOf(child);
+  return FindConfigLine(child, full_key.substr(dot + 1));
+}
+
+}  // namespace graspbench

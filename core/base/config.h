@@ -1,0 +1,215 @@
+#pragma once
+/** @file
+Configurations as plain structs. A struct names each field once, with its default beside it:
+
+    struct SimConfig {
+      double step = 0.002;  ///< [s]
+
+      template <class V>
+      void Visit(V&& v) {
+        v("step_s", step);
+      }
+    };
+
+and that one listing drives reading YAML, writing and reading JSON, `--set sim.step_s=0.001` and the
+list of known keys. Fields are int, double, bool, std::string, std::vector<std::string> or another
+such struct. A list of texts may be given as one text with commas: "tum, shadow". */
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/json.h"
+#include "core/base/yaml.h"
+
+namespace graspbench {
+
+namespace internal {
+
+struct AnyVisitor {
+  template <class T>
+  void operator()(const char*, T&) const {}
+};
+
+template <class T, class = void>
+struct HasVisit : std::false_type {};
+template <class T>
+struct HasVisit<T, std::void_t<decltype(std::declval<T&>().Visit(AnyVisitor()))>> : std::true_type {
+};
+
+class JsonConfigWriter {
+ public:
+  template <class T>
+  void operator()(const char* key, T& value) {
+    if constexpr (HasVisit<T>::value) {
+      JsonConfigWriter inner;
+      value.Visit(inner);
+      json_[key] = inner.json_;
+    } else {
+      json_[key] = value;
+    }
+  }
+  const Json& json() const { return json_; }
+
+ private:
+  Json json_ = Json::object();
+};
+
+/** A frozen configuration is complete: every key must be there, and no other. */
+class JsonConfigReader {
+ public:
+  /** @param where  prefix of full keys: "" or "sim.". */
+  JsonConfigReader(const Json& json, std::string file, std::string where, Diagnostics& problems);
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    const Json* child = FindChild(key);
+    if (!child) return;
+    if constexpr (HasVisit<T>::value) {
+      JsonConfigReader inner(*child, file_, where_ + key + ".", *problems_);
+      value.Visit(inner);
+      inner.FinishKnownKeys();
+    } else {
+      Read(key, *child, value);
+    }
+  }
+  void FinishKnownKeys();
+
+ private:
+  const Json* FindChild(const std::string& key);
+  void Read(const std::string& key, const Json& json, int& value);
+  void Read(const std::string& key, const Json& json, double& value);
+  void Read(const std::string& key, const Json& json, bool& value);
+  void Read(const std::string& key, const Json& json, std::string& value);
+  void Read(const std::string& key, const Json& json, std::vector<std::string>& value);
+  void Fail(const std::string& key, const std::string& text);
+
+  const Json* json_;
+  std::string file_;
+  std::string where_;
+  Diagnostics* problems_;
+  std::vector<std::string> known_;
+};
+
+/** Absent keys keep their defaults. */
+class YamlConfigReader {
+ public:
+  YamlConfigReader(const YAML::Node& node, const std::string& file, const std::string& where,
+                   Diagnostics& problems)
+      : map_(node, file, where, problems), file_(file), problems_(&problems) {}
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    if constexpr (HasVisit<T>::value) {
+      const YAML::Node child = map_.Child(key, Needed::kNo);
+      if (child.IsNull()) return;
+      YamlConfigReader inner(child, file_, key, *problems_);
+      value.Visit(inner);
+      inner.FinishKnownKeys();
+    } else {
+      Read(key, value);
+    }
+  }
+  void FinishKnownKeys() { map_.FinishKnownKeys(); }
+
+ private:
+  template <class T>
+  void Read(const char* key, T& value) {
+    map_.Read(key, value, Needed::kNo);
+  }
+  void Read(const char* key, std::vector<std::string>& value);
+
+  YamlMap map_;
+  std::string file_;
+  Diagnostics* problems_;
+};
+
+class KeyLister {
+ public:
+  KeyLister(std::string where, std::vector<std::string>& keys)
+      : where_(std::move(where)), keys_(&keys) {}
+  template <class T>
+  void operator()(const char* key, T& value) {
+    if constexpr (HasVisit<T>::value) {
+      value.Visit(KeyLister(where_ + key + ".", *keys_));
+    } else {
+      keys_->push_back(where_ + key);
+    }
+  }
+
+ private:
+  std::string where_;
+  std::vector<std::string>* keys_;
+};
+
+/** Splits "sim.step_s=0.001" and gives {sim: {step_s: 0.001}}.
+@throws Error(kUsage) when it is not of that form or the key is not known. */
+YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known);
+
+/** @pre both are made by ConfigToJson from the same struct. */
+void FindDifferences(const Json& a, const Json& b, const std::string& where,
+                     std::vector<std::string>& differences);
+
+}  // namespace internal
+
+/** The complete configuration, in the order of its fields. */
+template <class Config>
+Json ConfigToJson(Config config) {
+  internal::JsonConfigWriter writer;
+  config.Visit(writer);
+  return writer.json();
+}
+
+/** Reads a complete configuration; missing and unknown keys and wrong types go into `problems`. */
+template <class Config>
+Config ConfigFromJson(const Json& json, const std::string& file, Diagnostics& problems) {
+  Config config;
+  internal::JsonConfigReader reader(json, file, "", problems);
+  config.Visit(reader);
+  reader.FinishKnownKeys();
+  return config;
+}
+
+/** Reads what a YAML document gives over the defaults in `config`; an empty document gives none.
+@param what  what the document describes, for messages: "session". */
+template <class Config>
+void ReadConfig(const YAML::Node& root, const std::string& file, const std::string& what,
+                Config& config, Diagnostics& problems) {
+  if (!root.IsDefined() || root.IsNull()) return;
+  internal::YamlConfigReader reader(root, file, what, problems);
+  config.Visit(reader);
+  reader.FinishKnownKeys();
+}
+
+/** Full names of all values: "trials", "sim.step_s", ... */
+template <class Config>
+std::vector<std::string> ListConfigKeys(Config config) {
+  std::vector<std::string> keys;
+  config.Visit(internal::KeyLister("", keys));
+  return keys;
+}
+
+/** Applies "sim.step_s=0.001". @throws Error(kUsage) naming the known keys or the expected type. */
+template <class Config>
+void SetConfigValue(const std::string& assignment, Config& config) {
+  const YAML::Node node = internal::ParseSetting(assignment, ListConfigKeys(config));
+  Diagnostics problems;
+  ReadConfig(node, "--set " + assignment, "settings", config, problems);
+  problems.ThrowIfErrors(ErrorKind::kUsage, "the setting cannot be applied");
+}
+
+/** Where two configurations differ: "sim.step_s: 0.002 and 0.001", in the order of the fields. */
+template <class Config>
+std::vector<std::string> FindConfigDifferences(const Config& a, const Config& b) {
+  std::vector<std::string> differences;
+  internal::FindDifferences(ConfigToJson(a), ConfigToJson(b), "", differences);
+  return differences;
+}
+
+/** Line of a full key in a YAML document; 0 when it is not there. */
+int FindConfigLine(const YAML::Node& root, std::string_view full_key);
+
+}  // namespace graspbench

@@ -1,0 +1,33 @@
+#pragma once
+/** @file
+Proportions: how sure a success rate is, and whether two rates differ.
+
+Wilson interval at 95 % (z = 1.959964), with p = k/n:
+
+    (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n)
+
+Sources: E. B. Wilson, "Probable inference, the law of succession, and statistical inference", J.
+Am. Stat. Assoc. 22 (1927); R. G. Newcombe, "Two-sided confidence intervals for the single
+proportion", Stat. Med. 17 (1998), method 3, without continuity correction.
+
+Fisher's exact test, two-sided: the sum of the hypergeometric probabilities, margins fixed, of all
+tables that are at most as probable as the observed one (R. A. Fisher, "The design of experiments",
+1935). */
+
+namespace graspbench {
+
+struct Interval {
+  double low = 0.0;
+  double high = 1.0;
+};
+
+/** 95 % interval of the success probability; [0, 1] when there were no trials.
+@pre 0 <= num_successes <= num_trials. */
+Interval CalcWilsonInterval(int num_successes, int num_trials);
+
+/** p value of "both have the same success probability"; 1 when either had no trials.
+@pre as above, for both. Cost grows with the sum of the trials. */
+double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_successes_b,
+                               int num_trials_b);
+
+}  // namespace graspbench

@@ -1,0 +1,7 @@
+#include "core/base/version.h"
+
+namespace graspbench {
+
+const char* program_version() { return GRASPBENCH_VERSION; }
+
+}  // namespace graspbench

@@ -1,0 +1,22 @@
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "datasets/session_index.h"
+#include "datasets/session_store.h"
+#include "datasets/trial_table.h"
+
+namespace graspbench {
+
+void ExportSession(const std::filesystem::path& folder, const Session& session) {
+  const std::filesystem::path exports = folder / "export";
+  MakeFolder(exports);
+  const std::vector<TrialColumn> columns = ListTrialColumns(session.records);
+  std::string lines;
+  for (const TrialRecord& record : session.records) lines += FormatJson(ToJson(record)) + "\n";
+  WriteFileAtomically(exports / "trials.csv", FormatTrialsCsv(columns, session.records));
+  WriteFileAtomically(exports / "trials.schema.json",
+                      FormatJson(MakeTrialsSchema(columns), 2) + "\n");
+  WriteFileAtomically(exports / "records.jsonl", lines);
+  WriteFileAtomically(folder / "index.sqlite", MakeSessionIndex(session, columns));
+}
+
+}  // namespace graspbench

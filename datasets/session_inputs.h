@@ -1,0 +1,30 @@
+#pragma once
+/** @file
+The hands and objects of a session, loaded once and shared between threads. */
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+#include "datasets/session_config.h"
+
+namespace graspbench {
+
+struct SessionHand {
+  std::shared_ptr<const Hand> hand;
+  std::vector<StandardGrasp> grasps;  ///< all it can do
+};
+
+struct SessionInputs {
+  std::vector<SessionHand> hands;                           ///< in the order of the configuration
+  std::vector<std::shared_ptr<const GraspObject>> objects;  ///< in the order of the configuration
+};
+
+/** Loads what the configuration names; "all" is every hand and object that comes with the program.
+@throws Error(kNotFound) with suggestions; Error(kFormat) when one of them cannot be used. */
+SessionInputs LoadSessionInputs(const SessionConfig& config);
+
+}  // namespace graspbench

@@ -1,0 +1,140 @@
+#include "datasets/trial_table.h"
+
+#include <algorithm>
+#include <set>
+
+namespace graspbench {
+namespace {
+
+using Value = std::function<Json(const TrialRecord&)>;
+
+Value TakePlan(std::string PlannedTrial::*field) {
+  return [field](const TrialRecord& record) { return Json(record.plan.*field); };
+}
+Value TakeNumber(double TrialResult::*field) {
+  return [field](const TrialRecord& record) { return JsonNumber(record.result.*field); };
+}
+Value TakeCount(int TrialResult::*field) {
+  return [field](const TrialRecord& record) { return Json(record.result.*field); };
+}
+Value TakeTiming(double ContactTiming::*field) {
+  return [field](const TrialRecord& record) { return JsonNumber(record.result.timing.*field); };
+}
+
+std::vector<std::string> ListDigits(const std::vector<TrialRecord>& records) {
+  std::vector<std::string> digits = {"TH", "FF", "MF", "RF", "LF"};
+  std::set<std::string> others;
+  for (const TrialRecord& record : records) {
+    for (const DigitContact& contact : record.result.contacts) others.insert(contact.digit);
+  }
+  for (const std::string& digit : digits) others.erase(digit);
+  digits.insert(digits.end(), others.begin(), others.end());
+  return digits;
+}
+
+TrialColumn MakeContactColumn(const std::string& digit) {
+  const auto find_time = [digit](const TrialRecord& record) {
+    for (const DigitContact& contact : record.result.contacts) {
+      if (contact.digit == digit) return JsonNumber(contact.time);
+    }
+    return Json();
+  };
+  return {"t_" + digit + "_s", "number", "s",
+          "first contact of digit " + digit +
+              ", since the start of closure; missing when it never touched or takes no part",
+          find_time};
+}
+
+std::string FormatCell(const Json& value) {
+  if (value.is_null()) return "";
+  if (!value.is_string()) return FormatJson(value);
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records) {
+  const auto is_success = [](const TrialRecord& record) {
+    return Json(record.result.outcome == Outcome::kSuccess ? 1 : 0);
+  };
+  std::vector<TrialColumn> columns = {
+      {"trial_id", "string", "", "hash of everything that matters for the result",
+       TakePlan(&PlannedTrial::id)},
+      {"hand", "string", "", "id of the hand", TakePlan(&PlannedTrial::hand)},
+      {"object", "string", "", "id of the object", TakePlan(&PlannedTrial::object)},
+      {"grasp", "string", "", "id of the standard grasp, g1 to g5, or of an optimised one",
+       TakePlan(&PlannedTrial::grasp)},
+      {"trial", "integer", "", "number of the trial within its hand, object and grasp, from 0",
+       [](const TrialRecord& record) { return Json(record.plan.trial); }},
+      {"outcome", "string", "", "how the trial ended",
+       [](const TrialRecord& record) { return Json(NameOf(record.result.outcome)); }},
+      {"success", "boolean", "", "1 when the outcome is success, else 0", is_success},
+      {"gct_s", "number", "s", "grasp closure time: start of closure to the last first contact",
+       TakeTiming(&ContactTiming::gct)},
+      {"gft_s", "number", "s", "grasp forming time: first to last of the first contacts",
+       TakeTiming(&ContactTiming::gft)},
+      {"got_s", "number", "s", "grasp opposing time: between the thumb and the earliest finger",
+       TakeTiming(&ContactTiming::got)},
+      {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
+      {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
+      {"lift_height_m", "number", "m", "height of the object's centre above rest at the end",
+       TakeNumber(&TrialResult::lift_height)},
+      {"hold_slip_m", "number", "m", "motion of the object relative to the palm while held",
+       TakeNumber(&TrialResult::hold_slip)},
+      {"end_speed_m_per_s", "number", "m/s", "speed of the object relative to the palm at the end",
+       TakeNumber(&TrialResult::end_speed)},
+      {"grip_force_n", "number", "N", "sum of the normal forces on the object before lift-off",
+       TakeNumber(&TrialResult::grip_force)},
+      {"worst_penetration_m", "number", "m", "deepest finger contact of the whole trial",
+       TakeNumber(&TrialResult::worst_penetration)},
+      {"energy_residual_j", "number", "J", "energy of the whole trial that nothing explains",
+       TakeNumber(&TrialResult::energy_residual)},
+      {"num_steps", "integer", "", "simulation steps", TakeCount(&TrialResult::num_steps)},
+      {"num_unconverged", "integer", "", "steps whose solve did not reach its tolerance",
+       TakeCount(&TrialResult::num_unconverged)},
+      {"simulated_time_s", "number", "s", "length of the trial",
+       TakeNumber(&TrialResult::simulated_time)},
+  };
+  for (const std::string& digit : ListDigits(records)) {
+    columns.push_back(MakeContactColumn(digit));
+  }
+  columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
+                     [](const TrialRecord& record) { return Json(record.result.reason); }});
+  return columns;
+}
+
+std::string FormatTrialsCsv(const std::vector<TrialColumn>& columns,
+                            const std::vector<TrialRecord>& records) {
+  std::string csv;
+  const auto add_row = [&](const auto& cell_of) {
+    for (size_t i = 0; i < columns.size(); ++i) {
+      csv += (i > 0 ? "," : "") + FormatCell(cell_of(columns[i]));
+    }
+    csv += '\n';
+  };
+  add_row([](const TrialColumn& column) { return Json(column.name); });
+  for (const TrialRecord& record : records) {
+    add_row([&](const TrialColumn& column) { return column.value(record); });
+  }
+  return csv;
+}
+
+Json MakeTrialsSchema(const std::vector<TrialColumn>& columns) {
+  Json fields = Json::array();
+  for (const TrialColumn& column : columns) {
+    Json field = {{"name", column.name}, {"type", column.type}, {"description", column.meaning}};
+    if (!column.unit.empty()) field["unit"] = column.unit;
+    if (column.type == "boolean") {
+      field["trueValues"] = {"1"};
+      field["falseValues"] = {"0"};
+    }
+    fields.push_back(field);
+  }
+  return Json{{"fields", fields}, {"primaryKey", "trial_id"}, {"missingValues", {""}}};
+}
+
+}  // namespace graspbench

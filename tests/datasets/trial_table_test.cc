@@ -1,0 +1,144 @@
+#include "datasets/trial_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/datasets/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+/** A reader of RFC 4180, written for this test: rows of cells. */
+std::vector<std::vector<std::string>> ParseCsv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool is_quoted = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      rows.back().back() += '"';
+      ++i;
+    } else if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (!is_quoted && c == ',') {
+      rows.back().emplace_back();
+    } else if (!is_quoted && c == '\n') {
+      rows.push_back({""});
+    } else {
+      rows.back().back() += c;
+    }
+  }
+  rows.pop_back();
+  return rows;
+}
+
+std::vector<TrialRecord> MakeFakeRecords(int count) {
+  std::vector<TrialRecord> records;
+  for (int i = 0; i < count; ++i) {
+    records.push_back(MakeFakeRecord({"id" + std::to_string(i), "a, \"b\"", "mug", "g1", i}));
+  }
+  return records;
+}
+
+TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
+  std::vector<std::string> names;
+  for (const TrialColumn& column : ListTrialColumns({})) names.push_back(column.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"trial_id",
+                                             "hand",
+                                             "object",
+                                             "grasp",
+                                             "trial",
+                                             "outcome",
+                                             "success",
+                                             "gct_s",
+                                             "gft_s",
+                                             "got_s",
+                                             "gft_ratio",
+                                             "got_ratio",
+                                             "lift_height_m",
+                                             "hold_slip_m",
+                                             "end_speed_m_per_s",
+                                             "grip_force_n",
+                                             "worst_penetration_m",
+                                             "energy_residual_j",
+                                             "num_steps",
+                                             "num_unconverged",
+                                             "simulated_time_s",
+                                             "t_TH_s",
+                                             "t_FF_s",
+                                             "t_MF_s",
+                                             "t_RF_s",
+                                             "t_LF_s",
+                                             "reason"}));
+}
+
+TEST(TrialTable, CsvReadsBackAsTheRecords) {
+  const auto records = MakeFakeRecords(40);
+  const auto columns = ListTrialColumns(records);
+  const auto rows = ParseCsv(FormatTrialsCsv(columns, records));
+  ASSERT_EQ(rows.size(), 41u);
+  const auto cell = [&](size_t row, const std::string& name) {
+    for (size_t i = 0; i < columns.size(); ++i) {
+      if (columns[i].name == name) return rows[row + 1].at(i);
+    }
+    return std::string("no such column");
+  };
+  std::set<Outcome> seen;
+  for (size_t i = 0; i < records.size(); ++i) {
+    ASSERT_EQ(rows[i + 1].size(), columns.size());
+    const TrialResult& result = records[i].result;
+    seen.insert(result.outcome);
+    EXPECT_EQ(cell(i, "hand"), "a, \"b\"");
+    EXPECT_EQ(cell(i, "trial"), std::to_string(i));
+    EXPECT_EQ(cell(i, "outcome"), NameOf(result.outcome));
+    EXPECT_EQ(cell(i, "success"), result.outcome == Outcome::kSuccess ? "1" : "0");
+    EXPECT_EQ(cell(i, "reason"), result.reason);
+    EXPECT_EQ(std::stod(cell(i, "grip_force_n")), result.grip_force);
+    EXPECT_EQ(std::stod(cell(i, "t_TH_s")), result.contacts[2].time);
+    EXPECT_EQ(cell(i, "t_RF_s"), "");
+    if (result.outcome == Outcome::kNoContact) {
+      EXPECT_EQ(cell(i, "gct_s"), "");
+      EXPECT_EQ(cell(i, "t_MF_s"), "");
+    } else {
+      EXPECT_EQ(std::stod(cell(i, "gct_s")), result.timing.gct);
+    }
+    EXPECT_EQ(cell(i, "hold_slip_m").empty(), result.outcome != Outcome::kSuccess);
+  }
+  EXPECT_GE(seen.size(), 6u);
+}
+
+TEST(TrialTable, OtherDigitsGetColumnsByName) {
+  auto records = MakeFakeRecords(1);
+  records[0].result.contacts.push_back({"Z", false, 0.25});
+  records[0].result.contacts.push_back({"A", false, 0.5});
+  const auto columns = ListTrialColumns(records);
+  std::vector<std::string> tail;
+  for (size_t i = columns.size() - 4; i < columns.size(); ++i) tail.push_back(columns[i].name);
+  EXPECT_EQ(tail, (std::vector<std::string>{"t_LF_s", "t_A_s", "t_Z_s", "reason"}));
+  EXPECT_EQ(columns[columns.size() - 2].value(records[0]), 0.25);
+}
+
+TEST(TrialTable, SchemaDescribesEveryColumn) {
+  const auto columns = ListTrialColumns({});
+  const Json fields = MakeTrialsSchema(columns).at("fields");
+  ASSERT_EQ(fields.size(), columns.size());
+  const std::set<std::string> types = {"string", "integer", "number", "boolean"};
+  const std::pair<const char*, const char*> suffixes[] = {
+      {"_m_per_s", "m/s"}, {"_s", "s"}, {"_m", "m"}, {"_n", "N"}, {"_j", "J"}};
+  for (size_t i = 0; i < fields.size(); ++i) {
+    const std::string name = fields[i].at("name");
+    EXPECT_EQ(name, columns[i].name);
+    EXPECT_EQ(types.count(fields[i].at("type")), 1u) << name;
+    EXPECT_FALSE(fields[i].at("description").get<std::string>().empty()) << name;
+    for (const auto& [suffix, unit] : suffixes) {
+      const std::string end = suffix;
+      if (name.size() > end.size() && name.substr(name.size() - end.size()) == end) {
+        EXPECT_EQ(fields[i].value("unit", ""), unit) << name;
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graspbench
