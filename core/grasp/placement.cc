@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr double kLowestGrasp = 0.009;     ///< smallest h_g [m]
 constexpr double kBelowTop = 0.008;        ///< h_g stays this far below the object's top [m]
 constexpr double kPalmGap = 0.003;         ///< power: palm to object [m]
-constexpr double kTableClearance = 0.002;  ///< [m]
+constexpr double kTableClearance = 0.0005; ///< [m]
 constexpr int kClosingSteps = 200;
 
 struct Pads {

@@ -34,7 +34,7 @@ void ReadPosture(const Hand& hand, YAML::Node node, const std::string& file,
     for (size_t i = 0; i < actuated.size(); ++i) {
       const HandJoint& joint = hand.joints[actuated[i]];
       const double angle = RadFromDeg(angles_deg[i]);
-      constexpr double kRounding = 1e-9;
+      constexpr double kRounding = 1e-4;  // limits are written with four digits
       if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
         map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) +
                                " deg is outside its limits");
