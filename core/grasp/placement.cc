@@ -14,10 +14,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kLowestGrasp = 0.009;     ///< smallest h_g [m]
-constexpr double kBelowTop = 0.008;        ///< h_g stays this far below the object's top [m]
-constexpr double kPalmGap = 0.003;         ///< power: palm to object [m]
-constexpr double kTableClearance = 0.0005; ///< [m]
+constexpr double kLowestGrasp = 0.009;      ///< smallest h_g [m]
+constexpr double kBelowTop = 0.008;         ///< h_g stays this far below the object's top [m]
+constexpr double kPalmGap = 0.003;          ///< power: palm to object [m]
+constexpr double kTableClearance = 0.0005;  ///< [m]
 constexpr int kClosingSteps = 200;
 
 struct Pads {
@@ -90,7 +90,8 @@ Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp,
   return q;
 }
 
-Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size) {
+Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size,
+                        const Vector3d& p_OOcm) {
   GRASPBENCH_DEMAND(object_size.minCoeff() > 0.0, "an object's sizes must be positive");
   const double width = object_size.y();
   const double height = object_size.z();
@@ -148,7 +149,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
 
   const double grasp_height =
       from_side ? 0.5 * height : std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
-  placement.X_WH = MakePose(R_WH, Vector3d(0.0, 0.0, grasp_height) - R_WH * p_HG);
+  placement.X_WH = MakePose(R_WH, Vector3d(p_OOcm.x(), p_OOcm.y(), grasp_height) - R_WH * p_HG);
 
   if (grasp.type == GraspType::kPower) {
     const double near_face = from_side ? -0.5 * width : -height;  // along the approach

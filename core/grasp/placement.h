@@ -39,8 +39,9 @@ struct Placement {
 /** The posture at closing parameter s in [0, 1], coupled joints included. */
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s);
 
-/** @param object_size  length, width, height of the object as it rests [m], all > 0. */
+/** @param object_size  length, width, height of the object as it rests [m], all > 0.
+@param p_OOcm  its centre of mass [m]. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
-                        const Eigen::Vector3d& object_size);
+                        const Eigen::Vector3d& object_size, const Eigen::Vector3d& p_OOcm);
 
 }  // namespace graspbench

@@ -49,7 +49,8 @@ struct StrategyObservation {
 /** What the hand is asked to do at the end of the step. */
 struct StrategyCommand {
   double closing = 0.0;   ///< s in [0, 1]
-  double distance = 0.0;  ///< of the hand from the grasp position, against the approach [m]
+  double distance = 0.0;  ///< from the grasp position: against the approach until the end of
+                          ///< stabilisation, straight up from lift-off on [m]
   double speed = 0.0;     ///< d distance / dt [m/s]
 };
 

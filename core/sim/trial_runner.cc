@@ -80,7 +80,8 @@ class Trial {
       : world_(world),
         setup_(setup),
         hand_(*setup.hand),
-        placement_(CalcPlacement(hand_, setup.grasp, setup.object->size)),
+        placement_(CalcPlacement(hand_, setup.grasp, setup.object->size,
+                                 setup.object->mass_properties.p_OOcm)),
         strategy_(setup.strategy, setup.grasp.approach_distance) {
     for (const std::string& id : setup.grasp.digits) {
       for (size_t d = 0; d < hand_.digits.size(); ++d) {
@@ -173,9 +174,12 @@ WorldCommand Trial::MakeCommand(const StrategyCommand& command) const {
   WorldCommand result;
   result.q = setup_.grasp.q_pre + command.closing * (setup_.grasp.q_target - setup_.grasp.q_pre) +
              setup_.draw.joint_error;
+  // The object is lifted straight up, also when it was approached from the side.
+  const bool is_lifting = strategy_.phase() >= Phase::kLiftOff;
+  const Vector3d away_W = is_lifting ? Vector3d(Vector3d::UnitZ()) : -placement_.approach_W;
   result.X_WH = placement_.X_WH;
-  result.X_WH.pretranslate(-command.distance * placement_.approach_W);
-  result.v_WH = -command.speed * placement_.approach_W;
+  result.X_WH.pretranslate(command.distance * away_W);
+  result.v_WH = command.speed * away_W;
   return result;
 }
 
