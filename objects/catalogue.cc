@@ -10,6 +10,7 @@
 #include "core/base/hash.h"
 #include "core/base/units.h"
 #include "core/base/yaml.h"
+#include "core/shape/mesh_check.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
@@ -60,6 +61,11 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   object->id = id;
   object->name = file.name;
   object->mesh = LoadMesh(folder / file.mesh, file.mesh_unit);
+  if (const MeshReport report = CheckMesh(object->mesh); !report.problems.empty()) {
+    throw Error(ErrorKind::kFormat, "the mesh \"" + (folder / file.mesh).string() + "\" (unit " +
+                                        NameOf(file.mesh_unit) + ") cannot be used:\n" +
+                                        FormatProblems(report));
+  }
 
   const Eigen::AlignedBox3d box = FindBox(object->mesh);
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();

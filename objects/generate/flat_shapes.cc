@@ -188,20 +188,19 @@ TriMesh DrawMatchbox() {
 TriMesh DrawFoldingRule() {
   constexpr int kLegs = 10;
   constexpr double kLeg = 3.9;
-  std::vector<Ring> rings;
+  std::vector<Layer> layers;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const double shift = leg % 2 == 0 ? -1.5 : 1.5;
     const auto add = [&](double inset, double z) {
-      Outline outline = MakeRoundedRectangle(232.0 - 2.0 * inset, 16.4 - 2.0 * inset, 7.0, 6);
-      for (Eigen::Vector2d& p : outline) p.x() += shift;
-      rings.push_back(MakeRing(outline, kLeg * leg + z));
+      Outline outline = MakeRoundedRectangle(232.0 - 2.0 * inset, 16.4 - 2.0 * inset, 6.0, 4);
+      for (Eigen::Vector2d& p : outline) p.x() += leg % 2 == 0 ? -1.5 : 1.5;
+      layers.push_back({outline, kLeg * leg + z});
     };
     add(0.5, 0.0);
     add(0.0, 0.4);
     add(0.0, kLeg - 0.4);
     add(0.5, kLeg);
   }
-  return MakeLoft(rings);
+  return MakeStack(layers);
 }
 
 // Blade at -x; a six-sided handle with a collar and a domed end.
@@ -249,54 +248,78 @@ TriMesh DrawEraser() {
     rings.push_back(
         MakeRing(MakeRoundedRectangle(10.3 - 2.0 * inset, 24.2 - 2.0 * inset, radius, 3), z));
   };
-  add(1.4, 0.4, 0.0);
-  add(0.7, 0.8, 0.4);
-  add(0.4, 1.0, 1.4);
-  add(0.4, 1.0, 15.0);
-  add(0.0, 0.6, 15.0);
-  add(0.0, 0.6, 47.0);
-  add(0.4, 1.0, 47.0);
-  add(0.4, 1.0, 47.6);
-  add(0.7, 0.8, 48.6);
-  add(1.4, 0.4, 49.0);
+  // A rounded end: the edge falls back by a quarter circle of 1 mm.
+  for (const double angle_deg : {0.0, 30.0, 60.0, 90.0}) {
+    const double back = 1.0 - std::sin(RadFromDeg(angle_deg));
+    add(0.4 + back, 1.5 - back, 1.0 - std::cos(RadFromDeg(angle_deg)));
+  }
+  add(0.4, 1.5, 15.0);
+  add(0.0, 1.0, 15.0);
+  add(0.0, 1.0, 47.0);
+  add(0.4, 1.5, 47.0);
+  for (const double angle_deg : {90.0, 60.0, 30.0, 0.0}) {
+    const double back = 1.0 - std::sin(RadFromDeg(angle_deg));
+    add(0.4 + back, 1.5 - back, 48.0 + std::cos(RadFromDeg(angle_deg)));
+  }
   return MakeLying(MakeLoft(rings));
 }
 
-// Five keys on one pin through their bows, fanned a little, the notched edges to alternate sides.
+// Five keys on one pin through their bows, fanned a little; bows of three shapes, the notched edges
+// to alternate sides, rounded edges so that each key shows.
 TriMesh DrawBunchOfKeys() {
-  const auto key = [](double turn_deg, double length, bool is_flipped) {
-    // About the middle of the bow: an arc of the bow, then the blade with its notches.
+  struct Key {
+    double turn_deg, length;
+    bool is_flipped;
+    int bow_corners;
+  };
+  constexpr Key kKeys[] = {{7.0, 57.0, false, 16},
+                           {-9.0, 54.0, true, 6},
+                           {2.0, 57.5, false, 8},
+                           {-5.0, 50.0, false, 16},
+                           {10.0, 52.0, true, 6}};
+  constexpr double kThickness = 3.4;
+  constexpr double kChamfer = 0.5;
+  // About the middle of the bow: the bow's far side, then the blade with its notches.
+  const auto draw = [](const Key& key, double inset) {
+    const double bow_radius = 12.0 - inset;
+    const double half_blade = 3.6 - inset;
+    const double tip = key.length - inset;
     Outline outline;
-    constexpr double kBow = 11.5;
-    constexpr double kBlade = 3.6;
-    for (int i = 0; i <= 20; ++i) {
-      const double angle = RadFromDeg(25.0 + 310.0 * i / 20);
-      outline.emplace_back(kBow * std::cos(angle), kBow * std::sin(angle));
+    for (const Eigen::Vector2d& p :
+         MakeEllipse(2.0 * bow_radius, 2.0 * bow_radius, key.bow_corners)) {
+      if (std::abs(std::atan2(p.y(), p.x())) > RadFromDeg(20.0)) outline.push_back(p);
     }
-    outline.emplace_back(14.0, -kBlade);
-    outline.emplace_back(length - 3.0, -kBlade);
-    outline.emplace_back(length, -0.6);
-    outline.emplace_back(length - 2.0, 2.0);
-    for (double x = length - 4.0; x > 22.0; x -= 5.0) {
-      outline.emplace_back(x, kBlade);
-      outline.emplace_back(x - 1.2, kBlade);
-      outline.emplace_back(x - 2.6, kBlade - 1.7);
+    std::sort(outline.begin(), outline.end(), [](const auto& a, const auto& b) {
+      const auto turn = [](const Eigen::Vector2d& p) {
+        const double angle = std::atan2(p.y(), p.x());
+        return angle < 0.0 ? angle + 2.0 * kPi : angle;
+      };
+      return turn(a) < turn(b);
+    });
+    outline.emplace_back(14.0, -half_blade);
+    outline.emplace_back(tip - 3.0, -half_blade);
+    outline.emplace_back(tip, -0.6);
+    outline.emplace_back(tip - 2.0, 2.0 - inset);
+    for (double x = key.length - 4.0; x > 26.0; x -= 7.0) {
+      outline.emplace_back(x, half_blade);
+      outline.emplace_back(x - 2.5, half_blade - 1.7);
+      outline.emplace_back(x - 4.5, half_blade);
     }
-    outline.emplace_back(16.0, kBlade);
-    if (is_flipped) {
+    outline.emplace_back(16.0, half_blade);
+    if (key.is_flipped) {
       for (Eigen::Vector2d& p : outline) p.y() = -p.y();
       std::reverse(outline.begin(), outline.end());
     }
-    return MakeTurned(outline, RadFromDeg(turn_deg));
+    return MakeTurned(outline, RadFromDeg(key.turn_deg));
   };
-  const std::vector<Outline> keys = {key(7.0, 57.0, false), key(-9.0, 54.0, true),
-                                     key(2.0, 57.5, false), key(-4.0, 50.0, false),
-                                     key(10.0, 52.0, true)};
   std::vector<Layer> layers;
-  const double thickness = 17.0 / static_cast<double>(keys.size());
-  for (size_t i = 0; i < keys.size(); ++i) {
-    layers.push_back({keys[i], thickness * static_cast<double>(i)});
-    layers.push_back({keys[i], thickness * static_cast<double>(i + 1)});
+  double z = 0.0;
+  for (const Key& key : kKeys) {
+    layers.push_back({draw(key, kChamfer), z});
+    layers.push_back({draw(key, 0.0), z + kChamfer});
+    layers.push_back({draw(key, 0.0), z + kThickness - kChamfer});
+    layers.push_back({draw(key, kChamfer), z + kThickness});
+    z += kThickness;
   }
   return MakeStack(layers);
 }

@@ -75,7 +75,7 @@ TriMesh DrawCan() {
 
 // A tennis ball with its one endless seam.
 TriMesh DrawTennisBall() {
-  TriMesh ball = MakeGeodesicSphere(33.0, 20);
+  TriMesh ball = MakeGeodesicSphere(33.0, 18);
   // Of the curves a cos t + b cos 3t, a sin t - b sin 3t, 2 sqrt(ab) sin 2t, which lie on the
   // sphere of radius a + b, this one looks like the seam.
   std::vector<Eigen::Vector3d> seam;
@@ -279,7 +279,7 @@ TriMesh DrawTeaLight() {
 // 162 dimples on the vertices of a coarser geodesic ball.
 TriMesh DrawGolfBall() {
   constexpr double kRadius = 21.35;
-  TriMesh ball = MakeGeodesicSphere(kRadius, 20);
+  TriMesh ball = MakeGeodesicSphere(kRadius, 16);
   const TriMesh dimples = MakeGeodesicSphere(kRadius, 4);
   for (Eigen::Vector3d& p : ball.vertices) {
     double nearest = kRadius;

@@ -101,7 +101,9 @@ TriMesh MakeStack(const std::vector<Layer>& layers) {
   angles.erase(
       std::unique(angles.begin(), angles.end(), [](double a, double b) { return b - a < 1e-7; }),
       angles.end());
-  std::vector<Ring> rings;
+  // The ends are fans about the origin, from where every corner is seen.
+  const auto make_point = [&](double z) { return Ring(angles.size(), Eigen::Vector3d(0, 0, z)); };
+  std::vector<Ring> rings = {make_point(layers.front().z)};
   for (const Layer& layer : layers) {
     Ring ring;
     for (const double angle : angles) {
@@ -110,6 +112,7 @@ TriMesh MakeStack(const std::vector<Layer>& layers) {
     }
     rings.push_back(ring);
   }
+  rings.push_back(make_point(layers.back().z));
   // Looser than the loft's own welding: crossings found from two outlines differ in the last bits.
   return WeldVertices(MakeLoft(rings), 1e-5);
 }

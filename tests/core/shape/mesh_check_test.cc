@@ -1,0 +1,139 @@
+#include "core/shape/mesh_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+TriMesh MakeBox() { return MakeRoundedBox({0.04, 0.03, 0.02}, 0.0); }
+
+std::vector<MeshFault> FaultsOf(const MeshReport& report) {
+  std::vector<MeshFault> faults;
+  for (const MeshProblem& problem : report.problems) faults.push_back(problem.fault);
+  return faults;
+}
+
+void Append(const TriMesh& part, const Eigen::Vector3d& offset, TriMesh& mesh) {
+  const int first = mesh.num_vertices();
+  for (const Eigen::Vector3d& p : part.vertices) mesh.vertices.push_back(p + offset);
+  for (const Eigen::Vector3i& t : part.triangles) {
+    mesh.triangles.push_back(t + Eigen::Vector3i::Constant(first));
+  }
+}
+
+TEST(MeshCheckTest, AGoodBoxHasNoProblems) {
+  const MeshReport report = CheckMesh(MakeBox());
+  EXPECT_EQ(FormatProblems(report), "");
+  EXPECT_TRUE(report.is_closed);
+  EXPECT_EQ(report.num_open_edges, 0);
+  EXPECT_NEAR(report.volume, 0.04 * 0.03 * 0.02, 1e-15);
+  EXPECT_LT(report.centroid.norm(), 1e-15);
+  EXPECT_LT((report.extent - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 1e-15);
+}
+
+TEST(MeshCheckTest, AMissingFaceLeavesThreeOpenEdgesAndTheirPlaces) {
+  TriMesh box = MakeBox();
+  const Eigen::Vector3i lost = box.triangles[0];
+  box.triangles.erase(box.triangles.begin());
+  const MeshReport report = CheckMesh(box);
+  EXPECT_EQ(FaultsOf(report), std::vector<MeshFault>{MeshFault::kOpen});
+  EXPECT_FALSE(report.is_closed);
+  EXPECT_EQ(report.num_open_edges, 3);
+  EXPECT_TRUE(std::isnan(report.volume));
+  const std::string text = FormatProblems(report);
+  EXPECT_NE(text.find("the surface is open: 3 edges have a triangle on one side only: ("),
+            std::string::npos)
+      << text;
+  char corner[64];
+  const Eigen::Vector3d p = 1e3 * box.vertices[lost[0]];
+  std::snprintf(corner, sizeof corner, "(%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
+  EXPECT_NE(text.find(corner), std::string::npos) << text << " lacks " << corner;
+}
+
+TEST(MeshCheckTest, InsideOutIsToldFromOneFlippedFace) {
+  TriMesh inverted = MakeBox();
+  for (Eigen::Vector3i& t : inverted.triangles) std::swap(t[1], t[2]);
+  const MeshReport report = CheckMesh(inverted);
+  EXPECT_TRUE(report.is_closed);
+  EXPECT_LT(report.volume, 0.0);
+  EXPECT_EQ(FormatProblems(report),
+            "the mesh is inside out: all its faces point inwards; flip them, or repair");
+
+  TriMesh one_flipped = MakeBox();
+  std::swap(one_flipped.triangles[3][1], one_flipped.triangles[3][2]);
+  const MeshReport other = CheckMesh(one_flipped);
+  EXPECT_TRUE(other.is_closed);
+  EXPECT_EQ(FaultsOf(other), std::vector<MeshFault>{MeshFault::kInconsistent});
+  EXPECT_EQ(FormatProblems(other).find("3 edges join triangles that face opposite ways: ("), 0u);
+}
+
+TEST(MeshCheckTest, TwoBoxesThroughEachOtherCross) {
+  TriMesh crossed = MakeBox();
+  Append(MakeBox(), {0.013, 0.011, 0.007}, crossed);
+  const MeshReport report = CheckMesh(crossed);
+  EXPECT_EQ(FaultsOf(report), std::vector<MeshFault>{MeshFault::kSelfCrossing});
+  EXPECT_NE(FormatProblems(report).find("triangles cut through each other: face "),
+            std::string::npos);
+
+  TriMesh apart = MakeBox();
+  Append(MakeBox(), {0.05, 0.0, 0.0}, apart);
+  EXPECT_EQ(FormatProblems(CheckMesh(apart)), "");
+}
+
+// A vertex pulled through the opposite side: the crossing triangles share no corner with the side.
+TEST(MeshCheckTest, AVertexPulledThroughTheOtherSideCrosses) {
+  TriMesh sphere = MakeSphere(0.02, 16);
+  sphere.vertices.back() = Eigen::Vector3d(0.001, 0.0005, -0.03);
+  EXPECT_EQ(FaultsOf(CheckMesh(sphere)), std::vector<MeshFault>{MeshFault::kSelfCrossing});
+}
+
+TEST(MeshCheckTest, EmptyAndNotFinite) {
+  EXPECT_EQ(FormatProblems(CheckMesh({})),
+            "the mesh has no triangles; export faces, not points, lines or an empty scene");
+  TriMesh box = MakeBox();
+  box.vertices[2].y() = NAN;
+  box.vertices[5].x() = INFINITY;
+  EXPECT_EQ(FormatProblems(CheckMesh(box)),
+            "2 vertices are not made of finite numbers: vertex 3, vertex 6; export "
+            "the mesh again");
+}
+
+TEST(MeshCheckTest, WrongUnitsAreGuessed) {
+  TriMesh huge = MakeBox(), tiny = MakeBox();
+  for (Eigen::Vector3d& p : huge.vertices) p *= 1000.0;
+  for (Eigen::Vector3d& p : tiny.vertices) p *= 0.001;
+  EXPECT_EQ(FormatProblems(CheckMesh(huge)),
+            "the mesh is 40 m long; a thing to grasp measures 2 mm to 1 m. If its numbers are "
+            "millimetres, say so (unit mm); else scale it");
+  EXPECT_EQ(FormatProblems(CheckMesh(tiny)),
+            "the mesh is 0.04 mm long; a thing to grasp measures 2 mm to 1 m. If its numbers are "
+            "metres, say so (unit m); else scale it");
+}
+
+TEST(MeshCheckTest, SliversCopiesAndInnerWalls) {
+  TriMesh sliver = MakeBox();
+  sliver.vertices.push_back(0.5 * (sliver.vertices[0] + sliver.vertices[1]));
+  sliver.triangles.emplace_back(0, 1, sliver.num_vertices() - 1);
+  EXPECT_EQ(FaultsOf(CheckMesh(sliver)).front(), MeshFault::kDegenerate);
+  EXPECT_EQ(FormatProblems(CheckMesh(sliver)).find("1 triangle has no area: face 17 at ("), 0u);
+
+  TriMesh copied = MakeBox();
+  copied.triangles.push_back(copied.triangles[4]);
+  EXPECT_EQ(FaultsOf(CheckMesh(copied)),
+            (std::vector<MeshFault>{MeshFault::kDuplicate, MeshFault::kNotManifold}));
+}
+
+TEST(MeshCheckTest, AFlatSheetOfTwoSidesEnclosesNothing) {
+  TriMesh sheet;
+  sheet.vertices = {{0, 0, 0}, {0.05, 0, 0}, {0.05, 0.05, 0}, {0, 0.05, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  EXPECT_EQ(FormatProblems(CheckMesh(sheet)),
+            "the mesh encloses no volume; give it thickness in a modelling program");
+}
+
+}  // namespace
+}  // namespace graspbench

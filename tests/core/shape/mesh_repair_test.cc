@@ -1,0 +1,100 @@
+#include "core/shape/mesh_repair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/shape/mass_properties.h"
+#include "core/shape/mesh_check.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+TriMesh MakeBall() { return MakeSphere(0.02, 24); }
+
+void ExpectRepaired(const TriMesh& broken, const std::vector<std::string>& actions, double volume,
+                    double relative_tolerance) {
+  EXPECT_NE(FormatProblems(CheckMesh(broken)), "");
+  const MeshRepair repair = RepairMesh(broken);
+  EXPECT_EQ(repair.actions, actions);
+  EXPECT_EQ(FormatProblems(CheckMesh(repair.mesh)), "");
+  EXPECT_NEAR(CalcVolume(repair.mesh), volume, relative_tolerance * volume);
+}
+
+TEST(MeshRepairTest, AGoodMeshStaysAsItIs) {
+  const TriMesh ball = MakeBall();
+  const MeshRepair repair = RepairMesh(ball);
+  EXPECT_TRUE(repair.actions.empty());
+  EXPECT_EQ(repair.mesh.triangles, ball.triangles);
+}
+
+TEST(MeshRepairTest, ClosesSmallHoles) {
+  TriMesh broken = MakeBall();
+  // One triangle, and elsewhere a patch of two.
+  broken.triangles.erase(broken.triangles.begin() + 200, broken.triangles.begin() + 202);
+  broken.triangles.erase(broken.triangles.begin() + 40);
+  ExpectRepaired(broken, {"2 holes closed"}, CalcVolume(MakeBall()), 1e-2);
+}
+
+TEST(MeshRepairTest, LeavesALargeHoleOpen) {
+  TriMesh broken = MakeBall();
+  broken.triangles.resize(broken.triangles.size() / 2);
+  const MeshRepair repair = RepairMesh(broken);
+  EXPECT_EQ(CheckMesh(repair.mesh).num_open_edges, 24);
+}
+
+TEST(MeshRepairTest, TurnsFlippedFacesAndTheWholeSkin) {
+  TriMesh one = MakeBall();
+  std::swap(one.triangles[7][0], one.triangles[7][1]);
+  ExpectRepaired(one, {"1 triangle flipped to face like its neighbours"}, CalcVolume(MakeBall()),
+                 1e-12);
+  TriMesh all = MakeBall();
+  for (Eigen::Vector3i& t : all.triangles) std::swap(t[0], t[1]);
+  ExpectRepaired(all, {"1 shell turned the right way round"}, CalcVolume(MakeBall()), 1e-12);
+}
+
+TEST(MeshRepairTest, ACavityStaysACavity) {
+  TriMesh hollow = MakeBall();
+  const TriMesh inner = MakeSphere(0.01, 24);
+  const int first = hollow.num_vertices();
+  hollow.vertices.insert(hollow.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (Eigen::Vector3i t : inner.triangles) {
+    std::swap(t[0], t[1]);
+    hollow.triangles.push_back(t + Eigen::Vector3i::Constant(first));
+  }
+  const double volume = CalcVolume(hollow);
+  EXPECT_NEAR(volume, CalcVolume(MakeBall()) - CalcVolume(inner), 1e-15);
+  EXPECT_TRUE(RepairMesh(hollow).actions.empty());
+
+  for (Eigen::Vector3i& t : hollow.triangles) std::swap(t[0], t[1]);
+  EXPECT_NEAR(CalcVolume(RepairMesh(hollow).mesh), volume, 1e-15);
+}
+
+TEST(MeshRepairTest, MergesSplitVerticesAndDropsCopiesAndSlivers) {
+  // Every triangle with vertices of its own, as STL has them; one copy, one sliver.
+  const TriMesh ball = MakeBall();
+  TriMesh soup;
+  for (const Eigen::Vector3i& t : ball.triangles) {
+    const int first = soup.num_vertices();
+    for (int k = 0; k < 3; ++k) soup.vertices.push_back(ball.vertices[t[k]]);
+    soup.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  soup.triangles.push_back(soup.triangles[5]);
+  soup.triangles.emplace_back(0, 1, 1);
+  const MeshRepair repair = RepairMesh(soup);
+  EXPECT_EQ(FormatProblems(CheckMesh(repair.mesh)), "");
+  EXPECT_EQ(repair.mesh.num_vertices(), ball.num_vertices());
+  EXPECT_EQ(repair.mesh.num_triangles(), ball.num_triangles());
+}
+
+TEST(MeshRepairTest, HopelessInputComesBack) {
+  EXPECT_TRUE(RepairMesh({}).actions.empty());
+  TriMesh bad = MakeBall();
+  bad.vertices[0].x() = NAN;
+  EXPECT_TRUE(RepairMesh(bad).actions.empty());
+  EXPECT_EQ(RepairMesh(bad).mesh.num_triangles(), bad.num_triangles());
+}
+
+}  // namespace
+}  // namespace graspbench
