@@ -68,7 +68,7 @@ TEST(SignedDistanceFieldTest, BoxFacesHaveExactNormals) {
 
 TEST(SignedDistanceFieldTest, SphereValueAndGradient) {
   const double radius = 0.02;
-  const int num_segments = 128;
+  const int num_segments = 64;
   const auto field = SignedDistanceField::Build(MakeSphere(radius, num_segments));
   const double sagitta = radius * (1.0 - std::cos(M_PI / num_segments)) * 2.0;
   RandomStream random("sphere", "points");
@@ -180,7 +180,7 @@ class SdfCacheTest : public testing::Test {
   fs::path OnlyFile() const { return fs::directory_iterator(folder_)->path(); }
 
   fs::path folder_;
-  TriMesh mesh_ = MakeRoundedBox({0.02, 0.02, 0.02}, 0.002);
+  TriMesh mesh_ = MakeRoundedBox({0.02, 0.02, 0.02}, 0.0);
 };
 
 void ExpectSameBits(const SignedDistanceField& a, const SignedDistanceField& b) {

@@ -1,0 +1,127 @@
+#include "objects/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "catalogue_table.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/shape/primitives.h"
+#include "objects/load_mesh.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kYaml[] =
+    "name: my box\nmesh: box.obj\nmesh_unit: mm\nmass_kg: 0.06\nfriction_static: 0.5\n"
+    "friction_dynamic: 0.4\n";
+
+class CatalogueTest : public testing::Test {
+ protected:
+  CatalogueTest() {
+    folder_ = fs::path(testing::TempDir()) /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::create_directories(folder_);
+  }
+  // A box away from its file's origin.
+  void Write(const std::string& yaml, const TriMesh& mesh) {
+    TriMesh moved = mesh;
+    for (Eigen::Vector3d& p : moved.vertices) p += Eigen::Vector3d(0.1, 0.2, 0.3);
+    WriteFileAtomically(folder_ / "object.yaml", yaml);
+    WriteFileAtomically(folder_ / "box.obj", FormatObj(moved, LengthUnit::kMm));
+  }
+  std::string FindMessage(const std::string& id, ErrorKind kind) {
+    try {
+      LoadObject(id);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), kind);
+      return e.what();
+    }
+    return "no error";
+  }
+  fs::path folder_;
+  TriMesh box_ = MakeRoundedBox({0.04, 0.03, 0.02}, 0.0);
+};
+
+TEST_F(CatalogueTest, ListsTheTableInItsOrder) {
+  std::vector<std::string> expected;
+  for (const CatalogueRow& row : ListCatalogueRows()) expected.push_back(row.id);
+  EXPECT_EQ(ListObjects(), expected);
+}
+
+TEST_F(CatalogueTest, AUsersFolderIsCentredAndHomogeneous) {
+  Write(kYaml, box_);
+  const auto object = LoadObject(folder_.string());
+  EXPECT_EQ(object->id, folder_.filename().string());
+  EXPECT_LT((object->size - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 1e-7);
+  EXPECT_EQ(object->size_of_sight, object->size);
+  EXPECT_LT(object->mass_properties.p_OOcm.norm(), 1e-7);
+  EXPECT_NEAR(object->mass_properties.I_OOcm(0, 0), 0.06 / 12.0 * (0.0009 + 0.0004), 1e-10);
+  EXPECT_NEAR(object->field->Query({0.0, 0.0, 0.015}).distance, 0.005, 1e-6);
+  // The same by its yaml and with a slash at the end.
+  EXPECT_EQ(LoadObject((folder_ / "object.yaml").string())->content_hash, object->content_hash);
+  EXPECT_EQ(LoadObject(folder_.string() + "/")->id, object->id);
+}
+
+TEST_F(CatalogueTest, DensityGivesTheMassAndAGivenCentreOfMassIsTaken) {
+  std::string yaml = kYaml;
+  yaml.replace(yaml.find("mass_kg: 0.06"), 13, "density_kg_per_m3: 500");
+  Write(yaml + "centre_of_mass_m: [0.01, 0, -0.002]\n", box_);
+  const auto object = LoadObject(folder_.string());
+  EXPECT_NEAR(object->mass_properties.mass, 500.0 * 2.4e-5, 1e-8);
+  EXPECT_EQ(object->mass_properties.p_OOcm, Eigen::Vector3d(0.01, 0.0, -0.002));
+}
+
+TEST_F(CatalogueTest, TheHashFollowsThePhysicsNotTheLooks) {
+  Write(kYaml, box_);
+  const std::string plain = LoadObject(folder_.string())->content_hash;
+  Write(std::string(kYaml) + "colour: [0, 1, 0]\n", box_);
+  EXPECT_EQ(LoadObject(folder_.string())->content_hash, plain);
+  std::string rougher = kYaml;
+  rougher.replace(rougher.find("friction_static: 0.5"), 20, "friction_static: 0.6");
+  Write(rougher, box_);
+  EXPECT_NE(LoadObject(folder_.string())->content_hash, plain);
+}
+
+TEST_F(CatalogueTest, ABrokenMeshIsRefusedWithItsProblems) {
+  box_.triangles.pop_back();
+  Write(kYaml, box_);
+  const std::string message = FindMessage(folder_.string(), ErrorKind::kFormat);
+  EXPECT_EQ(message.find("the mesh \"" + (folder_ / "box.obj").string() +
+                         "\" (unit mm) cannot be used:\nthe surface is open: 3 edges"),
+            0u)
+      << message;
+}
+
+TEST_F(CatalogueTest, AWrongSizeAndACentreOfMassOutsideAreRefused) {
+  Write(std::string(kYaml) + "size_m: [0.04, 0.03, 0.0205]\n", box_);
+  EXPECT_EQ(FindMessage(folder_.string(), ErrorKind::kFormat),
+            (folder_ / "object.yaml").string() +
+                ": size_m says 40.00 x 30.00 x 20.50 mm, but \"box.obj\" measures 40.00 x 30.00 x "
+                "20.00 mm if its unit is mm; correct size_m or mesh_unit");
+  Write(std::string(kYaml) + "centre_of_mass_m: [0.03, 0, 0]\n", box_);
+  EXPECT_NE(FindMessage(folder_.string(), ErrorKind::kRange)
+                .find("centre_of_mass_m lies outside the object, which measures 40.00 x 30.00"),
+            std::string::npos);
+}
+
+TEST_F(CatalogueTest, UnknownNamesAndBareMeshesAreExplained) {
+  EXPECT_EQ(FindMessage("tenis_ball", ErrorKind::kNotFound)
+                .find("no object and no folder \"tenis_ball\"; did you mean \"tennis_ball\"? "),
+            0u);
+  Write(kYaml, box_);
+  EXPECT_NE(FindMessage((folder_ / "box.obj").string(), ErrorKind::kUsage)
+                .find("a mesh alone tells neither unit, mass nor friction. Put it into a folder "
+                      "with an object.yaml"),
+            std::string::npos);
+  fs::remove(folder_ / "object.yaml");
+  EXPECT_EQ(FindMessage(folder_.string(), ErrorKind::kNotFound),
+            "no file \"" + (folder_ / "object.yaml").string() + "\"");
+}
+
+}  // namespace
+}  // namespace graspbench

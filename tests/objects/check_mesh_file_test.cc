@@ -1,0 +1,81 @@
+#include "objects/check_mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/shape/primitives.h"
+#include "objects/load_mesh.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CheckMeshFileTest : public testing::Test {
+ protected:
+  fs::path Write(const TriMesh& mesh) {
+    const fs::path path =
+        fs::path(testing::TempDir()) /
+        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".obj");
+    WriteFileAtomically(path, FormatObj(mesh, LengthUnit::kMm));
+    return path;
+  }
+  TriMesh box_ = MakeRoundedBox({0.04, 0.03, 0.02}, 0.0);
+};
+
+TEST_F(CheckMeshFileTest, ReportsAGoodMesh) {
+  for (Eigen::Vector3d& p : box_.vertices) p += Eigen::Vector3d(0.01, 0.02, 0.03);
+  const Json json = FormatMeshReport(CheckMeshFile(Write(box_), LengthUnit::kMm));
+  EXPECT_EQ(json["closed"], true);
+  EXPECT_EQ(json["triangles"], 16);
+  EXPECT_EQ(json["open_edges"], 0);
+  EXPECT_NEAR(json["volume_m3"].get<double>(), 2.4e-5, 1e-11);
+  EXPECT_LT((VectorFrom(json["centroid_m"]) - Eigen::Vector3d(0.01, 0.02, 0.03)).norm(), 1e-8);
+  EXPECT_LT((VectorFrom(json["extent_m"]) - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 1e-8);
+  EXPECT_TRUE(json["problems"].empty());
+}
+
+TEST_F(CheckMeshFileTest, AnOpenMeshHasNoVolumeAndIsRepaired) {
+  box_.triangles.erase(box_.triangles.begin());
+  const fs::path path = Write(box_);
+  const Json json = FormatMeshReport(CheckMeshFile(path, LengthUnit::kMm));
+  EXPECT_EQ(json["closed"], false);
+  EXPECT_EQ(json["open_edges"], 3);
+  EXPECT_TRUE(json["volume_m3"].is_null());
+  EXPECT_TRUE(json["centroid_m"].is_null());
+  EXPECT_EQ(json["problems"].size(), 1u);
+
+  fs::path repaired = path;
+  repaired.replace_extension(".repaired.obj");
+  // The hole is 97 mm around, more than the box is long.
+  const MeshFileRepair left_open = RepairMeshFile(path, LengthUnit::kMm, repaired);
+  EXPECT_TRUE(left_open.actions.empty());
+  EXPECT_FALSE(left_open.report.is_closed);
+
+  TriMesh ball = MakeSphere(0.02, 24);
+  ball.triangles.erase(ball.triangles.begin() + 100);
+  const MeshFileRepair closed = RepairMeshFile(Write(ball), LengthUnit::kMm, repaired);
+  EXPECT_EQ(closed.actions, std::vector<std::string>{"1 hole closed"});
+  EXPECT_EQ(FormatProblems(closed.report), "");
+  EXPECT_EQ(FormatProblems(CheckMeshFile(repaired, LengthUnit::kMm)), "");
+}
+
+TEST_F(CheckMeshFileTest, MillimetresReadAsMetresAreTold) {
+  const MeshReport report = CheckMeshFile(Write(box_), LengthUnit::kM);
+  ASSERT_EQ(report.problems.size(), 1u);
+  EXPECT_EQ(report.problems[0].fault, MeshFault::kSize);
+}
+
+TEST_F(CheckMeshFileTest, AMissingFileIsNamed) {
+  try {
+    CheckMeshFile("nowhere/mug.stl", LengthUnit::kM);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kNotFound);
+    EXPECT_EQ(std::string(e.what()), "no file \"nowhere/mug.stl\"");
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#include "objects/generate/generate_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "catalogue_table.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/units.h"
+#include "core/shape/mesh_check.h"
+#include "objects/load_mesh.h"
+#include "objects/object_file.h"
+
+namespace graspbench {
+namespace {
+
+std::filesystem::path FindFolder(const std::string& id) {
+  return FindDataRoot() / "objects" / "catalogue" / id;
+}
+
+TEST(GenerateMeshTest, TheCataloguesMeshesAreTheGeneratorsBytes) {
+  for (const CatalogueRow& row : ListCatalogueRows()) {
+    const ObjectFile file = LoadObjectFile(FindFolder(row.id) / "object.yaml");
+    const std::string generated = FormatObj(GenerateMesh(row.id, file.size), file.mesh_unit);
+    EXPECT_TRUE(generated == ReadFile(FindFolder(row.id) / file.mesh))
+        << row.id << ": run generate_objects objects/catalogue";
+  }
+}
+
+TEST(GenerateMeshTest, EveryMeshIsASolidOfTheTablesSize) {
+  for (const CatalogueRow& row : ListCatalogueRows()) {
+    SCOPED_TRACE(row.id);
+    const MeshReport report = CheckMesh(LoadMesh(FindFolder(row.id) / "mesh.obj", LengthUnit::kMm));
+    EXPECT_EQ(FormatProblems(report), "");
+    EXPECT_TRUE(report.is_closed);
+    EXPECT_GT(report.volume, 0.0);
+    EXPECT_LE(report.num_triangles, 12000);
+    EXPECT_NEAR(MmFromM(report.extent.x()), row.length_mm, 0.1);
+    EXPECT_NEAR(MmFromM(report.extent.y()), row.width_mm, 0.1);
+    EXPECT_NEAR(MmFromM(report.extent.z()), row.height_mm, 0.1);
+  }
+}
+
+// The bottom of every object, within 0.2 mm of the table, reaches around its centre of mass.
+TEST(GenerateMeshTest, EveryObjectRestsStably) {
+  for (const CatalogueRow& row : ListCatalogueRows()) {
+    SCOPED_TRACE(row.id);
+    const TriMesh mesh = LoadMesh(FindFolder(row.id) / "mesh.obj", LengthUnit::kMm);
+    const Eigen::Vector2d centre_of_mass(MFromMm(row.offset_mm), 0.0);
+    for (int i = 0; i < 32; ++i) {
+      const double angle = 2.0 * kPi * i / 32;
+      const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+      double reach = -1.0;
+      for (const Eigen::Vector3d& p : mesh.vertices) {
+        if (p.z() > -0.5 * MFromMm(row.height_mm) + 2e-4) continue;
+        reach = std::max(reach, direction.dot(p.head<2>() - centre_of_mass));
+      }
+      EXPECT_GT(reach, 5e-4) << "towards " << DegFromRad(angle) << " deg";
+    }
+  }
+}
+
+TEST(GenerateMeshTest, AnUnknownIdIsRefusedWithASuggestion) {
+  try {
+    GenerateMesh("toy_cub", {0.03, 0.03, 0.03});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kNotFound);
+    EXPECT_EQ(std::string(e.what()).find("no drawing of \"toy_cub\"; did you mean \"toy_cube\"?"),
+              0u);
+  }
+}
+
+}  // namespace
+}  // namespace graspbench
