@@ -1,0 +1,36 @@
+#pragma once
+/** @file
+Holes in a trajectory: finding hidden ones, closing short ones.
+
+Fingertips drop out exactly when the hand closes on the object, so a filled gap can invent a
+contact. Filling is therefore limited in time, and every filled sample says that it is filled. */
+
+#include "human_study/cleaning/trajectory.h"
+
+namespace graspbench {
+
+enum class GapFilling {
+  kLinear,  ///< straight line between the neighbours
+  kCubic,   ///< cubic Hermite curve with the velocities on both sides: no corner at the edges
+};
+
+struct GapReport {
+  size_t num_filled_gaps = 0;
+  size_t num_filled_samples = 0;
+  size_t num_open_gaps = 0;     ///< longer than the limit, or at an end: left invalid
+  double longest_filled = 0.0;  ///< [s], as longest_open
+  double longest_open = 0.0;
+};
+
+/** Fills gaps of at most `max_duration` [s], counted from the last valid sample before to the first
+after. Gaps at the ends stay. Measured samples are never changed. */
+GapReport FillGaps(Trajectory& trajectory, double max_duration,
+                   GapFilling filling = GapFilling::kCubic);
+
+/** Some trackers repeat the last position while a marker is hidden. Makes invalid every sample
+whose coordinates equal the previous valid sample's exactly, in runs of at least `min_repeats`; a
+marker in noise never repeats, one at rest that was rounded coarsely may.
+@returns the number of samples made invalid. @pre min_repeats >= 1. */
+size_t InvalidateFrozenSamples(Trajectory& trajectory, size_t min_repeats = 1);
+
+}  // namespace graspbench
