@@ -1,17 +1,26 @@
 #pragma once
 /** @file
-The report of a benchmark session: one self-contained HTML file made from stored results alone. */
+The report of a benchmark session: one self-contained HTML file made from stored results alone. It
+needs no script and no network; the pictures are drawn from the trials' snapshots. */
 
 #include <filesystem>
 #include <string>
 
 #include "datasets/session_store.h"
+#include "reports/cell_pictures.h"
+#include "reports/models.h"
 
 namespace graspbench {
 
 /** Writes report/index.html in the session's folder and returns its path. Same records, same bytes.
- */
+A machine that cannot draw, or a model that is gone, costs the pictures and not the report: the page
+says what is missing and why.
+@throws Error(kIo) when the file cannot be written. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session);
+
+/** The page from its parts, for those who bring their own pictures. */
+std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
+                              const SessionModels& models, const CellPictures& pictures);
 
 }  // namespace graspbench

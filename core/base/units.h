@@ -16,5 +16,6 @@ constexpr double MmFromM(double length) { return length * 1e3; }
 constexpr double KgFromG(double mass_g) { return mass_g * 1e-3; }
 constexpr double GFromKg(double mass) { return mass * 1e3; }
 constexpr double MsFromS(double time) { return time * 1e3; }
+constexpr double MjFromJ(double energy) { return energy * 1e3; }
 
 }  // namespace graspbench

@@ -1,0 +1,89 @@
+#include "reports/cell_pictures.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/render/hand_scene.h"
+#include "core/render/scene.h"
+
+namespace graspbench {
+namespace {
+
+// An object that rolled away must not shrink the hand to a dot; what is nearer than this to the
+// hand's base stays in the picture [m].
+constexpr double kReach = 0.35;
+
+bool IsDrawable(const SceneSnapshot& snapshot, const Hand& hand) {
+  return snapshot.q.size() == hand.num_joints() && snapshot.q.allFinite() &&
+         snapshot.X_WH.matrix().allFinite() && snapshot.X_WO.matrix().allFinite();
+}
+
+const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand) {
+  const TrialRecord* chosen = nullptr;
+  for (const TrialRecord* record : cell.records) {
+    const std::vector<SceneSnapshot>& snapshots = record->result.snapshots;
+    const auto is_drawable = [&](const SceneSnapshot& s) { return IsDrawable(s, hand); };
+    if (snapshots.empty() || !std::all_of(snapshots.begin(), snapshots.end(), is_drawable))
+      continue;
+    if (record->result.outcome == Outcome::kSuccess) return record;
+    if (chosen == nullptr) chosen = record;
+  }
+  return chosen;
+}
+
+Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
+                   const std::shared_ptr<const Hand>& hand,
+                   const std::shared_ptr<const GraspObject>& object) {
+  std::vector<Scene> framed;
+  for (const SceneSnapshot& snapshot : snapshots) {
+    Scene scene;
+    AddHand(hand, snapshot.q, snapshot.X_WH, &scene);
+    const double distance = (snapshot.X_WH.translation() - snapshot.X_WO.translation()).norm();
+    if (distance < kReach) AddObject(object, snapshot.X_WO, &scene);
+    framed.push_back(scene);
+  }
+  const Eigen::Vector3d to_eye_W = FindGraspView(*hand, snapshots[0].q, snapshots[0].X_WH);
+  return FrameScenes(framed, to_eye_W, static_cast<double>(kPictureWidth) / kPictureHeight);
+}
+
+Filmstrip RenderFilmstrip(const TrialRecord& record, const std::shared_ptr<const Hand>& hand,
+                          const std::shared_ptr<const GraspObject>& object, Renderer& renderer) {
+  Filmstrip strip;
+  strip.record = &record;
+  const Camera camera = PlaceCamera(record.result.snapshots, hand, object);
+  for (const SceneSnapshot& snapshot : record.result.snapshots) {
+    const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
+    strip.pictures.push_back(
+        {snapshot.name, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
+  }
+  return strip;
+}
+
+}  // namespace
+
+CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models) {
+  CellPictures pictures;
+  std::unique_ptr<Renderer> renderer;
+  for (const CellSummary& cell : summary.cells) {
+    const auto hand = models.FindHand(cell.hand);
+    const auto object = models.FindObject(cell.object);
+    if (cell.records.empty() || !hand || !object) continue;
+    const TrialRecord* record = ChooseTrial(cell, *hand);
+    if (record == nullptr) {
+      pictures.problems.push_back("no trial of " + NameOfCell(cell, models) +
+                                  " has snapshots that fit the hand as it is now");
+      continue;
+    }
+    try {
+      if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
+      pictures.by_cell[cell.anchor] = RenderFilmstrip(*record, hand, object, *renderer);
+    } catch (const Error& e) {
+      pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());
+      return pictures;
+    }
+  }
+  return pictures;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,39 @@
+#pragma once
+/** @file
+Filmstrips: for every cell three pictures of one trial, from one camera, drawn off-screen.
+
+The trial is the cell's first successful one, else its first one with snapshots. Within a cell the
+camera does not move; it stands as near as the three scenes allow. */
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/models.h"
+#include "reports/session_summary.h"
+
+namespace graspbench {
+
+struct Picture {
+  std::string name;   ///< of the snapshot: "pregrasp", "closed", "lifted"
+  double time = 0.0;  ///< since the start of placing [s]
+  std::string webp;
+};
+
+struct Filmstrip {
+  const TrialRecord* record = nullptr;
+  std::vector<Picture> pictures;
+};
+
+struct CellPictures {
+  std::map<std::string, Filmstrip> by_cell;  ///< by the cell's anchor
+  std::vector<std::string> problems;         ///< why pictures are missing
+};
+
+inline constexpr int kPictureWidth = 480;
+inline constexpr int kPictureHeight = 360;
+
+/** Never throws for a machine that cannot draw: the reason becomes a problem. */
+CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models);
+
+}  // namespace graspbench

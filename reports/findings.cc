@@ -1,0 +1,57 @@
+#include "reports/findings.h"
+
+#include "reports/format.h"
+
+namespace graspbench {
+namespace {
+
+void AddMissingTrials(const ReportData& data, std::vector<std::string>& findings) {
+  for (const CellSummary& cell : data.summary.cells) {
+    const int missing = cell.tally.planned - cell.tally.finished;
+    if (missing == 0) continue;
+    findings.push_back(NameOfCell(cell, data.models) + ": " + std::to_string(missing) + " of " +
+                       FormatCount(cell.tally.planned, "planned trial") + " missing.");
+  }
+}
+
+void AddJournalFindings(const ReportData& data, std::vector<std::string>& findings) {
+  for (const Diagnostic& entry : data.session.findings.entries()) {
+    std::string place = entry.file;
+    if (entry.line > 0) place += ", line " + std::to_string(entry.line);
+    const char* severity = entry.severity == Severity::kError ? "Error" : "Warning";
+    findings.push_back(std::string(severity) + " in " + place + ": " + entry.text);
+  }
+}
+
+void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings) {
+  const int failures = data.summary.total.CountOf(Outcome::kNumericalFailure);
+  if (failures > 0) {
+    findings.push_back(FormatCount(failures, "trial") +
+                       " ended as numerical failure; they count as not successful and are listed "
+                       "under numerical health.");
+  }
+  for (const CellSummary& cell : data.summary.cells) {
+    for (const TrialRecord* record : cell.records) {
+      if (!record->result.timing.contact_before_start) continue;
+      findings.push_back(NameOfCell(cell, data.models) + ", trial " +
+                         std::to_string(record->plan.trial) +
+                         ": a digit touched before closure began; its times are kept as they are.");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> ListFindings(const ReportData& data) {
+  std::vector<std::string> findings;
+  AddMissingTrials(data, findings);
+  AddJournalFindings(data, findings);
+  AddTrialFindings(data, findings);
+  for (const std::string& problem : data.models.problems) findings.push_back("Models: " + problem);
+  for (const std::string& problem : data.pictures.problems) {
+    findings.push_back("Pictures: " + problem);
+  }
+  return findings;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,155 @@
+#include "reports/html.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+
+namespace graspbench {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/** One code point at the front of `bytes`, after Unicode's table 3-7. Size 0: not valid UTF-8. */
+struct CodePoint {
+  char32_t value = 0;
+  size_t size = 0;
+};
+CodePoint FindCodePoint(std::string_view bytes) {
+  const auto byte = [&](size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  if (byte(0) < 0x80) return {byte(0), 1};
+  const size_t size = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+  if (byte(0) < 0xC2 || byte(0) > 0xF4 || bytes.size() < size) return {};
+  char32_t value = byte(0) & (0x7F >> size);
+  for (size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return {};
+    value = (value << 6) | (byte(i) & 0x3F);
+  }
+  constexpr std::array<char32_t, 5> kSmallestOfSize = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
+  if (value < kSmallestOfSize[size] || value > 0x10FFFF || is_surrogate) return {};
+  return {value, size};
+}
+
+bool IsControl(char32_t c) {
+  return (c < 0x20 && c != '\t' && c != '\n') || (c >= 0x7F && c < 0xA0) || c == 0xFFFE ||
+         c == 0xFFFF;
+}
+
+bool IsDirectionMark(char32_t c) {
+  return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069);
+}
+
+void AppendEscaped(std::string_view text, std::string& markup) {
+  while (!text.empty()) {
+    const CodePoint c = FindCodePoint(text);
+    if (c.size == 0 || IsControl(c.value) || IsDirectionMark(c.value)) {
+      markup += kReplacement;
+    } else if (c.value == '&') {
+      markup += "&amp;";
+    } else if (c.value == '<') {
+      markup += "&lt;";
+    } else if (c.value == '>') {
+      markup += "&gt;";
+    } else if (c.value == '"') {
+      markup += "&quot;";
+    } else if (c.value == '\'') {
+      markup += "&#39;";
+    } else {
+      markup += text.substr(0, c.size);
+    }
+    text.remove_prefix(c.size == 0 ? 1 : c.size);
+  }
+}
+
+bool IsVoidElement(const char* tag) {
+  for (const char* known : {"br", "col", "hr", "img"}) {
+    if (std::strcmp(tag, known) == 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Html Text(std::string_view text) {
+  Html html;
+  AppendEscaped(text, html.markup_);
+  return html;
+}
+
+Html Element(const char* tag, const Attributes& attributes, const Html& content) {
+  Html html;
+  std::string& markup = html.markup_;
+  markup += '<';
+  markup += tag;
+  for (const Attribute& attribute : attributes) {
+    markup += ' ';
+    markup += attribute.name;
+    markup += "=\"";
+    AppendEscaped(attribute.value, markup);
+    markup += '"';
+  }
+  if (IsVoidElement(tag)) {
+    GRASPBENCH_DEMAND(content.empty(), tag);
+    markup += "/>";
+    return html;
+  }
+  markup += '>';
+  markup += content.markup_;
+  markup += "</";
+  markup += tag;
+  markup += '>';
+  return html;
+}
+
+Html Element(const char* tag, const Attributes& attributes, std::string_view text) {
+  return Element(tag, attributes, Text(text));
+}
+
+Html LinkTo(const std::string& anchor, std::string_view text) {
+  return Element("a", {{"href", "#" + anchor}}, text);
+}
+
+std::string MakeAnchor(const std::vector<std::string>& names) {
+  std::string anchor, full;
+  bool is_exact = true;
+  for (const std::string& name : names) {
+    if (!anchor.empty()) anchor += '-';
+    is_exact = is_exact && !name.empty();
+    for (char c : name) {
+      const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+      is_exact = is_exact && is_plain;
+      if (is_plain) {
+        anchor += c;
+      } else if (!anchor.empty() && anchor.back() != '-') {
+        anchor += '-';
+      }
+    }
+    full += name;
+    full += '\0';
+  }
+  return is_exact ? anchor : anchor + "-" + CalcHashHex(full);
+}
+
+std::string MakeDataUri(std::string_view media_type, std::string_view bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string uri = "data:" + std::string(media_type) + ";base64,";
+  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    const size_t count = std::min<size_t>(3, bytes.size() - i);
+    uint32_t group = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      group = (group << 8) | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (size_t k = 0; k < 4; ++k) {
+      uri += k <= count ? kDigits[(group >> (18 - 6 * k)) & 63] : '=';
+    }
+  }
+  return uri;
+}
+
+}  // namespace graspbench

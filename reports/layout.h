@@ -1,0 +1,63 @@
+#pragma once
+/** @file
+The page's recurring parts: tables, figures with what to look for, notes, and the frame around
+everything. */
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/html.h"
+
+namespace graspbench {
+
+/** Prose may wrap, text and numbers stay on one line. */
+enum class Align { kText, kNumber, kProse };
+
+struct Column {
+  std::string head;  ///< with the unit in brackets: "GCT [s]"
+  Align align = Align::kText;
+  std::string hint = {};  ///< what the number is; shown when pointed at
+};
+
+/** A table whose first column names its row. Wide tables scroll inside their frame. */
+class Table {
+ public:
+  Table(std::string caption, std::vector<Column> columns);
+  /** @pre as many cells as columns */
+  void AddRow(const std::vector<Html>& cells);
+  Html ToHtml() const;
+
+ private:
+  std::string caption_;
+  std::vector<Column> columns_;
+  Html rows_;
+};
+
+/** Content that scrolls sideways where the window is narrow, within reach of the keyboard. */
+Html MakeScroll(std::string_view label, const Html& content);
+
+/** A figure whose caption ends with one line on how to read it. */
+Html MakeFigure(std::string_view caption, std::string_view look_for, const Html& content);
+
+Html MakeParagraph(std::string_view text);
+
+/** A framed note: `kind` is "warning" or "info". */
+Html MakeNote(const char* kind, std::string_view headline, const Html& content);
+
+Html MakeList(const std::vector<std::string>& items);
+
+/** Something to open, with the number of what is in it in `summary`. */
+Html MakeDetails(std::string_view summary, const Html& content);
+
+struct PageLink {
+  std::string anchor;
+  std::string title;
+};
+
+/** The whole page: head with a strict content security policy and the style sheet inside, skip
+link, contents, body. */
+std::string MakePage(std::string_view title, std::string_view subtitle,
+                     const std::vector<PageLink>& contents, const Html& body);
+
+}  // namespace graspbench

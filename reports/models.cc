@@ -1,0 +1,76 @@
+#include "reports/models.h"
+
+#include "core/base/error.h"
+#include "core/grasp/standard_grasp.h"
+#include "datasets/session_inputs.h"
+#include "datasets/session_plan.h"
+
+namespace graspbench {
+namespace {
+
+template <class T>
+std::shared_ptr<const T> FindIn(const std::map<std::string, std::shared_ptr<const T>>& models,
+                                const std::string& id) {
+  const auto found = models.find(id);
+  return found == models.end() ? nullptr : found->second;
+}
+
+}  // namespace
+
+std::shared_ptr<const Hand> SessionModels::FindHand(const std::string& id) const {
+  return FindIn(hands, id);
+}
+
+std::shared_ptr<const GraspObject> SessionModels::FindObject(const std::string& id) const {
+  return FindIn(objects, id);
+}
+
+std::string SessionModels::NameOfHand(const std::string& id) const {
+  const auto hand = FindHand(id);
+  return hand ? hand->name : id;
+}
+
+std::string SessionModels::NameOfObject(const std::string& id) const {
+  const auto object = FindObject(id);
+  return object ? object->name : id;
+}
+
+std::string SessionModels::NameOfDigit(const std::string& hand_id, const std::string& digit) const {
+  if (const auto hand = FindHand(hand_id)) {
+    for (const Digit& known : hand->digits) {
+      if (known.id == digit) return known.name;
+    }
+  }
+  return digit;
+}
+
+SessionModels LoadSessionModels(const Session& session) {
+  SessionModels models;
+  try {
+    const SessionInputs inputs = LoadSessionInputs(session.config);
+    for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
+    for (const auto& object : inputs.objects) models.objects[object->id] = object;
+    if (!(MakePlan(session.config, inputs) == session.plan)) {
+      models.problems.push_back(
+          "a hand, an object, a grasp or the physics has changed since the session was planned; "
+          "names, pictures and the tables of hands and objects show them as they are now");
+    }
+  } catch (const Error& e) {
+    models.problems.push_back(e.what());
+  }
+  return models;
+}
+
+std::string NameOfGrasp(const std::string& id) {
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == id) return taxon.name + " (" + id + ")";
+  }
+  return id;
+}
+
+std::string NameOfCell(const CellSummary& cell, const SessionModels& models) {
+  return models.NameOfHand(cell.hand) + ", " + models.NameOfObject(cell.object) + ", " +
+         NameOfGrasp(cell.grasp);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,81 @@
+#include "core/base/units.h"
+#include "reports/format.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+namespace {
+
+Html DrawRate(const Tally& tally) {
+  if (tally.finished == 0) return Text("n/a");
+  const double rate = static_cast<double>(tally.successes()) / tally.finished;
+  const Html bar =
+      Element("span", {{"class", "meter"}, {"style", "--rate:" + FormatFixed(rate, 3)}}, "");
+  return Text(FormatFixed(100.0 * rate, 1)) + bar;
+}
+
+Html ListFailures(const Tally& tally) {
+  Html list;
+  for (Outcome outcome : ListOutcomes()) {
+    const int count = tally.CountOf(outcome);
+    if (outcome == Outcome::kSuccess || count == 0) continue;
+    if (!list.empty()) list += Text(", ");
+    list += Text(std::to_string(count) + " ") +
+            Element("abbr", {{"title", NameOf(outcome)}}, CodeOf(outcome));
+  }
+  return list.empty() ? Text("none") : list;
+}
+
+/** "g1 all finger precision, .. ; NC no contact, .." for what stands in the table. */
+std::string ExplainCodes() {
+  std::string text = "Grasps:";
+  for (const GraspTaxon& taxon : ListGraspTaxa()) text += " " + taxon.id + " " + taxon.name + ",";
+  text.back() = '.';
+  text += " Outcomes:";
+  for (Outcome outcome : ListOutcomes()) {
+    if (outcome == Outcome::kSuccess) continue;
+    text += std::string(" ") + CodeOf(outcome) + " " + NameOf(outcome) + ",";
+  }
+  text.back() = '.';
+  return text;
+}
+
+Html Draw(const ReportData& data) {
+  const Align number = Align::kNumber;
+  Table table(
+      "Every cell: successes with 95 % Wilson interval, other outcomes, median contact times.",
+      {{"Object", Align::kText, "leads to the cell's section"},
+       {"Hand"},
+       {"Grasp"},
+       {"n", number, "finished trials"},
+       {"Successes", number},
+       {"Rate [%]", number, "successes of n"},
+       {"95 % interval", number, "Wilson interval of the rate"},
+       {"Other outcomes"},
+       {"GCT [s]", number, "median grasp closure time"},
+       {"GFT [s]", number, "median grasp forming time"},
+       {"GOT [s]", number, "median grasp opposing time"},
+       {"GFT% [%]", number, "median of GFT / GCT"},
+       {"GOT% [%]", number, "median of GOT / GCT"},
+       {"Penetration [mm]", number, "deepest finger contact of any trial"}});
+  for (const CellSummary& cell : data.summary.cells) {
+    const Tally& tally = cell.tally;
+    table.AddRow({LinkTo(cell.anchor, data.models.NameOfObject(cell.object)),
+                  Text(data.models.NameOfHand(cell.hand)),
+                  Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
+                  Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),
+                  DrawRate(tally), Text(FormatRateInterval(tally.successes(), tally.finished)),
+                  ListFailures(tally), Text(FormatFixed(cell.gct.median, 3)),
+                  Text(FormatFixed(cell.gft.median, 3)), Text(FormatFixed(cell.got.median, 3)),
+                  Text(FormatFixed(100.0 * cell.gft_ratio.median, 1)),
+                  Text(FormatFixed(100.0 * cell.got_ratio.median, 1)),
+                  Text(FormatFixed(MmFromM(tally.worst_penetration), 2))});
+  }
+  return table.ToHtml() + Element("p", {{"class", "small"}}, ExplainCodes());
+}
+
+}  // namespace
+
+Section cell_table_section() { return {"table", "All cells", Draw}; }
+
+}  // namespace graspbench

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "reports/format.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+#include "reports/svg_plot.h"
+
+namespace graspbench {
+namespace {
+
+std::string NameOfSnapshot(const std::string& name) {
+  if (name == "pregrasp") return "Pre-grasp";
+  if (name == "closed") return "Closed";
+  if (name == "lifted") return "Lifted";
+  return name;
+}
+
+std::string DescribeObject(const CellSummary& cell, const SessionModels& models) {
+  const auto object = models.FindObject(cell.object);
+  if (!object) return {};
+  std::string size;
+  for (double side : object->size)
+    size += (size.empty() ? "" : " × ") + FormatFixed(MmFromM(side), 1);
+  return FormatFixed(GFromKg(object->mass_properties.mass), 1) + " g, " + size +
+         " mm (length × width × height), friction " + FormatFixed(object->friction_static, 2) +
+         " static and " + FormatFixed(object->friction_dynamic, 2) + " dynamic.";
+}
+
+Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
+  const auto found = data.pictures.by_cell.find(cell.anchor);
+  if (found == data.pictures.by_cell.end()) {
+    return Element("p", {{"class", "missing"}},
+                   Text("No pictures of this cell") +
+                       (data.pictures.problems.empty() && data.models.problems.empty()
+                            ? Text(".")
+                            : Text("; the reason is among the ") +
+                                  LinkTo("findings", "errors and warnings") + Text(".")));
+  }
+  const Filmstrip& strip = found->second;
+  Html frames;
+  for (const Picture& picture : strip.pictures) {
+    const std::string name = NameOfSnapshot(picture.name);
+    frames +=
+        Element("figure", {},
+                Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
+                                {"width", std::to_string(kPictureWidth)},
+                                {"height", std::to_string(kPictureHeight)},
+                                {"alt", NameOfCell(cell, data.models) + ": " + name}}) +
+                    Element("figcaption", {}, name + ", " + FormatFixed(picture.time, 2) + " s"));
+  }
+  const std::string trial = "Trial " + std::to_string(strip.record->plan.trial) + ", " +
+                            NameOf(strip.record->result.outcome) +
+                            "; times since the start of placing.";
+  return Element("div", {{"class", "film"}}, frames) + Element("p", {{"class", "small"}}, trial);
+}
+
+/** Ids of the digits of any trial, thumb first, then in the order of the records. */
+std::vector<std::string> ListDigits(const CellSummary& cell) {
+  std::vector<std::string> digits;
+  for (bool is_thumb : {true, false}) {
+    for (const TrialRecord* record : cell.records) {
+      for (const DigitContact& contact : record->result.contacts) {
+        const bool is_known =
+            std::find(digits.begin(), digits.end(), contact.digit) != digits.end();
+        if (contact.is_thumb == is_thumb && !is_known) digits.push_back(contact.digit);
+      }
+    }
+  }
+  return digits;
+}
+
+double FindContactTime(const TrialResult& result, const std::string& digit) {
+  for (const DigitContact& contact : result.contacts) {
+    if (contact.digit == digit) return contact.time;
+  }
+  return std::nan("");
+}
+
+Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& digits,
+                      const ReportData& data) {
+  DotStrips plot;
+  plot.text.title = "First contact of each digit, " + NameOfCell(cell, data.models);
+  plot.text.description =
+      "One strip per digit, one mark per trial, in seconds since the start of closure; all values "
+      "stand in the table of trials.";
+  plot.axis = "first contact since start of closure [s]";
+  plot.missing = "never";
+  for (const std::string& digit : digits) {
+    DotStrips::Row row;
+    row.label = data.models.NameOfDigit(cell.hand, digit);
+    for (const TrialRecord* record : cell.records) {
+      const double time = FindContactTime(record->result, digit);
+      row.dots.push_back({time, record->result.outcome == Outcome::kSuccess,
+                          "trial " + std::to_string(record->plan.trial) + ": " +
+                              FormatFixed(time, 3) + " s, " + NameOf(record->result.outcome)});
+    }
+    plot.rows.push_back(row);
+  }
+  return MakeScroll(plot.text.title, DrawDotStrips(plot));
+}
+
+Html DrawTiming(const CellSummary& cell) {
+  const Align number = Align::kNumber;
+  Table table("Contact simultaneity.", {{"Measure"},
+                                        {"Median", number},
+                                        {"Range", number},
+                                        {"n", number, "trials in which it is defined"}});
+  const auto add = [&](const char* name, const Spread& spread, double unit, int decimals) {
+    const auto format = [&](double value) { return FormatFixed(unit * value, decimals); };
+    table.AddRow(
+        {Text(name), Text(format(spread.median)),
+         Text(spread.n == 0 ? "n/a" : format(spread.lowest) + " to " + format(spread.highest)),
+         Text(std::to_string(spread.n))});
+  };
+  add("GCT [s]", cell.gct, 1.0, 3);
+  add("GFT [s]", cell.gft, 1.0, 3);
+  add("GOT [s]", cell.got, 1.0, 3);
+  add("GFT% [%]", cell.gft_ratio, 100.0, 1);
+  add("GOT% [%]", cell.got_ratio, 100.0, 1);
+  return table.ToHtml();
+}
+
+Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
+                const ReportData& data) {
+  const Align number = Align::kNumber;
+  std::vector<Column> columns = {{"Trial"}, {"Outcome"}};
+  for (const std::string& digit : digits) {
+    columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]", number,
+                       "first contact since the start of closure"});
+  }
+  for (const char* head : {"GCT [s]", "GFT [s]", "GOT [s]", "GFT% [%]", "GOT% [%]"}) {
+    columns.push_back({head, number, {}});
+  }
+  columns.push_back({"Grip [N]", number, "sum of normal forces before lift-off"});
+  columns.push_back({"Lift [mm]", number, "of the object's centre at the end"});
+  columns.push_back({"Slip [mm]", number, "motion relative to the palm while held"});
+  columns.push_back({"End speed [mm/s]", number, "relative to the palm"});
+  columns.push_back({"Penetration [mm]", number, "deepest finger contact"});
+  columns.push_back({"Energy residual [mJ]", number, "unexplained energy"});
+  columns.push_back({"Steps", number, {}});
+  columns.push_back({"Not converged", number, "steps whose solve missed its tolerance"});
+  columns.push_back({"Trial id"});
+  columns.push_back({"Reason", Align::kProse});
+  Table table("Trials of " + NameOfCell(cell, data.models) + ".", columns);
+  for (const TrialRecord* record : cell.records) {
+    const TrialResult& result = record->result;
+    std::vector<Html> row = {Text(std::to_string(record->plan.trial)),
+                             Text(NameOf(result.outcome))};
+    for (const std::string& digit : digits) {
+      row.push_back(Text(FormatFixed(FindContactTime(result, digit), 3)));
+    }
+    const ContactTiming& timing = result.timing;
+    for (double time : {timing.gct, timing.gft, timing.got}) {
+      row.push_back(Text(FormatFixed(time, 3)));
+    }
+    for (double ratio : {timing.gft_ratio, timing.got_ratio}) {
+      row.push_back(Text(FormatFixed(100.0 * ratio, 1)));
+    }
+    row.push_back(Text(FormatFixed(result.grip_force, 2)));
+    row.push_back(Text(FormatFixed(MmFromM(result.lift_height), 1)));
+    row.push_back(Text(FormatFixed(MmFromM(result.hold_slip), 1)));
+    row.push_back(Text(FormatFixed(MmFromM(result.end_speed), 1)));
+    row.push_back(Text(FormatFixed(MmFromM(result.worst_penetration), 2)));
+    row.push_back(Text(FormatSignificant(MjFromJ(result.energy_residual), 3)));
+    row.push_back(Text(std::to_string(result.num_steps)));
+    row.push_back(Text(std::to_string(result.num_unconverged)));
+    row.push_back(Element("code", {}, record->plan.id));
+    row.push_back(Text(result.reason));
+    table.AddRow(row);
+  }
+  return MakeDetails("All values of " + FormatCount(cell.tally.finished, "trial"), table.ToHtml());
+}
+
+Html DrawCell(const CellSummary& cell, const ReportData& data) {
+  const Tally& tally = cell.tally;
+  Html content = Element(
+      "h4", {},
+      Text(data.models.NameOfObject(cell.object) + ", " + NameOfGrasp(cell.grasp) + " ") +
+          Element("span", {{"class", "count"}},
+                  std::to_string(tally.successes()) + " of " + std::to_string(tally.finished)));
+  std::string facts = DescribeObject(cell, data.models);
+  if (tally.finished > 0) {
+    facts += " Success in " + FormatRate(tally.successes(), tally.finished) + ".";
+  }
+  if (tally.finished < tally.planned) {
+    facts += " " + std::to_string(tally.planned - tally.finished) + " of " +
+             FormatCount(tally.planned, "planned trial") + " missing.";
+  }
+  content += Element("p", {{"class", "small"}}, facts);
+  if (tally.finished > 0) {
+    const std::vector<std::string> digits = ListDigits(cell);
+    content += DrawFilmstrip(cell, data);
+    content += Element("div", {{"class", "pair"}},
+                       DrawContactTimes(cell, digits, data) + DrawTiming(cell));
+    content += DrawTrials(cell, digits, data);
+  }
+  return Element("section", {{"id", cell.anchor}, {"class", "cell"}}, content);
+}
+
+Html Draw(const ReportData& data) {
+  if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
+  Html html = MakeParagraph(
+      "Each cell shows one trial in pictures, the first successful one where there is any, seen by "
+      "a camera that does not move between the three pictures. Below them stand the times at which "
+      "each grasping digit first touched the object, one mark per trial: a disc for a success, a "
+      "cross for any other outcome, a line at the median. Trials keep their order from top to "
+      "bottom of each strip.");
+  html += Element("p", {{"class", "look"}},
+                  Element("b", {}, "What to look for: ") +
+                      Text("digits that arrive late or never, crosses apart from the discs, "
+                           "fingers that hold the object otherwise than the grasp intends."));
+  for (const std::string& hand : data.summary.hands) {
+    html += Element("h3", {}, data.models.NameOfHand(hand));
+    for (const CellSummary& cell : data.summary.cells) {
+      if (cell.hand == hand) html += DrawCell(cell, data);
+    }
+  }
+  return html;
+}
+
+}  // namespace
+
+Section cells_section() { return {"cells", "Cell by cell", Draw}; }
+
+}  // namespace graspbench

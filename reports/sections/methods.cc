@@ -1,0 +1,152 @@
+#include "core/base/units.h"
+#include "core/base/version.h"
+#include "reports/format.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+namespace {
+
+std::string DescribeMethod(const ReportData& data) {
+  const SessionConfig& config = data.session.config;
+  const int num_hands = static_cast<int>(data.summary.hands.size());
+  const int num_objects = static_cast<int>(data.summary.objects.size());
+  return FormatCount(num_hands, "robot hand") + " grasped " + FormatCount(num_objects, "object") +
+         " in a physical simulation, with " + FormatCount(config.trials, "trial") +
+         " for every hand, object and grasp. Before each trial the object was moved by up to " +
+         FormatFixed(MmFromM(config.variation.offset), 1) +
+         " mm along each horizontal axis and turned by up to " +
+         FormatFixed(DegFromRad(config.variation.yaw), 1) +
+         " degrees about the vertical, both uniform, and every drive of the hand was given a "
+         "uniform error of its joint accuracy; the draws of object poses are the same for every "
+         "hand and grasp (seed " +
+         std::to_string(config.seed) +
+         "). Each trial ran the strategy pre-grasp, placing, closure, stabilisation and lift-off, "
+         "closing from the pre-grasp to the target posture in " +
+         FormatFixed(config.strategy.closure_time, 2) + " s, and then a hold of " +
+         FormatFixed(config.strategy.hold_time, 2) +
+         " s. A trial is a success when the object left the table with the hand and stayed in it "
+         "to the end of the hold. The simulation advanced in steps of " +
+         FormatFixed(MsFromS(config.sim.step), 2) +
+         " ms. Rates are given with 95 % Wilson score intervals, times as median and range over "
+         "the trials in which they are defined.";
+}
+
+Html DrawMeasures() {
+  Table table(
+      "Measures of contact simultaneity; t is the first contact of a grasping digit, T the "
+      "thumb, t0 the start of closure.",
+      {{"Measure"}, {"Definition"}});
+  table.AddRow({Text("GCT, grasp closure time"), Text("max t - t0")});
+  table.AddRow({Text("GFT, grasp forming time"), Text("max t - min t")});
+  table.AddRow({Text("GOT, grasp opposing time"), Text("|t of T - min t of the others|")});
+  table.AddRow({Text("GFT%, GOT%"), Text("GFT / GCT and GOT / GCT")});
+  return table.ToHtml();
+}
+
+Html DrawOrigins() {
+  Table table("What stands in Röthling's thesis (Bielefeld, 2007) and what is graspbench's own.",
+              {{"Item", Align::kProse}, {"Origin"}});
+  const auto add = [&](const char* item, const char* origin) {
+    table.AddRow({Text(item), Text(origin)});
+  };
+  add("Five-phase strategy; four grasp types, five standard grasps", "known from the thesis");
+  add("Mass, size, centre of mass and friction of the 21 objects; ten trials per cell",
+      "known from the thesis, table 4.1");
+  add("Joint accuracy of 2 degrees of the TUM Hand", "known from the thesis");
+  add("Names of GCT, GFT, GOT, GFT%, GOT%; the order GCT, GFT, GOT from large to small",
+      "known from the thesis");
+  add("Formulas of GFT, GOT and the ratios", "inferred from the known facts");
+  add("Hand postures, geometry of the TUM Hand, shapes of the objects", "proposed by graspbench");
+  add("Rule of success, names of the other outcomes", "proposed by graspbench");
+  add("Variation of the object's pose; times of the phases; contact parameters",
+      "proposed by graspbench");
+  return table.ToHtml();
+}
+
+Html DrawHands(const ReportData& data) {
+  const Align number = Align::kNumber;
+  Table table("Hands as they were when this page was made.",
+              {{"Hand"},
+               {"Id"},
+               {"Digits", number},
+               {"Joints", number},
+               {"Joint accuracy [deg]", number, "half-width of the uniform error"},
+               {"Content hash"}});
+  for (const std::string& id : data.summary.hands) {
+    const auto hand = data.models.FindHand(id);
+    if (!hand) continue;
+    table.AddRow({Text(hand->name), Text(id), Text(std::to_string(hand->digits.size())),
+                  Text(std::to_string(hand->num_joints())),
+                  Text(FormatFixed(DegFromRad(hand->joint_accuracy), 2)),
+                  Element("code", {}, hand->content_hash)});
+  }
+  return table.ToHtml();
+}
+
+Html DrawObjects(const ReportData& data) {
+  const Align number = Align::kNumber;
+  Table table("Objects as they were when this page was made; sizes of grasp.",
+              {{"Object"},
+               {"Id"},
+               {"Mass [g]", number},
+               {"Length [mm]", number},
+               {"Width [mm]", number},
+               {"Height [mm]", number},
+               {"Centre of mass [mm]", number, "from the geometric centre, along the length"},
+               {"Static friction", number},
+               {"Dynamic friction", number},
+               {"Content hash"}});
+  for (const std::string& id : data.summary.objects) {
+    const auto object = data.models.FindObject(id);
+    if (!object) continue;
+    std::vector<Html> row = {Text(object->name), Text(id),
+                             Text(FormatFixed(GFromKg(object->mass_properties.mass), 1))};
+    for (double side : object->size) row.push_back(Text(FormatFixed(MmFromM(side), 1)));
+    row.push_back(Text(FormatFixed(MmFromM(object->mass_properties.p_OOcm.x()), 1)));
+    row.push_back(Text(FormatFixed(object->friction_static, 2)));
+    row.push_back(Text(FormatFixed(object->friction_dynamic, 2)));
+    row.push_back(Element("code", {}, object->content_hash));
+    table.AddRow(row);
+  }
+  return table.ToHtml();
+}
+
+/** Every value of the frozen configuration under its key, "sim.step_s". */
+void AddRows(const Json& json, const std::string& prefix, Table& table) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      AddRows(value, prefix + key + ".", table);
+    } else {
+      // A name of the user's may hold anything; replacing what is no UTF-8 keeps dump() from
+      // throwing.
+      const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+      table.AddRow({Element("code", {}, prefix + key), Element("code", {}, text)});
+    }
+  }
+}
+
+Html DrawConfiguration(const ReportData& data) {
+  Table table("The session's complete configuration.", {{"Key"}, {"Value", Align::kProse}});
+  AddRows(ToJson(data.session.config), "", table);
+  return table.ToHtml();
+}
+
+Html DrawVersions() {
+  Table table("Versions.", {{"What"}, {"Version"}});
+  table.AddRow({Text("graspbench, which made this page"), Text(program_version())});
+  table.AddRow({Text("Physics of this graspbench"), Text(std::to_string(kPhysicsVersion))});
+  return table.ToHtml();
+}
+
+Html Draw(const ReportData& data) {
+  Html html = MakeParagraph(DescribeMethod(data)) + DrawMeasures() + DrawOrigins();
+  html += DrawHands(data) + DrawObjects(data);
+  return html + DrawConfiguration(data) + DrawVersions();
+}
+
+}  // namespace
+
+Section methods_section() { return {"methods", "Method, configuration and versions", Draw}; }
+
+}  // namespace graspbench

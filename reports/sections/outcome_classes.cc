@@ -1,0 +1,43 @@
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+#include "reports/svg_plot.h"
+
+namespace graspbench {
+namespace {
+
+StackedBars::Row MakeRow(const std::string& label, const std::string& anchor, const Tally& tally) {
+  return {label, anchor, {tally.outcomes.begin(), tally.outcomes.end()}};
+}
+
+Html DrawHand(const std::string& hand, const ReportData& data) {
+  const std::string name = data.models.NameOfHand(hand);
+  StackedBars plot;
+  plot.text.title = "Outcomes with the " + name;
+  plot.text.description =
+      "One bar per cell, divided by outcome; the same counts stand in the table "
+      "of all cells.";
+  for (Outcome outcome : ListOutcomes()) plot.classes.push_back({NameOf(outcome), CodeOf(outcome)});
+  plot.rows.push_back(MakeRow("all objects", {}, data.summary.TallyOf(hand)));
+  for (const CellSummary& cell : data.summary.cells) {
+    if (cell.hand != hand) continue;
+    plot.rows.push_back(
+        MakeRow(data.models.NameOfObject(cell.object) + " " + cell.grasp, cell.anchor, cell.tally));
+  }
+  return MakeFigure("Outcomes of all finished trials with the " + name + ".",
+                    "one class of failure over many objects (the strategy's fault) against "
+                    "one object failing in many ways (the object's).",
+                    MakeScroll(plot.text.title, DrawStackedBars(plot)));
+}
+
+Html Draw(const ReportData& data) {
+  if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
+  Html html;
+  for (const std::string& hand : data.summary.hands) html += DrawHand(hand, data);
+  return html;
+}
+
+}  // namespace
+
+Section outcome_classes_section() { return {"outcomes", "How trials ended", Draw}; }
+
+}  // namespace graspbench

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <limits>
+
+#include "core/base/proportion.h"
+#include "reports/findings.h"
+#include "reports/format.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+#include "reports/svg_plot.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMaxNamedCells = 6;
+
+std::string DescribeRates(const ReportData& data) {
+  std::string sentence;
+  const std::vector<std::string>& hands = data.summary.hands;
+  for (size_t i = 0; i < hands.size(); ++i) {
+    const Tally tally = data.summary.TallyOf(hands[i]);
+    sentence += i == 0 ? "The " : i + 1 == hands.size() ? " and the " : ", the ";
+    sentence += data.models.NameOfHand(hands[i]) + " succeeded in ";
+    sentence += FormatRate(tally.successes(), tally.finished);
+  }
+  return sentence + ". ";
+}
+
+Html DescribeFailures(const ReportData& data) {
+  const Tally& total = data.summary.total;
+  const int others = total.finished - total.successes();
+  if (others == 0) return Text("Every finished trial was a success.");
+  Outcome worst = Outcome::kNoContact;
+  for (Outcome outcome : ListOutcomes()) {
+    if (outcome != Outcome::kSuccess && total.CountOf(outcome) > total.CountOf(worst)) {
+      worst = outcome;
+    }
+  }
+  Html text = Text("The most frequent other outcome is " + std::string(NameOf(worst)) + " (" +
+                   std::to_string(total.CountOf(worst)) + " of " + std::to_string(others) + ")");
+  std::vector<const CellSummary*> without;
+  for (const CellSummary& cell : data.summary.cells) {
+    if (cell.tally.finished > 0 && cell.tally.successes() == 0) without.push_back(&cell);
+  }
+  if (without.empty()) return text + Text(", and no cell is without a success.");
+  text += Text(", and " + std::to_string(without.size()) + " of " +
+               FormatCount(static_cast<int>(data.summary.cells.size()), "cell") +
+               (without.size() == 1 ? " has" : " have") + " no success: ");
+  for (size_t i = 0; i < std::min(without.size(), kMaxNamedCells); ++i) {
+    if (i > 0) text += Text("; ");
+    text += LinkTo(without[i]->anchor, NameOfCell(*without[i], data.models));
+  }
+  if (without.size() > kMaxNamedCells) {
+    text += Text("; and " + std::to_string(without.size() - kMaxNamedCells) + " more");
+  }
+  return text + Text(".");
+}
+
+RateBars::Bar MakeBar(const std::string& label, const Tally& tally) {
+  RateBars::Bar bar;
+  bar.label = label;
+  bar.text = std::to_string(tally.successes()) + " of " + std::to_string(tally.finished);
+  bar.rate = std::numeric_limits<double>::quiet_NaN();
+  if (tally.finished == 0) return bar;
+  const Interval interval = CalcWilsonInterval(tally.successes(), tally.finished);
+  bar.rate = static_cast<double>(tally.successes()) / tally.finished;
+  bar.low = interval.low;
+  bar.high = interval.high;
+  bar.text += ", " + FormatRateInterval(tally.successes(), tally.finished);
+  return bar;
+}
+
+Html DrawRates(const ReportData& data) {
+  RateBars plot;
+  plot.text.title = "Success rate by hand and grasp";
+  for (const std::string& hand : data.summary.hands) {
+    const std::string name = data.models.NameOfHand(hand);
+    plot.bars.push_back(MakeBar(name + ", all grasps", data.summary.TallyOf(hand)));
+    plot.bars.back().is_total = true;
+    for (const std::string& grasp : data.summary.grasps) {
+      const Tally tally = data.summary.TallyOf(hand, grasp);
+      if (tally.planned > 0) plot.bars.push_back(MakeBar(NameOfGrasp(grasp), tally));
+    }
+  }
+  for (const RateBars::Bar& bar : plot.bars) {
+    plot.text.description += bar.label + ": " + bar.text + ". ";
+  }
+  return MakeFigure("Success rate by hand and by standard grasp, with 95 % Wilson intervals.",
+                    "intervals that do not overlap. Grasps are used on different objects, so a "
+                    "low bar may be the objects' doing. Trials on one object resemble each other, "
+                    "so the true uncertainty of a pooled rate is larger than its interval.",
+                    MakeScroll(plot.text.title, DrawRateBars(plot)));
+}
+
+Html DrawWarnings(const ReportData& data) {
+  const Tally& total = data.summary.total;
+  Html notes;
+  if (total.planned == 0) {
+    notes += MakeNote("warning", "This session has no trials.",
+                      MakeParagraph("Its plan is empty: no hand can do any of the chosen grasps."));
+  } else if (total.finished < total.planned) {
+    notes += MakeNote(
+        "warning", "This session is not complete.",
+        MakeParagraph(std::to_string(total.finished) + " of " +
+                      FormatCount(total.planned, "planned trial") +
+                      " are finished. Every rate below counts finished trials only; the command "
+                      "\"graspbench run --resume\" on the session's folder runs the rest."));
+  }
+  const size_t num_findings = ListFindings(data).size();
+  if (num_findings > 0) {
+    notes += Element("p", {},
+                     LinkTo("findings", FormatCount(static_cast<int>(num_findings), "finding")) +
+                         Text(" to know before trusting the numbers."));
+  }
+  return notes;
+}
+
+Html Draw(const ReportData& data) {
+  Html html = DrawWarnings(data);
+  if (data.summary.total.finished == 0) return html + MakeParagraph("No trial has finished yet.");
+  html += Element("p", {{"class", "verdict"}}, Text(DescribeRates(data)) + DescribeFailures(data));
+  return html + DrawRates(data);
+}
+
+}  // namespace
+
+Section result_section() { return {"result", "Result", Draw}; }
+
+}  // namespace graspbench

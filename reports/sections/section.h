@@ -1,0 +1,35 @@
+#pragma once
+/** @file
+A section of the report. A new one is one file here that defines `Section <name>_section()` and one
+line in section_list.inc, which fixes the order of the page. */
+
+#include <vector>
+
+#include "reports/cell_pictures.h"
+#include "reports/html.h"
+#include "reports/models.h"
+#include "reports/session_summary.h"
+
+namespace graspbench {
+
+struct ReportData {
+  const Session& session;
+  const SessionSummary& summary;
+  const SessionModels& models;
+  const CellPictures& pictures;
+};
+
+struct Section {
+  const char* anchor;  ///< lower-case letters only, so that it never meets a cell's anchor
+  const char* title;
+  Html (*draw)(const ReportData& data);  ///< must bear a session without a plan or without records
+};
+
+/** In the order of the page. */
+std::vector<Section> ListSections();
+
+#define GRASPBENCH_SECTION(name) Section name##_section();
+#include "reports/sections/section_list.inc"
+#undef GRASPBENCH_SECTION
+
+}  // namespace graspbench

@@ -1,0 +1,46 @@
+#include "reports/session_report.h"
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "reports/format.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+
+std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
+                              const SessionModels& models, const CellPictures& pictures) {
+  const ReportData data = {session, summary, models, pictures};
+  std::vector<PageLink> contents;
+  Html body;
+  for (const Section& section : ListSections()) {
+    contents.push_back({section.anchor, section.title});
+    body += Element("section", {{"id", section.anchor}},
+                    Element("h2", {}, section.title) + section.draw(data));
+  }
+  const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
+                               FormatCount(static_cast<int>(summary.objects.size()), "object") +
+                               ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
+                               ", " + std::to_string(summary.total.finished) + " of " +
+                               FormatCount(summary.total.planned, "planned trial") +
+                               " finished, seed " + std::to_string(session.config.seed);
+  return MakePage("Grasp benchmark session", subtitle, contents, body);
+}
+
+std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
+                                         const Session& session) {
+  const SessionSummary summary = SummariseSession(session);
+  const SessionModels models = LoadSessionModels(session);
+  const CellPictures pictures = RenderCellPictures(summary, models);
+  const std::filesystem::path path = folder / "report" / "index.html";
+  std::error_code failure;
+  std::filesystem::create_directories(path.parent_path(), failure);
+  if (failure) {
+    throw Error(ErrorKind::kIo, "cannot make the folder \"" + path.parent_path().string() +
+                                    "\" for the report: " + failure.message());
+  }
+  WriteFileAtomically(path, MakeSessionReport(session, summary, models, pictures));
+  return path;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,162 @@
+#include "reports/session_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "reports/html.h"
+
+namespace graspbench {
+namespace {
+
+size_t IndexOf(Outcome outcome) {
+  const std::vector<Outcome>& all = ListOutcomes();
+  const auto found = std::find(all.begin(), all.end(), outcome);
+  GRASPBENCH_DEMAND(found != all.end() && all.size() == kNumOutcomes, NameOf(outcome));
+  return static_cast<size_t>(found - all.begin());
+}
+
+// NaN stands for "nothing yet", so the first value always wins.
+void RaiseTo(double value, double& worst) {
+  if (std::isfinite(value) && !(worst >= value)) worst = value;
+}
+
+void Add(const Tally& part, Tally& sum) {
+  sum.planned += part.planned;
+  sum.finished += part.finished;
+  for (size_t i = 0; i < kNumOutcomes; ++i) sum.outcomes[i] += part.outcomes[i];
+  RaiseTo(part.worst_penetration, sum.worst_penetration);
+  RaiseTo(part.worst_energy_residual, sum.worst_energy_residual);
+  sum.num_steps += part.num_steps;
+  sum.num_unconverged += part.num_unconverged;
+}
+
+Tally EmptyTally() {
+  Tally tally;
+  tally.worst_penetration = tally.worst_energy_residual = std::numeric_limits<double>::quiet_NaN();
+  return tally;
+}
+
+void AddUnknown(const std::string& name, std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+void FinishCell(CellSummary& cell) {
+  std::vector<double> gct, gft, got, gft_ratio, got_ratio;
+  for (const TrialRecord* record : cell.records) {
+    const TrialResult& result = record->result;
+    ++cell.tally.finished;
+    ++cell.tally.outcomes[IndexOf(result.outcome)];
+    cell.tally.num_steps += result.num_steps;
+    cell.tally.num_unconverged += result.num_unconverged;
+    if (result.outcome == Outcome::kNumericalFailure) continue;
+    RaiseTo(result.worst_penetration, cell.tally.worst_penetration);
+    RaiseTo(std::abs(result.energy_residual), cell.tally.worst_energy_residual);
+    gct.push_back(result.timing.gct);
+    gft.push_back(result.timing.gft);
+    got.push_back(result.timing.got);
+    gft_ratio.push_back(result.timing.gft_ratio);
+    got_ratio.push_back(result.timing.got_ratio);
+  }
+  cell.gct = CalcSpread(gct);
+  cell.gft = CalcSpread(gft);
+  cell.got = CalcSpread(got);
+  cell.gft_ratio = CalcSpread(gft_ratio);
+  cell.got_ratio = CalcSpread(got_ratio);
+}
+
+}  // namespace
+
+const char* CodeOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kNotRun:
+      return "";
+    case Outcome::kSuccess:
+      return "OK";
+    case Outcome::kNoContact:
+      return "NC";
+    case Outcome::kPushedAway:
+      return "PA";
+    case Outcome::kKnockedOver:
+      return "KO";
+    case Outcome::kLostWhileClosing:
+      return "LC";
+    case Outcome::kSlippedInLiftOff:
+      return "SL";
+    case Outcome::kDroppedWhileHolding:
+      return "DH";
+    case Outcome::kNumericalFailure:
+      return "NF";
+  }
+  return "";
+}
+
+Spread CalcSpread(std::vector<double> values) {
+  values.erase(
+      std::remove_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }),
+      values.end());
+  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {0, kMissing, kMissing, kMissing};
+  std::sort(values.begin(), values.end());
+  const size_t n = values.size();
+  const double median = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+  return {static_cast<int>(n), median, values.front(), values.back()};
+}
+
+int Tally::CountOf(Outcome outcome) const { return outcomes[IndexOf(outcome)]; }
+
+const CellSummary* SessionSummary::FindCell(const std::string& hand, const std::string& object,
+                                            const std::string& grasp) const {
+  for (const CellSummary& cell : cells) {
+    if (cell.hand == hand && cell.object == object && cell.grasp == grasp) return &cell;
+  }
+  return nullptr;
+}
+
+Tally SessionSummary::TallyOf(const std::string& hand, const std::string& grasp) const {
+  Tally sum = EmptyTally();
+  for (const CellSummary& cell : cells) {
+    if (cell.hand == hand && (grasp.empty() || cell.grasp == grasp)) Add(cell.tally, sum);
+  }
+  return sum;
+}
+
+SessionSummary SummariseSession(const Session& session) {
+  SessionSummary summary;
+  std::map<std::tuple<std::string, std::string, std::string>, size_t> index_of;
+  for (const PlannedTrial& trial : session.plan) {
+    AddUnknown(trial.hand, summary.hands);
+    AddUnknown(trial.object, summary.objects);
+    AddUnknown(trial.grasp, summary.grasps);
+    const auto [place, is_new] =
+        index_of.insert({{trial.hand, trial.object, trial.grasp}, summary.cells.size()});
+    if (is_new) {
+      CellSummary cell;
+      cell.hand = trial.hand;
+      cell.object = trial.object;
+      cell.grasp = trial.grasp;
+      cell.anchor = MakeAnchor({trial.hand, trial.object, trial.grasp});
+      cell.tally = EmptyTally();
+      summary.cells.push_back(cell);
+    }
+    ++summary.cells[place->second].tally.planned;
+  }
+  std::sort(summary.grasps.begin(), summary.grasps.end());
+  for (const TrialRecord& record : session.records) {
+    const auto found = index_of.find({record.plan.hand, record.plan.object, record.plan.grasp});
+    GRASPBENCH_DEMAND(found != index_of.end(),
+                      "a record that is not in the plan: " + record.plan.id);
+    summary.cells[found->second].records.push_back(&record);
+  }
+  summary.total = EmptyTally();
+  for (CellSummary& cell : summary.cells) {
+    FinishCell(cell);
+    Add(cell.tally, summary.total);
+  }
+  return summary;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#pragma once
+/** @file
+What the sections show, counted once from the session's records.
+
+A rate is always kept with its counts, so that it is never printed without n and its interval. Time
+measures are summarised by median and range over the trials in which they are defined: a digit that
+never touched leaves GCT and GFT of its trial missing, not zero. Trials with a numerical failure
+count as not successful and are left out of every other figure. */
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "datasets/session_store.h"
+
+namespace graspbench {
+
+/** Median and range of a sample; NaN when it is empty. */
+struct Spread {
+  int n = 0;
+  double median = 0.0;
+  double lowest = 0.0;
+  double highest = 0.0;
+};
+/** Values that are not finite are left out. */
+Spread CalcSpread(std::vector<double> values);
+
+constexpr int kNumOutcomes = 8;
+
+/** Two letters for where there is no room for the name: "OK", "NC", "SL". */
+const char* CodeOf(Outcome outcome);
+
+/** Results of some trials: of a cell, a hand, a grasp. */
+struct Tally {
+  int planned = 0;
+  int finished = 0;                          ///< n of every rate
+  std::array<int, kNumOutcomes> outcomes{};  ///< in the order of ListOutcomes()
+  double worst_penetration = 0.0;            ///< [m]; NaN: no trial to judge by, as below
+  double worst_energy_residual = 0.0;        ///< largest absolute value [J]
+  long num_steps = 0;
+  long num_unconverged = 0;
+
+  int CountOf(Outcome outcome) const;
+  int successes() const { return CountOf(Outcome::kSuccess); }
+};
+
+/** One hand on one object with one grasp. */
+struct CellSummary {
+  std::string hand, object, grasp;  ///< ids
+  std::string anchor;               ///< of the cell's section in the page
+  std::vector<const TrialRecord*> records;
+  Tally tally;
+  Spread gct, gft, got;         ///< [s]
+  Spread gft_ratio, got_ratio;  ///< of GCT
+};
+
+struct SessionSummary {
+  std::vector<CellSummary> cells;    ///< in the plan's order
+  std::vector<std::string> hands;    ///< ids in the plan's order
+  std::vector<std::string> objects;  ///< ids in the plan's order
+  std::vector<std::string> grasps;   ///< ids, sorted
+  Tally total;
+
+  /** Null when the plan has no such cell. */
+  const CellSummary* FindCell(const std::string& hand, const std::string& object,
+                              const std::string& grasp) const;
+  /** Over the cells of this hand; `grasp` narrows it further unless empty. */
+  Tally TallyOf(const std::string& hand, const std::string& grasp = {}) const;
+};
+
+/** The summary points into `session`, which must outlive it. */
+SessionSummary SummariseSession(const Session& session);
+
+}  // namespace graspbench

@@ -1,0 +1,220 @@
+#include "reports/session_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+std::string TextOf(const std::string& page) {
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  return ListText(*document.RootElement());
+}
+
+std::string TextOfSection(const std::string& page, const std::string& id) {
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const tinyxml2::XMLElement* section = FindById(*document.RootElement(), id);
+  return section == nullptr ? "no section " + id : ListText(*section);
+}
+
+void ExpectContains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n" << text;
+}
+
+/** Links lead somewhere, ids are unique, nothing is fetched, headings do not skip a level. */
+void ExpectSoundPage(const std::string& page) {
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const tinyxml2::XMLElement& root = *document.RootElement();
+  const std::vector<std::string> ids = ListAttribute(root, "id");
+  const std::set<std::string> known(ids.begin(), ids.end());
+  EXPECT_EQ(known.size(), ids.size()) << "an id is used twice";
+  for (const std::string& href : ListAttribute(root, "href")) {
+    EXPECT_TRUE(href[0] == '#' && known.count(href.substr(1)) == 1) << href;
+  }
+  for (const std::string& src : ListAttribute(root, "src")) {
+    EXPECT_EQ(src.rfind("data:image/webp;base64,", 0), 0u) << src.substr(0, 60);
+  }
+  EXPECT_EQ(page.find("http:"), std::string::npos);
+  EXPECT_EQ(page.find("https:"), std::string::npos);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("url("), std::string::npos);
+  char level = '1';
+  for (size_t at = page.find("<h"); at != std::string::npos; at = page.find("<h", at + 1)) {
+    const char digit = page[at + 2];
+    if (digit < '1' || digit > '6') continue;
+    EXPECT_LE(digit, level + 1) << page.substr(at, 80);
+    level = digit;
+  }
+}
+
+TEST(SessionReport, EveryNumberStandsInThePageWithoutScript) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  session.records[1] = MakeRecord(session.plan[1], Outcome::kSlippedInLiftOff);
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  const std::string text = TextOf(page);
+  for (const char* part :
+       {"The tum succeeded in 2 of 3 trials (66.7\u00A0%, 95\u00A0% interval 20.8 to 93.9\u00A0%)",
+        "slipped in lift-off (1 of 1)",
+        "1 SL",
+        "0.610",
+        "0.600 to 0.620",
+        "0.200",
+        "0.100",
+        "32.8",
+        "16.4",
+        "0.63",
+        "5.67",
+        "98.7",
+        "1.2",
+        "3.4",
+        "-0.321",
+        "0.321",
+        "1234",
+        "3702",
+        "id0",
+        "id1",
+        "id2",
+        "the thumb came late",
+        "FF [s]",
+        "MF [s]",
+        "TH [s]"}) {
+    ExpectContains(text, part);
+  }
+}
+
+TEST(SessionReport, ThumbComesFirst) {
+  const std::string text =
+      TextOfSection(MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 1)), "cells");
+  EXPECT_LT(text.find("TH [s]"), text.find("FF [s]"));
+}
+
+TEST(SessionReport, HostileNamesStayText) {
+  const std::string hostile = "</script><img src=x onerror=\"a\">&\xff\u202E";
+  Session session = MakeSession({hostile}, {"'\"><b>", "<!--"}, "g3", 1);
+  session.records[0].result.reason = hostile;
+  session.records[0].result.contacts[0].digit = hostile;
+  session.findings.Warn("journal/" + hostile, 3, hostile);
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_EQ(page.find("<b>\""), std::string::npos);
+  EXPECT_EQ(page.find("<!--"), std::string::npos);
+  EXPECT_EQ(page.find("\u202E"), std::string::npos);
+}
+
+TEST(SessionReport, AnEmptySessionIsSaidToBeEmpty) {
+  const std::string page = MakePageOf(Session());
+  ExpectSoundPage(page);
+  ExpectContains(TextOfSection(page, "result"), "This session has no trials.");
+  ExpectContains(TextOfSection(page, "findings"), "No errors and no warnings.");
+}
+
+TEST(SessionReport, APlanWithoutRecordsIsNotComplete) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
+  session.records.clear();
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  ExpectContains(TextOfSection(page, "result"), "0 of 2 planned trials are finished");
+  ExpectContains(TextOfSection(page, "result"), "No trial has finished yet.");
+}
+
+TEST(SessionReport, AnIncompleteSessionSaysSoAtTheTopAndPerCell) {
+  Session session = MakeSession({"tum"}, {"can", "cup"}, "g3", 2);
+  session.records.pop_back();
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  const std::string result = TextOfSection(page, "result");
+  EXPECT_LT(result.find("This session is not complete."), result.find("succeeded in"));
+  ExpectContains(result, "3 of 4 planned trials are finished");
+  ExpectContains(TextOfSection(page, "findings"),
+                 "tum, cup, power (g3): 1 of 2 planned trials missing");
+  ExpectContains(TextOfSection(page, "tum-cup-g3"), "1 of 2 planned trials missing");
+}
+
+TEST(SessionReport, NumericalFailuresAreListedWithTheirReason) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
+  session.records[1] = MakeRecord(session.plan[1], Outcome::kNumericalFailure);
+  session.records[1].result.reason = "the solve diverged at 1.234 s";
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  ExpectContains(TextOfSection(page, "health"), "the solve diverged at 1.234 s");
+  ExpectContains(TextOfSection(page, "findings"), "1 trial ended as numerical failure");
+  ExpectContains(TextOfSection(page, "result"), "1 of 2 trials (50.0\u00A0%");
+}
+
+TEST(SessionReport, DamagedJournalLinesAndMissingModelsAreTold) {
+  const Session session = [] {
+    Session made = MakeSession({"tum"}, {"can"}, "g3", 1);
+    made.findings.Warn("journal/2.jsonl", 17, "checksum does not fit");
+    return made;
+  }();
+  SessionModels models;
+  models.problems = {"the object \"can\" cannot be loaded: gone"};
+  CellPictures pictures;
+  pictures.problems = {"no pictures could be drawn: libOSMesa.so.8 is missing"};
+  const std::string page = MakeSessionReport(session, SummariseSession(session), models, pictures);
+  ExpectSoundPage(page);
+  const std::string findings = TextOfSection(page, "findings");
+  ExpectContains(findings, "Warning in journal/2.jsonl, line 17: checksum does not fit");
+  ExpectContains(findings, "the object \"can\" cannot be loaded: gone");
+  ExpectContains(findings, "libOSMesa.so.8 is missing");
+  ExpectContains(TextOfSection(page, "tum-can-g3"), "No pictures of this cell; the reason is");
+  ExpectContains(TextOfSection(page, "result"), "3 findings");
+}
+
+TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {
+  const Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
+  const SessionSummary summary = SummariseSession(session);
+  CellPictures pictures;
+  pictures.by_cell["tum-can-g3"] = {&session.records[0],
+                                    {{"pregrasp", 0.0, "abc"}, {"closed", 1.25, "def"}}};
+  const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
+  ExpectSoundPage(page);
+  ExpectContains(page, "src=\"data:image/webp;base64,YWJj\"");
+  ExpectContains(page, "alt=\"tum, can, power (g3): Pre-grasp\"");
+  ExpectContains(TextOfSection(page, "tum-can-g3"), "Closed, 1.25 s");
+}
+
+TEST(SessionReport, SeveralGraspsGetAColumnEach) {
+  Session session = MakeSession({"tum"}, {"can"}, "g1", 1);
+  const Session more = MakeSession({"tum"}, {"can"}, "g3", 1);
+  session.plan.push_back(more.plan[0]);
+  session.records.push_back(more.records[0]);
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  ExpectContains(TextOfSection(page, "map"), "tum g1");
+  ExpectContains(TextOfSection(page, "map"), "tum g3");
+}
+
+TEST(SessionReport, TheSameRecordsGiveTheSameBytes) {
+  const Session session = MakeSession({"tum", "shadow"}, {"can", "cup"}, "g3", 5);
+  EXPECT_EQ(MakePageOf(session), MakePageOf(session));
+}
+
+TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
+  std::vector<std::string> objects;
+  for (int i = 0; i < 21; ++i) objects.push_back("object" + std::to_string(i));
+  const Session session = MakeSession({"tum", "shadow"}, objects, "g1", 10);
+  const SessionSummary summary = SummariseSession(session);
+  CellPictures pictures;
+  const std::string webp(45000, 'x');  // more than a picture of this size takes
+  for (const CellSummary& cell : summary.cells) {
+    pictures.by_cell[cell.anchor] = {
+        cell.records[0], {{"pregrasp", 0, webp}, {"closed", 1, webp}, {"lifted", 2, webp}}};
+  }
+  const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
+  EXPECT_LT(page.size(), 10'000'000u);
+  ExpectSoundPage(page);
+}
+
+}  // namespace
+}  // namespace graspbench

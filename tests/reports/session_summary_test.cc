@@ -1,0 +1,77 @@
+#include "reports/session_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+TEST(CalcSpread, OddEvenAndMissing) {
+  const Spread odd = CalcSpread({3.0, 1.0, 2.0});
+  EXPECT_EQ(odd.n, 3);
+  EXPECT_EQ(odd.median, 2.0);
+  EXPECT_EQ(odd.lowest, 1.0);
+  EXPECT_EQ(odd.highest, 3.0);
+  EXPECT_EQ(CalcSpread({1.0, 2.0, std::nan(""), 10.0, 3.0}).median, 2.5);
+  EXPECT_EQ(CalcSpread({1.0, 2.0, std::nan("")}).n, 2);
+  EXPECT_EQ(CalcSpread({}).n, 0);
+  EXPECT_TRUE(std::isnan(CalcSpread({std::nan("")}).median));
+}
+
+TEST(SummariseSession, CountsCellsInThePlansOrder) {
+  const Session session = MakeSession({"tum", "shadow"}, {"can", "cup", "pencil"}, "g3", 4);
+  const SessionSummary summary = SummariseSession(session);
+  ASSERT_EQ(summary.cells.size(), 6u);
+  EXPECT_EQ(summary.cells[1].object, "cup");
+  EXPECT_EQ(summary.cells[3].hand, "shadow");
+  EXPECT_EQ(summary.total.finished, 24);
+  EXPECT_EQ(summary.TallyOf("tum").successes(), 12);
+  EXPECT_EQ(summary.TallyOf("tum", "g1").planned, 0);
+  EXPECT_EQ(summary.FindCell("tum", "can", "g1"), nullptr);
+}
+
+TEST(SummariseSession, MediansAndWorstValuesOfACell) {
+  const Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  const CellSummary cell = SummariseSession(session).cells.at(0);
+  EXPECT_NEAR(cell.gct.median, 0.61, 1e-12);
+  EXPECT_NEAR(cell.gft.median, 0.2, 1e-12);
+  EXPECT_NEAR(cell.got.median, 0.1, 1e-12);
+  EXPECT_NEAR(cell.gft_ratio.median, 0.2 / 0.61, 1e-12);
+  EXPECT_NEAR(cell.gct.highest, 0.62, 1e-12);
+  EXPECT_EQ(cell.tally.worst_penetration, session.records[2].result.worst_penetration);
+  EXPECT_EQ(cell.tally.worst_energy_residual, 0.000321);
+  EXPECT_EQ(cell.tally.num_unconverged, 0 + 1 + 2);
+}
+
+TEST(SummariseSession, ADigitThatNeverTouchedIsMissingNotZero) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
+  TrialResult& result = session.records[0].result;
+  result.contacts[1].time = std::nan("");
+  result.timing = CalcContactTiming(result.contacts, 0.0);
+  const CellSummary cell = SummariseSession(session).cells.at(0);
+  EXPECT_EQ(cell.gct.n, 1);
+  EXPECT_EQ(cell.got.n, 2);
+}
+
+TEST(SummariseSession, ANumericalFailureCountsInTheRateAndNowhereElse) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  session.records[2].result.outcome = Outcome::kNumericalFailure;
+  session.records[2].result.worst_penetration = 1.0;
+  const CellSummary cell = SummariseSession(session).cells.at(0);
+  EXPECT_EQ(cell.tally.finished, 3);
+  EXPECT_EQ(cell.tally.successes(), 2);
+  EXPECT_EQ(cell.gct.n, 2);
+  EXPECT_LT(cell.tally.worst_penetration, 0.001);
+}
+
+TEST(SummariseSession, AnEmptySessionHasNoWorstValue) {
+  const SessionSummary summary = SummariseSession(Session());
+  EXPECT_TRUE(summary.cells.empty());
+  EXPECT_TRUE(std::isnan(summary.total.worst_penetration));
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,136 @@
+#include "reports/svg_plot.h"
+
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+struct Drawing {
+  explicit Drawing(const Html& html) {
+    ParsePage(html.markup(), document);
+    svg = document.RootElement();
+  }
+  std::vector<const tinyxml2::XMLElement*> Find(const char* tag, const char* css_class) const {
+    std::vector<const tinyxml2::XMLElement*> found;
+    Collect(*svg, tag, css_class, found);
+    return found;
+  }
+  static void Collect(const tinyxml2::XMLElement& root, const char* tag, const char* css_class,
+                      std::vector<const tinyxml2::XMLElement*>& found) {
+    const char* its_class = root.Attribute("class");
+    if (std::strcmp(root.Name(), tag) == 0 && its_class && std::strcmp(its_class, css_class) == 0) {
+      found.push_back(&root);
+    }
+    for (const auto* c = root.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) {
+      Collect(*c, tag, css_class, found);
+    }
+  }
+  tinyxml2::XMLDocument document;
+  const tinyxml2::XMLElement* svg = nullptr;
+};
+
+TEST(CalcTickStep, IsRoundAndFits) {
+  EXPECT_DOUBLE_EQ(CalcTickStep(1.0, 5), 0.2);
+  EXPECT_DOUBLE_EQ(CalcTickStep(0.9, 5), 0.2);
+  EXPECT_DOUBLE_EQ(CalcTickStep(30.0, 5), 10.0);
+  EXPECT_DOUBLE_EQ(CalcTickStep(0.0031, 4), 0.001);
+  for (double range = 1e-6; range < 1e6; range *= 1.37) {
+    EXPECT_LE(range / CalcTickStep(range, 5), 5.0 + 1e-9) << range;
+    EXPECT_GT(range / CalcTickStep(range, 5), 1.9) << range;
+  }
+}
+
+TEST(DrawHeatMap, ShadesSaysAndLinks) {
+  HeatMap map;
+  map.text = {"Successes <b>", "What a person would say"};
+  map.columns = {"TUM"};
+  map.rows = {"can", "cup", "pencil"};
+  map.cells = {{0.9, "9 / 10", "hint", "tum-can-g3"},
+               {0.0, "0 / 10", "", "tum-cup-g3"},
+               {std::nan(""), "0 / 0", "", ""}};
+  const Drawing drawing(DrawHeatMap(map));
+  EXPECT_STREQ(drawing.svg->FirstChildElement("title")->GetText(), "Successes <b>");
+  EXPECT_STREQ(drawing.svg->FirstChildElement("desc")->GetText(), "What a person would say");
+  EXPECT_STREQ(drawing.svg->Attribute("role"), "group");  // its links must stay reachable
+  const auto shaded = drawing.Find("rect", "heat");
+  ASSERT_EQ(shaded.size(), 1u);
+  EXPECT_STREQ(shaded[0]->Attribute("fill-opacity"), "0.90");
+  EXPECT_EQ(drawing.Find("rect", "heat zero").size(), 1u);
+  EXPECT_EQ(drawing.Find("rect", "heat unknown").size(), 1u);
+  EXPECT_EQ(ListAttribute(*drawing.svg, "href"),
+            (std::vector<std::string>{"#tum-can-g3", "#tum-cup-g3"}));
+  EXPECT_NE(ListText(*drawing.svg).find("9 / 10"), std::string::npos);
+}
+
+TEST(DrawRateBars, BarAndIntervalAreToScale) {
+  RateBars plot;
+  plot.text = {"t", "d"};
+  plot.bars = {{"hand", 0.5, 0.25, 0.75, "5 of 10"}, {"other", std::nan(""), 0, 1, "0 of 0"}};
+  const Drawing drawing(DrawRateBars(plot));
+  EXPECT_STREQ(drawing.svg->Attribute("role"), "img");
+  const auto bars = drawing.Find("rect", "bar");
+  ASSERT_EQ(bars.size(), 1u);
+  const double zero = bars[0]->DoubleAttribute("x");
+  const double full = 2.0 * bars[0]->DoubleAttribute("width");
+  const auto interval = drawing.Find("line", "interval");
+  ASSERT_EQ(interval.size(), 3u);  // and its two caps
+  EXPECT_NEAR(interval[0]->DoubleAttribute("x1"), zero + 0.25 * full, 0.1);
+  EXPECT_NEAR(interval[0]->DoubleAttribute("x2"), zero + 0.75 * full, 0.1);
+}
+
+TEST(DrawStackedBars, PartsFillTheBarInTheOrderOfClasses) {
+  StackedBars plot;
+  plot.text = {"t", "d"};
+  plot.classes = {{"success", "OK"}, {"slipped", "SL"}, {"lost", "LC"}};
+  plot.rows = {{"can", "tum-can-g3", {6, 3, 1}}, {"cup", "", {0, 0, 0}}};
+  const Drawing drawing(DrawStackedBars(plot));
+  const auto ok = drawing.Find("rect", "part part0");
+  const auto slipped = drawing.Find("rect", "part part1");
+  ASSERT_EQ(ok.size(), 2u);  // the legend's and the bar's
+  const double width = ok[1]->DoubleAttribute("width");
+  EXPECT_NEAR(slipped[1]->DoubleAttribute("width"), width / 2.0, 0.1);
+  EXPECT_NEAR(slipped[1]->DoubleAttribute("x"), ok[1]->DoubleAttribute("x") + width, 0.1);
+  const std::string text = ListText(*drawing.svg);
+  for (const char* part : {"OK 6", "SL 3", "LC 1", "no trial finished", "slipped: 3"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(DrawDotStrips, MarksAreToScaleAndMissingOnesAreCounted) {
+  DotStrips plot;
+  plot.text = {"t", "d"};
+  plot.axis = "time [s]";
+  plot.missing = "never";
+  plot.rows = {{"thumb", {{0.2, true, "a"}, {0.4, true, "b"}, {0.9, false, "c"}}},
+               {"index", {{std::nan(""), false, "d"}}}};
+  const Drawing drawing(DrawDotStrips(plot));
+  const auto dots = drawing.Find("circle", "dot");
+  ASSERT_EQ(dots.size(), 2u);
+  EXPECT_EQ(drawing.Find("path", "cross").size(), 1u);
+  const auto medians = drawing.Find("line", "median");
+  ASSERT_EQ(medians.size(), 1u);  // none where nothing touched
+  EXPECT_NEAR(medians[0]->DoubleAttribute("x1"), dots[1]->DoubleAttribute("cx"), 0.05);
+  // 0.2 s lies as far from 0 as from 0.4 s; x of 0 is that of the first grid line.
+  const auto grid = drawing.Find("line", "grid");
+  const double zero = grid.at(0)->DoubleAttribute("x1");
+  EXPECT_NEAR(dots[0]->DoubleAttribute("cx") - zero,
+              dots[1]->DoubleAttribute("cx") - dots[0]->DoubleAttribute("cx"), 0.15);
+  EXPECT_NE(ListText(*drawing.svg).find("1 never"), std::string::npos);
+}
+
+TEST(DrawDotStrips, NothingAtAllStillHasAnAxis) {
+  DotStrips plot;
+  plot.text = {"t", "d"};
+  plot.rows = {{"thumb", {}}};
+  const Drawing drawing(DrawDotStrips(plot));
+  EXPECT_FALSE(drawing.Find("line", "grid").empty());
+}
+
+}  // namespace
+}  // namespace graspbench
