@@ -197,8 +197,11 @@ template <class Config>
 void SetConfigValue(const std::string& assignment, Config& config) {
   const YAML::Node node = internal::ParseSetting(assignment, ListConfigKeys(config));
   Diagnostics problems;
-  ReadConfig(node, "--set " + assignment, "settings", config, problems);
-  problems.ThrowIfErrors(ErrorKind::kUsage, "the setting cannot be applied");
+  ReadConfig(node, "", "setting", config, problems);
+  if (problems.num_errors() > 0) {
+    throw Error(ErrorKind::kUsage,
+                "--set \"" + assignment + "\": " + problems.entries().front().text);
+  }
 }
 
 /** Where two configurations differ: "sim.step_s: 0.002 and 0.001", in the order of the fields. */

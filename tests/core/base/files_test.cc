@@ -37,5 +37,19 @@ TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {
   }
 }
 
+TEST(Files, MakesAndSyncsFolders) {
+  MakeFolder(kTemporary / "a" / "b");
+  MakeFolder(kTemporary / "a" / "b");
+  SyncFolder(kTemporary / "a");
+  EXPECT_TRUE(std::filesystem::is_directory(kTemporary / "a" / "b"));
+  try {
+    SyncFolder(kTemporary / "a" / "none");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kIo);
+    EXPECT_NE(std::string(e.what()).find("No such file"), std::string::npos) << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -63,5 +63,13 @@ TEST_F(YamlTest, AMapIsExpected) {
   EXPECT_EQ(problems_.Format(), "o.yaml:1: error: object: expected a map of keys and values");
 }
 
+TEST_F(YamlTest, AKeyGivenTwiceIsToldWithItsLine) {
+  YamlMap map(ParseYaml("size: 1\nsize: 2\n", "o.yaml", problems_), "o.yaml", "object", problems_);
+  double size = 0.0;
+  map.Read("size", size);
+  map.FinishKnownKeys();
+  EXPECT_EQ(problems_.Format(), "o.yaml:2: error: object: \"size\" is given twice");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -1,0 +1,51 @@
+#pragma once
+/** @file
+What the fuzzers do with bytes as a session's files, shared with the test that replays the cases:
+anything is refused with an Error or understood and written back. */
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "datasets/session_index.h"
+#include "datasets/session_store.h"
+#include "datasets/trial_table.h"
+
+namespace graspbench {
+
+inline void FuzzRecordLine(const std::string& line) {
+  try {
+    const std::vector<TrialRecord> records = {ParseJournalLine(line)};
+    const std::string written = FormatJournalLine(records[0]);
+    GRASPBENCH_DEMAND(FormatJournalLine(ParseJournalLine(written)) == written, written);
+    Session session;
+    session.plan = {records[0].plan};
+    session.records = records;
+    const auto columns = ListTrialColumns(records);
+    FormatTrialsCsv(columns, records);
+    MakeSessionIndex(session, columns);
+  } catch (const Error&) {
+  }
+}
+
+/** Once as it is, once with a valid checksum, so that the record behind it is reached. */
+inline void FuzzJournalLine(const std::string& text) {
+  FuzzRecordLine(text);
+  FuzzRecordLine(text + ",\"xxh64\":\"" + CalcHashHex(text) + "\"}");
+}
+
+inline void FuzzSessionYaml(const std::string& text) {
+  try {
+    const Json frozen = ToJson(ParseSessionConfig(text, "fuzz"));
+    GRASPBENCH_DEMAND(FormatJson(ToJson(SessionConfigFromJson(frozen))) == FormatJson(frozen),
+                      FormatJson(frozen));
+  } catch (const Error&) {
+  }
+  try {
+    SessionConfig config;
+    ApplySetting(text, config);
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace graspbench
