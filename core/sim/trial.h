@@ -41,9 +41,9 @@ Outcome OutcomeFromName(const std::string& name);
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
   double step = 0.002;                 ///< [s]
-  double contact_stiffness = 4e4;      ///< normal, per contact point [N/m]
+  double contact_stiffness = 1e5;      ///< normal, per contact point [N/m]
   double contact_dissipation = 1.0;    ///< Hunt-Crossley d in f = k x (1 + d xdot) [s/m]
-  double tangential_stiffness = 4e4;   ///< bristle, per contact point [N/m]
+  double tangential_stiffness = 1e5;   ///< bristle, per contact point [N/m]
   double table_friction_static = 0.4;  ///< object and fingers on the table
   double table_friction_dynamic = 0.35;
 

@@ -25,7 +25,7 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLiftedShare = 0.5;    ///< of the lift height
 constexpr double kSteadySpeed = 0.005;  ///< [m/s]
 constexpr double kPushedAway = 0.05;    ///< horizontal displacement of a free object [m]
-constexpr double kTipped = 0.785;       ///< tilt of its vertical axis [rad]
+constexpr double kTippedShare = 0.1;    ///< change of the height of an object that lies anew
 
 /** The simulation starts this long before the hand could first touch anything [s]. */
 constexpr double kLeadTime = 0.06;
@@ -107,7 +107,7 @@ class Trial {
     return outcome;
   }
   void TakeSnapshot(const char* name);
-  double CalcTilt() const;
+  double CalcExtent() const;  ///< height of the object from its lowest to its highest point [m]
   double CalcDisplacement() const;
   double CalcRise() const { return world_.CalcObjectPose().translation().z() - rest_height_; }
   Vector3d CalcObjectInHand() const {
@@ -129,9 +129,9 @@ class Trial {
   double last_touch_ = 0.0;
   double unconverged_time_ = 0.0;
   double rest_height_ = 0.0;
+  double rest_extent_ = 0.0;
   Vector3d rest_position_ = Vector3d::Zero();
   Vector3d held_at_ = Vector3d::Zero();  // object in H at the start of the hold
-  bool has_tipped_ = false;
 };
 
 void Trial::Start() {
@@ -168,6 +168,7 @@ void Trial::Start() {
   state.X_WH = placement_.X_WH;
   state.X_WH.pretranslate(-strategy_.CalcPlacingDistance(before_arrival) * placement_.approach_W);
   world_.Reset(state);
+  rest_extent_ = CalcExtent();
 }
 
 WorldCommand Trial::MakeCommand(const StrategyCommand& command) const {
@@ -247,8 +248,12 @@ void Trial::TakeSnapshot(const char* name) {
   result_.snapshots.push_back(snapshot);
 }
 
-double Trial::CalcTilt() const {
-  return std::acos(std::clamp(world_.state().R_WO(2, 2), -1.0, 1.0));
+double Trial::CalcExtent() const {
+  const Pose X_WO = world_.CalcObjectPose();
+  Pose upside_down = Pose::Identity();
+  upside_down.rotate(Eigen::AngleAxisd(kPi, Vector3d::UnitX()));
+  return -world_.collider().CalcLowestPoint(upside_down * X_WO) -
+         world_.collider().CalcLowestPoint(X_WO);
 }
 
 double Trial::CalcDisplacement() const {
@@ -267,7 +272,6 @@ std::optional<Outcome> Trial::FindEarlyOutcome() {
   }
   const bool is_free = time_ - last_touch_ > kLostTime;
   const bool is_lost = is_free && report_.table_force > 0.0;
-  if (CalcTilt() > kTipped) has_tipped_ = true;
   switch (strategy_.phase()) {
     case Phase::kPlacing:
     case Phase::kClosure:
@@ -325,7 +329,8 @@ Outcome Trial::FindFinalOutcome() {
     return Fail(Outcome::kDroppedWhileHolding,
                 Format("fell out of the hand %.2f s into the hold", strategy_.time_in_phase()));
   }
-  if (has_tipped_) return Fail(Outcome::kKnockedOver, "the object tipped over and stayed behind");
+  if (std::abs(CalcExtent() - rest_extent_) > kTippedShare * rest_extent_)
+    return Fail(Outcome::kKnockedOver, "the object tipped over and stayed behind");
   if (num_touched < 2) {
     return Fail(Outcome::kNoContact, "never touched by " + untouched);
   }

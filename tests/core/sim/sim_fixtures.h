@@ -63,8 +63,7 @@ inline Hand MakeRandomHand(int num_links, RandomStream& random) {
                         random.NextUniform(-3, 3)),
         0.05 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()));
     const Eigen::Vector3d axis =
-        Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal())
-            .normalized();
+        Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
     AddTestLink(hand, parent, X_PJ, axis, random.NextUniform(0.01, 0.1),
                 random.NextUniform(0.02, 0.06));
     hand.links.back().p_LLcm += 0.01 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), 0);

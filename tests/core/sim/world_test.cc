@@ -61,8 +61,7 @@ TEST(World, FreeFallIsAParabola) {
   body.Run(250);
   const double t = 0.5;
   EXPECT_NEAR(body.world().state().p_WOcm.x(), 0.3 * t, 1e-9);
-  EXPECT_NEAR(body.world().state().p_WOcm.z(),
-              2.0 + t - 0.5 * kStandardGravity * t * t, 1e-7);
+  EXPECT_NEAR(body.world().state().p_WOcm.z(), 2.0 + t - 0.5 * kStandardGravity * t * t, 1e-7);
 }
 
 // Without torque the angular momentum in W and the kinetic energy stay; the motion about the middle
@@ -119,8 +118,7 @@ class InclineTest : public testing::TestWithParam<Incline> {
     const int num_tilting = static_cast<int>(std::lround(0.4 / GetParam().step));
     for (int i = 1; i <= num_tilting; ++i) {
       const double angle = angle_ * i / num_tilting;
-      body.world().SetGravity(kStandardGravity *
-                              Vector3d(std::sin(angle), 0.0, -std::cos(angle)));
+      body.world().SetGravity(kStandardGravity * Vector3d(std::sin(angle), 0.0, -std::cos(angle)));
       EXPECT_TRUE(body.Step().converged);
     }
     body.Run(static_cast<int>(std::lround(time / GetParam().step)));
@@ -133,7 +131,8 @@ TEST_P(InclineTest, SticksBelowTheFrictionAngle) {
   const WorldState early = Run(0.99, 0.2), late = Run(0.99, 0.5);
   EXPECT_LT(late.v_WOcm.norm(), 1e-8);  // the solver's tolerance, 1e-9 N s, over 0.5 kg
   EXPECT_LT((late.p_WOcm - early.p_WOcm).norm(), 1e-9);
-  // The bristles carry the load, elastically: m g sin(angle) / (4 kt), and the block leans a little.
+  // The bristles carry the load, elastically: m g sin(angle) / (4 kt), and the block leans a
+  // little.
   const double stretch = 0.5 * kStandardGravity * std::sin(angle_) / (4.0 * 4e4);
   EXPECT_GT(late.p_WOcm.x(), stretch);
   EXPECT_LT(late.p_WOcm.x(), 2.0 * stretch);
@@ -165,8 +164,7 @@ TEST(World, ABouncingBallNeverRisesAgain) {
     const StepReport report = body.Step();
     has_bounced = has_bounced || report.table_force > 0.0;
     if (has_bounced) {
-      highest_after_bounce =
-          std::max(highest_after_bounce, body.world().state().p_WOcm.z());
+      highest_after_bounce = std::max(highest_after_bounce, body.world().state().p_WOcm.z());
     }
   }
   EXPECT_TRUE(has_bounced);
@@ -214,9 +212,7 @@ TEST_P(SwingTest, EnergyStaysWithoutDampingAndNeverRisesWithIt) {
   WorldCommand command;
   command.q = state.q;
   command.X_WH = state.X_WH;
-  const auto energy = [&] {
-    return world.CalcKineticEnergy() + CalcPotentialEnergy(hand, world);
-  };
+  const auto energy = [&] { return world.CalcKineticEnergy() + CalcPotentialEnergy(hand, world); };
   const double start = energy();
   double highest = start, lowest = start, before = start, largest_kinetic = 0.0;
   for (double t = 0.0; t < 5.0; t += GetParam().step) {

@@ -1,0 +1,138 @@
+#include "core/grasp/placement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/hand/load_hand.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Case {
+  const char* hand;
+  const char* grasp;
+};
+
+class PlacementTest : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    hand_ = LoadHand(GetParam().hand);
+    const auto grasps = LoadStandardGrasps(hand_);
+    const auto found = std::find_if(grasps.begin(), grasps.end(), [](const StandardGrasp& grasp) {
+      return grasp.id == GetParam().grasp;
+    });
+    ASSERT_NE(found, grasps.end());
+    grasp_ = *found;
+  }
+
+  Vector3d CalcPad(const Placement& placement, double s, bool of_thumb) const {
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosingPosture(hand_, grasp_, s));
+    Vector3d sum = Vector3d::Zero();
+    int count = 0;
+    for (const Digit& digit : hand_.digits) {
+      if (digit.is_thumb != of_thumb) continue;
+      if (!std::count(grasp_.digits.begin(), grasp_.digits.end(), digit.id)) continue;
+      sum += placement.X_WH * (X_HL[digit.distal_link] * digit.p_LPad);
+      ++count;
+    }
+    return sum / count;
+  }
+
+  double CalcLowest(const Placement& placement, double s) const {
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosingPosture(hand_, grasp_, s));
+    double lowest = 1.0;
+    for (const ContactSphere& sphere : hand_.contact_spheres) {
+      lowest = std::min(lowest,
+                        (placement.X_WH * (X_HL[sphere.link] * sphere.p_LS)).z() - sphere.radius);
+    }
+    return lowest;
+  }
+
+  Hand hand_;
+  StandardGrasp grasp_;
+};
+
+// A thing of middle size, 40 mm wide and 30 mm high.
+const Vector3d kSize(0.08, 0.04, 0.03);
+
+TEST_P(PlacementTest, PadsStandAsFarApartAsTheObjectIsWideAndOverItsCentreOfMass) {
+  const Vector3d p_OOcm(0.01, 0.0, 0.0);
+  const Placement placement = CalcPlacement(hand_, grasp_, kSize, p_OOcm);
+  const double s = placement.closing_at_contact;
+  ASSERT_GT(s, 0.0);
+  ASSERT_LT(s, 1.0);
+  const Vector3d thumb = CalcPad(placement, s, true), fingers = CalcPad(placement, s, false);
+  const Eigen::Vector2d opening = (fingers - thumb).head<2>();
+  EXPECT_NEAR(opening.norm(), kSize.y(), 0.002);  // the search moves in steps of 1/200
+  EXPECT_LT((0.5 * (thumb + fingers) - p_OOcm).head<2>().norm(), 1e-9);
+  // alpha between the object's long axis and the line from thumb to fingers.
+  EXPECT_NEAR(std::atan2(opening.y(), opening.x()), grasp_.alpha, 1e-9);
+}
+
+TEST_P(PlacementTest, NoFingerTouchesTheTableBeforeTheObject) {
+  for (double height : {0.007, 0.02, 0.06}) {
+    const Vector3d size(0.08, 0.04, height);
+    const Placement placement = CalcPlacement(hand_, grasp_, size, Vector3d::Zero());
+    for (double share : {0.0, 0.3, 0.6, 1.0}) {
+      EXPECT_GT(CalcLowest(placement, share * placement.closing_at_contact), 0.0004);
+    }
+  }
+}
+
+TEST_P(PlacementTest, ComesStraightDownOnWhatIsLow) {
+  const Placement placement = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
+  EXPECT_LT((placement.approach_W + Vector3d::UnitZ()).norm(), 1e-12);
+  const Eigen::Matrix3d R = placement.X_WH.linear();
+  EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  EXPECT_NEAR(R.determinant(), 1.0, 1e-12);
+  const double tilt =
+      std::acos(std::clamp((R * hand_.palm_normal).dot(placement.approach_W), -1.0, 1.0));
+  EXPECT_NEAR(tilt, std::abs(grasp_.tilt), 1e-9);
+}
+
+TEST_P(PlacementTest, AShiftedCentreOfMassShiftsTheHand) {
+  const Placement a = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
+  const Placement b = CalcPlacement(hand_, grasp_, kSize, Vector3d(0.02, -0.01, 0.0));
+  EXPECT_LT((b.X_WH.translation() - a.X_WH.translation() - Vector3d(0.02, -0.01, 0.0)).norm(),
+            1e-12);
+  EXPECT_LT((b.X_WH.linear() - a.X_WH.linear()).norm(), 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grasps, PlacementTest,
+                         testing::Values(Case{"tum", "g1"}, Case{"tum", "g2"}, Case{"tum", "g3"},
+                                         Case{"shadow", "g1"}, Case{"shadow", "g2"},
+                                         Case{"shadow", "g3"}),
+                         [](const auto& instance) {
+                           return std::string(instance.param.hand) + "_" + instance.param.grasp;
+                         });
+
+TEST(Placement, APowerGraspOfATallThingComesFromTheSide) {
+  const Hand hand = LoadHand("tum");
+  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
+    const Placement placement =
+        CalcPlacement(hand, grasp, Vector3d(0.066, 0.066, 0.1156), Vector3d::Zero());
+    if (grasp.type == GraspType::kPower) {
+      EXPECT_NEAR(placement.approach_W.z(), 0.0, 1e-12);
+      // The palm ends 3 mm before the can's wall.
+      double nearest = -1.0;
+      const auto X_HL = CalcLinkPoses(hand, grasp.q_pre);
+      for (const ContactSphere& sphere : hand.contact_spheres) {
+        if (sphere.link != hand.palm_link) continue;
+        nearest = std::max(
+            nearest, placement.approach_W.dot(placement.X_WH * (X_HL[sphere.link] * sphere.p_LS)) +
+                         sphere.radius);
+      }
+      EXPECT_NEAR(nearest, -0.033 - 0.003, 1e-9);
+    } else {
+      EXPECT_NEAR(placement.approach_W.z(), -1.0, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,100 @@
+#include "core/sim/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/hand/load_hand.h"
+#include "tests/core/sim/sim_fixtures.h"
+
+namespace graspbench {
+namespace {
+
+std::shared_ptr<const GraspObject> MakeCube(double mass, double mu) {
+  GraspObject object =
+      MakeTestObject(MakeRoundedBox(Eigen::Vector3d::Constant(0.031), 0.001, 2), mass, mu, mu);
+  object.id = "cube";
+  object.size = Eigen::Vector3d::Constant(0.031);
+  return std::make_shared<const GraspObject>(object);
+}
+
+TrialSetup MakeSetup(const char* hand, const char* grasp,
+                     std::shared_ptr<const GraspObject> object) {
+  TrialSetup setup;
+  setup.hand = std::make_shared<const Hand>(LoadHand(hand));
+  setup.object = std::move(object);
+  for (const StandardGrasp& candidate : LoadStandardGrasps(*setup.hand)) {
+    if (candidate.id == grasp) setup.grasp = candidate;
+  }
+  setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
+  return setup;
+}
+
+class TrialTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(TrialTest, ALightCubeIsLiftedAndHeldWithoutCreep) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
+  EXPECT_NEAR(result.lift_height, 0.1, 0.01);
+  EXPECT_EQ(result.num_unconverged, 0);
+  EXPECT_LT(result.end_speed, 1e-6);
+  EXPECT_LT(std::abs(result.energy_residual), 0.01);
+  ASSERT_EQ(result.snapshots.size(), 3u);
+  EXPECT_EQ(result.snapshots[0].name, "pregrasp");
+  EXPECT_EQ(result.snapshots[2].name, "lifted");
+  // Two digits: forming and opposing are the same.
+  EXPECT_EQ(result.timing.gft, result.timing.got);
+  EXPECT_GE(result.timing.gct, result.timing.gft);
+}
+
+// Without friction nothing can be lifted; nothing is glued.
+TEST_P(TrialTest, WithoutFrictionTheCubeStaysBehind) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.0));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_NE(result.outcome, Outcome::kSuccess);
+  EXPECT_NE(result.outcome, Outcome::kNumericalFailure) << result.reason;
+  EXPECT_LT(result.lift_height, 0.02);
+  EXPECT_FALSE(result.reason.empty());
+}
+
+// A pinch carries at most mu F of weight: 20 kg cannot be lifted by a few newton.
+TEST_P(TrialTest, ATooHeavyCubeStaysBehind) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(20.0, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_NE(result.outcome, Outcome::kSuccess);
+  EXPECT_LT(0.5 * result.grip_force, 20.0 * kStandardGravity);
+}
+
+TEST_P(TrialTest, TheSameTrialGivesTheSameBitsWhateverRanBefore) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
+  TrialRunner fresh(setup.hand, setup.object), used(setup.hand, setup.object);
+  TrialSetup other = setup;
+  other.draw.offset_x = 0.004;
+  other.sim.step = 0.001;
+  used.Run(other);
+  EXPECT_EQ(ToJson(fresh.Run(setup)).dump(), ToJson(used.Run(setup)).dump());
+}
+
+TEST_P(TrialTest, AResultSurvivesItsRecord) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  const std::string text = ToJson(result).dump();
+  EXPECT_EQ(ToJson(TrialResultFromJson(Json::parse(text))).dump(), text);
+}
+
+TEST_P(TrialTest, AnImpossibleStateIsANumericalFailureWithItsReason) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
+  setup.draw.offset_x = std::nan("");
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_EQ(result.outcome, Outcome::kNumericalFailure);
+  EXPECT_FALSE(result.reason.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, TrialTest, testing::Values("tum", "shadow"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+}  // namespace
+}  // namespace graspbench
