@@ -1,6 +1,7 @@
 #include "core/hand/hand_yaml.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -37,8 +38,9 @@ class HandYamlReader {
   }
 
  private:
-  /** Tells when the URDF has no such link or joint; `what` is "link" or "joint". */
+  /** Tells when hand.urdf has no such link or joint; `what` is "link" or "joint". */
   bool CheckName(const std::string& name, const char* what, int line, const std::string& where) {
+    if (outline_.links.empty()) return false;  // hand.urdf cannot be read, which has been told
     const auto& known = *what == 'l' ? outline_.links : outline_.revolute_joints;
     if (std::find(known.begin(), known.end(), name) != known.end()) return true;
     problems_.Fail(file_, line,
@@ -91,13 +93,13 @@ void HandYamlReader::ReadPalm(const YAML::Node& node) {
 
 void HandYamlReader::ReadDigit(const YAML::Node& node) {
   Digit& digit = hand_.digits.emplace_back();
-  const int line = LineOf(node);
   YamlMap map(node, file_, "digit " + std::to_string(hand_.digits.size()), problems_);
   std::vector<std::string> links;
   map.Read("id", digit.id);
   map.Read("name", digit.name);
   map.Read("thumb", digit.is_thumb, Needed::kNo);
   map.Read("links", links);
+  const int line = LineOf(map.Child("links", Needed::kNo));
   map.Read("tip_m", digit.p_LTip);
   map.Read("pad_m", digit.p_LPad);
   map.FinishKnownKeys();
@@ -205,7 +207,8 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
     const std::string where = "drives, entry " + std::to_string(++number);
     YamlMap map(item, file_, where, problems_);
     std::vector<std::string> joints;
-    JointDrive drive;
+    const double unset = std::nan("");  // told when missing, and no value to judge
+    JointDrive drive = {unset, unset, unset};
     map.Read("joints", joints);
     map.Read("stiffness_nm_per_rad", drive.stiffness);
     map.Read("damping_nms_per_rad", drive.damping);
@@ -213,7 +216,7 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
     map.FinishKnownKeys();
     for (const auto& [key, value] : {std::pair{"stiffness_nm_per_rad", drive.stiffness},
                                      {"torque_limit_nm", drive.torque_limit}}) {
-      if (map.Has(key) && value <= 0.0) map.Fail(key, "must be positive");
+      if (value <= 0.0) map.Fail(key, "must be positive");
     }
     if (drive.damping < 0.0) map.Fail("damping_nms_per_rad", "must not be negative");
     for (const std::string& name : joints) {

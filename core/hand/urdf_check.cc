@@ -298,9 +298,8 @@ void UrdfChecker::CheckLink(XMLElement& link) {
 void UrdfChecker::CheckJoint(XMLElement& joint) {
   const std::string name = Text(joint, "name", "joint");
   const std::string where = "joint \"" + name + "\"";
-  if (!name.empty() && !joint_names_.insert(name).second) {
-    Fail(joint, where + ": the name is taken by another joint");
-  }
+  const bool is_new = joint_names_.insert(name).second;
+  if (!name.empty() && !is_new) Fail(joint, where + ": the name is taken by another joint");
   if (XMLElement* mimic = joint.FirstChildElement("mimic")) {
     problems_.Warn(file_, mimic->GetLineNum(),
                    where + ": <mimic> is not used; name the pair under coupling in hand.yaml");
@@ -331,7 +330,7 @@ void UrdfChecker::CheckJoint(XMLElement& joint) {
                     "\" is not supported; a hand's joints are revolute (with limits) or fixed");
     return;
   }
-  outline_.revolute_joints.push_back(name);
+  if (is_new) outline_.revolute_joints.push_back(name);
   if (!ends.child.empty() && !has_inertial_[ends.child]) {
     problems_.Fail(file_, link_lines_[ends.child],
                    "link \"" + ends.child + "\": <inertial> is missing; joint \"" + name +
@@ -402,9 +401,14 @@ void UrdfChecker::CheckTree() {
 UrdfOutline UrdfChecker::Check(const std::string& text) {
   const int num_errors_before = problems_.num_errors();
   tinyxml2::XMLDocument document;
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+  if (const tinyxml2::XMLError error = document.Parse(text.data(), text.size());
+      error != tinyxml2::XML_SUCCESS) {
     problems_.Fail(file_, document.ErrorLineNum(),
-                   std::string("not valid XML: ") + document.ErrorStr());
+                   std::string("not valid XML: ") +
+                       (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT
+                            ? "this element is not closed by its own name"
+                            : "a tag or a value from here on is not closed or not well-formed (" +
+                                  std::string(document.ErrorName()) + ")"));
     return {};
   }
   XMLElement* robot = document.RootElement();

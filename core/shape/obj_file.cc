@@ -1,28 +1,36 @@
 #include "core/shape/obj_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace graspbench {
 namespace {
 
-std::vector<std::string> SplitWords(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
+constexpr std::string_view kBlanks = " \t\r";
+
+std::vector<std::string_view> SplitWords(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (size_t at = 0; (at = line.find_first_not_of(kBlanks, at)) != line.npos;) {
+    const size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
   return words;
 }
 
-bool ParseCoordinate(const std::string& word, double& value) {
+bool ParseCoordinate(std::string_view word, double& value) {
   const char* const end = word.data() + word.size();
   const auto [next, status] = std::from_chars(word.data(), end, value);
   return status == std::errc() && next == end && std::isfinite(value);
 }
 
 /** "7", "7/1/2", "-1" (the last vertex so far) to an index from 0. */
-bool ParseCorner(const std::string& word, int num_vertices, int& index) {
+bool ParseCorner(std::string_view word, int num_vertices, int& index) {
   const char* const end = word.data() + word.size();
   int number = 0;
   const auto [next, status] = std::from_chars(word.data(), end, number);
@@ -38,7 +46,7 @@ TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& 
   std::istringstream in(text);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    const std::vector<std::string> words = SplitWords(line);
+    const std::vector<std::string_view> words = SplitWords(line);
     if (words.empty()) continue;
     if (words[0] == "v") {
       Eigen::Vector3d& p = mesh.vertices.emplace_back();
