@@ -42,6 +42,79 @@ std::string ReadHead(std::istream& stream) {
   return head;
 }
 
+/** Bytes of the UTF-8 character at `i`, 0 when there is none. */
+size_t FindCharacterLength(const std::string& text, size_t i) {
+  const auto byte = [&](size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const unsigned first = byte(i), second = byte(i + 1);
+  const auto continues = [&](size_t k) { return (byte(k) & 0xc0u) == 0x80u; };
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return continues(i + 1) ? 2 : 0;
+  if (first >= 0xe0 && first <= 0xef) {
+    const bool is_overlong = first == 0xe0 && second < 0xa0;
+    const bool is_surrogate = first == 0xed && second >= 0xa0;
+    return continues(i + 1) && continues(i + 2) && !is_overlong && !is_surrogate ? 3 : 0;
+  }
+  if (first >= 0xf0 && first <= 0xf4) {
+    const bool is_outside = (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
+    return continues(i + 1) && continues(i + 2) && continues(i + 3) && !is_outside ? 4 : 0;
+  }
+  return 0;
+}
+
+bool IsUtf8(const std::string& text) {
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = FindCharacterLength(text, i);
+    if (length == 0) return false;
+    i += length;
+  }
+  return true;
+}
+
+/** True when the text had to be changed. */
+bool CleanText(std::string& text) {
+  const bool is_utf8 = IsUtf8(text);
+  std::string clean;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 32 || byte == 127) {
+      clean += '?';
+    } else if (byte < 128 || is_utf8) {
+      clean += c;
+    } else {  // Latin-1
+      clean += static_cast<char>(0xc0 | byte >> 6);
+      clean += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  if (clean == text) return false;
+  text = std::move(clean);
+  return true;
+}
+
+void CleanTexts(Recording& recording) {
+  size_t num_changed = 0;
+  for (RecordedPoint& point : recording.points) {
+    num_changed += CleanText(point.label) + CleanText(point.unit);
+  }
+  for (AnalogChannel& channel : recording.analog) {
+    num_changed += CleanText(channel.label) + CleanText(channel.unit);
+  }
+  for (RecordedEvent& event : recording.events) {
+    num_changed += CleanText(event.label) + CleanText(event.context);
+  }
+  for (ImportFinding& finding : recording.findings) {
+    CleanText(finding.where);
+    CleanText(finding.text);
+  }
+  if (num_changed == 0) return;
+  recording.Note("text_encoding", "labels",
+                 std::to_string(num_changed) +
+                     " texts hold control characters or bytes that are not UTF-8; the bytes are "
+                     "read as Latin-1, control characters as ?");
+  MakeLabelsUnique(recording, "labels");
+}
+
 }  // namespace
 
 const std::vector<Importer>& ImporterList() {
@@ -85,6 +158,14 @@ const Importer& FindImporter(const std::string& format, std::string_view head,
                   " (--format names one; a plain table needs --mapping columns.yaml)");
 }
 
+Recording ImportRecording(const Importer& importer, const ImportSource& source,
+                          const ImportOptions& options) {
+  Recording recording = importer.import(source, options);
+  recording.format = importer.id;
+  CleanTexts(recording);
+  return recording;
+}
+
 Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
   std::ifstream stream = OpenFile(path);
   // A mapping is only of use to the plain table.
@@ -97,9 +178,7 @@ Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
     if (!fs::is_regular_file(sibling, status)) return std::nullopt;
     return ReadFile(sibling);
   };
-  Recording recording = importer.import({stream, path.string(), read_sibling}, options);
-  recording.format = importer.id;
-  return recording;
+  return ImportRecording(importer, {stream, path.string(), read_sibling}, options);
 }
 
 std::vector<PersonalField> RedactRecording(const fs::path& in, const fs::path& out) {
@@ -110,7 +189,8 @@ std::vector<PersonalField> RedactRecording(const fs::path& in, const fs::path& o
                                              " has no known places for personal data; look at the "
                                              "file yourself before sharing it");
   }
-  const std::vector<PersonalField> fields = importer.redact(bytes, in.string());
+  std::vector<PersonalField> fields = importer.redact(bytes, in.string());
+  for (PersonalField& field : fields) CleanText(field.text);
   WriteFileAtomically(out, bytes);
   return fields;
 }

@@ -65,6 +65,11 @@ const std::vector<Importer>& ImporterList();
 const Importer& FindImporter(const std::string& format, std::string_view head,
                              const std::filesystem::path& path);
 
+/** Runs the importer and makes every text of the result safe to print: valid UTF-8 (other bytes are
+read as Latin-1) without control characters. @throws as LoadRecording. */
+Recording ImportRecording(const Importer& importer, const ImportSource& source,
+                          const ImportOptions& options);
+
 /** @throws Error(kNotFound, kIo, kFormat, kUnsupported). */
 Recording LoadRecording(const std::filesystem::path& path, const ImportOptions& options = {});
 

@@ -43,9 +43,10 @@ inline void FuzzImport(const std::string& id, const std::string& bytes) {
     if (id == "table") options.mapping = FindDataRoot() / "tests/fuzz/table_mapping.yaml";
     std::istringstream stream(parts[0]);
     try {
-      const Recording recording =
-          importer.import({stream, "sub-1_task-g_tracksys-q_motion.tsv", sibling}, options);
-      DescribeRecording(recording);
+      const Recording recording = ImportRecording(
+          importer, {stream, "sub-1_task-g_tracksys-q_motion.tsv", sibling}, options);
+      DescribeRecording(recording).dump();  // throws when a text is not UTF-8
+      FormatRecording(recording);
     } catch (const Error&) {
     }
   }

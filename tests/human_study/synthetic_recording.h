@@ -61,7 +61,7 @@ inline Recording ImportBytes(const std::string& bytes, const std::string& id,
                              const ImportOptions& options = {}) {
   std::istringstream stream(bytes);
   const auto no_sibling = [](const std::string&) { return std::nullopt; };
-  return FindImporter(id, "", "").import({stream, "file", no_sibling}, options);
+  return ImportRecording(FindImporter(id, "", ""), {stream, "file", no_sibling}, options);
 }
 
 /** Message of the Error that importing throws; empty when it throws none. */

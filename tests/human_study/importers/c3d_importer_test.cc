@@ -175,6 +175,27 @@ TEST(C3dImporter, RepeatedAndMissingLabelsAreNoted) {
   EXPECT_EQ(CountFindings(read, "missing_label"), 1u);
 }
 
+TEST(C3dImporter, TextsComeOutSafeToPrint) {
+  Recording original = MakeSyntheticRecording(3, 4);
+  original.points[0].label =
+      "Daumen gr\xf6\xdf"
+      "er";  // Latin-1
+  original.points[1].label =
+      "Daumen gr\xc3\xb6\xc3\x9f"
+      "er";
+  original.points[2].label = "\x1b[31mred";
+  const Recording read = ImportBytes(FormatC3d(original), "c3d");
+  EXPECT_EQ(read.points[0].label,
+            "Daumen gr\xc3\xb6\xc3\x9f"
+            "er");
+  EXPECT_EQ(read.points[1].label,
+            "Daumen gr\xc3\xb6\xc3\x9f"
+            "er_2")
+      << "unique all the same";
+  EXPECT_EQ(read.points[2].label, "?[31mred");
+  EXPECT_EQ(CountFindings(read, "text_encoding"), 1u);
+}
+
 TEST(C3dImporter, FirstFrameMayBeZero) {
   Recording original = MakeSyntheticRecording(20, 1);
   original.first_frame = 0;
