@@ -93,6 +93,13 @@ TEST(GraspQuality, AllMeasuresOfACube) {
       "distance of the surface from the centre of mass)");
 }
 
+// Normals written with seven digits are unit within 1e-6 only; the measures are those of true units.
+TEST(GraspQuality, NormalsAreMadeUnit) {
+  std::vector<GraspContact> cube = MakeCubeGrasp(0.02, 0.5);
+  for (GraspContact& contact : cube) contact.nhat_O *= 1.0 + 9e-7;
+  EXPECT_NEAR(CalcEpsilonBy("ferrari-canny", cube, 0.02), 0.5 * std::sqrt(2.0 / 3.0), 1e-12);
+}
+
 TEST(GraspQuality, TellsEveryProblem) {
   QualityRequest request = MakeRequest(MakePinch(0.03, 0.5, 0.0), "ferrari-canny", 0.05);
   EXPECT_TRUE(ListProblems(request).empty());

@@ -135,7 +135,7 @@ TEST(WrenchHull, DegenerateGraspIsHulled) {
   for (GraspContact& contact : contacts) {
     const int axis = stream.NextIndex(3);
     contact.nhat_O = (stream.NextIndex(2) == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(axis);
-    for (int k = 0; k < 3; ++k) contact.p_OC[k] = stream.NextUniform(-1.0, 1.0);
+    for (int k = 2; k >= 0; --k) contact.p_OC[k] = stream.NextUniform(-1.0, 1.0);
     contact.p_OC[axis] = -contact.nhat_O[axis];
     contact.mu = 1.0;
   }
