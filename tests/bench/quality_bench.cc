@@ -1,0 +1,84 @@
+// Epsilon of random grasps (eight edges): the expanding polytope against the whole hull by Qhull,
+// and the largest force along a direction. Argument: contacts. Target: ten contacts in at most 3
+// ms.
+//   build/release/tests/bench/quality_bench
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "core/grasp/epsilon_fast.h"
+#include "core/grasp/force_closure.h"
+#include "core/grasp/wrench_hull.h"
+#include "tests/core/grasp/grasp_samples.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kNumGrasps = 32;
+
+std::vector<ConeWrenches> MakeGrasps(int num_contacts) {
+  RandomStream stream("quality bench", std::to_string(num_contacts));
+  std::vector<ConeWrenches> grasps;
+  for (int i = 0; i < kNumGrasps; ++i) {
+    grasps.push_back(CalcConeWrenches(MakeRandomGrasp(stream, num_contacts), {}));
+  }
+  return grasps;
+}
+
+void BM_EpsilonFast(benchmark::State& state) {
+  const std::vector<ConeWrenches> grasps = MakeGrasps(state.range(0));
+  double worst = 0.0;
+  for (const ConeWrenches& grasp : grasps) {
+    const double epsilon = CalcEpsilon(CalcWrenchHull(grasp.wrenches));
+    worst = std::max(worst, std::abs(CalcEpsilonBounds(grasp.wrenches).upper - epsilon));
+  }
+  if (worst > 1e-9) state.SkipWithError("the fast epsilon is not the hull's");
+  size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(CalcEpsilonBounds(grasps[i++ % kNumGrasps].wrenches).upper);
+  }
+  state.counters["worst_difference"] = worst;
+}
+
+// Also counts how many times the hull takes as long as the fast method on the same grasps.
+void BM_EpsilonHull(benchmark::State& state) {
+  const std::vector<ConeWrenches> grasps = MakeGrasps(state.range(0));
+  const std::clock_t start = std::clock();
+  size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(CalcEpsilon(CalcWrenchHull(grasps[i++ % kNumGrasps].wrenches)));
+  }
+  const std::clock_t middle = std::clock();
+  for (size_t k = 0; k < i; ++k) {
+    benchmark::DoNotOptimize(CalcEpsilonBounds(grasps[k % kNumGrasps].wrenches).upper);
+  }
+  state.counters["times_fast"] =
+      static_cast<double>(middle - start) / std::max<std::clock_t>(std::clock() - middle, 1);
+}
+
+void BM_TaskForce(benchmark::State& state) {
+  const std::vector<ConeWrenches> grasps = MakeGrasps(state.range(0));
+  const Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Unit(2);
+  for (const ConeWrenches& grasp : grasps) {
+    const double epsilon = CalcEpsilonBounds(grasp.wrenches).lower;
+    if (CalcTaskForce(grasp, direction, ForceLimit::kSum) < epsilon - 1e-9) {
+      state.SkipWithError("a direction is weaker than epsilon");
+    }
+  }
+  size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(CalcTaskForce(grasps[i++ % kNumGrasps], direction, ForceLimit::kEach));
+  }
+}
+
+BENCHMARK(BM_EpsilonFast)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_EpsilonHull)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_TaskForce)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace graspbench
