@@ -350,9 +350,13 @@ Recording ImportC3d(const ImportSource& source, const ImportOptions& options) {
   if (parameters.HasGroup("ROTATION")) {
     recording.Note("rotations_skipped", "ROTATION", "rotation data are present and not read");
   }
+  std::string personal;
   for (const C3dParameter* parameter : FindPersonalParameters(parameters)) {
-    recording.Note("personal_data", parameter->Name(),
-                   "holds text about a person or a date (graspbench mocap redact blanks it)");
+    personal += (personal.empty() ? "" : ", ") + parameter->Name();
+  }
+  if (!personal.empty()) {
+    recording.Note("personal_data", personal,
+                   "text about a person or a date (graspbench mocap redact blanks it)");
   }
   return recording;
 }

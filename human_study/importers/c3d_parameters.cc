@@ -237,7 +237,8 @@ std::vector<PersonalField> RedactC3d(std::string& bytes, const std::string& file
   const C3dParameters parameters(head.section, head.position, head.processor, file);
   std::vector<PersonalField> fields;
   std::vector<std::string> prefixes;
-  for (const C3dParameter* parameter : FindPersonalParameters(parameters)) {
+  const std::vector<const C3dParameter*> personal = FindPersonalParameters(parameters);
+  for (const C3dParameter* parameter : personal) {
     for (const std::string& text : parameter->Texts()) {
       if (text.empty()) continue;
       fields.push_back({parameter->Name(), text});
@@ -250,7 +251,8 @@ std::vector<PersonalField> RedactC3d(std::string& bytes, const std::string& file
   }
   // A label keeps its length: the prefix goes, the rest moves forward, blanks follow.
   for (const C3dParameter& parameter : parameters.all()) {
-    if (parameter.type != -1 || parameter.dimensions.empty()) continue;
+    const bool is_blank = std::find(personal.begin(), personal.end(), &parameter) != personal.end();
+    if (is_blank || parameter.type != -1 || parameter.dimensions.empty()) continue;
     const auto length = static_cast<size_t>(parameter.dimensions[0]);
     for (size_t at = 0; length > 0 && at + length <= parameter.data.size(); at += length) {
       const std::string_view entry = parameter.data.substr(at, length);
