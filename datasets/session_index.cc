@@ -2,6 +2,8 @@
 
 #include <sqlite3.h>
 
+#include <memory>
+
 #include "core/base/error.h"
 #include "core/base/proportion.h"
 
@@ -30,17 +32,18 @@ class Database {
       places += i > 0 ? ", ?" : "?";
     }
     Run("CREATE TABLE " + name + " (" + definition + ")");
-    sqlite3_stmt* insert = nullptr;
     const std::string sql = "INSERT INTO " + name + " VALUES (" + places + ")";
-    Check(sqlite3_prepare_v2(db_, sql.c_str(), -1, &insert, nullptr));
+    sqlite3_stmt* statement = nullptr;
+    Check(sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr));
+    const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> insert(statement,
+                                                                       &sqlite3_finalize);
     for (size_t row = 0; row < num_rows; ++row) {
       for (size_t i = 0; i < column_names.size(); ++i) {
-        Bind(insert, static_cast<int>(i) + 1, cell(row, i));
+        Bind(insert.get(), static_cast<int>(i) + 1, cell(row, i));
       }
-      Check(sqlite3_step(insert));
-      sqlite3_reset(insert);
+      Check(sqlite3_step(insert.get()));
+      sqlite3_reset(insert.get());
     }
-    sqlite3_finalize(insert);
   }
 
   std::string Serialize() {

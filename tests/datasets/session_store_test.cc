@@ -91,6 +91,22 @@ TEST_F(SessionStore, GivesBackWhatWasAppended) {
   EXPECT_TRUE(FindUnfinished(session).empty());
 }
 
+TEST_F(SessionStore, ExportsEveryFinishedTrialInThePlansOrder) {
+  const auto plan = CreateFakeSession(folder(), 2);
+  AppendAll(0, {plan[6], plan[1], plan[3]});
+  ExportSession(folder(), LoadSession(folder()));
+  const std::vector<PlannedTrial> finished = {plan[1], plan[3], plan[6]};
+  std::string lines;
+  for (const Json& record : JsonOfFakes(finished)) lines += record.dump() + "\n";
+  EXPECT_EQ(ReadFile(folder() / "export" / "records.jsonl"), lines);
+  const std::string csv = ReadFile(folder() / "export" / "trials.csv");
+  size_t from = 0;
+  for (const PlannedTrial& planned : finished) {
+    from = csv.find("\n" + planned.id + "," + planned.hand + ",", from);
+    ASSERT_NE(from, std::string::npos) << csv;
+  }
+}
+
 TEST_F(SessionStore, ResumesWithThePlanMinusTheFinished) {
   const auto plan = CreateFakeSession(folder(), 2);
   AppendAll(0, {plan[5], plan[0]});
