@@ -10,12 +10,12 @@ namespace {
 
 TEST(SessionInputs, LoadsWhatTheConfigurationNamesInItsOrder) {
   SessionConfig config;
-  config.hands = {"tum-original", "tum"};
+  config.hands = {"tum-original", "shadow"};
   config.objects = {"tennis_ball", "adhesive_tape"};
   const SessionInputs inputs = LoadSessionInputs(config);
   ASSERT_EQ(inputs.hands.size(), 2u);
   EXPECT_EQ(inputs.hands[0].hand->id, "tum-original");
-  EXPECT_EQ(inputs.hands[1].hand->id, "tum");
+  EXPECT_EQ(inputs.hands[1].hand->id, "shadow");
   ASSERT_EQ(inputs.objects.size(), 2u);
   EXPECT_EQ(inputs.objects[0]->id, "tennis_ball");
   EXPECT_EQ(inputs.objects[1]->id, "adhesive_tape");
