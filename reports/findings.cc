@@ -31,12 +31,11 @@ void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings
                        "under numerical health.");
   }
   for (const CellSummary& cell : data.summary.cells) {
-    for (const TrialRecord* record : cell.records) {
-      if (!record->result.timing.contact_before_start) continue;
-      findings.push_back(NameOfCell(cell, data.models) + ", trial " +
-                         std::to_string(record->plan.trial) +
-                         ": a digit touched before closure began; its times are kept as they are.");
-    }
+    if (cell.num_early == 0) continue;
+    findings.push_back(NameOfCell(cell, data.models) + ": in " +
+                       FormatCount(cell.num_early, "trial") +
+                       " a digit touched before the start of closure, so GFT may exceed GCT; the "
+                       "times are kept as they are.");
   }
 }
 

@@ -42,13 +42,13 @@ std::string FormatRate(int successes, int n) {
   const std::string counts = std::to_string(successes) + " of " + FormatCount(n, "trial");
   if (n == 0) return counts;
   return counts + " (" + FormatPercent(static_cast<double>(successes) / n) + ", 95" +
-         kNoBreakSpace + "% interval " + FormatRateInterval(successes, n) + ")";
+         kNoBreakSpace + "% interval " + FormatRateInterval(successes, n) + kNoBreakSpace + "%)";
 }
 
 std::string FormatRateInterval(int successes, int n) {
   if (n == 0) return "n/a";
   const Interval interval = CalcWilsonInterval(successes, n);
-  return FormatFixed(100.0 * interval.low, 1) + " to " + FormatPercent(interval.high);
+  return FormatFixed(100.0 * interval.low, 1) + " to " + FormatFixed(100.0 * interval.high, 1);
 }
 
 }  // namespace graspbench

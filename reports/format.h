@@ -25,7 +25,7 @@ std::string FormatCount(int count, const std::string& singular);
 95 % interval 59.6 to 98.2 %)"; "0 of 0 trials" without any. */
 std::string FormatRate(int successes, int n);
 
-/** The interval alone: "59.6 to 98.2 %"; "n/a" without trials. */
+/** The interval alone, in per cent: "59.6 to 98.2"; "n/a" without trials. */
 std::string FormatRateInterval(int successes, int n);
 
 }  // namespace graspbench

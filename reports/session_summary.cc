@@ -55,6 +55,7 @@ void FinishCell(CellSummary& cell) {
     if (result.outcome == Outcome::kNumericalFailure) continue;
     RaiseTo(result.worst_penetration, cell.tally.worst_penetration);
     RaiseTo(std::abs(result.energy_residual), cell.tally.worst_energy_residual);
+    cell.num_early += result.timing.contact_before_start;
     gct.push_back(result.timing.gct);
     gft.push_back(result.timing.gft);
     got.push_back(result.timing.got);

@@ -52,6 +52,7 @@ struct CellSummary {
   Tally tally;
   Spread gct, gft, got;         ///< [s]
   Spread gft_ratio, got_ratio;  ///< of GCT
+  int num_early = 0;            ///< trials with a contact before the start of closure
 };
 
 struct SessionSummary {

@@ -12,7 +12,7 @@ namespace graspbench {
 namespace {
 
 // Plots are drawn in CSS pixels. Letters of the 13 px labels are about this wide.
-constexpr double kLetterWidth = 7.0;
+constexpr double kLetterWidth = 7.4;
 constexpr double kMaxLabelWidth = 230.0;
 constexpr double kGap = 8.0;
 
@@ -196,24 +196,29 @@ Html DrawStackedBars(const StackedBars& plot) {
 Html DrawDotStrips(const DotStrips& plot) {
   constexpr double kRow = 34.0, kSpread = 20.0, kAxis = 38.0, kPlot = 320.0, kDot = 3.2;
   std::vector<std::string> labels;
-  double largest = 0.0;
+  double lowest = 0.0, highest = 0.0;
   for (const DotStrips::Row& row : plot.rows) {
     labels.push_back(row.label);
     for (const DotStrips::Dot& dot : row.dots) {
-      if (std::isfinite(dot.value)) largest = std::max(largest, dot.value);
+      if (!std::isfinite(dot.value)) continue;
+      lowest = std::min(lowest, dot.value);
+      highest = std::max(highest, dot.value);
     }
   }
-  const double step = CalcTickStep(largest > 0.0 ? largest : 1.0, 5);
-  const int num_ticks = std::max(1, static_cast<int>(std::ceil(largest / step - 1e-9)));
-  const double scale = kPlot / (step * num_ticks);
+  const double step = CalcTickStep(highest > lowest ? highest - lowest : 1.0, 5);
+  const int first_tick = static_cast<int>(std::floor(lowest / step + 1e-9));
+  const int last_tick = std::max(1, static_cast<int>(std::ceil(highest / step - 1e-9)));
+  const double scale = kPlot / (step * (last_tick - first_tick));
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   const double left = CalcLabelWidth(labels) + kGap;
   const double bottom = kRow * static_cast<double>(plot.rows.size());
 
+  const auto place_x = [&](double value) { return left + scale * (value - step * first_tick); };
+
   Html content;
-  for (int tick = 0; tick <= num_ticks; ++tick) {
-    const double x = left + scale * step * tick;
-    content += Line("grid", x, 0.0, x, bottom);
+  for (int tick = first_tick; tick <= last_tick; ++tick) {
+    const double x = place_x(step * tick);
+    content += Line(tick == 0 ? "grid zero" : "grid", x, 0.0, x, bottom);
     content += Label("middle small", x, bottom + 11.0, FormatFixed(step * tick, decimals));
   }
   content += Label("middle small", left + kPlot / 2.0, bottom + 28.0, plot.axis);
@@ -231,7 +236,7 @@ Html DrawDotStrips(const DotStrips& plot) {
         continue;
       }
       values.push_back(dot.value);
-      const double x = left + scale * dot.value;
+      const double x = place_x(dot.value);
       const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(row.dots.size());
       const double y = middle + kSpread * (place - 0.5);
       content +=
@@ -246,7 +251,7 @@ Html DrawDotStrips(const DotStrips& plot) {
     }
     const Spread spread = CalcSpread(values);
     if (spread.n > 0) {
-      const double x = left + scale * spread.median;
+      const double x = place_x(spread.median);
       content += Line("median", x, middle - kRow / 2.0 + 3.0, x, middle + kRow / 2.0 - 3.0);
     }
     if (num_missing > 0) {

@@ -64,7 +64,7 @@ struct StackedBars {
 };
 Html DrawStackedBars(const StackedBars& plot);
 
-/** Values as dots on a common axis from 0, one strip per row, the median as a tick. */
+/** Values as dots on a common axis that holds 0, one strip per row, the median as a tick. */
 struct DotStrips {
   struct Dot {
     double value = 0.0;      ///< NaN: counted at the right, not drawn

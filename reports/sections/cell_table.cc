@@ -26,6 +26,8 @@ Html ListFailures(const Tally& tally) {
   return list.empty() ? Text("none") : list;
 }
 
+constexpr char kEarly[] = "†";
+
 /** "g1 all finger precision, .. ; NC no contact, .." for what stands in the table. */
 std::string ExplainCodes() {
   std::string text = "Grasps:";
@@ -37,7 +39,7 @@ std::string ExplainCodes() {
     text += std::string(" ") + CodeOf(outcome) + " " + NameOf(outcome) + ",";
   }
   text.back() = '.';
-  return text;
+  return text + " " + kEarly + " a digit of some trial touched before the start of closure.";
 }
 
 Html Draw(const ReportData& data) {
@@ -50,7 +52,7 @@ Html Draw(const ReportData& data) {
        {"n", number, "finished trials"},
        {"Successes", number},
        {"Rate [%]", number, "successes of n"},
-       {"95 % interval", number, "Wilson interval of the rate"},
+       {"95 % interval [%]", number, "Wilson interval of the rate"},
        {"Other outcomes"},
        {"GCT [s]", number, "median grasp closure time"},
        {"GFT [s]", number, "median grasp forming time"},
@@ -60,6 +62,7 @@ Html Draw(const ReportData& data) {
        {"Penetration [mm]", number, "deepest finger contact of any trial"}});
   for (const CellSummary& cell : data.summary.cells) {
     const Tally& tally = cell.tally;
+    const std::string early = cell.num_early > 0 ? kEarly : "";
     table.AddRow({LinkTo(cell.anchor, data.models.NameOfObject(cell.object)),
                   Text(data.models.NameOfHand(cell.hand)),
                   Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
@@ -67,8 +70,8 @@ Html Draw(const ReportData& data) {
                   DrawRate(tally), Text(FormatRateInterval(tally.successes(), tally.finished)),
                   ListFailures(tally), Text(FormatFixed(cell.gct.median, 3)),
                   Text(FormatFixed(cell.gft.median, 3)), Text(FormatFixed(cell.got.median, 3)),
-                  Text(FormatFixed(100.0 * cell.gft_ratio.median, 1)),
-                  Text(FormatFixed(100.0 * cell.got_ratio.median, 1)),
+                  Text(FormatFixed(100.0 * cell.gft_ratio.median, 1) + early),
+                  Text(FormatFixed(100.0 * cell.got_ratio.median, 1) + early),
                   Text(FormatFixed(MmFromM(tally.worst_penetration), 2))});
   }
   return table.ToHtml() + Element("p", {{"class", "small"}}, ExplainCodes());

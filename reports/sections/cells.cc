@@ -119,7 +119,10 @@ Html DrawTiming(const CellSummary& cell) {
   add("GOT [s]", cell.got, 1.0, 3);
   add("GFT% [%]", cell.gft_ratio, 100.0, 1);
   add("GOT% [%]", cell.got_ratio, 100.0, 1);
-  return table.ToHtml();
+  if (cell.num_early == 0) return table.ToHtml();
+  const std::string note = "In " + FormatCount(cell.num_early, "trial") +
+                           " a digit touched before the start of closure; GFT may exceed GCT.";
+  return Element("div", {}, table.ToHtml() + Element("p", {{"class", "small"}}, note));
 }
 
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,

@@ -46,11 +46,13 @@ Html DescribeFailures(const ReportData& data) {
                FormatCount(static_cast<int>(data.summary.cells.size()), "cell") +
                (without.size() == 1 ? " has" : " have") + " no success: ");
   for (size_t i = 0; i < std::min(without.size(), kMaxNamedCells); ++i) {
-    if (i > 0) text += Text("; ");
-    text += LinkTo(without[i]->anchor, NameOfCell(*without[i], data.models));
+    if (i > 0) text += Text(", ");
+    text += LinkTo(without[i]->anchor, data.models.NameOfHand(without[i]->hand) + " on " +
+                                           data.models.NameOfObject(without[i]->object) + " (" +
+                                           without[i]->grasp + ")");
   }
   if (without.size() > kMaxNamedCells) {
-    text += Text("; and " + std::to_string(without.size() - kMaxNamedCells) + " more");
+    text += Text(" and " + std::to_string(without.size() - kMaxNamedCells) + " more");
   }
   return text + Text(".");
 }
@@ -65,7 +67,7 @@ RateBars::Bar MakeBar(const std::string& label, const Tally& tally) {
   bar.rate = static_cast<double>(tally.successes()) / tally.finished;
   bar.low = interval.low;
   bar.high = interval.high;
-  bar.text += ", " + FormatRateInterval(tally.successes(), tally.finished);
+  bar.text += ", " + FormatRateInterval(tally.successes(), tally.finished) + " %";
   return bar;
 }
 

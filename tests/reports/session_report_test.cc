@@ -151,6 +151,17 @@ TEST(SessionReport, NumericalFailuresAreListedWithTheirReason) {
   ExpectContains(TextOfSection(page, "result"), "1 of 2 trials (50.0\u00A0%");
 }
 
+TEST(SessionReport, ContactBeforeTheStartOfClosureIsFlaggedNotClipped) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
+  TrialResult& result = session.records[0].result;
+  result.contacts[0].time = -0.2;  // GCT 0.6, GFT 0.8, GOT 0.7
+  result.timing = CalcContactTiming(result.contacts, 0.0);
+  const std::string page = MakePageOf(session);
+  ExpectContains(TextOfSection(page, "table"), "133.3†");
+  ExpectContains(TextOfSection(page, "tum-can-g3"), "a digit touched before the start of closure");
+  ExpectContains(TextOfSection(page, "findings"), "tum, can, power (g3): in 1 trial a digit");
+}
+
 TEST(SessionReport, DamagedJournalLinesAndMissingModelsAreTold) {
   const Session session = [] {
     Session made = MakeSession({"tum"}, {"can"}, "g3", 1);

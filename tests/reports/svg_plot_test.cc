@@ -116,12 +116,26 @@ TEST(DrawDotStrips, MarksAreToScaleAndMissingOnesAreCounted) {
   const auto medians = drawing.Find("line", "median");
   ASSERT_EQ(medians.size(), 1u);  // none where nothing touched
   EXPECT_NEAR(medians[0]->DoubleAttribute("x1"), dots[1]->DoubleAttribute("cx"), 0.05);
-  // 0.2 s lies as far from 0 as from 0.4 s; x of 0 is that of the first grid line.
-  const auto grid = drawing.Find("line", "grid");
+  // 0.2 s lies as far from 0 as from 0.4 s.
+  const auto grid = drawing.Find("line", "grid zero");
   const double zero = grid.at(0)->DoubleAttribute("x1");
   EXPECT_NEAR(dots[0]->DoubleAttribute("cx") - zero,
               dots[1]->DoubleAttribute("cx") - dots[0]->DoubleAttribute("cx"), 0.15);
   EXPECT_NE(ListText(*drawing.svg).find("1 never"), std::string::npos);
+}
+
+TEST(DrawDotStrips, ValuesBelowZeroStayInThePlot) {
+  DotStrips plot;
+  plot.text = {"t", "d"};
+  plot.rows = {{"thumb", {{-0.3, true, ""}, {0.2, true, ""}}}};
+  const Drawing drawing(DrawDotStrips(plot));
+  const double first = drawing.Find("line", "grid").at(0)->DoubleAttribute("x1");
+  const double zero = drawing.Find("line", "grid zero").at(0)->DoubleAttribute("x1");
+  const auto dots = drawing.Find("circle", "dot");
+  EXPECT_LT(first, zero);
+  EXPECT_GE(dots[0]->DoubleAttribute("cx"), first);
+  EXPECT_NEAR((zero - dots[0]->DoubleAttribute("cx")) / (dots[1]->DoubleAttribute("cx") - zero),
+              1.5, 0.01);
 }
 
 TEST(DrawDotStrips, NothingAtAllStillHasAnAxis) {

@@ -1,0 +1,93 @@
+#include "reports/cell_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/files.h"
+#include "core/shape/primitives.h"
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+/** A hand that is one box, and a can that is another. */
+SessionModels MakeModels() {
+  Hand hand;
+  hand.id = "tum";
+  hand.name = "Box Hand";
+  hand.links.resize(1);
+  hand.visuals.push_back({0, MakeRoundedBox({0.05, 0.05, 0.1}, 0.005), {0.4f, 0.4f, 0.4f}});
+  GraspObject can;
+  can.id = can.name = "can";
+  can.mesh = MakeRoundedBox({0.06, 0.06, 0.1}, 0.005);
+  SessionModels models;
+  models.hands["tum"] = std::make_shared<const Hand>(hand);
+  models.objects["can"] = std::make_shared<const GraspObject>(can);
+  return models;
+}
+
+std::vector<SceneSnapshot> MakeSnapshots() {
+  std::vector<SceneSnapshot> snapshots;
+  for (const char* name : {"pregrasp", "closed", "lifted"}) {
+    SceneSnapshot snapshot;
+    snapshot.name = name;
+    snapshot.X_WH = MakePose(Eigen::Vector3d(0.0, 0.0, 0.3));
+    snapshot.X_WO = MakePose(Eigen::Vector3d(0.0, 0.0, 0.05));
+    snapshots.push_back(snapshot);
+  }
+  return snapshots;
+}
+
+TEST(RenderCellPictures, DrawsTheFirstSuccessTheSameEveryTime) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  session.records[0].result.outcome = Outcome::kKnockedOver;
+  for (TrialRecord& record : session.records) record.result.snapshots = MakeSnapshots();
+  const SessionSummary summary = SummariseSession(session);
+  const CellPictures pictures = RenderCellPictures(summary, MakeModels());
+  EXPECT_TRUE(pictures.problems.empty());
+  const Filmstrip& strip = pictures.by_cell.at("tum-can-g3");
+  EXPECT_EQ(strip.record, &session.records[1]);
+  ASSERT_EQ(strip.pictures.size(), 3u);
+  EXPECT_EQ(strip.pictures[2].name, "lifted");
+  EXPECT_EQ(strip.pictures[0].webp.substr(8, 4), "WEBP");
+  const CellPictures again = RenderCellPictures(summary, MakeModels());
+  EXPECT_EQ(again.by_cell.at("tum-can-g3").pictures[0].webp, strip.pictures[0].webp);
+}
+
+TEST(RenderCellPictures, AnObjectThatFlewAwayDoesNotShrinkTheHand) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
+  session.records[0].result.snapshots = session.records[1].result.snapshots = MakeSnapshots();
+  session.records[0].result.snapshots[2].X_WO.translation() << 5.0, 3.0, 0.0;
+  session.records[1].result.snapshots[2].X_WO.translation() << 9.0, -3.0, 0.0;
+  Session other = session;
+  other.records[0] = other.records[1];
+  const SessionSummary summary = SummariseSession(session), other_summary = SummariseSession(other);
+  // Where it went must not matter for the camera, so the first picture is the same.
+  EXPECT_EQ(
+      RenderCellPictures(summary, MakeModels()).by_cell.at("tum-can-g3").pictures[0].webp,
+      RenderCellPictures(other_summary, MakeModels()).by_cell.at("tum-can-g3").pictures[0].webp);
+}
+
+TEST(RenderCellPictures, SnapshotsThatDoNotFitTheHandAreAProblem) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
+  session.records[0].result.snapshots = MakeSnapshots();
+  session.records[0].result.snapshots[1].q = Eigen::VectorXd::Zero(3);
+  const CellPictures pictures = RenderCellPictures(SummariseSession(session), MakeModels());
+  EXPECT_TRUE(pictures.by_cell.empty());
+  ASSERT_EQ(pictures.problems.size(), 1u);
+  EXPECT_EQ(pictures.problems[0],
+            "no trial of Box Hand, can, power (g3) has snapshots that fit the hand as it is now");
+}
+
+TEST(WriteSessionReport, UnknownModelsCostThePicturesNotTheReport) {
+  const Session session = MakeSession({"no_such_hand"}, {"can"}, "g3", 1);
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "report_test";
+  const std::filesystem::path path = WriteSessionReport(folder, session);
+  EXPECT_EQ(path, folder / "report" / "index.html");
+  const std::string page = ReadFile(path);
+  EXPECT_NE(page.find("no_such_hand"), std::string::npos);
+  EXPECT_NE(page.find("Models: "), std::string::npos);
+  EXPECT_EQ(page.find(FindDataRoot().string()), std::string::npos) << "an absolute path";
+}
+
+}  // namespace
+}  // namespace graspbench
