@@ -69,7 +69,8 @@ std::string Describe(const QualityConvention& convention, const WrenchSpace& spa
   if (convention.without_closure) {
     text += ", " + FormatNumber(*convention.without_closure) + " without force closure";
   }
-  text += "; hull of the union of all cone edges (L1), ";
+  text += "; hull of the union of all cone edges (L1)";
+  text += convention.includes_origin ? " and the origin, " : ", ";
   text += space.unit_force == UnitForce::kNormal ? "unit normal force" : "unit total force";
   text += "; " + std::to_string(space.num_edges) + " edges; friction and torsion x " +
           FormatNumber(convention.friction_factor) + "; moments about (" +
@@ -163,7 +164,12 @@ GraspQuality CalcGraspQuality(const QualityRequest& request) {
   quality.space = MakeWrenchSpace(request);
   quality.description = Describe(convention, quality.space);
   const ConeWrenches cones = CalcConeWrenches(contacts, quality.space);
-  const WrenchHull hull = CalcWrenchHull(cones.wrenches);
+  Eigen::MatrixXd points = cones.wrenches;
+  if (convention.includes_origin) {
+    points.conservativeResize(Eigen::NoChange, points.cols() + 1);
+    points.rightCols<1>().setZero();
+  }
+  const WrenchHull hull = CalcWrenchHull(points);
   quality.volume = hull.volume;
   quality.force_closure = CalcEpsilon(hull) > 0.0;
   quality.epsilon = CalcReportedEpsilon(hull, quality.force_closure, convention);

@@ -16,9 +16,10 @@ namespace graspbench {
 struct QualityRequest {
   std::vector<GraspContact> contacts;  ///< 2 .. 64
   QualityConvention convention = ListQualityConventions().front();
-  std::optional<int> num_edges;  ///< 3 .. 64; unset: the convention's
-  std::optional<double>
-      torque_scale;  ///< 1e-6 .. 1e6 [m]; must be set where the convention uses it
+  /** 3 .. 64, times the contacts at most 640 (the exact hull would take minutes); unset: as the
+  convention has it. */
+  std::optional<int> num_edges;
+  std::optional<double> torque_scale;  ///< 1e-6 .. 1e6 [m]; needed if the convention uses it
   Eigen::Vector3d p_OR = Eigen::Vector3d::Zero();  ///< reference point of the moments [m]
 };
 

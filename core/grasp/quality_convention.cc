@@ -9,22 +9,22 @@ namespace graspbench {
 const std::vector<QualityConvention>& ListQualityConventions() {
   static const auto* const kConventions = new std::vector<QualityConvention>{
       {"ferrari-canny", UnitForce::kNormal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
-       EpsilonRule::kFromOrigin, 1.0, 8, 0.0,
+       EpsilonRule::kFromOrigin, true, 1.0, 8, 0.0,
        "as given; meant: largest distance of the surface from the centre of mass"},
       {"graspit", UnitForce::kNormal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
-       EpsilonRule::kFromOrigin, 1.0, 8, -1.0,
+       EpsilonRule::kFromOrigin, false, 1.0, 8, -1.0,
        "as given; meant: largest distance of the surface from the centre of mass"},
       {"simox", UnitForce::kTotal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
-       EpsilonRule::kFromHullCentre, 1.0, 8, std::nullopt,
+       EpsilonRule::kFromHullCentre, false, 1.0, 8, std::nullopt,
        "as given; meant: half the bounding length"},
       {"dexgraspbench", UnitForce::kNormal, TorqueScaleRule::kMeanContactDistance,
-       ReferenceRule::kContactCentroid, EpsilonRule::kTwoMinus, 0.5, 8, 2.0,
+       ReferenceRule::kContactCentroid, EpsilonRule::kTwoMinus, true, 0.5, 8, 2.0,
        "mean distance of the contacts from their centroid"},
       {"dex-net", UnitForce::kNormal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
-       EpsilonRule::kFromOrigin, 1.0, 8, 0.0,
+       EpsilonRule::kFromOrigin, false, 1.0, 8, 0.0,
        "as given; meant: median of the bounding box's upper corner"},
       {"frogger", UnitForce::kTotal, TorqueScaleRule::kOneMetre, ReferenceRule::kFrameOrigin,
-       EpsilonRule::kFromOrigin, 1.0, 4, -1.0, "not scaled"},
+       EpsilonRule::kFromOrigin, false, 1.0, 4, -1.0, "not scaled"},
   };
   return *kConventions;
 }

@@ -3,23 +3,22 @@
 Epsilon is not one number: tools that all report "the Ferrari-Canny epsilon" form it differently.
 Each way is a row of one table here, with a name, and every result names the row it was formed by.
 
-| id            | force in a generator | moment divided by         | about            | distance
-from  | mu    | edges | no closure | | ferrari-canny | unit normal          | given | given | origin
-| x 1   | 8     | 0          | | graspit       | unit normal          | given: largest distance   |
-given: centre    | origin         | x 1   | 8     | -1         | |               | | of the surface
-from it    | of mass          |                |       |       |            | | simox         | unit
-total           | given: half the bounding  | given: centre    | hull's centre  | x 1   | 8     | as
-it is   | |               |                      | length                    | of mass          | |
-|       |            | | dexgraspbench | unit normal          | mean distance of contacts |
-contacts'        | origin, shown  | x 1/2 | 8     | 2          | |               | | from their
-centroid       | centroid         | as 2 - epsilon |       |       |            | | dex-net       |
-unit normal          | given: median of bounding | given: centre    | origin         | x 1   | 8 | 0
-| |               |                      | box's upper corner        | of mass          | |       |
-|            | | frogger       | unit total           | 1 m (not scaled)          | contacts' frame
-| origin         | x 1   | 4     | -1         |
+  id             force   moment / by, about                            mu     edges  not closed
+  ferrari-canny  normal  given, given                                   x 1    8      0
+  graspit        normal  given (largest distance of the surface),       x 1    8      -1
+                         given (centre of mass)
+  simox          total   given (half the bounding length),              x 1    8      as it is
+                         given (centre of mass); from the hull's centre
+  dexgraspbench  normal  mean distance of the contacts from their       x 1/2  8      2
+                         centroid, centroid; shown as 2 - epsilon
+  dex-net        normal  given (median of the bounding box's upper      x 1    8      0
+                         corner), given (centre of mass)
+  frogger        total   1 m (not scaled), origin of the frame          x 1    4      -1
 
-All take the convex hull of the union of the generators (L1). "given" is what the caller gives; the
-text behind the colon says what the tool would give. ferrari-canny is ours: rho = largest distance
+"normal" and "total" say which force of a generator is one newton. "given" is what the caller gives;
+in brackets, what the tool would give. All take the convex hull of the union of the generators (L1),
+ferrari-canny and dexgraspbench together with the origin, which shows in the volume of a grasp that
+is not closed; all but simox measure from the origin. ferrari-canny is ours: rho = largest distance
 of the surface from the centre of mass.
 
 Source: read in the tools' own code. Differences kept: Simox divides by the same number of some 300
@@ -48,6 +47,7 @@ struct QualityConvention {
   TorqueScaleRule torque_scale;
   ReferenceRule reference;
   EpsilonRule epsilon;
+  bool includes_origin;                   ///< in the set whose hull is taken
   double friction_factor;                 ///< mu and torsion are multiplied by it
   int num_edges;                          ///< unless the caller says otherwise
   std::optional<double> without_closure;  ///< reported then; unset: the distance as it is

@@ -3,8 +3,8 @@
 The exact convex hull of generators: the set of wrenches a grasp can apply while its normal forces
 sum to at most one newton (if the origin lies in it). From its facets n.w <= d follow
 
-    epsilon = min d   over all facets, 0 if negative     the largest wrench resisted in every
-direction volume                                               [N^6]
+    epsilon = min d over all facets, 0 if negative     the wrench resisted in every direction [N]
+    volume                                             [N^6]
 
 Source: Ferrari and Canny, ICRA 1992 (the L1 measure); Miller and Allen, ICRA 1999 (volume). Hull by
 Qhull (Barber, Dobkin, Huhdanpaa, ACM TOMS 22, 1996), the reentrant library: any number of threads.

@@ -31,9 +31,8 @@ namespace graspbench {
 
 /** One point contact of a finger on the object. */
 struct GraspContact {
-  Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< where [m]
-  Eigen::Vector3d nhat_O =
-      Eigen::Vector3d::Zero();  ///< unit normal from the finger into the object
+  Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();    ///< where [m]
+  Eigen::Vector3d nhat_O = Eigen::Vector3d::Zero();  ///< unit normal, finger into object
   double mu = 0.0;  ///< Coulomb coefficient that holds in the contact's state, see MakePadContact
   double torsion = 0.0;  ///< largest moment about the normal per newton of normal force [m]
   /** Direction of the first cone edge, projected into the tangent plane. Unset: the coordinate axis

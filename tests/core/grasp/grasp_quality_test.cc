@@ -36,9 +36,7 @@ TEST(GraspQuality, OneGraspUnderEveryConvention) {
   EXPECT_NEAR(CalcEpsilonBy("simox", cube, kA), epsilon / std::sqrt(1.0 + kMu * kMu), 1e-9);
   // Half the friction; the contacts' centroid is the centre, their mean distance from it is a.
   EXPECT_NEAR(CalcEpsilonBy("dexgraspbench", cube, 7.0), 2.0 - epsilon / 2.0, 1e-9);
-  // Four edges along the axes, moments in N m: the hull is thin along them. Only moments limit it:
-  // epsilon = (mu a / sqrt(1 + mu^2)) * its value for pure moments, checked through the scaling
-  // below.
+  // Moments in N m and four edges; unit total force shortens as above.
   QualityRequest unscaled = MakeRequest(cube, "ferrari-canny", 1.0);
   unscaled.num_edges = 4;
   EXPECT_NEAR(CalcEpsilonBy("frogger", cube, 7.0),
@@ -65,6 +63,20 @@ TEST(GraspQuality, SimoxMeasuresFromTheHullsCentre) {
   EXPECT_GT(quality.epsilon, 0.0);
 }
 
+// Three hard contacts that pull one way cannot close; with the origin their wrenches still span a
+// cone.
+TEST(GraspQuality, TheOriginCountsInTheVolumeOfAnOpenGrasp) {
+  const std::vector<GraspContact> contacts{{{1, 0, 0}, {0, 0, 1}, 0.5, 0.0, std::nullopt},
+                                           {{-1, 1, 0}, {0, 0, 1}, 0.5, 0.0, std::nullopt},
+                                           {{-1, -1, 0}, {0, 0.6, 0.8}, 0.5, 0.0, std::nullopt}};
+  const GraspQuality ours = CalcGraspQuality(MakeRequest(contacts, "ferrari-canny", 1.0));
+  const GraspQuality graspit = CalcGraspQuality(MakeRequest(contacts, "graspit", 1.0));
+  EXPECT_FALSE(ours.force_closure);
+  EXPECT_EQ(ours.epsilon, 0.0);
+  EXPECT_GT(ours.volume, 1.1 * graspit.volume);
+  EXPECT_GT(graspit.volume, 0.0);
+}
+
 TEST(GraspQuality, AllMeasuresOfACube) {
   constexpr double kA = 0.02, kMu = 0.5;
   const GraspQuality quality =
@@ -88,12 +100,14 @@ TEST(GraspQuality, AllMeasuresOfACube) {
   EXPECT_EQ(
       quality.description,
       "ferrari-canny: epsilon = distance of the origin from the hull, 0 without force closure; "
-      "hull of the union of all cone edges (L1), unit normal force; 8 edges; friction and "
-      "torsion x 1; moments about (0, 0, 0) m, divided by 0.02 m (as given; meant: largest "
+      "hull of the union of all cone edges (L1) and the origin, unit normal force; 8 edges; "
+      "friction and torsion x 1; moments about (0, 0, 0) m, divided by 0.02 m (as given; meant: "
+      "largest "
       "distance of the surface from the centre of mass)");
 }
 
-// Normals written with seven digits are unit within 1e-6 only; the measures are those of true units.
+// Normals written with seven digits are unit within 1e-6 only; the measures are those of true
+// units.
 TEST(GraspQuality, NormalsAreMadeUnit) {
   std::vector<GraspContact> cube = MakeCubeGrasp(0.02, 0.5);
   for (GraspContact& contact : cube) contact.nhat_O *= 1.0 + 9e-7;
