@@ -4,7 +4,9 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "core/base/files.h"
 #include "core/shape/obj_file.h"
@@ -13,11 +15,14 @@
 namespace graspbench {
 namespace {
 
-/** While it lives, what urdfdom would print to the console becomes a problem of the file. */
+constexpr double kLargestMesh = 2.0;  // [m] from its origin
+
+/** While it lives, what urdfdom would print to the console becomes a problem of the file. The
+console's handler is one for the whole program, so one at a time. */
 class ConsoleCatcher : public console_bridge::OutputHandler {
  public:
   ConsoleCatcher(std::string file, Diagnostics& problems)
-      : file_(std::move(file)), problems_(problems) {
+      : lock_(ConsoleMutex()), file_(std::move(file)), problems_(problems) {
     console_bridge::useOutputHandler(this);
   }
   ~ConsoleCatcher() override { console_bridge::restorePreviousOutputHandler(); }
@@ -26,6 +31,12 @@ class ConsoleCatcher : public console_bridge::OutputHandler {
   }
 
  private:
+  static std::mutex& ConsoleMutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+
+  std::lock_guard<std::mutex> lock_;
   std::string file_;
   Diagnostics& problems_;
 };
@@ -61,7 +72,16 @@ TriMesh MakeVisualMesh(const urdf::Geometry& geometry, const std::filesystem::pa
   const auto& file = static_cast<const urdf::Mesh&>(geometry);
   const std::filesystem::path path = folder / file.filename;
   TriMesh mesh = ParseObj(ReadFile(path), path.string(), problems);
-  for (Eigen::Vector3d& p : mesh.vertices) p = p.cwiseProduct(VectorFrom(file.scale));
+  double extent = 0.0;
+  for (Eigen::Vector3d& p : mesh.vertices) {
+    p = p.cwiseProduct(VectorFrom(file.scale));
+    extent = std::max(extent, p.cwiseAbs().maxCoeff());
+  }
+  if (!(extent <= kLargestMesh)) {
+    problems.Fail(path.string(), 0,
+                  "the mesh reaches farther than 2 m; URDF is in metres, so one in millimetres "
+                  "needs scale=\"0.001 0.001 0.001\"");
+  }
   return mesh;
 }
 

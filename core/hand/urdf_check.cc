@@ -130,7 +130,10 @@ std::optional<std::vector<double>> UrdfChecker::Numbers(XMLElement& element, con
 
 void UrdfChecker::CheckOrigin(XMLElement& parent, const std::string& where) {
   if (XMLElement* origin = Only(parent, "origin", where, false)) {
-    Numbers(*origin, "xyz", 3, where, false);
+    const auto xyz = Numbers(*origin, "xyz", 3, where, false);
+    if (xyz && std::hypot((*xyz)[0], (*xyz)[1], (*xyz)[2]) > kLargestExtent) {
+      Fail(*origin, where + ": farther than 2 m away (URDF is in metres)");
+    }
     Numbers(*origin, "rpy", 3, where, false);
   }
 }
@@ -169,9 +172,11 @@ void UrdfChecker::CheckMaterial(XMLElement& material, const std::string& where) 
 void UrdfChecker::CheckInertial(XMLElement& inertial, const std::string& where) {
   Prune(inertial, {"origin", "mass", "inertia"}, {}, where);
   CheckOrigin(inertial, where);
-  if (XMLElement* mass = Only(inertial, "mass", where, true)) {
-    const auto value = Numbers(*mass, "value", 1, where);
-    if (value && value->front() <= 0.0) Fail(*mass, where + ": the mass must be positive");
+  double mass = 0.0;
+  if (XMLElement* element = Only(inertial, "mass", where, true)) {
+    const auto value = Numbers(*element, "value", 1, where);
+    if (value) mass = value->front();
+    if (value && mass <= 0.0) Fail(*element, where + ": the mass must be positive");
   }
   XMLElement* inertia = Only(inertial, "inertia", where, true);
   if (!inertia) return;
@@ -201,6 +206,10 @@ void UrdfChecker::CheckInertial(XMLElement& inertial, const std::string& where) 
     Fail(*inertia, where +
                        ": no body has this inertia: the largest principal moment exceeds the sum "
                        "of the other two");
+  } else if (mass > 0.0 && moments[2] * scale > mass * kLargestExtent * kLargestExtent) {
+    Fail(*inertia, where +
+                       ": far too large for the mass, that of a body of more than 2 m across "
+                       "(URDF is in kg m^2)");
   }
 }
 

@@ -31,8 +31,9 @@ TEST(LoadHandTest, ReadsAUsersHandFromItsFolder) {
   const HandLink& proximal = hand.links[hand.FindLink("proximal")];
   EXPECT_EQ(proximal.mass, 0.03);
   EXPECT_EQ(proximal.p_LLcm, Eigen::Vector3d(0, 0, 0.02));
+  // Its inertia is given in a frame a quarter turn about y away.
   EXPECT_NEAR(
-      (proximal.I_LLcm - Eigen::Vector3d(4e-6, 4e-6, 1e-6).asDiagonal().toDenseMatrix()).norm(),
+      (proximal.I_LLcm - Eigen::Vector3d(1e-6, 4e-6, 4e-6).asDiagonal().toDenseMatrix()).norm(),
       0.0, 1e-18);
   EXPECT_EQ(proximal.axis, Eigen::Vector3d::UnitY());
   EXPECT_EQ(hand.links[hand.FindLink("tip")].joint, -1);
@@ -167,6 +168,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadHand{"urdf", "izz=\"1e-6\"", "izz=\"-1e-6\"",
                 "hand.urdf:25: error: link \"proximal\", inertial: the inertia has a principal "
                 "moment that is not positive"},
+        BadHand{
+            "urdf", "ixx=\"4e-6\" ixy=\"0\" ixz=\"0\" iyy=\"4e-6\" iyz=\"0\" izz=\"1e-6\"",
+            "ixx=\"0.5\" ixy=\"0\" ixz=\"0\" iyy=\"0.5\" iyz=\"0\" izz=\"0.3\"",
+            "hand.urdf:25: error: link \"proximal\", inertial: far too large for the mass, that "
+            "of a body of more than 2 m across (URDF is in kg m^2)"},
+        BadHand{"urdf", "xyz=\"0.03 0 0.01\"", "xyz=\"30 0 10\"",
+                "hand.urdf:16: error: joint \"J2\": farther than 2 m away (URDF is in metres)"},
+        BadHand{"urdf", "0.1 0.2 0.3", "100 200 300",
+                "palm.obj: error: the mesh reaches farther than 2 m; URDF is in metres, so one in "
+                "millimetres needs scale=\"0.001 0.001 0.001\""},
         BadHand{"urdf", "<mass value=\"0.03\"/>", "<mass value=\"0\"/>",
                 "hand.urdf:24: error: link \"proximal\", inertial: the mass must be positive"},
         BadHand{"urdf",
