@@ -55,7 +55,9 @@ bool ReadKeyLine(const Cells& cells, const LineReader& reader, QualisysHeader& h
   return true;
 }
 
-void MakePoints(const QualisysHeader& header, const LineReader& reader, Recording& recording) {
+/** Names of all markers; empty ones when the header only counts them. */
+std::vector<std::string> FindLabels(const QualisysHeader& header, const LineReader& reader,
+                                    Recording& recording) {
   std::vector<std::string> labels = header.labels;
   if (labels.empty() && header.num_markers > 0) {
     labels.resize(static_cast<size_t>(header.num_markers));
@@ -66,6 +68,11 @@ void MakePoints(const QualisysHeader& header, const LineReader& reader, Recordin
                    "does not agree with the " + std::to_string(labels.size()) +
                        " names of MARKER_NAMES, which are taken");
   }
+  return labels;
+}
+
+void MakePoints(const std::vector<std::string>& labels, const QualisysHeader& header,
+                Recording& recording) {
   for (const std::string& label : labels) {
     recording.points.emplace_back();
     recording.points.back().label = label;
@@ -86,7 +93,11 @@ void MakePoints(const QualisysHeader& header, const LineReader& reader, Recordin
 
 /** Columns before the first marker: Frame and Time, or none. */
 size_t FindFirstColumn(const Cells& cells, size_t num_points, const LineReader& reader) {
-  size_t extra = cells.size() - std::min(cells.size(), 3 * num_points);
+  if (cells.size() < 3 * num_points) {
+    reader.Fail("the first row of data has " + std::to_string(cells.size()) +
+                " columns, expected " + std::to_string(3 * num_points) + " or more");
+  }
+  size_t extra = cells.size() - 3 * num_points;
   if (extra % 2 == 1 && cells.back().empty()) --extra;  // a tab at the end of the row
   if (extra != 0 && extra != 2) {
     reader.Fail("the row has " + std::to_string(cells.size()) + " columns, expected " +
@@ -106,12 +117,13 @@ Recording ImportQualisysTsv(const ImportSource& source, const ImportOptions& opt
   while (ReadKeyLine(cells, reader, header, recording)) {
     SplitCells(reader.Require("the first row of data"), '\t', cells);
   }
-  MakePoints(header, reader, recording);
+  const std::vector<std::string> labels = FindLabels(header, reader, recording);
   if (LowerCase(cells[0]) == "frame") {
     SplitCells(reader.Require("the first row of data"), '\t', cells);
   }
-  const size_t num_points = recording.points.size();
+  const size_t num_points = labels.size();
   const size_t first_column = FindFirstColumn(cells, num_points, reader);
+  MakePoints(labels, header, recording);
   const bool has_times = first_column == 2;
   const int first_line = reader.line();
   std::vector<double> times;
