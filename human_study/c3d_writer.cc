@@ -117,6 +117,7 @@ struct StoredChannel {
 
 struct Plan {
   C3dWriteOptions options;
+  std::vector<const RecordedPoint*> points;
   size_t samples_per_frame = 0;
   double scale = 1.0;
   std::vector<StoredChannel> channels;
@@ -127,7 +128,12 @@ struct Plan {
 }
 
 Plan MakePlan(const Recording& recording, const C3dWriteOptions& options) {
-  Plan plan{options, 0, options.scale, {}};
+  Plan plan;
+  plan.options = options;
+  plan.scale = options.scale;
+  if (recording.num_frames == 0) Refuse("the recording holds no frames");
+  if (!std::isfinite(recording.rate)) Refuse("the recording states no rate");
+  if (recording.first_frame < 0) Refuse("frames are numbered from below 0");
   if (!recording.times.empty()) {
     Refuse("the recording has uneven time stamps; resample it first");
   }
@@ -136,9 +142,11 @@ Plan MakePlan(const Recording& recording, const C3dWriteOptions& options) {
   }
   float largest = 0.0f;
   for (const RecordedPoint& point : recording.points) {
-    if (point.unit != recording.points[0].unit) {
-      Refuse("points have different units (\"" + recording.points[0].unit + "\" and \"" +
-             point.unit + "\" of " + point.label + ")");
+    if (!point.IsLength()) continue;
+    plan.points.push_back(&point);
+    if (point.unit != plan.points[0]->unit) {
+      Refuse("points have different units (\"" + plan.points[0]->unit + "\" and \"" + point.unit +
+             "\" of " + point.label + ")");
     }
     for (const float value : point.xyz) {
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -172,9 +180,9 @@ Plan MakePlan(const Recording& recording, const C3dWriteOptions& options) {
 std::string FormatParameters(const Recording& recording, const Plan& plan, size_t data_block) {
   ParameterWriter out(plan.options.processor);
   std::vector<std::string> labels;
-  for (const RecordedPoint& point : recording.points) labels.push_back(point.label);
+  for (const RecordedPoint* point : plan.points) labels.push_back(point->label);
   out.Group(1, "POINT");
-  out.Word("USED", recording.points.size());
+  out.Word("USED", plan.points.size());
   out.Float("SCALE", plan.options.is_float ? -plan.scale : plan.scale);
   out.Float("RATE", recording.rate);
   out.Word("DATA_START", data_block);
@@ -183,7 +191,7 @@ std::string FormatParameters(const Recording& recording, const Plan& plan, size_
     out.Float("LONG_FRAMES", static_cast<double>(recording.num_frames));
   }
   out.Texts("LABELS", labels);
-  out.Texts("UNITS", {recording.points.empty() ? "" : recording.points[0].unit});
+  out.Texts("UNITS", {plan.points.empty() ? "" : plan.points[0]->unit});
 
   std::vector<std::string> channel_labels, units;
   std::vector<float> scales;
@@ -209,7 +217,7 @@ std::string FormatParameters(const Recording& recording, const Plan& plan, size_
   const auto halves = [](size_t n) {
     return std::vector<uint16_t>{static_cast<uint16_t>(n & 0xffff), static_cast<uint16_t>(n >> 16)};
   };
-  const auto first = static_cast<size_t>(std::max(0, recording.first_frame));
+  const auto first = static_cast<size_t>(recording.first_frame);
   out.Group(3, "TRIAL");
   out.Words("ACTUAL_START_FIELD", halves(first));
   out.Words("ACTUAL_END_FIELD", halves(first + recording.num_frames - 1));
@@ -245,10 +253,10 @@ std::string FormatHeader(const Recording& recording, const Plan& plan, size_t da
     AppendC3dFloat(bytes, processor, static_cast<float>(value));
     header.replace(at, 4, bytes);
   };
-  const auto first = static_cast<size_t>(std::max(0, recording.first_frame));
+  const auto first = static_cast<size_t>(recording.first_frame);
   header[0] = static_cast<char>(plan.options.parameter_block);
   header[1] = static_cast<char>(kC3dMark);
-  put_word(c3d_header::kPoints, recording.points.size());
+  put_word(c3d_header::kPoints, plan.points.size());
   put_word(c3d_header::kAnalogPerFrame, recording.analog.size() * plan.samples_per_frame);
   put_word(c3d_header::kFirstFrame, first);
   put_word(c3d_header::kLastFrame, first + recording.num_frames - 1);
@@ -315,7 +323,7 @@ void WriteC3d(std::ostream& out, const Recording& recording, const C3dWriteOptio
   std::string row;
   for (size_t frame = 0; frame < recording.num_frames; ++frame) {
     row.clear();
-    for (const RecordedPoint& point : recording.points) AppendPoint(row, plan, point, frame);
+    for (const RecordedPoint* point : plan.points) AppendPoint(row, plan, *point, frame);
     for (size_t k = 0; k < plan.samples_per_frame; ++k) {
       for (size_t c = 0; c < recording.analog.size(); ++c) {
         AppendValue(row, plan, recording.analog[c].samples[frame * plan.samples_per_frame + k],

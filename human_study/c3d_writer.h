@@ -5,7 +5,8 @@ Writes a recording as C3D, in every variant the format knows.
 Coordinates, residual states, analog channels, events and labels survive; floating point keeps every
 bit, integers are rounded to `scale`. The file has no text about persons. Above 65,535 frames the
 counts of the header saturate and POINT:LONG_FRAMES and TRIAL:ACTUAL_END_FIELD hold the truth; above
-255 points or channels the arrays continue in LABELS2, LABELS3, .. */
+255 points or channels the arrays continue in LABELS2, LABELS3, .. Points that are no positions are
+left out. */
 
 #include <iosfwd>
 
@@ -24,8 +25,9 @@ struct C3dWriteOptions {
   int parameter_block = 2;
 };
 
-/** @throws Error(kUnsupported) when the format cannot hold the recording: uneven times, points in
-different units, analog rates that are no multiples of the rate, more than 65,535 points.
+/** @throws Error(kUnsupported) when the format cannot hold the recording: uneven times, no
+frames, no rate, points in different units, analog rates that are no multiples of the rate, more
+than 65,535 points.
 @throws Error(kIo). */
 void WriteC3d(std::ostream& out, const Recording& recording, const C3dWriteOptions& options = {});
 

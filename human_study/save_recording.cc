@@ -122,19 +122,22 @@ void WritePlainCsv(std::ostream& out, const Recording& recording) {
   }
 }
 
-void SaveRecording(const std::filesystem::path& path, const Recording& recording) {
+size_t SaveRecording(const std::filesystem::path& path, const Recording& recording) {
   const std::string extension = path.extension().string();
   std::ostringstream out;
+  CheckLengthUnits(recording, path.string());
   if (extension == ".c3d") {
     WriteC3d(out, recording);
-  } else if (extension == ".tsv" || extension == ".csv") {
-    CheckLengthUnits(recording, path.string());
-    extension == ".tsv" ? WriteQualisysTsv(out, recording) : WritePlainCsv(out, recording);
+  } else if (extension == ".tsv") {
+    WriteQualisysTsv(out, recording);
+  } else if (extension == ".csv") {
+    WritePlainCsv(out, recording);
   } else {
     throw Error(ErrorKind::kUsage,
                 "\"" + path.string() + "\": recordings are written as .c3d, .tsv or .csv");
   }
   WriteFileAtomically(path, out.str());
+  return recording.points.size() - FindPositions(recording).size();
 }
 
 }  // namespace graspbench

@@ -16,9 +16,11 @@ _state | analog channels, events | */
 
 namespace graspbench {
 
-/** @throws Error(kUsage) for another extension, Error(kUnsupported) when the format cannot hold the
-recording, Error(kFormat) when positions have no length unit, Error(kIo). */
-void SaveRecording(const std::filesystem::path& path, const Recording& recording);
+/** Points that are no positions (angles, forces) are left out.
+@returns how many were.
+@throws Error(kUsage) for another extension, Error(kUnsupported) when the format cannot hold the
+recording, Error(kFormat) when no point has a known length unit, Error(kIo). */
+size_t SaveRecording(const std::filesystem::path& path, const Recording& recording);
 
 void WriteQualisysTsv(std::ostream& out, const Recording& recording);
 void WritePlainCsv(std::ostream& out, const Recording& recording);

@@ -47,6 +47,19 @@ TEST(SaveRecording, CsvIsInMetresWithTheStateOfEverySample) {
             "7,0.12,0.1005,0,-0.002,measured\n8,0.14,,,,invalid\n");
 }
 
+TEST(SaveRecording, WhatIsNoPositionIsLeftOutAndCounted) {
+  Recording recording = MakeSyntheticRecording(4, 3);
+  recording.points[1].unit = "deg";
+  recording.points[1].metres_per_unit = NAN;
+  for (const char* name : {"positions.c3d", "positions.tsv"}) {
+    EXPECT_EQ(SaveRecording(kFolder / name, recording), 1u);
+    const Recording read = LoadRecording(kFolder / name);
+    ASSERT_EQ(read.points.size(), 2u);
+    EXPECT_EQ(read.points[1].label, "P3");
+    EXPECT_EQ(read.points[1].xyz[0], recording.points[2].xyz[0]);
+  }
+}
+
 TEST(SaveRecording, RefusalsSayWhatToDo) {
   Recording recording = MakeSyntheticRecording(4, 1);
   const auto fault = [&](const char* name) -> std::string {
