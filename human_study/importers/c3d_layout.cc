@@ -211,7 +211,7 @@ void FindFrames(const C3dHead& head, const C3dParameters& parameters, const Impo
     const std::string text = taken->where + std::string(" promises ") + FormatCount(taken->count) +
                              " frames of " + std::to_string(layout.frame_size()) +
                              " bytes, the file holds " + FormatCount(capacity);
-    if (!options.accept_truncated) {
+    if (!options.accept_truncated || capacity < 1) {
       FailAtByte(file, head.file_size,
                  text +
                      "; it is cut off or its counts are wrong (--accept-truncated reads what is "

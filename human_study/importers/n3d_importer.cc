@@ -58,7 +58,7 @@ Recording ImportN3d(const ImportSource& source, const ImportOptions& options) {
     const uint64_t held = available / frame_size;
     const std::string text = "the header promises " + std::to_string(num_frames) +
                              " frames, the file holds " + std::to_string(held);
-    if (!options.accept_truncated) {
+    if (!options.accept_truncated || held == 0) {
       FailAtByte(source.name, file_size,
                  text +
                      "; it is cut off or its count is wrong (--accept-truncated reads what is "

@@ -357,6 +357,9 @@ TEST(C3dImporter, LyingCountsDoNotAllocate) {
   SetWord(bytes, FindParameter(bytes, "USED"), 65535);
   SetWord(bytes, FindParameter(bytes, "ACTUAL_END_FIELD") + 2, 32767);
   EXPECT_NE(ImportFault(bytes, "c3d").find("promises"), std::string::npos);
+  ImportOptions options;
+  options.accept_truncated = true;
+  EXPECT_NE(ImportFault(bytes, "c3d", options).find("the file holds 0"), std::string::npos);
 }
 
 TEST(C3dWriter, RefusesWhatTheFormatCannotHold) {
