@@ -110,7 +110,9 @@ QualityRequest ParseQualityRequest(std::string_view text, const std::string& fil
   try {
     json = Json::parse(ReplaceNonNumbers(text));
   } catch (const Json::exception& error) {
-    throw Error(ErrorKind::kFormat, file + " is not valid JSON: " + error.what());
+    const std::string reason = error.what();  // "[json.exception...] parse error at line 1, ..."
+    throw Error(ErrorKind::kFormat,
+                file + " is not valid JSON: " + reason.substr(reason.find("] ") + 2));
   }
   if (!json.is_object()) {
     throw Error(ErrorKind::kFormat, file + ": expected an object {\"contacts\": [...], ...}");
