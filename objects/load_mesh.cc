@@ -20,7 +20,7 @@ constexpr double kRelativeWeldTolerance = 1e-6;
 
 // Parts of the scene hang in a tree of transforms; faces are triangles already.
 void AppendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_WParent,
-                const std::string& name, TriMesh& mesh) {
+                TriMesh& mesh) {
   const aiMatrix4x4 X_WN = X_WParent * node.mTransformation;
   const bool is_mirrored = X_WN.Determinant() < 0.0f;
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
@@ -34,21 +34,13 @@ void AppendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_W
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices != 3) continue;  // points and lines enclose nothing
       Eigen::Vector3i t;
-      for (int k = 0; k < 3; ++k) {
-        if (face.mIndices[k] >= part.mNumVertices) {
-          throw Error(ErrorKind::kFormat, "mesh \"" + name + "\": face " + std::to_string(i + 1) +
-                                              " uses vertex " +
-                                              std::to_string(face.mIndices[k] + 1) + " of " +
-                                              std::to_string(part.mNumVertices));
-        }
-        t[k] = first + static_cast<int>(face.mIndices[k]);
-      }
+      for (int k = 0; k < 3; ++k) t[k] = first + static_cast<int>(face.mIndices[k]);
       if (is_mirrored) std::swap(t[1], t[2]);
       mesh.triangles.push_back(t);
     }
   }
   for (unsigned c = 0; c < node.mNumChildren; ++c) {
-    AppendNode(scene, *node.mChildren[c], X_WN, name, mesh);
+    AppendNode(scene, *node.mChildren[c], X_WN, mesh);
   }
 }
 
@@ -59,32 +51,56 @@ bool IsFinite(const TriMesh& mesh) {
   return true;
 }
 
-}  // namespace
-
-TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit) {
+// What assimp does not notice itself.
+void CheckBytes(const std::string& bytes, const std::string& name) {
   if (bytes.empty()) {
     throw Error(ErrorKind::kFormat,
                 "mesh \"" + name + "\" is empty (0 bytes); export it again from its program");
   }
-  std::string ending = std::filesystem::path(name).extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  Assimp::Importer importer;
-  // Only positions and faces matter: materials, bones and cameras stay unread.
-  importer.SetPropertyInteger(
-      AI_CONFIG_PP_RVC_FLAGS,
-      aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
-          aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-          aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFileFromMemory(
-      bytes.data(), bytes.size(), aiProcess_RemoveComponent | aiProcess_Triangulate,
-      ending.c_str());
+  // assimp 5.2 reads a PLY header without an end for ever.
+  if (bytes.compare(0, 3, "ply") == 0 && bytes.find("end_header") == std::string::npos) {
+    throw Error(ErrorKind::kFormat, "mesh \"" + name +
+                                        "\" is cut off: its PLY header has no end_header; export "
+                                        "it again from its program");
+  }
+}
+
+// The file as read, before polygons are cut into triangles.
+void CheckFaces(const aiScene& scene, const std::string& name) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices == 0) {
+        // A file cut off within its faces; assimp's triangulation would abort the program.
+        throw Error(ErrorKind::kFormat, "mesh \"" + name + "\": face " + std::to_string(i + 1) +
+                                            " of " + std::to_string(part.mNumFaces) +
+                                            " has no corners; the file may be cut off");
+      }
+      for (unsigned k = 0; k < face.mNumIndices; ++k) {
+        if (face.mIndices[k] < part.mNumVertices) continue;
+        throw Error(ErrorKind::kFormat, "mesh \"" + name + "\": face " + std::to_string(i + 1) +
+                                            " uses vertex " + std::to_string(face.mIndices[k] + 1) +
+                                            " of " + std::to_string(part.mNumVertices) +
+                                            "; the file may be cut off");
+      }
+    }
+  }
+}
+
+TriMesh MakeMesh(Assimp::Importer& importer, const std::string& name, LengthUnit unit) {
+  const aiScene* scene = importer.GetScene();
+  if (scene) {
+    CheckFaces(*scene, name);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  }
   if (!scene || !scene->mRootNode) {
     throw Error(ErrorKind::kFormat,
                 "mesh \"" + name + "\" cannot be read (" + importer.GetErrorString() +
                     "); expected a complete mesh file such as .obj, .stl, .ply or .glb");
   }
   TriMesh mesh;
-  AppendNode(*scene, *scene->mRootNode, aiMatrix4x4(), name, mesh);
+  AppendNode(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
   double largest = 0.0;
   for (Eigen::Vector3d& p : mesh.vertices) {
     p *= MetresPer(unit);
@@ -94,8 +110,22 @@ TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit 
   return WeldVertices(mesh, kRelativeWeldTolerance * largest);
 }
 
+}  // namespace
+
+TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit) {
+  CheckBytes(bytes, name);
+  const std::string ending = std::filesystem::path(name).extension().string();
+  Assimp::Importer importer;
+  importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0,
+                              ending.empty() ? "" : ending.c_str() + 1);
+  return MakeMesh(importer, name, unit);
+}
+
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit) {
-  return ParseMesh(ReadFile(path), path.string(), unit);
+  CheckBytes(ReadFile(path), path.string());
+  Assimp::Importer importer;
+  importer.ReadFile(path.string(), 0);  // by path, so that it finds the parts beside it
+  return MakeMesh(importer, path.string(), unit);
 }
 
 std::string FormatObj(const TriMesh& mesh, LengthUnit unit) {

@@ -16,7 +16,7 @@ core/shape/mesh_check.h. Vertices may be non-finite.
 @throws Error(kNotFound, kIo); Error(kFormat) when assimp cannot read it as a triangle mesh. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 
-/** The same from a file's content; `name` tells the format by its ending. */
+/** The same from the content of a file that stands alone; `name` tells the format by its ending. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);
 
 /** OBJ text with coordinates in `unit`, seven significant digits, the same bytes everywhere. */

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/random.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/mesh_check.h"
 #include "core/shape/primitives.h"
+#include "tests/fuzz/fuzz_mesh.h"
 
 namespace graspbench {
 namespace {
@@ -104,6 +107,9 @@ TEST(LoadMeshTest, FilesThatAreNoMeshesAreRefused) {
     EXPECT_NE(message.find("expected a complete mesh file such as .obj, .stl, .ply or .glb"),
               std::string::npos);
   }
+  EXPECT_EQ(FindMessage("ply\nformat ascii 1.0\nelement vert", "cut.ply"),
+            "mesh \"cut.ply\" is cut off: its PLY header has no end_header; export it again from "
+            "its program");
   EXPECT_EQ(FindMessage("hello", "notes.txt").find("mesh \"notes.txt\" cannot be read ("), 0u);
 }
 
@@ -117,12 +123,18 @@ TEST(LoadMeshTest, RandomBytesNeverCrash) {
       bytes[random.NextIndex(static_cast<int>(bytes.size()))] =
           static_cast<char>(random.NextIndex(256));
     }
-    try {
-      CheckMesh(ParseMesh(bytes, names[i % 2], LengthUnit::kMm));
-    } catch (const Error& e) {
-      EXPECT_EQ(e.kind(), ErrorKind::kFormat);
-    }
+    FuzzMesh(bytes, names[i % 2]);
   }
+}
+
+TEST(LoadMeshTest, FuzzCasesAreRefusedOrChecked) {
+  const std::filesystem::path cases = FindDataRoot() / "tests" / "fuzz" / "cases" / "mesh";
+  int num_cases = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cases)) {
+    FuzzMesh(ReadFile(entry.path()), entry.path().filename().string());
+    ++num_cases;
+  }
+  EXPECT_GE(num_cases, 10);
 }
 
 TEST(LoadMeshTest, NotANumberReachesTheCheck) {
