@@ -2,6 +2,7 @@
 
 #include "core/base/files.h"
 #include "core/shape/mesh_repair.h"
+#include "core/shape/obj_file.h"
 #include "objects/load_mesh.h"
 
 namespace graspbench {
@@ -20,7 +21,7 @@ MeshReport CheckMeshFile(const std::filesystem::path& path, LengthUnit unit) {
 MeshFileRepair RepairMeshFile(const std::filesystem::path& path, LengthUnit unit,
                               const std::filesystem::path& repaired_path) {
   const MeshRepair repair = RepairMesh(LoadMesh(path, unit));
-  WriteFileAtomically(repaired_path, FormatObj(repair.mesh, unit));
+  WriteFileAtomically(repaired_path, FormatObj(repair.mesh, UnitsPerMetre(unit)));
   return {repair.actions, CheckMesh(repair.mesh)};
 }
 

@@ -6,6 +6,7 @@ namespace graspbench {
 enum class LengthUnit { kM, kMm };
 
 constexpr double MetresPer(LengthUnit unit) { return unit == LengthUnit::kM ? 1.0 : 1e-3; }
+constexpr double UnitsPerMetre(LengthUnit unit) { return unit == LengthUnit::kM ? 1.0 : 1e3; }
 constexpr const char* NameOf(LengthUnit unit) { return unit == LengthUnit::kM ? "m" : "mm"; }
 
 }  // namespace graspbench

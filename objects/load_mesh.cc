@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -126,22 +125,6 @@ TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit) {
   Assimp::Importer importer;
   importer.ReadFile(path.string(), 0);  // by path, so that it finds the parts beside it
   return MakeMesh(importer, path.string(), unit);
-}
-
-std::string FormatObj(const TriMesh& mesh, LengthUnit unit) {
-  std::string text;
-  char line[96];
-  for (const Eigen::Vector3d& p : mesh.vertices) {
-    // Adding 0 turns -0 into 0.
-    const Eigen::Vector3d scaled = p / MetresPer(unit) + Eigen::Vector3d::Zero();
-    std::snprintf(line, sizeof line, "v %.7g %.7g %.7g\n", scaled.x(), scaled.y(), scaled.z());
-    text += line;
-  }
-  for (const Eigen::Vector3i& t : mesh.triangles) {
-    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
-    text += line;
-  }
-  return text;
 }
 
 }  // namespace graspbench

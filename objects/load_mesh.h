@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Mesh files in and out. Reads whatever the packaged assimp reads (OBJ, STL, PLY, glTF, COLLADA, ...),
+Foreign mesh files: whatever the packaged assimp reads (OBJ, STL, PLY, glTF, COLLADA, ...),
 all parts of the file as one mesh, with the transforms of its scene applied. */
 
 #include <filesystem>
@@ -18,8 +18,5 @@ TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 
 /** The same from the content of a file that stands alone; `name` tells the format by its ending. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);
-
-/** OBJ text with coordinates in `unit`, seven significant digits, the same bytes everywhere. */
-std::string FormatObj(const TriMesh& mesh, LengthUnit unit);
 
 }  // namespace graspbench

@@ -77,12 +77,12 @@ TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& 
   return mesh;
 }
 
-std::string FormatObj(const TriMesh& mesh) {
+std::string FormatObj(const TriMesh& mesh, double units_per_metre) {
   std::string text;
   char line[128];
   for (const Eigen::Vector3d& p : mesh.vertices) {
     // Adding zero turns "-0.000000" into "0.000000".
-    const Eigen::Vector3d rounded = (p * 1e6).array().round() / 1e6 + 0.0;
+    const Eigen::Vector3d rounded = (p * units_per_metre * 1e6).array().round() / 1e6 + 0.0;
     std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\n", rounded.x(), rounded.y(), rounded.z());
     text += line;
   }

@@ -14,7 +14,8 @@ namespace graspbench {
 bad line goes into `problems`; the first one ends the reading with an empty mesh. */
 TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& problems);
 
-/** Coordinates in metres with six decimals: the same mesh gives the same bytes. */
-std::string FormatObj(const TriMesh& mesh);
+/** Coordinates with six decimals, in metres unless another number of units per metre is given
+(1000: millimetres). The same mesh gives the same bytes. */
+std::string FormatObj(const TriMesh& mesh, double units_per_metre = 1.0);
 
 }  // namespace graspbench

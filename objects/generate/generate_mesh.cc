@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/shape/obj_file.h"
 #include "objects/generate/object_shapes.h"
 #include "objects/generate/shape_parts.h"
-#include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
 namespace graspbench {
@@ -58,8 +58,8 @@ void GenerateMeshes(const std::filesystem::path& folder) {
   for (const auto& drawing : ListDrawings()) {
     const std::filesystem::path place = folder / drawing.first;
     const ObjectFile file = LoadObjectFile(place / "object.yaml");
-    WriteFileAtomically(place / file.mesh,
-                        FormatObj(GenerateMesh(drawing.first, file.size), file.mesh_unit));
+    WriteFileAtomically(place / file.mesh, FormatObj(GenerateMesh(drawing.first, file.size),
+                                                     UnitsPerMetre(file.mesh_unit)));
   }
 }
 

@@ -8,8 +8,8 @@
 #include "catalogue_table.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "objects/load_mesh.h"
 
 namespace graspbench {
 namespace {
@@ -32,7 +32,7 @@ class CatalogueTest : public testing::Test {
     TriMesh moved = mesh;
     for (Eigen::Vector3d& p : moved.vertices) p += Eigen::Vector3d(0.1, 0.2, 0.3);
     WriteFileAtomically(folder_ / "object.yaml", yaml);
-    WriteFileAtomically(folder_ / "box.obj", FormatObj(moved, LengthUnit::kMm));
+    WriteFileAtomically(folder_ / "box.obj", FormatObj(moved, 1e3));
   }
   std::string FindMessage(const std::string& id, ErrorKind kind) {
     try {

@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "objects/load_mesh.h"
 
 namespace graspbench {
 namespace {
@@ -18,7 +18,7 @@ class CheckMeshFileTest : public testing::Test {
     const fs::path path =
         fs::path(testing::TempDir()) /
         (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".obj");
-    WriteFileAtomically(path, FormatObj(mesh, LengthUnit::kMm));
+    WriteFileAtomically(path, FormatObj(mesh, 1e3));
     return path;
   }
   TriMesh box_ = MakeRoundedBox({0.04, 0.03, 0.02}, 0.0);

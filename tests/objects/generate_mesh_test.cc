@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/shape/mesh_check.h"
+#include "core/shape/obj_file.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
@@ -20,7 +21,8 @@ std::filesystem::path FindFolder(const std::string& id) {
 TEST(GenerateMeshTest, TheCataloguesMeshesAreTheGeneratorsBytes) {
   for (const CatalogueRow& row : ListCatalogueRows()) {
     const ObjectFile file = LoadObjectFile(FindFolder(row.id) / "object.yaml");
-    const std::string generated = FormatObj(GenerateMesh(row.id, file.size), file.mesh_unit);
+    const std::string generated =
+        FormatObj(GenerateMesh(row.id, file.size), UnitsPerMetre(file.mesh_unit));
     EXPECT_TRUE(generated == ReadFile(FindFolder(row.id) / file.mesh))
         << row.id << ": run generate_objects objects/catalogue";
   }

@@ -7,12 +7,11 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
 #include "core/base/random.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/mesh_check.h"
+#include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "tests/fuzz/fuzz_mesh.h"
 
 namespace graspbench {
 namespace {
@@ -52,10 +51,11 @@ std::string FindMessage(const std::string& bytes, const std::string& name) {
 TEST(LoadMeshTest, WrittenAndReadBackItIsTheSameSolid) {
   const TriMesh ball = MakeSphere(0.02, 24);
   for (const LengthUnit unit : {LengthUnit::kM, LengthUnit::kMm}) {
-    const TriMesh read = ParseMesh(FormatObj(ball, unit), "ball.obj", unit);
+    const TriMesh read = ParseMesh(FormatObj(ball, UnitsPerMetre(unit)), "ball.obj", unit);
     EXPECT_EQ(read.num_vertices(), ball.num_vertices());
     EXPECT_EQ(read.num_triangles(), ball.num_triangles());
-    EXPECT_NEAR(CalcVolume(read), CalcVolume(ball), 1e-6 * CalcVolume(ball));
+    // Written in metres, a coordinate is rounded to 1 um of 20 mm.
+    EXPECT_NEAR(CalcVolume(read), CalcVolume(ball), 1e-4 * CalcVolume(ball));
     EXPECT_EQ(FormatProblems(CheckMesh(read)), "");
   }
 }
@@ -115,7 +115,7 @@ TEST(LoadMeshTest, FilesThatAreNoMeshesAreRefused) {
 
 TEST(LoadMeshTest, RandomBytesNeverCrash) {
   RandomStream random("mesh", "bytes");
-  const std::string good[] = {FormatObj(MakeBox(), LengthUnit::kMm), FormatBinaryStl(MakeBox())};
+  const std::string good[] = {FormatObj(MakeBox(), 1e3), FormatBinaryStl(MakeBox())};
   const char* names[] = {"x.obj", "x.stl"};
   for (int i = 0; i < 200; ++i) {
     std::string bytes = good[i % 2];
@@ -123,18 +123,12 @@ TEST(LoadMeshTest, RandomBytesNeverCrash) {
       bytes[random.NextIndex(static_cast<int>(bytes.size()))] =
           static_cast<char>(random.NextIndex(256));
     }
-    FuzzMesh(bytes, names[i % 2]);
+    try {
+      CheckMesh(ParseMesh(bytes, names[i % 2], LengthUnit::kMm));
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::kFormat);
+    }
   }
-}
-
-TEST(LoadMeshTest, FuzzCasesAreRefusedOrChecked) {
-  const std::filesystem::path cases = FindDataRoot() / "tests" / "fuzz" / "cases" / "mesh";
-  int num_cases = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(cases)) {
-    FuzzMesh(ReadFile(entry.path()), entry.path().filename().string());
-    ++num_cases;
-  }
-  EXPECT_GE(num_cases, 10);
 }
 
 TEST(LoadMeshTest, NotANumberReachesTheCheck) {
