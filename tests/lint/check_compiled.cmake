@@ -1,0 +1,16 @@
+# Every source file is part of the build: one that nobody compiles is dead. The fuzz targets have a
+# preset of their own.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(READ ${BUILD}/compile_commands.json commands)
+set(offences "")
+find_cxx_files(files ${ROOMS} tests)
+list(FILTER files INCLUDE REGEX "\\.cc$")
+list(FILTER files EXCLUDE REGEX "_fuzz\\.cc$")
+foreach(file IN LISTS files)
+  string(FIND "${commands}" "${SOURCE}/${file}\"" position)
+  if(position EQUAL -1)
+    list(APPEND offences ${file})
+  endif()
+endforeach()
+fail_if_any("${offences}" "Not listed in any CMakeLists.txt:")

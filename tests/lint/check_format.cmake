@@ -1,0 +1,13 @@
+# The layout is what clang-format-14 makes of .clang-format.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+find_cxx_files(files ${ROOMS} tests)
+execute_process(COMMAND ${CLANG_FORMAT} --dry-run -Werror ${files}
+  WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE status ERROR_VARIABLE findings)
+if(status)
+  string(REGEX MATCHALL "[^\n]+: error: code should be clang-formatted" lines "${findings}")
+  list(TRANSFORM lines REPLACE ":[0-9]+:[0-9]+: error.*" "")
+  list(REMOVE_DUPLICATES lines)
+  fail_if_any("${lines}" "Run clang-format-14 -i on:")
+  message(FATAL_ERROR "${findings}")
+endif()

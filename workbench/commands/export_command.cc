@@ -1,0 +1,25 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "datasets/session_store.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+
+void AddExportCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command =
+      AddSubcommand(program, "export", "Writes the trials of a session as CSV and SQLite.",
+                    "  graspbench export results/benchmark-1a2b3c4d\n"
+                    "  column -ts, \"$(graspbench export results/pilot)\" | less -S");
+  const auto folder = std::make_shared<std::string>();
+  command.add_option("folder", *folder, "folder of the session")->required()->option_text("DIR");
+  command.callback([folder] {
+    const Session session = LoadSession(*folder);
+    if (!session.findings.entries().empty()) std::cerr << session.findings.Format() << '\n';
+    ExportSession(*folder, session);
+    std::cout << (std::filesystem::path(*folder) / "export" / "trials.csv").string() << '\n';
+  });
+}
+
+}  // namespace graspbench

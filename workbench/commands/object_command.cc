@@ -1,0 +1,103 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "core/base/units.h"
+#include "objects/catalogue.h"
+#include "reports/format.h"
+#include "workbench/commands/command.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+Json MakeObjectJson(const GraspObject& object) {
+  return {{"id", object.id},
+          {"name", object.name},
+          {"mass_kg", object.mass_properties.mass},
+          {"size_m", JsonVector(object.size)},
+          {"size_of_sight_m", JsonVector(object.size_of_sight)},
+          {"centre_of_mass_m", JsonVector(object.mass_properties.p_OOcm)},
+          {"friction_static", object.friction_static},
+          {"friction_dynamic", object.friction_dynamic},
+          {"best_grasp", object.best_grasp},
+          {"triangles", object.mesh.num_triangles()}};
+}
+
+std::string FormatSize(const Eigen::Vector3d& size) {
+  return FormatFixed(MmFromM(size.x()), 1) + " x " + FormatFixed(MmFromM(size.y()), 1) + " x " +
+         FormatFixed(MmFromM(size.z()), 1);
+}
+
+std::string FormatBestGrasps(const GraspObject& object) {
+  std::string text;
+  for (const auto& [hand, grasp] : object.best_grasp) {
+    text += (text.empty() ? "" : ", ") + hand + " " + grasp;
+  }
+  return text;
+}
+
+void ListObjectsCommand(bool json) {
+  Json list = Json::array();
+  TextTable table({"id", "mass [g]", "length x width x height [mm]", "mu_s", "mu_d", "best grasp"});
+  for (const std::string& id : ListObjects()) {
+    const auto object = LoadObject(id);
+    list.push_back(MakeObjectJson(*object));
+    table.AddRow({id, FormatFixed(GFromKg(object->mass_properties.mass), 1),
+                  FormatSize(object->size), FormatFixed(object->friction_static, 2),
+                  FormatFixed(object->friction_dynamic, 2), FormatBestGrasps(*object)});
+  }
+  if (json) {
+    PrintJson({{"objects", list}});
+  } else {
+    std::cout << table.Format();
+  }
+}
+
+void ShowObject(const std::string& id, bool json) {
+  const auto object = LoadObject(id);
+  if (json) {
+    PrintJson(MakeObjectJson(*object));
+    return;
+  }
+  const MassProperties& solid = object->mass_properties;
+  std::cout << object->name << " (" << object->id << ")\n\nmass            "
+            << FormatFixed(GFromKg(solid.mass), 1) << " g\nsize of grasp   "
+            << FormatSize(object->size) << " mm\nsize of sight   "
+            << FormatSize(object->size_of_sight) << " mm\ncentre of mass  ("
+            << FormatFixed(MmFromM(solid.p_OOcm.x()), 1) << ", "
+            << FormatFixed(MmFromM(solid.p_OOcm.y()), 1) << ", "
+            << FormatFixed(MmFromM(solid.p_OOcm.z()), 1) << ") mm from the centre\nfriction        "
+            << FormatFixed(object->friction_static, 2) << " static, "
+            << FormatFixed(object->friction_dynamic, 2) << " dynamic\nbest grasp      "
+            << FormatBestGrasps(*object) << "\nmesh            " << object->mesh.num_triangles()
+            << " triangles\n";
+}
+
+}  // namespace
+
+void AddObjectCommand(CLI::App& program, ExitCode&) {
+  CLI::App& group = AddSubcommand(program, "object", "Shows and checks things to grasp.",
+                                  "  graspbench object list\n"
+                                  "  graspbench object show can");
+  group.require_subcommand(1);
+  const auto id = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+
+  CLI::App& list = AddSubcommand(group, "list", "Lists the catalogue's objects.",
+                                 "  graspbench object list\n"
+                                 "  graspbench object list --json");
+  list.add_flag("--json", *json, "one JSON object");
+  list.callback([json] { ListObjectsCommand(*json); });
+
+  CLI::App& show = AddSubcommand(group, "show", "Shows sizes, mass and friction of an object.",
+                                 "  graspbench object show can\n"
+                                 "  graspbench object show my_object/ --json");
+  show.add_option("object", *id, "id, or folder with object.yaml and a mesh")
+      ->required()
+      ->option_text("OBJECT");
+  show.add_flag("--json", *json, "one JSON object");
+  show.callback([id, json] { ShowObject(*id, *json); });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,49 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/base/version.h"
+#include "workbench/build_info.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+namespace {
+
+Json MakeVersion() {
+  Json libraries;
+  for (const auto& [name, version] : kLibraryVersions) libraries[name] = version;
+  return {{"graspbench", program_version()},
+          {"compiler", kCompiler},
+          {"build_type", kBuildType},
+          {"flags", kCompilerFlags},
+          {"libraries", libraries}};
+}
+
+void PrintVersion(const Json& version) {
+  std::cout << "graspbench " << version["graspbench"].get<std::string>() << "\ncompiler   "
+            << version["compiler"].get<std::string>() << "\nbuild type "
+            << version["build_type"].get<std::string>() << "\nflags      "
+            << version["flags"].get<std::string>() << "\nlibraries ";
+  for (const auto& [name, number] : version["libraries"].items()) {
+    std::cout << ' ' << name << ' ' << number.get<std::string>();
+  }
+  std::cout << '\n';
+}
+
+}  // namespace
+
+void AddVersionCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command = AddSubcommand(
+      program, "version", "Prints the versions of the program, its compiler and libraries.",
+      "  graspbench version\n"
+      "  graspbench version --json");
+  CLI::Option* json = command.add_flag("--json", "one JSON object");
+  command.callback([json] {
+    if (*json) {
+      PrintJson(MakeVersion());
+    } else {
+      PrintVersion(MakeVersion());
+    }
+  });
+}
+
+}  // namespace graspbench

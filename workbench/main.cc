@@ -1,0 +1,3 @@
+#include "workbench/program.h"
+
+int main(int argc, char** argv) { return graspbench::RunProgram(argc, argv); }

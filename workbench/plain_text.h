@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace graspbench {
+
+/** Text of reports/format.h for a terminal: no-break spaces become spaces. */
+std::string MakePlainText(std::string text);
+
+}  // namespace graspbench

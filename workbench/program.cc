@@ -1,0 +1,123 @@
+#include "workbench/program.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+namespace {
+
+/** The examples, kept in the footer, come first. */
+class ExamplesFirst : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    return "Examples:\n" + app->get_footer() + "\n\n" + CLI::Formatter::make_help(app, name, mode);
+  }
+  std::string make_footer(const CLI::App*) const override { return {}; }
+};
+
+/** The command that the user was typing when the parser gave up. */
+const CLI::App& FindCurrentCommand(const CLI::App& program) {
+  const std::vector<CLI::App*> parsed = program.get_subcommands();
+  return parsed.empty() ? program : FindCurrentCommand(*parsed.back());
+}
+
+std::vector<std::string> ListSubcommands(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(subcommand->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> ListOptions(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) names.push_back(option->get_name());
+  }
+  return names;
+}
+
+/** The parser's complaint in our words, with suggestions. */
+std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
+  const CLI::App& command = FindCurrentCommand(program);
+  const std::vector<std::string> subcommands = ListSubcommands(command);
+  std::string typed = "graspbench";
+  if (&command != &program) {
+    if (command.get_parent() != &program) typed += " " + command.get_parent()->get_name();
+    typed += " " + command.get_name();
+  }
+  const std::vector<std::string> extras = command.remaining();
+  std::string text;
+  if (!extras.empty() && extras.front().rfind("-", 0) == 0) {
+    text = "unknown option \"" + extras.front() + "\"" +
+           SuggestNames(extras.front(), ListOptions(command));
+  } else if (!extras.empty() && !subcommands.empty()) {
+    text = "unknown command \"" + extras.front() + "\"" + SuggestNames(extras.front(), subcommands);
+  } else if (!extras.empty()) {
+    text = "unexpected argument \"" + extras.front() + "\"";
+  } else if (fault.get_name() == "RequiredError" && !subcommands.empty()) {
+    text = "a command is missing" + SuggestNames("", subcommands);
+  } else if (fault.get_name() == "ConversionError") {
+    const std::string what = fault.what();  // "Could not convert: --trials = ten"
+    text = what.substr(what.find("--")) + ": a whole number is expected";
+  } else {
+    text = fault.what();
+  }
+  return text + "\nsee: " + typed + " --help";
+}
+
+void PrintFault(const std::string& message) {
+  std::cout.flush();
+  std::fprintf(stderr, "graspbench: %s\n", message.c_str());
+}
+
+}  // namespace
+
+CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::string& description,
+                        const std::string& examples) {
+  CLI::App* command = parent.add_subcommand(name, description);
+  command->footer(examples);
+  return *command;
+}
+
+void PrintJson(const Json& json) { std::cout << json.dump(2) << '\n'; }
+
+int RunProgram(int argc, const char* const* argv) {
+  ExitCode exit_code = kExitOk;
+  CLI::App program("Grasping experiments with simulated robot hands.", "graspbench");
+  try {
+    program.formatter(std::make_shared<ExamplesFirst>());
+    program.footer(
+        "  graspbench run                       both hands, 21 objects, then a report\n"
+        "  graspbench render shadow can g3 --phase closed --out can.png");
+    program.require_subcommand(1);
+#define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
+#include "workbench/commands/command_list.inc"
+#undef GRASPBENCH_COMMAND
+    program.parse(argc, argv);
+    std::cout.flush();
+    if (!std::cout) throw Error(ErrorKind::kIo, "cannot write to the standard output");
+    return exit_code;
+  } catch (const CLI::ParseError& fault) {
+    if (fault.get_exit_code() == 0) return program.exit(fault);  // --help
+    PrintFault(Explain(fault, program));
+    return kExitUsage;
+  } catch (const Error& error) {
+    PrintFault(error.what());
+    return ExitCodeOf(error.kind());
+  } catch (const std::exception& error) {
+    PrintFault(std::string("failed: ") + error.what());
+    return kExitFailed;
+  }
+}
+
+}  // namespace graspbench

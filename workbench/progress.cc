@@ -1,0 +1,195 @@
+#include "workbench/progress.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+
+#include "reports/format.h"
+#include "workbench/plain_text.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kWindow = 30.0;             // [s] over which the rate is taken
+constexpr double kTerminalInterval = 0.099;  // [s] a little less than the batch's tick
+constexpr double kPlainInterval = 10.0;      // [s]
+constexpr int kDefaultWidth = 80;
+constexpr size_t kMaxWorkersShown = 8;
+
+bool IsTerminal(std::FILE* stream) {
+  const char* term = std::getenv("TERM");
+  return ::isatty(::fileno(stream)) && term && std::string(term) != "dumb";
+}
+
+int FindWidth(std::FILE* stream) {
+  winsize size{};
+  const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : kDefaultWidth;
+}
+
+std::string FormatRemaining(const ProgressState& state) {
+  const int num_left = state.num_planned - state.num_done;
+  if (num_left == 0) return "done";
+  if (!(state.rate > 0.0)) return "";
+  return FormatDuration(num_left / state.rate) + " left";
+}
+
+std::string FormatSuccess(const ProgressState& state) {
+  const auto successes = state.outcomes.find(Outcome::kSuccess);
+  return MakePlainText(
+      FormatRate(successes == state.outcomes.end() ? 0 : successes->second, state.num_done));
+}
+
+/** "no contact 3, pushed away 9", broken into lines of at most `width` where there is room. */
+std::vector<std::string> FormatFailures(const ProgressState& state, size_t width) {
+  std::vector<std::string> lines = {""};
+  for (const Outcome outcome : ListOutcomes()) {
+    const auto count = state.outcomes.find(outcome);
+    if (outcome == Outcome::kSuccess || count == state.outcomes.end()) continue;
+    const std::string text = std::string(NameOf(outcome)) + " " + std::to_string(count->second);
+    if (!lines.back().empty()) {
+      lines.back() += ",";
+      if (lines.back().size() + 1 + text.size() + 1 <= width) {
+        lines.back() += " ";
+      } else {
+        lines.emplace_back();
+      }
+    }
+    lines.back() += text;
+  }
+  if (lines.back().empty()) lines.back() = "none";
+  return lines;
+}
+
+std::string FormatBar(const ProgressState& state) {
+  constexpr int kLength = 30;
+  const int filled = state.num_planned > 0 ? kLength * state.num_done / state.num_planned : kLength;
+  return "[" + std::string(filled, '#') + std::string(kLength - filled, '-') + "]";
+}
+
+}  // namespace
+
+void Pace::Add(double time, int num_done) {
+  points_.emplace_back(time, num_done);
+  while (points_.size() > 2 && points_[1].first <= time - kWindow) points_.pop_front();
+}
+
+double Pace::rate() const {
+  if (points_.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double time = points_.back().first - points_.front().first;
+  const int num_done = points_.back().second - points_.front().second;
+  return num_done > 0 && time > 0.0 ? num_done / time : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string FormatDuration(double duration) {
+  const long seconds = std::lround(std::ceil(duration));
+  const long minutes = seconds / 60, hours = minutes / 60;
+  if (hours > 0) return std::to_string(hours) + " h " + std::to_string(minutes % 60) + " min";
+  if (minutes > 0) return std::to_string(minutes) + " min " + std::to_string(seconds % 60) + " s";
+  return std::to_string(seconds) + " s";
+}
+
+std::vector<std::string> FormatBlock(const ProgressState& state, int width) {
+  const std::string remaining = FormatRemaining(state);
+  std::vector<std::string> lines = {
+      "  trials   " + FormatBar(state) + " " + std::to_string(state.num_done) + " of " +
+          std::to_string(state.num_planned),
+      "  pace     " + (std::isfinite(state.rate) ? FormatFixed(state.rate, 1) : "-") + " trials/s" +
+          (remaining.empty() ? "" : ", " + remaining),
+      "  success  " + FormatSuccess(state),
+  };
+  const std::string head = "  failed   ";
+  for (const std::string& text :
+       FormatFailures(state, static_cast<size_t>(width) - std::min<size_t>(width, head.size()))) {
+    const bool is_first = lines.size() == 3;
+    lines.push_back((is_first ? head : std::string(head.size(), ' ')) + text);
+  }
+  const size_t num_shown = std::min(state.workers.size(), kMaxWorkersShown);
+  for (size_t i = 0; i < num_shown; ++i) {
+    lines.push_back("  worker " + std::to_string(i + 1) + " " +
+                    (state.workers[i].empty() ? "idle" : state.workers[i]));
+  }
+  if (num_shown < state.workers.size()) {
+    lines.push_back("  and " + std::to_string(state.workers.size() - num_shown) + " more workers");
+  }
+  for (std::string& line : lines) {
+    line.resize(std::min(line.size(), static_cast<size_t>(std::max(width, 1))));
+  }
+  return lines;
+}
+
+std::string FormatLine(const ProgressState& state) {
+  const std::string remaining = FormatRemaining(state);
+  return std::to_string(state.num_done) + " of " + std::to_string(state.num_planned) + " trials" +
+         (std::isfinite(state.rate) ? ", " + FormatFixed(state.rate, 1) + " trials/s" : "") +
+         (remaining.empty() ? "" : ", " + remaining) + "; success " + FormatSuccess(state) +
+         "; failed: " + FormatFailures(state, std::string::npos).front();
+}
+
+Progress::Progress(std::FILE* stream, int num_planned, std::map<Outcome, int> before)
+    : stream_(stream),
+      is_terminal_(IsTerminal(stream)),
+      num_planned_(num_planned),
+      before_(std::move(before)),
+      last_shown_(is_terminal_ ? -kTerminalInterval : 0.0) {}
+
+ProgressState Progress::MakeState() const {
+  ProgressState state;
+  state.num_planned = num_planned_;
+  state.outcomes = before_;
+  for (const auto& [outcome, count] : status_.outcomes) state.outcomes[outcome] += count;
+  state.num_done = std::accumulate(state.outcomes.begin(), state.outcomes.end(), 0,
+                                   [](int sum, const auto& item) { return sum + item.second; });
+  for (const PlannedTrial* trial : status_.busy) {
+    state.workers.push_back(trial ? trial->hand + "  " + trial->object + "  " + trial->grasp +
+                                        "  #" + std::to_string(trial->trial)
+                                  : "");
+  }
+  state.rate = pace_.rate();
+  return state;
+}
+
+void Progress::Draw() {
+  if (!is_terminal_) {
+    std::fprintf(stream_, "%s\n", FormatLine(MakeState()).c_str());
+    std::fflush(stream_);
+    return;
+  }
+  std::string text;
+  if (num_lines_drawn_ > 0) text += "\x1b[" + std::to_string(num_lines_drawn_) + "A";
+  const std::vector<std::string> lines = FormatBlock(MakeState(), FindWidth(stream_) - 1);
+  for (const std::string& line : lines) text += "\r" + line + "\x1b[K\n";
+  text += "\x1b[J";  // what a key press or a longer block has left below
+  num_lines_drawn_ = static_cast<int>(lines.size());
+  std::fputs(text.c_str(), stream_);
+  std::fflush(stream_);
+}
+
+void Progress::Show(const BatchStatus& status, double time) {
+  status_ = status;
+  pace_.Add(time, status.num_done);
+  if (time - last_shown_ < (is_terminal_ ? kTerminalInterval : kPlainInterval)) return;
+  last_shown_ = time;
+  Draw();
+}
+
+void Progress::Finish() {
+  status_.busy.clear();
+  Draw();
+}
+
+void Progress::Say(const std::string& message) {
+  std::string text;
+  if (num_lines_drawn_ > 0) text = "\x1b[" + std::to_string(num_lines_drawn_) + "A\r\x1b[J";
+  text += message + "\n";
+  num_lines_drawn_ = 0;
+  std::fputs(text.c_str(), stream_);
+  std::fflush(stream_);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#pragma once
+/** @file
+How far a batch is: on a terminal one block of lines redrawn in place, at most ten times a second;
+elsewhere (pipe, file, TERM=dumb) a plain line from time to time, without any escape byte.
+
+The rate is that of the last half minute, so that it follows what the machine does now. */
+
+#include <cstdio>
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/sim/trial.h"
+#include "workbench/batch_runner.h"
+
+namespace graspbench {
+
+/** Trials per second over a moving window. */
+class Pace {
+ public:
+  /** @param time  since the start, not falling [s]. */
+  void Add(double time, int num_done);
+  double rate() const;  ///< [1/s]; NaN before anything is done
+ private:
+  std::deque<std::pair<double, int>> points_;
+};
+
+/** The session as a whole: what earlier runs finished counts as done. */
+struct ProgressState {
+  int num_planned = 0;
+  int num_done = 0;
+  std::map<Outcome, int> outcomes;
+  std::vector<std::string> workers;  ///< what each is doing; empty: idle
+  double rate = 0.0;                 ///< [1/s]; NaN: not known yet
+};
+
+/** Lines of the block, none longer than `width` characters. */
+std::vector<std::string> FormatBlock(const ProgressState& state, int width);
+
+/** The same in one line: "132 of 420 trials, ...". */
+std::string FormatLine(const ProgressState& state);
+
+/** "1 min 25 s", "2 h 5 min", "3 s". */
+std::string FormatDuration(double duration);
+
+class Progress {
+ public:
+  /** @param before  outcomes of the trials that earlier runs finished. */
+  Progress(std::FILE* stream, int num_planned, std::map<Outcome, int> before);
+
+  /** Shows the status when it is time to. @param time  since the start [s]. */
+  void Show(const BatchStatus& status, double time);
+  /** Shows the last status once more and leaves the cursor below it. */
+  void Finish();
+  /** Prints a message above the block. */
+  void Say(const std::string& message);
+
+ private:
+  ProgressState MakeState() const;
+  void Draw();
+
+  std::FILE* stream_;
+  bool is_terminal_;
+  int num_planned_;
+  std::map<Outcome, int> before_;
+  BatchStatus status_;
+  Pace pace_;
+  double last_shown_;
+  int num_lines_drawn_ = 0;
+};
+
+}  // namespace graspbench

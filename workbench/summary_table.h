@@ -1,0 +1,20 @@
+#pragma once
+/** @file
+The end of a session in a few lines: one row per hand. */
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/json.h"
+#include "reports/session_summary.h"
+
+namespace graspbench {
+
+/** A table for the terminal, with a line feed after each row. */
+std::string FormatSummaryTable(const SessionSummary& summary);
+
+/** {session, report, hands: [{hand, trials, successes, outcomes}]}. */
+Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,
+                     const std::filesystem::path& report);
+
+}  // namespace graspbench

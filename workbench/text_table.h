@@ -1,0 +1,23 @@
+#pragma once
+/** @file
+Columns for the terminal: each as wide as its widest cell, separated by two spaces. Columns of
+numbers are aligned to the right. */
+
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> head);
+  /** @pre as many cells as the head has. */
+  void AddRow(std::vector<std::string> row);
+  /** Every row ends with a line feed and has no trailing spaces. */
+  std::string Format() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;  // the head first
+};
+
+}  // namespace graspbench
