@@ -4,8 +4,10 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <regex>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -50,18 +52,39 @@ bool IsFinite(const TriMesh& mesh) {
   return true;
 }
 
+// The text before the data of a PLY file. assimp 5.2 reads for ever in a header that is cut off or
+// damaged, so every line must be one that the format knows.
+void CheckPlyHeader(const std::string& bytes, const std::string& name) {
+  const auto fail = [&](const std::string& what) {
+    throw Error(ErrorKind::kFormat, "mesh \"" + name + "\": " + what +
+                                        "; the file is cut off or damaged, export it again from "
+                                        "its program");
+  };
+  static const std::regex kLine(
+      "ply|format (ascii|binary_little_endian|binary_big_endian) 1\\.0|(comment|obj_info)[ -~]*|"
+      "element \\w+ \\d{1,9}|property (list \\w+ )?\\w+ \\w+|end_header");
+  size_t begin = 0;
+  for (int line_number = 1;; ++line_number) {
+    const size_t end = bytes.find('\n', begin);
+    if (end == std::string::npos) fail("its PLY header has no end_header");
+    std::string line = bytes.substr(begin, std::min<size_t>(end - begin, 256));
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    if (!std::regex_match(line, kLine)) {
+      fail("line " + std::to_string(line_number) + " is not of a PLY header");
+    }
+    if (line == "end_header") return;
+    begin = end + 1;
+  }
+}
+
 // What assimp does not notice itself.
 void CheckBytes(const std::string& bytes, const std::string& name) {
   if (bytes.empty()) {
     throw Error(ErrorKind::kFormat,
                 "mesh \"" + name + "\" is empty (0 bytes); export it again from its program");
   }
-  // assimp 5.2 reads a PLY header without an end for ever.
-  if (bytes.compare(0, 3, "ply") == 0 && bytes.find("end_header") == std::string::npos) {
-    throw Error(ErrorKind::kFormat, "mesh \"" + name +
-                                        "\" is cut off: its PLY header has no end_header; export "
-                                        "it again from its program");
-  }
+  static const std::regex kPly("ply", std::regex::icase);
+  if (std::regex_match(bytes.substr(0, 3), kPly)) CheckPlyHeader(bytes, name);
 }
 
 // The file as read, before polygons are cut into triangles.

@@ -108,8 +108,11 @@ TEST(LoadMeshTest, FilesThatAreNoMeshesAreRefused) {
               std::string::npos);
   }
   EXPECT_EQ(FindMessage("ply\nformat ascii 1.0\nelement vert", "cut.ply"),
-            "mesh \"cut.ply\" is cut off: its PLY header has no end_header; export it again from "
-            "its program");
+            "mesh \"cut.ply\": its PLY header has no end_header; the file is cut off or damaged, "
+            "export it again from its program");
+  EXPECT_EQ(FindMessage("ply\nformat ascii 1.0\nelem\1ent vertex 3\nend_header\n", "bad.ply"),
+            "mesh \"bad.ply\": line 3 is not of a PLY header; the file is cut off or damaged, "
+            "export it again from its program");
   EXPECT_EQ(FindMessage("hello", "notes.txt").find("mesh \"notes.txt\" cannot be read ("), 0u);
 }
 
