@@ -30,8 +30,8 @@ struct CellPictures {
   std::vector<std::string> problems;         ///< why pictures are missing
 };
 
-inline constexpr int kPictureWidth = 400;
-inline constexpr int kPictureHeight = 300;
+inline constexpr int kPictureWidth = 360;
+inline constexpr int kPictureHeight = 270;
 
 /** Never throws for a machine that cannot draw: the reason becomes a problem. */
 CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models);
