@@ -19,9 +19,9 @@ contact comes after t0; with two digits GFT = GOT. */
 namespace graspbench {
 
 struct DigitContact {
-  std::string digit;  ///< "TH", "FF", ...
-  bool is_thumb = false;
-  double time = 0.0;  ///< first contact [s]; NaN: never touched
+  std::string digit;      ///< "TH", "FF", ...
+  bool is_thumb = false;  ///< or takes its part: one digit of a grasp opposes the others
+  double time = 0.0;      ///< first contact [s]; NaN: never touched
 };
 
 struct ContactTiming {

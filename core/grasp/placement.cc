@@ -27,17 +27,11 @@ struct Pads {
 
 Pads CalcPads(const Hand& hand, const StandardGrasp& grasp, const std::vector<Pose>& X_HL) {
   Pads pads{Vector3d::Zero(), Vector3d::Zero()};
-  // A grasp without the thumb opposes its first digit to the others.
-  std::string opposing = grasp.digits.front();
-  for (const Digit& digit : hand.digits) {
-    if (digit.is_thumb && std::count(grasp.digits.begin(), grasp.digits.end(), digit.id)) {
-      opposing = digit.id;
-    }
-  }
+  const Digit& opposing = hand.digits[FindOpposingDigit(hand, grasp)];
   for (const Digit& digit : hand.digits) {
     if (!std::count(grasp.digits.begin(), grasp.digits.end(), digit.id)) continue;
     const Vector3d p_HPad = X_HL[digit.distal_link] * digit.p_LPad;
-    if (digit.id == opposing) {
+    if (digit.id == opposing.id) {
       pads.p_HThumb = p_HPad;
     } else {
       pads.p_HFingers += p_HPad / static_cast<double>(grasp.digits.size() - 1);
@@ -158,9 +152,12 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
     placement.X_WH.pretranslate((near_face - kPalmGap - palm) * placement.approach_W);
   }
 
+  // What is thinner than the lowest grasp is picked off the table: there the fingertips may slide
+  // on it until they meet the object.
+  const size_t first = height < kLowestGrasp ? course.size() - 1 : 0;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const std::vector<Pose>& X_HL : course) {
-    lowest = std::min(lowest, -CalcExtent(hand, X_HL, placement.X_WH, -1, -Vector3d::UnitZ()));
+  for (size_t k = first; k < course.size(); ++k) {
+    lowest = std::min(lowest, -CalcExtent(hand, course[k], placement.X_WH, -1, -Vector3d::UnitZ()));
   }
   if (lowest < kTableClearance) {
     placement.X_WH.pretranslate((kTableClearance - lowest) * Vector3d::UnitZ());

@@ -13,7 +13,8 @@ down.
 
 h_g = max(9 mm, min(height / 2, height - 8 mm)) for precision and pinch, so that the pads clear the
 table; a power grasp brings the palm to 3 mm from the object instead. No sphere of the hand comes
-nearer to the table than 0.5 mm while it closes to s*.
+nearer to the table than 0.5 mm while it closes to s*; what is thinner than 9 mm is picked
+off the table, there it holds at s* only.
 
 An object taller than the fingers reach is grasped with power from the side: the approach is
 horizontal and the flexion axis of the fingers vertical, the grasp centre at half height; the

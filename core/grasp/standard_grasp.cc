@@ -101,6 +101,18 @@ const GraspTaxon& FindGraspTaxon(const std::string& id) {
   throw Error(ErrorKind::kNotFound, "no grasp \"" + id + "\"" + SuggestNames(id, known));
 }
 
+int FindOpposingDigit(const Hand& hand, const StandardGrasp& grasp) {
+  int first = -1;
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    const Digit& digit = hand.digits[d];
+    if (!std::count(grasp.digits.begin(), grasp.digits.end(), digit.id)) continue;
+    if (digit.is_thumb) return static_cast<int>(d);
+    if (digit.id == grasp.digits.front()) first = static_cast<int>(d);
+  }
+  GRASPBENCH_DEMAND(first >= 0, "grasp " + grasp.id + " names no digit of hand " + hand.id);
+  return first;
+}
+
 std::vector<StandardGrasp> LoadStandardGrasps(const Hand& hand) {
   const std::filesystem::path path = std::filesystem::path(hand.folder) / "hand.yaml";
   const std::string file = path.string();

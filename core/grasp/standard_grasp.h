@@ -42,6 +42,10 @@ struct StandardGrasp {
   bool palm_may_touch = false;      ///< power grasps
 };
 
+/** The digit that opposes the others: the thumb, or the first grasping digit of a grasp without it.
+Index into hand.digits. @pre the grasp has digits of this hand. */
+int FindOpposingDigit(const Hand& hand, const StandardGrasp& grasp);
+
 /** All standard grasps the hand can do, from its hand.yaml.
 @throws Error(kFormat) listing every problem with file and line. */
 std::vector<StandardGrasp> LoadStandardGrasps(const Hand& hand);

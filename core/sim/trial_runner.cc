@@ -87,7 +87,8 @@ class Trial {
       for (size_t d = 0; d < hand_.digits.size(); ++d) {
         if (hand_.digits[d].id != id) continue;
         digits_.push_back(static_cast<int>(d));
-        result_.contacts.push_back({id, hand_.digits[d].is_thumb, kMissing});
+        const bool opposes = static_cast<int>(d) == FindOpposingDigit(hand_, setup.grasp);
+        result_.contacts.push_back({id, opposes, kMissing});
       }
     }
   }
@@ -150,6 +151,9 @@ void Trial::Start() {
   X_WO.pretranslate(Vector3d(0.0, 0.0, -world_.collider().CalcLowestPoint(X_WO)));
   state.R_WO = X_WO.linear();
   state.p_WOcm = X_WO * object.mass_properties.p_OOcm;
+  if (!X_WO.matrix().allFinite() || !state.q.allFinite()) {
+    throw Error(ErrorKind::kRange, "the object's start pose or a joint error is not finite");
+  }
   rest_height_ = X_WO.translation().z();
   rest_position_ = state.p_WOcm;
 

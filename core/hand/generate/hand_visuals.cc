@@ -113,9 +113,9 @@ struct Fingertip {
   double r_B_mm, y_B_mm, z_B_mm;
 };
 
-constexpr Fingertip kShadowTip = {7.0, 15.0, 4.5, -2.5, 21.5};
-constexpr Fingertip kShadowThumbTip = {10.0, 11.0, 5.5, -4.5, 22.0};
-constexpr Fingertip kTumTip = {7.0, 9.0, 4.5, -2.5, 15.5};
+constexpr Fingertip kShadowTip = {7.0, 15.0, 3.5, -3.5, 22.5};
+constexpr Fingertip kShadowThumbTip = {10.0, 11.0, 4.0, -6.0, 23.5};
+constexpr Fingertip kTumTip = {7.0, 9.0, 3.5, -3.5, 16.5};
 
 TriMesh MakeFingertipFlesh(const Fingertip& tip) {
   const double r = tip.r_A_mm;

@@ -75,13 +75,20 @@ TEST_P(PlacementTest, PadsStandAsFarApartAsTheObjectIsWideAndOverItsCentreOfMass
 }
 
 TEST_P(PlacementTest, NoFingerTouchesTheTableBeforeTheObject) {
-  for (double height : {0.007, 0.02, 0.06}) {
+  for (double height : {0.01, 0.02, 0.06}) {
     const Vector3d size(0.08, 0.04, height);
     const Placement placement = CalcPlacement(hand_, grasp_, size, Vector3d::Zero());
     for (double share : {0.0, 0.3, 0.6, 1.0}) {
       EXPECT_GT(CalcLowest(placement, share * placement.closing_at_contact), 0.0004);
     }
   }
+}
+
+// Fingertips may slide on the table before, but not press on it when they meet.
+TEST_P(PlacementTest, AThinThingIsPickedOffTheTable) {
+  const Placement placement =
+      CalcPlacement(hand_, grasp_, Vector3d(0.175, 0.0076, 0.0069), Vector3d::Zero());
+  EXPECT_GT(CalcLowest(placement, placement.closing_at_contact), 0.0004);
 }
 
 TEST_P(PlacementTest, ComesStraightDownOnWhatIsLow) {
