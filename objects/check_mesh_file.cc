@@ -21,7 +21,9 @@ MeshReport CheckMeshFile(const std::filesystem::path& path, LengthUnit unit) {
 MeshFileRepair RepairMeshFile(const std::filesystem::path& path, LengthUnit unit,
                               const std::filesystem::path& repaired_path) {
   const MeshRepair repair = RepairMesh(LoadMesh(path, unit));
-  WriteFileAtomically(repaired_path, FormatObj(repair.mesh, UnitsPerMetre(unit)));
+  if (!repair.actions.empty()) {
+    WriteFileAtomically(repaired_path, FormatObj(repair.mesh, UnitsPerMetre(unit)));
+  }
   return {repair.actions, CheckMesh(repair.mesh)};
 }
 

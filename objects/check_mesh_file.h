@@ -18,7 +18,9 @@ struct MeshFileRepair {
   std::vector<std::string> actions;  ///< what was done; empty: nothing could be
   MeshReport report;                 ///< of the repaired mesh
 };
-/** Writes the repaired mesh (mesh_repair.h) as OBJ in the same unit. @throws also Error(kIo). */
+/** Writes the repaired mesh (mesh_repair.h) as OBJ in the same unit, unless nothing could be
+repaired.
+@throws also Error(kIo). */
 MeshFileRepair RepairMeshFile(const std::filesystem::path& path, LengthUnit unit,
                               const std::filesystem::path& repaired_path);
 

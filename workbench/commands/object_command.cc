@@ -1,14 +1,18 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "core/base/units.h"
 #include "objects/catalogue.h"
+#include "objects/check_mesh_file.h"
 #include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {
+namespace fs = std::filesystem;
+
 namespace {
 
 Json MakeObjectJson(const GraspObject& object) {
@@ -74,12 +78,57 @@ void ShowObject(const std::string& id, bool json) {
             << " triangles\n";
 }
 
+void PrintMeshReport(const std::string& path, const MeshReport& report) {
+  if (!report.problems.empty()) std::cout << FormatProblems(report) << '\n';
+  std::cout << path << ": " << FormatCount(report.num_triangles, "triangle") << ", "
+            << (report.is_closed ? "closed" : FormatCount(report.num_open_edges, "open edge"))
+            << ", " << FormatSize(report.extent) << " mm; "
+            << (report.problems.empty() ? "can be used\n" : "cannot be used\n");
+}
+
+void PrintRepair(const std::string& path, const MeshFileRepair& repair) {
+  if (repair.actions.empty()) {
+    std::cout << "repair: nothing could be repaired without guessing; no file written\n";
+    return;
+  }
+  for (const std::string& action : repair.actions) std::cout << "repair: " << action << '\n';
+  PrintMeshReport(path, repair.report);
+}
+
+struct MeshCheckOptions {
+  std::string path;
+  std::string unit = "m";
+  bool repair = false;
+  bool json = false;
+};
+
+/** A folder is a whole object (object.yaml and mesh), anything else a mesh file. */
+ExitCode CheckObject(const MeshCheckOptions& options) {
+  const LengthUnit unit = options.unit == "mm" ? LengthUnit::kMm : LengthUnit::kM;
+  MeshReport report = fs::is_directory(options.path) ? CheckMesh(LoadObject(options.path)->mesh)
+                                                     : CheckMeshFile(options.path, unit);
+  Json json = FormatMeshReport(report);
+  if (!options.json) PrintMeshReport(options.path, report);
+  if (options.repair && !report.problems.empty()) {
+    const fs::path path(options.path);
+    const std::string repaired = (path.parent_path() / (path.stem().string() + "-repaired.obj"));
+    const MeshFileRepair repair = RepairMeshFile(path, unit, repaired);
+    report = repair.report;
+    json["repair"] = {{"file", repair.actions.empty() ? Json(nullptr) : Json(repaired)},
+                      {"actions", repair.actions},
+                      {"result", FormatMeshReport(report)}};
+    if (!options.json) PrintRepair(repaired, repair);
+  }
+  if (options.json) PrintJson(json);
+  return report.problems.empty() ? kExitOk : kExitBadInput;
+}
+
 }  // namespace
 
-void AddObjectCommand(CLI::App& program, ExitCode&) {
+void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& group = AddSubcommand(program, "object", "Shows and checks things to grasp.",
                                   "  graspbench object list\n"
-                                  "  graspbench object show can");
+                                  "  graspbench object check mug.stl --unit mm");
   group.require_subcommand(1);
   const auto id = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
@@ -98,6 +147,21 @@ void AddObjectCommand(CLI::App& program, ExitCode&) {
       ->option_text("OBJECT");
   show.add_flag("--json", *json, "one JSON object");
   show.callback([id, json] { ShowObject(*id, *json); });
+
+  CLI::App& check = AddSubcommand(group, "check", "Tells whether a mesh can be used, and why not.",
+                                  "  graspbench object check mug.stl --unit mm\n"
+                                  "  graspbench object check mug.stl --unit mm --repair");
+  const auto options = std::make_shared<MeshCheckOptions>();
+  check.add_option("path", options->path, "mesh file, or folder with object.yaml and a mesh")
+      ->required()
+      ->option_text("PATH");
+  check.add_option("--unit", options->unit, "of the mesh file's numbers: m (default) or mm")
+      ->check(CLI::IsMember({"m", "mm"}))
+      ->option_text("UNIT");
+  check.add_flag("--repair", options->repair,
+                 "close small holes and turn faces; writes NAME-repaired.obj beside the file");
+  check.add_flag("--json", options->json, "one JSON object");
+  check.callback([options, &exit_code] { exit_code = CheckObject(*options); });
 }
 
 }  // namespace graspbench
