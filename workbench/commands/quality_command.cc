@@ -1,0 +1,62 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "core/base/files.h"
+#include "core/grasp/contacts_json.h"
+#include "core/grasp/grasp_quality.h"
+#include "reports/format.h"
+#include "workbench/commands/command.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+void ShowQuality(const std::string& path, bool json) {
+  const GraspQuality quality = CalcGraspQuality(ParseQualityRequest(ReadFile(path), path));
+  if (json) {
+    PrintJson(ToJson(quality));
+    return;
+  }
+  std::cout << quality.description << "\n\nforce closure          "
+            << (quality.force_closure ? "yes" : "no") << "\nepsilon                "
+            << FormatSignificant(quality.epsilon, 6) << "\nvolume                 "
+            << FormatSignificant(quality.volume, 6) << "\nmin singular value     "
+            << FormatSignificant(quality.min_singular_value, 6)
+            << "\n\nLargest load along a direction per newton of normal force, in N or N m:\n";
+  TextTable table({"direction", "1 N in total", "1 N at each contact"});
+  for (const TaskForce& force : quality.task_forces) {
+    table.AddRow({force.direction, FormatSignificant(force.sum_limited, 4),
+                  FormatSignificant(force.each_limited, 4)});
+  }
+  std::cout << table.Format();
+}
+
+}  // namespace
+
+void AddQualityCommand(CLI::App& program, ExitCode&) {
+  const auto path = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  CLI::App& command =
+      AddSubcommand(program, "quality", "Measures how well a set of contacts holds an object.",
+                    "  graspbench quality contacts.json\n"
+                    "  graspbench quality contacts.json --json\n\n"
+                    "contacts.json, lengths in metres:\n"
+                    "  {\"contacts\": [{\"p_m\": [0.03, 0, 0], \"n\": [-1, 0, 0], \"mu\": 0.5, "
+                    "\"torsion_m\": 0.002},\n"
+                    "                {\"p_m\": [-0.03, 0, 0], \"n\": [1, 0, 0], \"mu\": 0.5, "
+                    "\"torsion_m\": 0.002}],\n"
+                    "   \"torque_scale_m\": 0.05}\n"
+                    "  n: unit normal into the object; torsion_m: largest moment about it per "
+                    "newton; t: first edge\n"
+                    "  of the friction cone. Optional: torsion_m, t, edges, reference_m, "
+                    "convention (ferrari-canny,\n"
+                    "  graspit, simox, dexgraspbench, dex-net, frogger).");
+  command.add_option("contacts", *path, "file of contacts")
+      ->required()
+      ->option_text("CONTACTS.json");
+  command.add_flag("--json", *json, "one JSON object");
+  command.callback([path, json] { ShowQuality(*path, *json); });
+}
+
+}  // namespace graspbench
