@@ -1,0 +1,122 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "human_study/describe_recording.h"
+#include "human_study/importers/importer.h"
+#include "human_study/save_recording.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+namespace {
+
+struct MocapOptions {
+  std::string in, out;
+  ImportOptions import;
+  bool json = false;
+};
+
+using SharedOptions = std::shared_ptr<MocapOptions>;
+
+/** The original must survive: it may be the only copy. */
+void CheckDifferentFiles(const MocapOptions& options) {
+  std::error_code status;
+  if (std::filesystem::equivalent(options.in, options.out, status)) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + options.out + "\" is the recording itself; name another file to write");
+  }
+}
+
+void PrintFindings(const Recording& recording) {
+  for (const ImportFinding& finding : recording.findings) {
+    std::cerr << finding.code << " at " << finding.where << ": " << finding.text << '\n';
+  }
+}
+
+void AddImportOptions(CLI::App& command, const SharedOptions& options) {
+  command.add_option("file", options->in, "recording")->required()->option_text("FILE");
+  std::string formats;
+  for (const Importer& importer : ImporterList()) {
+    formats += (formats.empty() ? "" : ", ") + std::string(importer.id);
+  }
+  command.add_option("--format", options->import.format,
+                     "instead of finding it by content and name: " + formats);
+  command.add_option("--unit", options->import.unit,
+                     "length unit of a file that states none: mm, cm, m, in");
+  command
+      .add_option("--mapping", options->import.mapping,
+                  "YAML file that names the columns of a plain table")
+      ->option_text("FILE");
+  command.add_option("--trial", options->import.trial,
+                     "plain table with several trials: the one to read");
+  command.add_flag("--accept-truncated", options->import.accept_truncated,
+                   "reads a file that is cut off as far as it goes");
+  command.add_flag("--trust-residuals", options->import.trust_residuals,
+                   "C3D: believes residuals that call every sample invalid");
+}
+
+void ShowRecording(const MocapOptions& options) {
+  const Recording recording = LoadRecording(options.in, options.import);
+  if (options.json) {
+    PrintJson(DescribeRecording(recording));
+  } else {
+    std::cout << FormatRecording(recording);
+  }
+}
+
+void ConvertRecording(const MocapOptions& options) {
+  CheckDifferentFiles(options);
+  const Recording recording = LoadRecording(options.in, options.import);
+  PrintFindings(recording);
+  const size_t num_left_out = SaveRecording(options.out, recording);
+  if (num_left_out > 0) {
+    std::cerr << num_left_out << " points are no positions and were left out\n";
+  }
+  std::cout << options.out << '\n';
+}
+
+void RedactFile(const MocapOptions& options) {
+  CheckDifferentFiles(options);
+  const std::vector<PersonalField> fields = RedactRecording(options.in, options.out);
+  for (const PersonalField& field : fields) {
+    std::cerr << "blanked " << field.where << ": " << field.text << '\n';
+  }
+  if (fields.empty()) std::cerr << "no personal data found in the places this format has for it\n";
+  std::cout << options.out << '\n';
+}
+
+}  // namespace
+
+void AddMocapCommand(CLI::App& program, ExitCode&) {
+  CLI::App& group = AddSubcommand(program, "mocap", "Shows, converts and redacts motion capture.",
+                                  "  graspbench mocap info reach01.c3d\n"
+                                  "  graspbench mocap convert reach01.tsv reach01.c3d");
+  group.require_subcommand(1);
+  const auto options = std::make_shared<MocapOptions>();
+
+  CLI::App& info =
+      AddSubcommand(group, "info", "Shows what a recording holds and what had to be assumed.",
+                    "  graspbench mocap info reach01.c3d\n"
+                    "  graspbench mocap info table.txt --mapping columns.yaml --json");
+  AddImportOptions(info, options);
+  info.add_flag("--json", options->json, "one JSON object, with the mean of every point");
+  info.callback([options] { ShowRecording(*options); });
+
+  CLI::App& convert = AddSubcommand(group, "convert",
+                                    "Writes a recording as .c3d, .tsv (Qualisys) or .csv (metres).",
+                                    "  graspbench mocap convert reach01.n3d reach01.c3d\n"
+                                    "  graspbench mocap convert take.csv take.c3d --unit mm");
+  AddImportOptions(convert, options);
+  convert.add_option("out", options->out, "file to write")->required()->option_text("OUT");
+  convert.callback([options] { ConvertRecording(*options); });
+
+  CLI::App& redact = AddSubcommand(
+      group, "redact", "Copies a recording with names, dates and paths blanked; data stay.",
+      "  graspbench mocap redact reach01.c3d share/reach01.c3d");
+  redact.add_option("file", options->in, "recording")->required()->option_text("FILE");
+  redact.add_option("out", options->out, "file to write")->required()->option_text("OUT");
+  redact.callback([options] { RedactFile(*options); });
+}
+
+}  // namespace graspbench
