@@ -10,31 +10,37 @@
 namespace graspbench {
 namespace {
 
-/** "no contact 3, slipped in lift-off 1". */
-std::string FormatFailures(const Tally& tally) {
-  std::string text;
+/** One row per kind of failure that happened, one column per hand; empty without failures. */
+std::string FormatFailures(const SessionSummary& summary) {
+  std::vector<std::string> head = {"failures"};
+  head.insert(head.end(), summary.hands.begin(), summary.hands.end());
+  TextTable table(head);
+  bool is_empty = true;
   for (const Outcome outcome : ListOutcomes()) {
-    const int count = tally.CountOf(outcome);
-    if (outcome == Outcome::kSuccess || count == 0) continue;
-    text += (text.empty() ? "" : ", ") + std::string(NameOf(outcome)) + " " + std::to_string(count);
+    if (outcome == Outcome::kSuccess || summary.total.CountOf(outcome) == 0) continue;
+    std::vector<std::string> row = {NameOf(outcome)};
+    for (const std::string& hand : summary.hands) {
+      row.push_back(std::to_string(summary.TallyOf(hand).CountOf(outcome)));
+    }
+    table.AddRow(row);
+    is_empty = false;
   }
-  return text.empty() ? "none" : text;
+  return is_empty ? "" : "\n" + table.Format();
 }
 
 }  // namespace
 
 std::string FormatSummaryTable(const SessionSummary& summary) {
-  TextTable table({"hand", "trials", "successes", "rate", "95 % interval [%]", "failures"});
+  TextTable table({"hand", "trials", "successes", "rate", "95 % interval [%]"});
   for (const std::string& hand : summary.hands) {
     const Tally tally = summary.TallyOf(hand);
     table.AddRow({hand, std::to_string(tally.finished), std::to_string(tally.successes()),
                   tally.finished > 0 ? MakePlainText(FormatPercent(
                                            static_cast<double>(tally.successes()) / tally.finished))
                                      : "n/a",
-                  MakePlainText(FormatRateInterval(tally.successes(), tally.finished)),
-                  FormatFailures(tally)});
+                  MakePlainText(FormatRateInterval(tally.successes(), tally.finished))});
   }
-  return table.Format();
+  return table.Format() + FormatFailures(summary);
 }
 
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,

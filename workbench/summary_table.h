@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The end of a session in a few lines: one row per hand. */
+The end of a session in a few lines: success per hand, and what the failures were. */
 
 #include <filesystem>
 #include <string>
