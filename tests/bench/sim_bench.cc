@@ -33,9 +33,8 @@ void BM_Trial(benchmark::State& state, const char* hand_id, const char* object_i
     num_steps += result.num_steps;
   }
   if (result.outcome != Outcome::kSuccess) state.SkipWithError(result.reason.c_str());
-  state.counters["us_per_step"] =
-      benchmark::Counter(1e-6 * static_cast<double>(num_steps),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["steps_per_s"] =
+      benchmark::Counter(static_cast<double>(num_steps), benchmark::Counter::kIsRate);
   state.counters["trials_per_s"] =
       benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
