@@ -14,7 +14,10 @@ void AddMissingTrials(const ReportData& data, std::vector<std::string>& findings
   }
 }
 
+/** A skipped line whose trial was run again has cost nothing: the report of a finished session must
+not depend on how often it was interrupted. The commands tell of such lines on the terminal. */
 void AddJournalFindings(const ReportData& data, std::vector<std::string>& findings) {
+  if (data.summary.total.finished == data.summary.total.planned) return;
   for (const Diagnostic& entry : data.session.findings.entries()) {
     std::string place = entry.file;
     if (entry.line > 0) place += ", line " + std::to_string(entry.line);

@@ -8,8 +8,9 @@
 
 namespace graspbench {
 
-/** Errors first: missing trials, damaged journal lines, numerical failures, contacts before the
-start of closure, models and pictures that are missing. Empty for a flawless session. */
+/** Errors first: missing trials, damaged journal lines of an unfinished session, numerical
+failures, contacts before the start of closure, models and pictures that are missing. Empty for a
+flawless session. */
 std::vector<std::string> ListFindings(const ReportData& data);
 
 }  // namespace graspbench

@@ -164,8 +164,9 @@ TEST(SessionReport, ContactBeforeTheStartOfClosureIsFlaggedNotClipped) {
 
 TEST(SessionReport, DamagedJournalLinesAndMissingModelsAreTold) {
   const Session session = [] {
-    Session made = MakeSession({"tum"}, {"can"}, "g3", 1);
+    Session made = MakeSession({"tum"}, {"can"}, "g3", 2);
     made.findings.Warn("journal/2.jsonl", 17, "checksum does not fit");
+    made.records.pop_back();  // the trial of the damaged line
     return made;
   }();
   SessionModels models;
@@ -179,7 +180,18 @@ TEST(SessionReport, DamagedJournalLinesAndMissingModelsAreTold) {
   ExpectContains(findings, "the object \"can\" cannot be loaded: gone");
   ExpectContains(findings, "libOSMesa.so.8 is missing");
   ExpectContains(TextOfSection(page, "tum-can-g3"), "No pictures of this cell; the reason is");
-  ExpectContains(TextOfSection(page, "result"), "3 findings");
+  ExpectContains(TextOfSection(page, "result"), "4 findings");
+}
+
+// A line torn by a kill costs nothing once its trial has run again.
+TEST(SessionReport, AFinishedSessionDoesNotTellHowItWasInterrupted) {
+  const Session smooth = MakeSession({"tum"}, {"can"}, "g3", 2);
+  Session interrupted = smooth;
+  interrupted.findings.Warn("journal/0.jsonl", 1, "skipped: the line is torn");
+  const auto page = [](const Session& session) {
+    return MakeSessionReport(session, SummariseSession(session), SessionModels(), CellPictures());
+  };
+  EXPECT_EQ(page(interrupted), page(smooth));
 }
 
 TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {

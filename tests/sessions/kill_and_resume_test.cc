@@ -75,7 +75,7 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
        {"session.json", "plan.jsonl", "export/trials.csv", "report/index.html"}) {
     ExpectSameFile(fs::path(whole) / file, fs::path(killed) / file);
   }
-  fs::remove_all(folder);
+  if (!HasFailure()) fs::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(Jobs, KillAndResume, testing::Values(1, 2, 4));
