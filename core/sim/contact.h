@@ -46,6 +46,8 @@ using ContactRates = std::array<double, kNumContactRows>;
 
 struct ContactPoint {
   static constexpr int kMaxDofs = 24;
+  static constexpr int kMaxChain =
+      kMaxDofs / 2;  ///< joints between root and link, two chains at most
 
   ContactMaterial material;
   Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();

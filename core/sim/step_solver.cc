@@ -120,7 +120,6 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
       }
     }
     factor_.compute(H_);
-    ++num_factorizations_;
     if (factor_.info() != Eigen::Success) return false;
     direction_ = factor_.solve(-residual_);
     if (!direction_.allFinite()) return false;

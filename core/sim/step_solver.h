@@ -61,7 +61,6 @@ class StepSolver {
 
   const std::vector<ContactRates>& rates() const { return rates_; }
   const std::vector<ContactForces>& forces() const { return forces_; }
-  int num_factorizations() const { return num_factorizations_; }
 
  private:
   bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
@@ -77,7 +76,6 @@ class StepSolver {
   Eigen::VectorXd residual_, direction_, M_direction_;
   Eigen::MatrixXd H_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  int num_factorizations_ = 0;
 };
 
 }  // namespace graspbench

@@ -109,6 +109,7 @@ TrialResult TrialResultFromJson(const Json& json);
 Not to be shared between threads. Never throws for what happens inside a trial. */
 class TrialRunner {
  public:
+  /** @throws Error(kUnsupported) for a hand with a longer chain of joints than the solver holds. */
   TrialRunner(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object);
   ~TrialRunner();
   /** @pre setup.hand and setup.object are those of the constructor. */

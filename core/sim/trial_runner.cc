@@ -422,7 +422,19 @@ double TrialRunner::Impl::CalcSimbodyDifference() {
 
 TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
                          std::shared_ptr<const GraspObject> object)
-    : impl_(std::make_unique<Impl>(std::move(hand), std::move(object))) {}
+    : impl_(std::make_unique<Impl>(std::move(hand), std::move(object))) {
+  const HandDynamics dynamics(*impl_->hand);
+  for (size_t link = 0; link < impl_->hand->links.size(); ++link) {
+    const size_t length = dynamics.chain(static_cast<int>(link)).size();
+    if (length > ContactPoint::kMaxChain) {
+      throw Error(ErrorKind::kUnsupported,
+                  "hand \"" + impl_->hand->id + "\" has " + std::to_string(length) +
+                      " joints between its root and link \"" + impl_->hand->links[link].name +
+                      "\"; the simulation takes at most " +
+                      std::to_string(ContactPoint::kMaxChain));
+    }
+  }
+}
 
 TrialRunner::~TrialRunner() = default;
 

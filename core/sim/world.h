@@ -79,16 +79,12 @@ class World {
   void SetGravity(const Eigen::Vector3d& gravity_W) { state_.gravity_W = gravity_W; }
 
   const WorldState& state() const { return state_; }
-  double time() const { return step_number_ * config_.step; }
   Pose CalcObjectPose() const;  ///< X_WO
   const EnergyAccount& energy() const { return energy_; }
   double CalcKineticEnergy();   ///< relative to the moving root [J]
   double CalcEnergyResidual();  ///< [J]
   const Collider& collider() const { return collider_; }
   HandDynamics& dynamics() { return dynamics_; }
-  /** Contacts and forces of the last step, for records and pictures. */
-  const std::vector<ContactPoint>& contacts() const { return problem_.contacts; }
-  const std::vector<ContactForces>& forces() const { return solver_.forces(); }
 
  private:
   void ChooseDistalModes(const WorldCommand& command);

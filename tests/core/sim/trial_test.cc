@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
 #include "tests/core/sim/sim_fixtures.h"
@@ -91,6 +92,25 @@ TEST_P(TrialTest, AnImpossibleStateIsANumericalFailureWithItsReason) {
   const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
   EXPECT_EQ(result.outcome, Outcome::kNumericalFailure);
   EXPECT_FALSE(result.reason.empty());
+}
+
+TEST(TrialRunner, RefusesAChainOfTooManyJoints) {
+  Hand hand = MakeBareHand();
+  hand.id = "snake";
+  for (int i = 0; i < 13; ++i) {
+    AddTestLink(hand, i, MakePose(Eigen::Vector3d(0, 0, 0.02)), Eigen::Vector3d::UnitX(), 0.01,
+                0.02);
+  }
+  try {
+    TrialRunner(std::make_shared<const Hand>(hand), MakeCube(0.1, 0.5));
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kUnsupported);
+    EXPECT_STREQ(
+        e.what(),
+        "hand \"snake\" has 13 joints between its root and link \"link13\"; the simulation "
+        "takes at most 12");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Hands, TrialTest, testing::Values("tum", "shadow"),
