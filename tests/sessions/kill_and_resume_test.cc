@@ -46,7 +46,8 @@ class KillAndResume : public testing::TestWithParam<int> {};
 
 TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
   const std::string jobs = std::to_string(GetParam());
-  const fs::path folder = fs::path(testing::TempDir()) / ("kill_and_resume_" + jobs);
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("kill_and_resume_" + jobs + "_" + std::to_string(::getpid()));
   fs::remove_all(folder);
   const std::string whole = (folder / "whole").string(), killed = (folder / "killed").string();
 

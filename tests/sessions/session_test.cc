@@ -16,6 +16,7 @@ into the failing cases: read the difference before committing it. */
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -129,7 +130,8 @@ struct Answer {
 };
 
 Answer RunCommands(const SessionCase& c) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("session_" + c.name);
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("session_" + c.name + "_" + std::to_string(::getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder / "work");
   WriteFileAtomically(folder / "commands", "cd '" + (folder / "work").string() + "'\nPATH='" +
