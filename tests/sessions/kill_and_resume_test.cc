@@ -7,8 +7,10 @@ byte, as one that ran through, for any number of workers. */
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -38,6 +40,31 @@ int WaitFor(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
+int CountJournalLines(const fs::path& session) {
+  int count = 0;
+  std::error_code status;
+  for (const auto& entry : fs::directory_iterator(session / "journal", status)) {
+    const std::string text = ReadFile(entry.path());
+    count += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  }
+  return count;
+}
+
+bool HasEnded(pid_t child) {
+  siginfo_t info{};
+  return ::waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == child;
+}
+
+/** Kills the child a moment after `is_time` [s]; false when it ended by itself before. */
+bool KillAfter(pid_t child, const std::function<bool()>& is_time, double moment) {
+  while (!is_time() && !HasEnded(child)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+  ::kill(child, SIGKILL);
+  return WaitFor(child) == -SIGKILL;
+}
+
 void ExpectSameFile(const fs::path& a, const fs::path& b) {
   EXPECT_TRUE(ReadFile(a) == ReadFile(b)) << a << " and " << b << " differ";
 }
@@ -58,19 +85,16 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
   arguments = kSession;
   arguments.insert(arguments.end(), {"--jobs", jobs, "--out", killed});
   RandomStream moments("kill " + jobs, "moment");
-  constexpr int kMaxKills = 6;
   int num_kills = 0;
-  for (; num_kills < kMaxKills; ++num_kills) {
-    const pid_t child = Start(arguments);
-    std::this_thread::sleep_for(std::chrono::duration<double>(moments.NextUniform(0.2, 1.4)));
-    ::kill(child, SIGKILL);
-    if (WaitFor(child) != -SIGKILL) break;  // was faster than the kill
-    if (fs::exists(fs::path(killed) / "session.json")) {
-      arguments = {"--resume", "--jobs", jobs, "--out", killed};
-    }
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const int num_lines = CountJournalLines(killed) + 1 + moments.NextIndex(5);
+    num_kills += KillAfter(
+        Start(arguments), [&] { return CountJournalLines(killed) >= num_lines; },
+        moments.NextUniform(0.0, 0.1));
+    arguments = {"--resume", "--jobs", jobs, "--out", killed};
   }
-  EXPECT_GE(num_kills, 1);
-  ASSERT_EQ(WaitFor(Start({"--resume", "--jobs", jobs, "--out", killed})), 0);
+  EXPECT_GE(num_kills, 2);
+  ASSERT_EQ(WaitFor(Start(arguments)), 0);
 
   for (const char* file :
        {"session.json", "plan.jsonl", "export/trials.csv", "report/index.html"}) {
