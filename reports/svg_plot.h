@@ -10,13 +10,9 @@ cells and segments carry text, marks differ in shape. */
 #include <vector>
 
 #include "reports/html.h"
+#include "reports/svg_parts.h"
 
 namespace graspbench {
-
-struct PlotText {
-  std::string title;
-  std::string description;  ///< what a person would say who reads the plot aloud
-};
 
 /** Rates as a table of shaded cells. */
 struct HeatMap {
@@ -81,9 +77,5 @@ struct DotStrips {
   std::vector<Row> rows;
 };
 Html DrawDotStrips(const DotStrips& plot);
-
-/** Distance of round ticks, 1, 2 or 5 times a power of ten, so that about `count` fit into `range`.
-@pre range > 0, count > 0 */
-double CalcTickStep(double range, int count);
 
 }  // namespace graspbench

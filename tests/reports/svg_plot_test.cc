@@ -1,50 +1,14 @@
 #include "reports/svg_plot.h"
 
 #include <gtest/gtest.h>
-#include <tinyxml2.h>
 
 #include <cmath>
 #include <cstring>
 
-#include "tests/reports/report_fixture.h"
+#include "tests/reports/drawing.h"
 
 namespace graspbench {
 namespace {
-
-struct Drawing {
-  explicit Drawing(const Html& html) {
-    ParsePage(html.markup(), document);
-    svg = document.RootElement();
-  }
-  std::vector<const tinyxml2::XMLElement*> Find(const char* tag, const char* css_class) const {
-    std::vector<const tinyxml2::XMLElement*> found;
-    Collect(*svg, tag, css_class, found);
-    return found;
-  }
-  static void Collect(const tinyxml2::XMLElement& root, const char* tag, const char* css_class,
-                      std::vector<const tinyxml2::XMLElement*>& found) {
-    const char* its_class = root.Attribute("class");
-    if (std::strcmp(root.Name(), tag) == 0 && its_class && std::strcmp(its_class, css_class) == 0) {
-      found.push_back(&root);
-    }
-    for (const auto* c = root.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) {
-      Collect(*c, tag, css_class, found);
-    }
-  }
-  tinyxml2::XMLDocument document;
-  const tinyxml2::XMLElement* svg = nullptr;
-};
-
-TEST(CalcTickStep, IsRoundAndFits) {
-  EXPECT_DOUBLE_EQ(CalcTickStep(1.0, 5), 0.2);
-  EXPECT_DOUBLE_EQ(CalcTickStep(0.9, 5), 0.2);
-  EXPECT_DOUBLE_EQ(CalcTickStep(30.0, 5), 10.0);
-  EXPECT_DOUBLE_EQ(CalcTickStep(0.0031, 4), 0.001);
-  for (double range = 1e-6; range < 1e6; range *= 1.37) {
-    EXPECT_LE(range / CalcTickStep(range, 5), 5.0 + 1e-9) << range;
-    EXPECT_GT(range / CalcTickStep(range, 5), 1.9) << range;
-  }
-}
 
 TEST(DrawHeatMap, ShadesSaysAndLinks) {
   HeatMap map;

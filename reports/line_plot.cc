@@ -1,0 +1,249 @@
+#include "reports/line_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMaxSeries = 8;
+
+/** Smallest and largest of the finite values. */
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void Add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void Add(const std::vector<double>& values) {
+    for (double value : values) Add(value);
+  }
+};
+
+std::string SeriesClass(const char* part, size_t series) {
+  return std::string(part) + " series" + std::to_string(series);
+}
+
+/** "M x y L x y ..." with a new start after each point that is missing. */
+template <class PlaceX, class PlaceY>
+std::string MakePath(const std::vector<double>& x, const std::vector<double>& y,
+                     const PlaceX& place_x, const PlaceY& place_y) {
+  std::string path;
+  bool is_drawing = false;
+  for (size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) {
+      is_drawing = false;
+      continue;
+    }
+    path += (is_drawing ? "L" : "M") + Px(place_x(x[i])) + " " + Px(place_y(y[i]));
+    is_drawing = true;
+  }
+  return path;
+}
+
+/** A horizontal axis from x = left to left + width below y = bottom, with its grid from `top`. */
+Html DrawHorizontalAxis(const Axis& axis, double left, double width, double top, double bottom,
+                        const std::string& label) {
+  Html content;
+  for (const Axis::Tick& tick : axis.ticks()) {
+    const double x = left + width * axis.CalcShare(tick.value);
+    content += Line(tick.value == 0.0 ? "grid zero" : "grid", x, top, x, bottom);
+    content += Label("middle small", x, bottom + 11.0, tick.text);
+  }
+  content += Label("middle small", left + width / 2.0, bottom + 28.0, label);
+  return content;
+}
+
+}  // namespace
+
+Html DrawLinePlot(const LinePlot& plot) {
+  GRASPBENCH_DEMAND(plot.series.size() <= kMaxSeries, plot.text.title);
+  constexpr double kWidth = 460.0, kHeight = 240.0, kAxis = 38.0, kLegendRow = 18.0, kKey = 26.0;
+  Range range_x, range_y;
+  for (const LinePlot::Series& series : plot.series) {
+    GRASPBENCH_DEMAND(series.x.size() == series.y.size(), series.label);
+    GRASPBENCH_DEMAND(series.low.size() == series.high.size(), series.label);
+    range_x.Add(series.x);
+    range_y.Add(series.y);
+    range_y.Add(series.low);
+    range_y.Add(series.high);
+  }
+  for (const LinePlot::Mark& mark : plot.marks) range_x.Add(mark.x);
+  if (plot.is_y_from_zero) range_y.Add(0.0);
+  const Axis axis_x(range_x.low, range_x.high, 6), axis_y(range_y.low, range_y.high, 5);
+
+  std::vector<std::string> tick_texts;
+  for (const Axis::Tick& tick : axis_y.ticks()) tick_texts.push_back(tick.text);
+  const double left = CalcLabelWidth(tick_texts) + kPlotGap;
+  const double mark_room = plot.marks.empty() ? 0.0 : kLegendRow;
+  const double top = kLegendRow + mark_room, bottom = top + kHeight;
+  const auto place_x = [&](double x) { return left + kWidth * axis_x.CalcShare(x); };
+  const auto place_y = [&](double y) { return bottom - kHeight * axis_y.CalcShare(y); };
+
+  Html content = Label("start small", 0.0, kLegendRow / 2.0, plot.y_axis);
+  content += DrawHorizontalAxis(axis_x, left, kWidth, top, bottom, plot.x_axis);
+  for (const Axis::Tick& tick : axis_y.ticks()) {
+    const double y = place_y(tick.value);
+    content += Line(tick.value == 0.0 ? "grid zero" : "grid", left, y, left + kWidth, y);
+    content += Label("end small", left - kPlotGap, y, tick.text);
+  }
+  for (const LinePlot::Mark& mark : plot.marks) {
+    const double x = place_x(mark.x);
+    content += Line("mark", x, top, x, bottom);
+    content += Label("middle small", x, top - kLegendRow / 2.0, mark.label);
+  }
+  std::vector<std::string> labels;
+  for (size_t i = 0; i < plot.series.size(); ++i) {
+    const LinePlot::Series& series = plot.series[i];
+    labels.push_back(series.label);
+    if (!series.low.empty()) {
+      GRASPBENCH_DEMAND(series.low.size() == series.x.size(), series.label);
+      std::vector<double> x, edge;
+      for (size_t k = 0; k < series.x.size(); ++k) {
+        if (!std::isfinite(series.low[k]) || !std::isfinite(series.high[k])) continue;
+        x.push_back(series.x[k]);
+        edge.push_back(series.high[k]);
+      }
+      for (size_t k = series.x.size(); k-- > 0;) {
+        if (!std::isfinite(series.low[k]) || !std::isfinite(series.high[k])) continue;
+        x.push_back(series.x[k]);
+        edge.push_back(series.low[k]);
+      }
+      if (!x.empty()) {
+        content += Element("path", {{"class", SeriesClass("band", i)},
+                                    {"d", MakePath(x, edge, place_x, place_y) + "Z"}});
+      }
+    }
+    content += Element(
+        "path",
+        {{"class", SeriesClass("curve", i)}, {"d", MakePath(series.x, series.y, place_x, place_y)}},
+        Hint(series.label));
+    if (series.label.empty()) continue;
+    const double y = top + kLegendRow * (static_cast<double>(i) + 0.5);
+    const double key = left + kWidth + 2.0 * kPlotGap;
+    content += Line(SeriesClass("curve", i), key, y, key + kKey, y);
+    content += Label("start small", key + kKey + kPlotGap, y, series.label);
+  }
+  const double legend = 3.0 * kPlotGap + kKey + CalcLabelWidth(labels);
+  const double legend_bottom = top + kLegendRow * static_cast<double>(plot.series.size());
+  return Svg("img", left + kWidth + legend, std::max(bottom + kAxis, legend_bottom), plot.text,
+             content);
+}
+
+Html DrawIntervalPlot(const IntervalPlot& plot) {
+  constexpr double kRow = 24.0, kAxis = 38.0, kPlot = 340.0, kDot = 4.0, kCap = 4.0;
+  Range range;
+  std::vector<std::string> labels, texts;
+  bool has_links = false;
+  for (const IntervalPlot::Row& row : plot.rows) {
+    labels.push_back(row.label);
+    texts.push_back(row.text);
+    has_links = has_links || !row.anchor.empty();
+    if (row.is_heading) continue;
+    GRASPBENCH_DEMAND(row.series >= 0 && row.series < static_cast<int>(kMaxSeries), row.label);
+    range.Add(row.value);
+    range.Add(row.low);
+    range.Add(row.high);
+  }
+  if (plot.holds_zero) range.Add(0.0);
+  const Axis axis(range.low, range.high, 5);
+  const double left = CalcLabelWidth(labels) + kPlotGap;
+  const double bottom = kRow * static_cast<double>(plot.rows.size());
+  const auto place_x = [&](double value) { return left + kPlot * axis.CalcShare(value); };
+
+  Html content = DrawHorizontalAxis(axis, left, kPlot, 0.0, bottom, plot.axis);
+  for (size_t i = 0; i < plot.rows.size(); ++i) {
+    const IntervalPlot::Row& row = plot.rows[i];
+    const double y = kRow * (static_cast<double>(i) + 0.5);
+    content += MaybeLink(row.anchor,
+                         Label(row.is_heading ? "end head" : "end", left - kPlotGap, y, row.label));
+    content += Label("start small", left + kPlot + 2.0 * kPlotGap, y, row.text);
+    if (row.is_heading) continue;
+    if (std::isfinite(row.low) && std::isfinite(row.high)) {
+      const double low = place_x(row.low), high = place_x(row.high);
+      content += Line("interval", low, y, high, y);
+      content += Line("interval", low, y - kCap, low, y + kCap);
+      content += Line("interval", high, y - kCap, high, y + kCap);
+    }
+    if (std::isfinite(row.value)) {
+      content +=
+          Element("circle", {{"class", SeriesClass("point", static_cast<size_t>(row.series))},
+                             {"cx", Px(place_x(row.value))},
+                             {"cy", Px(y)},
+                             {"r", Px(kDot)}});
+    }
+  }
+  const double width = left + kPlot + 2.0 * kPlotGap + CalcLabelWidth(texts);
+  return Svg(has_links ? "group" : "img", width, bottom + kAxis, plot.text, content);
+}
+
+Html DrawStripChart(const StripChart& chart) {
+  constexpr double kRow = 22.0, kSpan = 12.0, kAxis = 38.0, kPlot = 560.0, kHead = 20.0;
+  constexpr double kKey = 18.0, kMinSpan = 1.0;
+  GRASPBENCH_DEMAND(chart.kinds.size() <= kMaxSeries, chart.text.title);
+  Range range;
+  std::vector<std::string> labels;
+  for (const StripChart::Phase& phase : chart.phases) {
+    range.Add(phase.from);
+    range.Add(phase.to);
+  }
+  for (const StripChart::Row& row : chart.rows) {
+    labels.push_back(row.label);
+    for (const StripChart::Span& span : row.spans) {
+      range.Add(span.from);
+      range.Add(span.to);
+    }
+    for (const StripChart::Mark& mark : row.marks) range.Add(mark.at);
+  }
+  const Axis axis(range.low, range.high, 8);
+  const double left = CalcLabelWidth(labels) + kPlotGap;
+  const auto place_x = [&](double time) { return left + kPlot * axis.CalcShare(time); };
+  const double legend = chart.kinds.empty() ? 0.0 : kHead;
+  const double head = chart.phases.empty() ? 0.0 : kHead;
+  const double top = legend + head;
+  const double bottom = top + kRow * static_cast<double>(chart.rows.size());
+
+  Html content = DrawHorizontalAxis(axis, left, kPlot, top, bottom, chart.axis);
+  double key = left;
+  for (size_t k = 0; k < chart.kinds.size(); ++k) {
+    content += Rect("part part" + std::to_string(k), key, 3.0, kKey, kSpan);
+    content += Label("start small", key + kKey + kPlotGap / 2.0, kHead / 2.0 - 1.0, chart.kinds[k]);
+    key += kKey + kPlotGap + CalcLabelWidth({chart.kinds[k]});
+  }
+  for (const StripChart::Phase& phase : chart.phases) {
+    const double from = place_x(phase.from), to = place_x(phase.to);
+    content += Line("mark", from, legend, from, bottom);
+    // A short phase has no room for its name; it is said when pointed at.
+    if (to - from >= CalcLabelWidth({phase.label}) - kPlotGap) {
+      content += Label("middle small", (from + to) / 2.0, legend + kHead / 2.0, phase.label);
+    } else {
+      content += Rect("hover", from, legend, to - from, kHead, phase.label);
+    }
+  }
+  for (size_t r = 0; r < chart.rows.size(); ++r) {
+    const StripChart::Row& row = chart.rows[r];
+    const double y = top + kRow * (static_cast<double>(r) + 0.5);
+    content += Label("end", left - kPlotGap, y, row.label);
+    for (const StripChart::Span& span : row.spans) {
+      GRASPBENCH_DEMAND(span.kind >= 0 && span.kind < static_cast<int>(kMaxSeries), row.label);
+      const double from = place_x(span.from);
+      const double width = std::max(kMinSpan, place_x(span.to) - from);
+      content += Rect("part part" + std::to_string(span.kind), from, y - kSpan / 2.0, width, kSpan,
+                      span.hint);
+    }
+    for (const StripChart::Mark& mark : row.marks) {
+      content +=
+          Element("text", {{"class", "middle small"}, {"x", Px(place_x(mark.at))}, {"y", Px(y)}},
+                  Text(mark.symbol) + Hint(mark.hint));
+    }
+  }
+  const double width = std::max(left + kPlot + 3.0 * kPlotGap, key);
+  return Svg("img", width, bottom + kAxis, chart.text, content);
+}
+
+}  // namespace graspbench

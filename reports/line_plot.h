@@ -1,0 +1,80 @@
+#pragma once
+/** @file
+Plots over continuous axes: curves with bands, estimates with intervals, and strips of time. Inline
+SVG by the same rules as svg_plot.h. */
+
+#include <string>
+#include <vector>
+
+#include "reports/html.h"
+#include "reports/svg_parts.h"
+
+namespace graspbench {
+
+/** Curves on common axes; the axes follow the finite values. */
+struct LinePlot {
+  struct Series {
+    std::string label;
+    std::vector<double> x, y;       ///< as long as each other; a NaN interrupts the curve
+    std::vector<double> low, high;  ///< band about y; both empty: none
+  };
+  struct Mark {
+    double x = 0.0;
+    std::string label;
+  };
+  PlotText text;
+  std::string x_axis, y_axis;  ///< with units
+  std::vector<Series> series;  ///< at most 8: they differ in colour and in dashes
+  std::vector<Mark> marks;     ///< vertical lines
+  bool is_y_from_zero = true;  ///< the y axis holds 0
+};
+Html DrawLinePlot(const LinePlot& plot);
+
+/** Estimates with their intervals, one row each, on a common axis. */
+struct IntervalPlot {
+  struct Row {
+    std::string label;
+    double value = 0.0;            ///< NaN: no mark, the text alone
+    double low = 0.0, high = 0.0;  ///< NaN: no interval
+    std::string text;              ///< beside the row
+    std::string anchor;            ///< where the label leads; empty: nowhere
+    int series = 0;                ///< 0..7, the mark's colour
+    bool is_heading = false;       ///< a label over the rows that follow, without a value
+  };
+  PlotText text;
+  std::string axis;  ///< with unit
+  bool holds_zero = true;
+  std::vector<Row> rows;
+};
+Html DrawIntervalPlot(const IntervalPlot& plot);
+
+/** What happened when: rows of spans and marks over time, phases as columns behind them. */
+struct StripChart {
+  struct Span {
+    double from = 0.0, to = 0.0;
+    int kind = 0;  ///< 0..7: fill; see `kinds`
+    std::string hint;
+  };
+  struct Mark {
+    double at = 0.0;
+    std::string symbol;  ///< a letter or two, drawn at the time
+    std::string hint;
+  };
+  struct Row {
+    std::string label;
+    std::vector<Span> spans;
+    std::vector<Mark> marks;
+  };
+  struct Phase {
+    double from = 0.0, to = 0.0;
+    std::string label;
+  };
+  PlotText text;
+  std::string axis;                ///< "time since the start of closure [s]"
+  std::vector<std::string> kinds;  ///< legend of the fills; at most 8
+  std::vector<Phase> phases;
+  std::vector<Row> rows;
+};
+Html DrawStripChart(const StripChart& chart);
+
+}  // namespace graspbench

@@ -1,0 +1,94 @@
+#include "reports/line_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/reports/drawing.h"
+
+namespace graspbench {
+namespace {
+
+const double kMissing = std::nan("");
+
+TEST(DrawLinePlot, AMissingValueInterruptsTheCurve) {
+  LinePlot plot;
+  plot.text = {"Opening", "It grows"};
+  plot.series = {{"hand", {0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 1.0, kMissing, 1.0, 2.0}, {}, {}}};
+  const Drawing drawing(DrawLinePlot(plot));
+  const auto curves = drawing.Find("path", "curve series0");
+  ASSERT_EQ(curves.size(), 1U);
+  const std::string path = curves[0]->Attribute("d");
+  EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
+  EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 2);
+  EXPECT_TRUE(drawing.Find("path", "band series0").empty());
+}
+
+TEST(DrawLinePlot, TheBandRunsThereAndBackAndMarksAreToScale) {
+  LinePlot plot;
+  plot.text = {"Fitness", "It grows"};
+  plot.series = {{"es", {0.0, 10.0}, {1.0, 2.0}, {0.5, 1.5}, {1.5, 2.5}},
+                 {"random", {0.0, 10.0}, {1.0, 1.2}, {}, {}}};
+  plot.marks = {{0.0, "start"}, {5.0, "half"}, {10.0, "end"}};
+  const Drawing drawing(DrawLinePlot(plot));
+  const auto bands = drawing.Find("path", "band series0");
+  ASSERT_EQ(bands.size(), 1U);
+  const std::string path = bands[0]->Attribute("d");
+  EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 3);
+  EXPECT_EQ(path.back(), 'Z');
+  const auto marks = drawing.Find("line", "mark");
+  ASSERT_EQ(marks.size(), 3U);
+  const double start = marks[0]->DoubleAttribute("x1"), half = marks[1]->DoubleAttribute("x1"),
+               end = marks[2]->DoubleAttribute("x1");
+  EXPECT_NEAR(half, 0.5 * (start + end), 0.1);
+}
+
+TEST(DrawLinePlot, NothingAtAllStillHasAxes) {
+  LinePlot plot;
+  plot.text = {"Empty", "No trial"};
+  EXPECT_FALSE(Drawing(DrawLinePlot(plot)).Find("line", "grid").empty());
+}
+
+TEST(DrawIntervalPlot, EstimatesStandInTheMiddleOfTheirIntervals) {
+  IntervalPlot plot;
+  plot.text = {"Correlation", "sigma is above epsilon"};
+  plot.rows = {{"sigma", 0.8, 0.7, 0.9, "0.80", "", 0, false},
+               {"all grasps", 0.0, 0.0, 0.0, "", "", 0, true},
+               {"unknown", kMissing, kMissing, kMissing, "n/a", "", 1, false}};
+  const Drawing drawing(DrawIntervalPlot(plot));
+  const auto points = drawing.Find("circle", "point series0");
+  ASSERT_EQ(points.size(), 1U);  // neither the heading nor the missing value
+  const auto intervals = drawing.Find("line", "interval");
+  ASSERT_EQ(intervals.size(), 3U);
+  EXPECT_NEAR(points[0]->DoubleAttribute("cx"),
+              0.5 * (intervals[0]->DoubleAttribute("x1") + intervals[0]->DoubleAttribute("x2")),
+              0.11);
+  EXPECT_TRUE(drawing.Find("circle", "point series1").empty());
+}
+
+TEST(DrawStripChart, SpansAreToScaleAndShortPhasesAreHints) {
+  StripChart chart;
+  chart.text = {"Contacts", "The thumb comes first"};
+  chart.axis = "time [s]";
+  chart.kinds = {"sticks", "slides"};
+  chart.phases = {{0.0, 1.0, "closure"}, {1.0, 1.01, "stabilisation"}};
+  chart.rows = {{"TH", {{0.2, 0.4, 0, "0.2 s"}, {0.4, 0.8, 1, "0.4 s"}}, {{0.2, "1", "first"}}},
+                {"FF", {}, {}}};
+  const Drawing drawing(DrawStripChart(chart));
+  // The first of each class is the legend's.
+  const auto sticks = drawing.Find("rect", "part part0"),
+             slides = drawing.Find("rect", "part part1");
+  ASSERT_EQ(sticks.size(), 2U);
+  ASSERT_EQ(slides.size(), 2U);
+  EXPECT_NEAR(slides[1]->DoubleAttribute("width"), 2.0 * sticks[1]->DoubleAttribute("width"), 0.2);
+  EXPECT_NEAR(slides[1]->DoubleAttribute("x"),
+              sticks[1]->DoubleAttribute("x") + sticks[1]->DoubleAttribute("width"), 0.11);
+  ASSERT_EQ(drawing.Find("rect", "hover").size(), 1U);
+  EXPECT_STREQ(drawing.Find("rect", "hover")[0]->FirstChildElement("title")->GetText(),
+               "stabilisation");
+}
+
+}  // namespace
+}  // namespace graspbench
