@@ -1,0 +1,56 @@
+#pragma once
+/** @file
+When the object leaves its support, and when it first moves at all. */
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "human_study/events/event_time.h"
+#include "human_study/events/reach_trial.h"
+#include "human_study/events/scalar_curve.h"
+
+namespace graspbench {
+
+struct LiftOffOptions {
+  std::string rule = "traced_back";  ///< an id of LiftOffRuleList()
+  double cutoff = 10.0;              ///< of the zero-phase filter on the object's origin [Hz]
+  double min_rise = 0.01;            ///< an object that rises less is not lifted [m]
+  double rise = 0.003;               ///< "rise": this high [m]
+  double speed = 0.01;               ///< "traced_back": slower than this [m/s]
+  double displacement = 0.002;       ///< an object this far from its place has moved [m]
+  double up_x = 0.0, up_y = 0.0, up_z = 1.0;  ///< direction of the lift, in L
+
+  template <class V>
+  void Visit(V&& v) {
+    v("rule", rule);
+    v("cutoff_hz", cutoff);
+    v("min_rise_m", min_rise);
+    v("rise_m", rise);
+    v("speed_m_per_s", speed);
+    v("displacement_m", displacement);
+    v("up_x", up_x);
+    v("up_y", up_y);
+    v("up_z", up_z);
+  }
+};
+
+struct LiftOffRule {
+  const char* id;
+  const char* text;
+  /** @param height  above the place of rest [m]. */
+  EventTime (*find)(const ScalarCurve& height, const LiftOffOptions& options);
+};
+
+const std::vector<LiftOffRule>& LiftOffRuleList();
+
+struct ObjectEvents {
+  EventTime moved;     ///< first left its place, in any direction: bounds the first contact
+  EventTime lift_off;  ///< first leaves its support for good
+};
+
+/** The place of rest is the median position over the first tenth of the trial.
+@throws Error(kNotFound) for an unknown rule, Error(kRange) when `up` is no direction. */
+ObjectEvents FindObjectEvents(const ReachTrial& trial, const LiftOffOptions& options);
+
+}  // namespace graspbench

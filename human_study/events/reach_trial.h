@@ -1,0 +1,72 @@
+#pragma once
+/** @file
+One reach to grasp, as the analysis takes it: fingertips, wrist, object and force sensors on one
+clock. Whoever makes it from a recording has cut it out, named the digits, made frozen samples
+invalid, filled gaps up to a stated limit and resampled uneven times. It is *not* filtered: each
+event needs a cut-off of its own.
+
+Everything is in the laboratory's frame L (metres, seconds, newtons) or, where it says so, in O, the
+frame of the object. */
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "human_study/cleaning/trajectory.h"
+#include "human_study/events/object_surface.h"
+
+namespace graspbench {
+
+/** A sensor's samples on the trial's clock, at its own rate; empty when there is none. */
+struct ForceChannel {
+  std::vector<double> times;   ///< [s], increasing
+  std::vector<double> values;  ///< [N] or any unit: the rules are relative
+};
+
+struct DigitTrack {
+  std::string digit;      ///< "TH", "FF", "MF", "RF", "LF"
+  bool is_thumb = false;  ///< at most one of a trial
+  Trajectory tip;         ///< marker on the fingertip, in L
+  /** Distance of the marker from the object's surface while the pad touches it [m]. NaN: taken from
+  this trial's hold, which presumes that the digit touches. */
+  double pad_offset = std::numeric_limits<double>::quiet_NaN();
+  ForceChannel force;  ///< of this digit's force or tactile sensor
+};
+
+struct ObjectTrack {
+  std::vector<Pose> X_LO;           ///< one a sample; empty: the object was not recorded
+  std::vector<SampleState> states;  ///< as many
+  SurfaceDistance distance;         ///< empty: the shape is not known
+
+  bool IsRecorded() const { return !X_LO.empty(); }
+};
+
+struct ReachTrial {
+  std::vector<double> times;       ///< [s], even; all tracks have exactly these
+  std::vector<DigitTrack> digits;  ///< thumb first, then from radial to ulnar
+  Trajectory wrist;                ///< empty: the centroid of the tips stands in for it
+  ObjectTrack object;
+};
+
+/** @throws Error(kRange) when tracks differ in length or times, the times are not even, there are
+fewer than two digits or more than one thumb, or fewer than ten samples; it names the track. */
+void CheckTrial(const ReachTrial& trial);
+
+/** Where an object's markers lie in O, from where they lie while it rests: the mean of each over
+the samples before `until` [s]. O is then parallel to L, its origin at the markers' centroid plus
+`p_MO_L`.
+@throws Error(kFormat) when a marker has no valid sample before `until`. */
+std::vector<Eigen::Vector3d> FindMarkerPlaces(const std::vector<Trajectory>& markers, double until,
+                                              const Eigen::Vector3d& p_MO_L);
+
+/** Poses of the object from its markers. Three and more: least-squares rigid fit (Umeyama 1991)
+over those seen, at least three. One or two: their mean displacement, all must be seen, no turn. A
+pose is filled when a filled marker took part.
+@param p_OM  places of the markers in O, as many as markers.
+@throws Error(kRange) when three or more markers lie on one line. */
+ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
+                            const std::vector<Eigen::Vector3d>& p_OM);
+
+}  // namespace graspbench

@@ -1,0 +1,47 @@
+#pragma once
+/** @file
+How far a hand is open, as one number from the tips of its digits: the family.
+
+With p_T the thumb's tip, p_k the n - 1 others and c the mean of all n:
+
+    aperture        |p_T - p_I|                            thumb and index; the usual "grip
+aperture" virtual_finger  |p_T - mean p_k|                       default (Arbib 1985; Gilster et al.
+2012) thumb_finger    mean of |p_T - p_k| rms_radius      sqrt(mean of |p_i - c|^2) over all digits
+    centroid_sum    sum of |p_i - c|                       over all digits
+    fan             sqrt(area of the triangles c p_i p_i+1, thumb round to thumb)   (Supuk 2005)
+    perimeter       sum of |p_i - p_i+1|, thumb round to thumb
+    thumb_index_little  sqrt(area of that triangle)
+
+All are lengths [m]. With two digits the first three are equal. A measure that lacks a digit it
+needs is NaN; those over "all" digits take the digits given, so compare only like with like. */
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "human_study/events/reach_trial.h"
+#include "human_study/events/scalar_curve.h"
+
+namespace graspbench {
+
+struct HandOpening {
+  const char* id;
+  const char* text;
+  /** @param tips  a column a digit, thumb first, then from radial to ulnar. */
+  double (*calc)(const Eigen::Matrix3Xd& tips);
+  int min_digits;
+};
+
+inline constexpr const char* kDefaultHandOpening = "virtual_finger";
+
+const std::vector<HandOpening>& HandOpeningList();
+/** @throws Error(kNotFound) with a suggestion. */
+const HandOpening& FindHandOpening(const std::string& id);
+
+/** Over a trial, with the tips filtered at `cutoff` [Hz]. A sample without one of the digits is
+invalid: leaving it out would change what is measured.
+@param left_out  a digit to leave out ("RF"), for leave-one-digit-out reliability; empty: none. */
+ScalarCurve CalcOpeningCurve(const ReachTrial& trial, const HandOpening& opening, double cutoff,
+                             const std::string& left_out = "");
+
+}  // namespace graspbench
