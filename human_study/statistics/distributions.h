@@ -1,0 +1,26 @@
+#pragma once
+/** @file
+Tail probabilities and quantiles of the distributions that tests are read from.
+
+Upper tails are computed as such, never as 1 - p: a p value of 1e-30 keeps its digits. Degrees of
+freedom are real numbers, as sphericity corrections and Satterthwaite need.
+@pre for all: degrees of freedom > 0, probabilities strictly between 0 and 1, no NaN. */
+
+namespace graspbench {
+
+double CalcStudentUpperP(double t, double df);
+double CalcStudentTwoSidedP(double t, double df);
+double CalcStudentQuantile(double probability, double df);
+/** Distribution function of the non-central t at t. */
+double CalcNoncentralStudentP(double t, double df, double noncentrality);
+
+double CalcFisherUpperP(double f, double df_1, double df_2);
+double CalcFisherQuantile(double probability, double df_1, double df_2);
+
+double CalcChiSquaredUpperP(double x, double df);
+double CalcChiSquaredQuantile(double probability, double df);
+
+double CalcNormalP(double z);  ///< lower tail
+double CalcNormalQuantile(double probability);
+
+}  // namespace graspbench

@@ -1,0 +1,127 @@
+#include "human_study/statistics/measure_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace graspbench {
+namespace {
+
+/** Empty when the factors make a design. */
+std::string FindFactorFault(const std::vector<Factor>& factors) {
+  for (size_t i = 0; i < factors.size(); ++i) {
+    const Factor& factor = factors[i];
+    if (factor.levels.empty()) return "factor \"" + factor.name + "\" has no levels";
+    if (!factor.numbers.empty() && factor.numbers.size() != factor.levels.size()) {
+      return "factor \"" + factor.name + "\" has " + std::to_string(factor.levels.size()) +
+             " levels but " + std::to_string(factor.numbers.size()) + " numbers";
+    }
+    for (auto level = factor.levels.begin(); level != factor.levels.end(); ++level) {
+      if (std::find(factor.levels.begin(), level, *level) != level) {
+        return "factor \"" + factor.name + "\" names the level \"" + *level + "\" twice";
+      }
+    }
+    for (size_t k = 0; k < i; ++k) {
+      if (factors[k].name == factor.name) return "two factors are named \"" + factor.name + "\"";
+    }
+  }
+  return "";
+}
+
+std::string DescribeRow(const Observation& row) {
+  return "person \"" + row.person + "\", trial \"" + row.trial + "\"";
+}
+
+Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& row) {
+  if (row.levels.size() != factors.size()) {
+    return NoAnswer{DescribeRow(row) + " has " + std::to_string(row.levels.size()) +
+                    " levels; expected one for each of " + std::to_string(factors.size()) +
+                    " factors"};
+  }
+  size_t cell = 0;
+  for (size_t i = 0; i < factors.size(); ++i) {
+    const auto& levels = factors[i].levels;
+    const auto found = std::find(levels.begin(), levels.end(), row.levels[i]);
+    if (found == levels.end()) {
+      return NoAnswer{DescribeRow(row) + ": \"" + row.levels[i] + "\" is not a level of factor \"" +
+                      factors[i].name + "\""};
+    }
+    cell = cell * levels.size() + static_cast<size_t>(found - levels.begin());
+  }
+  return cell;
+}
+
+struct Sums {
+  std::vector<double> sums;
+  std::vector<int> counts;
+};
+
+}  // namespace
+
+std::vector<std::string> ListCells(const std::vector<Factor>& factors) {
+  std::vector<std::string> cells = {""};
+  for (const Factor& factor : factors) {
+    std::vector<std::string> longer;
+    for (const std::string& cell : cells) {
+      for (const std::string& level : factor.levels) {
+        longer.push_back(cell.empty() ? level : cell + ", " + level);
+      }
+    }
+    cells = std::move(longer);
+  }
+  return cells;
+}
+
+Answer<CellMeans> CalcCellMeans(const MeasureTable& table) {
+  const std::string fault = FindFactorFault(table.factors);
+  if (!fault.empty()) return NoAnswer{fault};
+  CellMeans result;
+  result.factors = table.factors;
+  result.cells = ListCells(table.factors);
+  const size_t num_cells = result.cells.size();
+
+  std::vector<std::string> persons;
+  std::map<std::string, Sums> sums;
+  for (const Observation& row : table.rows) {
+    const Answer<size_t> cell = FindCell(table.factors, row);
+    if (!cell) return cell.none();
+    if (std::isinf(row.value)) return NoAnswer{DescribeRow(row) + ": the value is infinite"};
+    auto [entry, is_new] = sums.try_emplace(
+        row.person, Sums{std::vector<double>(num_cells, 0.0), std::vector<int>(num_cells, 0)});
+    if (is_new) persons.push_back(row.person);
+    if (std::isnan(row.value)) {
+      ++result.num_missing;
+      continue;
+    }
+    ++result.num_trials;
+    entry->second.sums[*cell] += row.value;
+    ++entry->second.counts[*cell];
+  }
+
+  for (const std::string& person : persons) {
+    const auto& counts = sums.at(person).counts;
+    const auto empty = std::find(counts.begin(), counts.end(), 0);
+    if (empty == counts.end()) {
+      result.persons.push_back(person);
+    } else {
+      result.left_out.push_back(
+          {person, "no value in " + result.cells[static_cast<size_t>(empty - counts.begin())]});
+    }
+  }
+  if (result.persons.empty()) {
+    return NoAnswer{"none of " + std::to_string(persons.size()) +
+                    " persons has a value in every condition"};
+  }
+  result.means.resize(static_cast<Eigen::Index>(result.persons.size()),
+                      static_cast<Eigen::Index>(num_cells));
+  for (size_t p = 0; p < result.persons.size(); ++p) {
+    const Sums& own = sums.at(result.persons[p]);
+    for (size_t c = 0; c < num_cells; ++c) {
+      result.means(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(c)) =
+          own.sums[c] / own.counts[c];
+    }
+  }
+  return result;
+}
+
+}  // namespace graspbench

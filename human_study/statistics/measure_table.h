@@ -1,0 +1,64 @@
+#pragma once
+/** @file
+What every statistic of a study starts from: one measure, a row a trial, in long ("tidy") form; and
+its mean per person and condition, the unit of analysis of a repeated-measures design. */
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "human_study/statistics/answer.h"
+
+namespace graspbench {
+
+/** What is varied within each person. */
+struct Factor {
+  std::string name;                 ///< "object_width"
+  std::vector<std::string> levels;  ///< in the order of tables and figures
+  /** What the levels measure, if they are quantities (SI); empty otherwise. One per level. */
+  std::vector<double> numbers;
+  std::string description;
+};
+
+struct Observation {
+  std::string person;
+  std::string trial;                                        ///< label, only carried through
+  std::vector<std::string> levels;                          ///< one per factor
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: missing
+};
+
+struct MeasureTable {
+  std::string measure;  ///< "grasp_forming_time_s"
+  std::string unit;     ///< "s"; empty for a ratio
+  std::string description;
+  std::vector<Factor> factors;
+  std::vector<Observation> rows;
+};
+
+/** A person left out, and why: reports must say so. */
+struct LeftOut {
+  std::string person;
+  std::string reason;
+};
+
+struct CellMeans {
+  std::vector<Factor> factors;
+  std::vector<std::string> cells;    ///< "30 mm, left"; the last factor varies fastest
+  std::vector<std::string> persons;  ///< those with a value in every cell, in order of appearance
+  Eigen::MatrixXd means;             ///< (num_persons x num_cells)
+  std::vector<LeftOut> left_out;
+  int num_trials = 0;   ///< with a value
+  int num_missing = 0;  ///< without
+};
+
+/** Averages the trials of each person in each cell. Missing trials are skipped and counted; a
+person without any value in some cell is left out, by name. No answer when nobody is left, the table
+is not a complete design (an unknown level, two factors of the same name, ..) or a value is
+infinite. */
+Answer<CellMeans> CalcCellMeans(const MeasureTable& table);
+
+/** The labels of all combinations of levels, the last factor varying fastest. */
+std::vector<std::string> ListCells(const std::vector<Factor>& factors);
+
+}  // namespace graspbench

@@ -1,0 +1,194 @@
+#include "human_study/statistics/within_anova.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/KroneckerProduct>
+
+#include "human_study/statistics/distributions.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::MatrixXd;
+
+/** (num_levels x (num_levels - 1)), orthonormal, each column sums to zero. */
+MatrixXd MakeHelmert(Eigen::Index num_levels) {
+  MatrixXd contrasts = MatrixXd::Zero(num_levels, num_levels - 1);
+  for (Eigen::Index k = 0; k + 1 < num_levels; ++k) {
+    const double count = static_cast<double>(k + 1);
+    contrasts.col(k).head(k + 1).setConstant(-1.0 / count);
+    contrasts(k + 1, k) = 1.0;
+    contrasts.col(k).normalize();
+  }
+  return contrasts;
+}
+
+/** (num_cells x d); an empty effect gives the scaled mean of all cells. */
+MatrixXd MakeContrasts(const std::vector<Factor>& factors, const std::vector<size_t>& effect) {
+  MatrixXd contrasts = MatrixXd::Ones(1, 1);
+  for (size_t i = 0; i < factors.size(); ++i) {
+    const auto num_levels = static_cast<Eigen::Index>(factors[i].levels.size());
+    const bool is_in_effect = std::find(effect.begin(), effect.end(), i) != effect.end();
+    const MatrixXd own =
+        is_in_effect
+            ? MakeHelmert(num_levels)
+            : MatrixXd::Constant(num_levels, 1, 1.0 / std::sqrt(static_cast<double>(num_levels)));
+    contrasts = Eigen::kroneckerProduct(contrasts, own).eval();
+  }
+  return contrasts;
+}
+
+/** All non-empty sets of factors, small ones first, each in order. */
+std::vector<std::vector<size_t>> ListEffects(size_t num_factors) {
+  std::vector<std::vector<size_t>> effects;
+  for (size_t set = 1; set < (size_t{1} << num_factors); ++set) {
+    std::vector<size_t> effect;
+    for (size_t i = 0; i < num_factors; ++i) {
+      if (set & (size_t{1} << i)) effect.push_back(i);
+    }
+    effects.push_back(effect);
+  }
+  std::sort(effects.begin(), effects.end(), [](const auto& a, const auto& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  });
+  return effects;
+}
+
+Answer<MauchlyTest> CalcMauchly(const MatrixXd& covariance, int num_cells, int num_persons) {
+  const int d = static_cast<int>(covariance.rows());
+  if (d == 1) return NoAnswer{"two levels are always spherical"};
+  if (num_persons <= d) {
+    return NoAnswer{std::to_string(num_persons) + " persons are too few for " + std::to_string(d) +
+                    " contrasts; expected " + std::to_string(d + 1) + " or more"};
+  }
+  // Scaled first, so that neither the determinant nor the power leaves the range of doubles.
+  const double w = (covariance * (d / covariance.trace())).determinant();
+  if (w <= std::numeric_limits<double>::epsilon()) {
+    return NoAnswer{"the contrasts of all persons are linearly dependent"};
+  }
+  return MauchlyTest{w, CalcMauchlyP(std::min(w, 1.0), d, num_cells, num_persons)};
+}
+
+CorrectedF Correct(double f, double epsilon, double df_effect, double df_error) {
+  CorrectedF corrected;
+  corrected.epsilon = epsilon;
+  corrected.df_effect = epsilon * df_effect;
+  corrected.df_error = epsilon * df_error;
+  corrected.p = CalcFisherUpperP(f, corrected.df_effect, corrected.df_error);
+  return corrected;
+}
+
+Answer<WithinTest> CalcTest(const WithinEffect& effect, const MatrixXd& covariance, int num_cells,
+                            int num_persons) {
+  const int d = static_cast<int>(covariance.rows());
+  WithinTest test;
+  test.f = (effect.ss_effect / effect.df_effect) / (effect.ss_error / effect.df_error);
+  test.p = CalcFisherUpperP(test.f, effect.df_effect, effect.df_error);
+  const double epsilon =
+      std::min(1.0, covariance.trace() * covariance.trace() / (d * covariance.squaredNorm()));
+  test.greenhouse_geisser = Correct(test.f, epsilon, effect.df_effect, effect.df_error);
+  const Answer<double> huynh_feldt = CalcHuynhFeldt(epsilon, d, num_persons);
+  if (huynh_feldt) {
+    test.huynh_feldt = Correct(test.f, *huynh_feldt, effect.df_effect, effect.df_error);
+  } else {
+    test.huynh_feldt = huynh_feldt.none();
+  }
+  test.mauchly = CalcMauchly(covariance, num_cells, num_persons);
+  test.partial_eta_squared = effect.ss_effect / (effect.ss_effect + effect.ss_error);
+  return test;
+}
+
+}  // namespace
+
+Answer<double> CalcHuynhFeldt(double greenhouse_geisser, int num_contrasts, int num_persons) {
+  if (num_contrasts == 1) return 1.0;
+  const double used = num_contrasts * greenhouse_geisser;
+  const double left = num_persons - 1.0 - used;
+  if (left <= 0.0) {
+    return NoAnswer{std::to_string(num_persons) + " persons are too few for " +
+                    std::to_string(num_contrasts) + " contrasts"};
+  }
+  return std::min(1.0, (num_persons * used - 2.0) / (num_contrasts * left));
+}
+
+double CalcMauchlyP(double w, int num_contrasts, int num_cells, int num_persons) {
+  const double d = num_contrasts;
+  const double df = num_persons - 1.0;
+  const double rho = 1.0 - (2.0 * d * d + d + 2.0) / (6.0 * d * df);
+  const double omega = (d + 2.0) * (d - 1.0) * (d - 2.0) *
+                       (2.0 * d * d * d + 6.0 * d * d + 3.0 * num_cells + 2.0) /
+                       (288.0 * d * d * df * df * rho * rho);
+  const double chi_squared = std::max(0.0, -df * rho * std::log(w));
+  const double shape_df = d * (d + 1.0) / 2.0 - 1.0;
+  const double first = CalcChiSquaredUpperP(chi_squared, shape_df);
+  const double second = CalcChiSquaredUpperP(chi_squared, shape_df + 4.0);
+  return std::clamp(first + omega * (second - first), 0.0, 1.0);
+}
+
+Answer<WithinAnova> CalcWithinAnova(const CellMeans& cells) {
+  constexpr size_t kMaxFactors = 8;
+  if (cells.factors.empty()) return NoAnswer{"no factor: nothing to compare"};
+  if (cells.factors.size() > kMaxFactors) {
+    return NoAnswer{std::to_string(cells.factors.size()) + " factors; expected at most " +
+                    std::to_string(kMaxFactors)};
+  }
+  for (const Factor& factor : cells.factors) {
+    if (factor.levels.size() < 2) {
+      return NoAnswer{"factor \"" + factor.name + "\" has one level: nothing to compare"};
+    }
+  }
+  const MatrixXd& y = cells.means;
+  const int num_persons = static_cast<int>(y.rows());
+  if (num_persons < 2) {
+    return NoAnswer{std::to_string(num_persons) + (num_persons == 1 ? " person" : " persons") +
+                    "; expected 2 or more"};
+  }
+  GRASPBENCH_DEMAND(y.cols() == static_cast<Eigen::Index>(ListCells(cells.factors).size()),
+                    std::to_string(y.cols()) + " columns");
+
+  // The common level carries no information but costs digits.
+  const MatrixXd centred = y.array() - y.mean();
+  const double df_person = num_persons - 1.0;
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * y.cwiseAbs().maxCoeff();
+  const double negligible = rounding * rounding * static_cast<double>(y.size());
+
+  WithinAnova anova;
+  anova.num_persons = num_persons;
+  anova.ss_person = (centred * MakeContrasts(cells.factors, {})).squaredNorm();
+  double ss_error_of_all = 0.0;
+  for (const std::vector<size_t>& factors : ListEffects(cells.factors.size())) {
+    WithinEffect effect;
+    effect.factors = factors;
+    for (size_t factor : factors) {
+      effect.name += (effect.name.empty() ? "" : " x ") + cells.factors[factor].name;
+    }
+    const MatrixXd scores = centred * MakeContrasts(cells.factors, factors);
+    const Eigen::RowVectorXd mean = scores.colwise().mean();
+    const MatrixXd deviations = scores.rowwise() - mean;
+    effect.ss_effect = num_persons * mean.squaredNorm();
+    effect.ss_error = deviations.squaredNorm();
+    effect.df_effect = static_cast<double>(scores.cols());
+    effect.df_error = effect.df_effect * df_person;
+    ss_error_of_all += effect.ss_error;
+    if (effect.ss_error <= negligible) {
+      effect.test = NoAnswer{"the effect is the same in all " + std::to_string(num_persons) +
+                             " persons: no spread to test against"};
+    } else {
+      effect.test = CalcTest(effect, deviations.transpose() * deviations / df_person,
+                             static_cast<int>(y.cols()), num_persons);
+    }
+    anova.effects.push_back(std::move(effect));
+  }
+  for (WithinEffect& effect : anova.effects) {
+    if (!effect.test) continue;
+    WithinTest test = *effect.test;
+    test.generalised_eta_squared =
+        effect.ss_effect / (effect.ss_effect + anova.ss_person + ss_error_of_all);
+    effect.test = std::move(test);
+  }
+  return anova;
+}
+
+}  // namespace graspbench
