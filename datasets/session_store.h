@@ -29,7 +29,7 @@ the same bytes for any number of workers and any number of interruptions. */
 namespace graspbench {
 
 /** Version of the folder's layout and of the records; older and newer ones are refused. */
-inline constexpr int kSessionSchema = 1;
+inline constexpr int kSessionSchema = 2;
 
 /** True when the folder holds a session, of whatever version and state. */
 bool HasSession(const std::filesystem::path& folder);

@@ -21,6 +21,12 @@ Value TakeTiming(double ContactTiming::*field) {
   return [field](const TrialRecord& record) { return JsonNumber(record.result.timing.*field); };
 }
 
+Value TakePart(StabilityPart Stability::*part, double StabilityPart::*field) {
+  return [part, field](const TrialRecord& record) {
+    return JsonNumber(record.result.stability.*part.*field);
+  };
+}
+
 std::vector<std::string> ListDigits(const std::vector<TrialRecord>& records) {
   std::vector<std::string> digits = {"TH", "FF", "MF", "RF", "LF"};
   std::set<std::string> others;
@@ -32,17 +38,38 @@ std::vector<std::string> ListDigits(const std::vector<TrialRecord>& records) {
   return digits;
 }
 
-TrialColumn MakeContactColumn(const std::string& digit) {
-  const auto find_time = [digit](const TrialRecord& record) {
-    for (const DigitContact& contact : record.result.contacts) {
-      if (contact.digit == digit) return JsonNumber(contact.time);
+/** Looks up a number of the digit's contact and touch; null when it takes no part. */
+template <class Take>
+Value TakeOfDigit(const std::string& digit, Take take) {
+  return [digit, take](const TrialRecord& record) {
+    const TrialResult& result = record.result;
+    for (size_t i = 0; i < result.contacts.size(); ++i) {
+      if (result.contacts[i].digit == digit) {
+        return JsonNumber(take(result.contacts[i], result.touches[i]));
+      }
     }
     return Json();
   };
-  return {"t_" + digit + "_s", "number", "s",
-          "first contact of digit " + digit +
-              ", since the start of closure; missing when it never touched or takes no part",
-          find_time};
+}
+
+void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns) {
+  columns.push_back(
+      {"t_" + digit + "_s", "number", "s",
+       "first contact of digit " + digit +
+           ", since the start of closure; missing when it never touched or takes no part",
+       TakeOfDigit(digit,
+                   [](const DigitContact& contact, const DigitTouch&) { return contact.time; })});
+  columns.push_back({"closing_" + digit, "number", "",
+                     "how far the hand had closed at that contact: 0 pre-grasp, 1 target grasp",
+                     TakeOfDigit(digit, [](const DigitContact&, const DigitTouch& touch) {
+                       return touch.closing;
+                     })});
+  columns.push_back(
+      {"gap_" + digit + "_m", "number", "m",
+       "smallest distance of digit " + digit + " to the object up to lift-off; 0 when it touched",
+       TakeOfDigit(digit, [](const DigitContact&, const DigitTouch& touch) {
+         return touch.smallest_gap;
+       })});
 }
 
 std::string FormatCell(const Json& value) {
@@ -85,12 +112,38 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        TakeNumber(&TrialResult::lift_height)},
       {"hold_slip_m", "number", "m", "motion of the object relative to the palm while held",
        TakeNumber(&TrialResult::hold_slip)},
+      {"hold_creep_m", "number", "m",
+       "motion of the object in the palm's frame after the first 0.5 s of the hold",
+       TakeNumber(&TrialResult::hold_creep)},
       {"end_speed_m_per_s", "number", "m/s", "speed of the object relative to the palm at the end",
        TakeNumber(&TrialResult::end_speed)},
       {"grip_force_n", "number", "N", "sum of the normal forces on the object before lift-off",
        TakeNumber(&TrialResult::grip_force)},
       {"worst_penetration_m", "number", "m", "deepest finger contact of the whole trial",
        TakeNumber(&TrialResult::worst_penetration)},
+      {"steady_penetration_m", "number", "m", "deepest finger contact at the end of the hold",
+       TakeNumber(&TrialResult::steady_penetration)},
+      {"sigma", "number", "",
+       "stability of the grasp before lift-off, larger is better; 0 when the object was lost",
+       [](const TrialRecord& record) { return JsonNumber(record.result.stability.sigma); }},
+      {"sigma_lift", "number", "", "the same over lift-off",
+       TakePart(&Stability::lift, &StabilityPart::sigma)},
+      {"sigma_hold", "number", "", "the same over the hold",
+       TakePart(&Stability::hold, &StabilityPart::sigma)},
+      {"epsilon", "number", "",
+       "mean quality before lift-off, convention ferrari-canny: mixed cones of 8 edges, unit "
+       "normal "
+       "force, moments about the centre of mass divided by the object's radius",
+       TakePart(&Stability::stabilisation, &StabilityPart::quality)},
+      {"epsilon_hold", "number", "", "the same over the hold",
+       TakePart(&Stability::hold, &StabilityPart::quality)},
+      {"normal_force_n", "number", "N", "mean sum of the normal forces before lift-off",
+       TakePart(&Stability::stabilisation, &StabilityPart::normal_force)},
+      {"slip_speed_m_per_s", "number", "m/s", "mean speed against the hand before lift-off",
+       TakePart(&Stability::stabilisation, &StabilityPart::slip_speed)},
+      {"opposition", "number", "",
+       "share of the time before lift-off in which opposed digits touched",
+       TakePart(&Stability::stabilisation, &StabilityPart::opposition)},
       {"energy_residual_j", "number", "J", "energy of the whole trial that nothing explains",
        TakeNumber(&TrialResult::energy_residual)},
       {"num_steps", "integer", "", "simulation steps", TakeCount(&TrialResult::num_steps)},
@@ -100,7 +153,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        TakeNumber(&TrialResult::simulated_time)},
   };
   for (const std::string& digit : ListDigits(records)) {
-    columns.push_back(MakeContactColumn(digit));
+    AddDigitColumns(digit, columns);
   }
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});

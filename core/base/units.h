@@ -4,7 +4,12 @@ Inside the program everything is SI (m, kg, s, rad, N) and carries no suffix. An
 one in its name (`_mm`, `_deg`, `_g`, `_ms`) and is converted here, at the border, and nowhere else.
 */
 
+#include <limits>
+
 namespace graspbench {
+
+/** A quantity that has no value: written as null or an empty cell, never as a plausible number. */
+inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kStandardGravity = 9.80665;  ///< [m/s^2]

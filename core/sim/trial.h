@@ -10,11 +10,13 @@ in physics, then a hold, after which the outcome is given. */
 
 #include "core/base/json.h"
 #include "core/base/pose.h"
+#include "core/base/units.h"
 #include "core/grasp/contact_timing.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
+#include "core/sim/stability.h"
 
 namespace graspbench {
 
@@ -85,17 +87,31 @@ struct SceneSnapshot {
   Eigen::VectorXd q;  ///< (num_joints) [rad]
 };
 
+/** How a grasping digit met the object. */
+struct DigitTouch {
+  double closing = kUnset;       ///< s of the closing law at its first touch; NaN: never touched
+  Eigen::VectorXd q;             ///< joints of the whole hand then (num_joints) [rad]; else empty
+  double smallest_gap = kUnset;  ///< to the object up to lift-off, 0 after a touch [m]; NaN: no
+                                 ///< closure
+};
+
 struct TrialResult {
   Outcome outcome = Outcome::kNotRun;
   std::string reason;                  ///< one sentence for a person; empty for a success
   std::vector<DigitContact> contacts;  ///< of the grasping digits; times since the start of closure
+  std::vector<DigitTouch> touches;     ///< of the same digits
   ContactTiming timing;                ///< t0 = 0 = start of closure
   double lift_height = 0.0;            ///< of the object's centre at the end, above rest [m]
-  double hold_slip = 0.0;              ///< motion of the object relative to the palm while held [m]
+  double hold_slip = kUnset;           ///< motion relative to the palm during the hold [m]
+  /** Motion in the palm's frame after the first 0.5 s of the hold: of the centre of mass, plus the
+  turn times the object's radius [m]; NaN: not held to the end. */
+  double hold_creep = kUnset;
   double end_speed = 0.0;              ///< relative to the palm at the end [m/s]
   double grip_force = 0.0;             ///< sum of normal forces on the object before lift-off [N]
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
-  double energy_residual = 0.0;        ///< unexplained energy of the whole trial [J]
+  double steady_penetration = kUnset;  ///< deepest finger contact at the end of the hold [m]
+  Stability stability;
+  double energy_residual = 0.0;  ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]

@@ -52,14 +52,23 @@ Outcome OutcomeFromName(const std::string& name) {
 
 namespace {
 
+Json JsonVectorX(const Eigen::VectorXd& values) {
+  Json json = Json::array();
+  for (double value : values) json.push_back(value);
+  return json;
+}
+
+Eigen::VectorXd VectorXFrom(const Json& json) {
+  const auto values = json.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 Json ToJson(const SceneSnapshot& snapshot) {
-  Json q = Json::array();
-  for (double angle : snapshot.q) q.push_back(angle);
   return Json{{"name", snapshot.name},
               {"time_s", snapshot.time},
               {"X_WH", JsonPose(snapshot.X_WH)},
               {"X_WO", JsonPose(snapshot.X_WO)},
-              {"q_rad", q}};
+              {"q_rad", JsonVectorX(snapshot.q)}};
 }
 
 SceneSnapshot SnapshotFromJson(const Json& json) {
@@ -68,8 +77,7 @@ SceneSnapshot SnapshotFromJson(const Json& json) {
   snapshot.time = json.at("time_s").get<double>();
   snapshot.X_WH = PoseFrom(json.at("X_WH"));
   snapshot.X_WO = PoseFrom(json.at("X_WO"));
-  const auto q = json.at("q_rad").get<std::vector<double>>();
-  snapshot.q = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+  snapshot.q = VectorXFrom(json.at("q_rad"));
   return snapshot;
 }
 
@@ -77,10 +85,15 @@ SceneSnapshot SnapshotFromJson(const Json& json) {
 
 Json ToJson(const TrialResult& result) {
   Json contacts = Json::array();
-  for (const DigitContact& contact : result.contacts) {
+  for (size_t i = 0; i < result.contacts.size(); ++i) {
+    const DigitContact& contact = result.contacts[i];
+    const DigitTouch& touch = result.touches[i];
     contacts.push_back({{"digit", contact.digit},
                         {"is_thumb", contact.is_thumb},
-                        {"time_s", JsonNumber(contact.time)}});
+                        {"time_s", JsonNumber(contact.time)},
+                        {"closing", JsonNumber(touch.closing)},
+                        {"q_rad", JsonVectorX(touch.q)},
+                        {"smallest_gap_m", JsonNumber(touch.smallest_gap)}});
   }
   Json snapshots = Json::array();
   for (const SceneSnapshot& snapshot : result.snapshots) snapshots.push_back(ToJson(snapshot));
@@ -89,9 +102,12 @@ Json ToJson(const TrialResult& result) {
               {"contacts", contacts},
               {"lift_height_m", JsonNumber(result.lift_height)},
               {"hold_slip_m", JsonNumber(result.hold_slip)},
+              {"hold_creep_m", JsonNumber(result.hold_creep)},
               {"end_speed_m_per_s", JsonNumber(result.end_speed)},
               {"grip_force_n", JsonNumber(result.grip_force)},
               {"worst_penetration_m", JsonNumber(result.worst_penetration)},
+              {"steady_penetration_m", JsonNumber(result.steady_penetration)},
+              {"stability", ToJson(result.stability)},
               {"energy_residual_j", JsonNumber(result.energy_residual)},
               {"num_steps", result.num_steps},
               {"num_unconverged", result.num_unconverged},
@@ -107,6 +123,8 @@ TrialResult TrialResultFromJson(const Json& json) {
     result.contacts.push_back({contact.at("digit").get<std::string>(),
                                contact.at("is_thumb").get<bool>(),
                                NumberFrom(contact.at("time_s"))});
+    result.touches.push_back({NumberFrom(contact.at("closing")), VectorXFrom(contact.at("q_rad")),
+                              NumberFrom(contact.at("smallest_gap_m"))});
   }
   if (std::count_if(result.contacts.begin(), result.contacts.end(),
                     [](const DigitContact& contact) { return contact.is_thumb; }) > 1) {
@@ -115,9 +133,12 @@ TrialResult TrialResultFromJson(const Json& json) {
   result.timing = CalcContactTiming(result.contacts, 0.0);
   result.lift_height = NumberFrom(json.at("lift_height_m"));
   result.hold_slip = NumberFrom(json.at("hold_slip_m"));
+  result.hold_creep = NumberFrom(json.at("hold_creep_m"));
   result.end_speed = NumberFrom(json.at("end_speed_m_per_s"));
   result.grip_force = NumberFrom(json.at("grip_force_n"));
   result.worst_penetration = NumberFrom(json.at("worst_penetration_m"));
+  result.steady_penetration = NumberFrom(json.at("steady_penetration_m"));
+  result.stability = StabilityFromJson(json.at("stability"));
   result.energy_residual = NumberFrom(json.at("energy_residual_j"));
   result.num_steps = IntFrom(json.at("num_steps"));
   result.num_unconverged = IntFrom(json.at("num_unconverged"));

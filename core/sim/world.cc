@@ -54,6 +54,7 @@ void World::Reset(const WorldState& state) {
   link_touches_.assign(hand_->links.size(), false);
   collider_.Reset();
   step_number_ = 0;
+  SetExternalLoad(Vector3d::Zero(), Vector3d::Zero());
   energy_ = EnergyAccount();
   energy_.kinetic_at_start = CalcKineticEnergy();
 }
@@ -138,8 +139,8 @@ double World::CalcBias(const VectorXd& mean_speeds, const Vector3d& v_WH, const 
   const double power = dynamics_.CalcBias(mean_speeds, v_WH, lift_W, bias.head(dofs));
   const Vector3d w = mean_speeds.segment<3>(dofs), v = mean_speeds.segment<3>(dofs + 3);
   const Vector3d momentum = problem_.M.block<3, 3>(dofs, dofs) * w;
-  bias.segment<3>(dofs) = w.cross(momentum);
-  bias.segment<3>(dofs + 3) = -mass_.mass * state_.gravity_W;
+  bias.segment<3>(dofs) = w.cross(momentum) - external_moment_W_;
+  bias.segment<3>(dofs + 3) = -mass_.mass * state_.gravity_W - external_force_W_;
   return power - mass_.mass * lift_W.dot(v - v_WH);
 }
 
@@ -198,6 +199,8 @@ void World::AccountEnergy(const VectorXd& v, const Vector3d& mean_v_WH, double p
   const double h = config_.step;
   const VectorXd mean = 0.5 * (problem_.u + v);
   energy_.gravity += h * power;
+  energy_.external += h * (external_moment_W_.dot(mean.tail<6>().head<3>()) +
+                           external_force_W_.dot(mean.tail<3>() - mean_v_WH));
   for (size_t i = 0; i < problem_.scalars.size(); ++i) {
     const ScalarForce& scalar = problem_.scalars[i];
     const double tau =
@@ -239,7 +242,30 @@ double World::CalcKineticEnergy() {
 
 double World::CalcEnergyResidual() {
   return CalcKineticEnergy() - energy_.kinetic_at_start - energy_.drives - energy_.limits -
-         energy_.gravity - energy_.contacts;
+         energy_.gravity - energy_.contacts - energy_.external;
+}
+
+void World::FindHandContacts(std::vector<HandContact>& contacts) const {
+  contacts.clear();
+  for (size_t c = 0; c < problem_.contacts.size(); ++c) {
+    const ContactPoint& point = problem_.contacts[c];
+    const ContactForces& forces = solver_.forces()[c];
+    if (!point.is_on_object || point.link < 0 || forces.force[kNormalRow] <= 0.0) continue;
+    const ContactRates& rates = solver_.rates()[c];
+    HandContact& contact = contacts.emplace_back();
+    contact.link = point.link;
+    contact.p_WC = point.p_WC;
+    contact.nhat_W = -point.nhat_BA_W;
+    contact.normal_force = forces.force[kNormalRow];
+    contact.friction_W = -forces.force[kTangentRow1] * point.tangent1_W -
+                         forces.force[kTangentRow2] * point.tangent2_W;
+    contact.spin_moment = forces.force[kSpinRow];
+    contact.slip_speed = std::hypot(rates[kTangentRow1], rates[kTangentRow2]);
+    contact.is_sliding = forces.is_at_limit;
+    contact.mu =
+        contact.is_sliding ? point.material.friction_dynamic : point.material.friction_static;
+    contact.torsion_radius = point.material.torsion_radius;
+  }
 }
 
 StepReport World::MakeReport(const VectorXd& v, bool converged) const {

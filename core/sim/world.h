@@ -56,13 +56,29 @@ struct StepReport {
   std::vector<bool> link_touches_object;  ///< (num_links)
 };
 
+/** A point where the hand presses on the object. */
+struct HandContact {
+  int link = -1;
+  Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();        ///< [m]
+  Eigen::Vector3d nhat_W = Eigen::Vector3d::Zero();      ///< unit, from the hand into the object
+  double normal_force = 0.0;                             ///< > 0 [N]
+  Eigen::Vector3d friction_W = Eigen::Vector3d::Zero();  ///< tangential force on the object [N]
+  double spin_moment = 0.0;     ///< on the object about nhat_W; pads only [N m]
+  double slip_speed = 0.0;      ///< tangential speed of the surfaces [m/s]
+  bool is_sliding = false;      ///< friction is at its limit
+  double mu = 0.0;              ///< of that state: static or dynamic
+  double torsion_radius = 0.0;  ///< a pad resists spin up to mu * normal_force * this [m]
+};
+
 /** Energy account in the frame that moves with the hand's root [J]. Were the integration exact,
-kinetic_energy - start = drives + gravity + contacts + limits; the rest is the residual. */
+kinetic_energy - start = drives + gravity + contacts + limits + external; the rest is the residual.
+*/
 struct EnergyAccount {
   double drives = 0.0;    ///< work of the drives on the joints
   double limits = 0.0;    ///< work of the joint limits
   double gravity = 0.0;   ///< work of gravity and of the moving frame's inertial force
   double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
+  double external = 0.0;  ///< work of the external load on the object
   double kinetic_at_start = 0.0;
 };
 
@@ -77,6 +93,17 @@ class World {
 
   /** Turns gravity, as a test or a verdict asks [m/s^2]. */
   void SetGravity(const Eigen::Vector3d& gravity_W) { state_.gravity_W = gravity_W; }
+
+  /** A load on the object until it is changed; Reset takes it away.
+  @param force_W  at the centre of mass [N]   @param moment_W  [N m] */
+  void SetExternalLoad(const Eigen::Vector3d& force_W, const Eigen::Vector3d& moment_W) {
+    external_force_W_ = force_W;
+    external_moment_W_ = moment_W;
+  }
+
+  /** The contacts of the last step in the collider's fixed order, with the forces of the step's end
+  at the places of its middle; replaces what is in `contacts`. */
+  void FindHandContacts(std::vector<HandContact>& contacts) const;
 
   const WorldState& state() const { return state_; }
   Pose CalcObjectPose() const;  ///< X_WO
@@ -107,7 +134,9 @@ class World {
   Eigen::VectorXd v_;               // speeds at the end of the last step: [hand dofs, w, v]
   std::vector<DistalMode> modes_;   // by dof
   std::vector<bool> link_touches_;  // in the last step
-  int num_drives_ = 0;              // the first entries of problem_.scalars
+  Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
+  int num_drives_ = 0;  // the first entries of problem_.scalars
   int step_number_ = 0;
   EnergyAccount energy_;
 };

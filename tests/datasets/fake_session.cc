@@ -1,5 +1,6 @@
 #include "tests/datasets/fake_session.h"
 
+#include <cmath>
 #include <limits>
 
 #include "core/base/random.h"
@@ -63,12 +64,22 @@ TrialRecord MakeFakeRecord(const PlannedTrial& planned) {
       {"FF", false, random.NextUnit()},
       {"MF", false, result.outcome == Outcome::kNoContact ? kMissing : random.NextUnit()},
       {"TH", true, random.NextUnit()}};
+  for (const DigitContact& contact : result.contacts) {
+    DigitTouch& touch = result.touches.emplace_back();
+    touch.smallest_gap = random.NextUnit() * 1e-2;
+    if (std::isnan(contact.time)) continue;
+    touch = {random.NextUnit(), Eigen::Vector2d(random.NextNormal(), 0.1), 0.0};
+  }
   result.timing = CalcContactTiming(result.contacts, 0.0);
   result.lift_height = random.NextUniform(-0.001, 0.1);
   result.hold_slip = result.outcome == Outcome::kSuccess ? random.NextUnit() * 1e-3 : kMissing;
   result.end_speed = random.NextUnit() * 1e-7;
   result.grip_force = random.NextUniform(0.0, 20.0);
   result.worst_penetration = random.NextUnit() * 1e-3;
+  result.steady_penetration = random.NextUnit() * 1e-3;
+  result.hold_creep = result.outcome == Outcome::kSuccess ? random.NextUnit() * 1e-9 : kMissing;
+  result.stability.sigma = random.NextUnit();
+  result.stability.stabilisation = {random.NextUnit(), random.NextUnit(), 4.0, 1e-3, 0.5, 20};
   result.energy_residual = random.NextNormal() * 1e-5;
   result.num_steps = random.NextIndex(3000);
   result.num_unconverged = random.NextIndex(3);

@@ -57,18 +57,38 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "got_ratio",
                                              "lift_height_m",
                                              "hold_slip_m",
+                                             "hold_creep_m",
                                              "end_speed_m_per_s",
                                              "grip_force_n",
                                              "worst_penetration_m",
+                                             "steady_penetration_m",
+                                             "sigma",
+                                             "sigma_lift",
+                                             "sigma_hold",
+                                             "epsilon",
+                                             "epsilon_hold",
+                                             "normal_force_n",
+                                             "slip_speed_m_per_s",
+                                             "opposition",
                                              "energy_residual_j",
                                              "num_steps",
                                              "num_unconverged",
                                              "simulated_time_s",
                                              "t_TH_s",
+                                             "closing_TH",
+                                             "gap_TH_m",
                                              "t_FF_s",
+                                             "closing_FF",
+                                             "gap_FF_m",
                                              "t_MF_s",
+                                             "closing_MF",
+                                             "gap_MF_m",
                                              "t_RF_s",
+                                             "closing_RF",
+                                             "gap_RF_m",
                                              "t_LF_s",
+                                             "closing_LF",
+                                             "gap_LF_m",
                                              "reason"}));
 }
 
@@ -96,9 +116,17 @@ TEST(TrialTable, CsvReadsBackAsTheRecords) {
     EXPECT_EQ(std::stod(cell(i, "grip_force_n")), result.grip_force);
     EXPECT_EQ(std::stod(cell(i, "t_TH_s")), result.contacts[2].time);
     EXPECT_EQ(cell(i, "t_RF_s"), "");
+    EXPECT_EQ(std::stod(cell(i, "closing_TH")), result.touches[2].closing);
+    EXPECT_EQ(cell(i, "gap_TH_m"), "0.0");
+    EXPECT_EQ(cell(i, "gap_LF_m"), "");
+    EXPECT_EQ(std::stod(cell(i, "sigma")), result.stability.sigma);
+    EXPECT_EQ(std::stod(cell(i, "epsilon")), result.stability.stabilisation.quality);
+    EXPECT_EQ(cell(i, "sigma_lift"), "");
     if (result.outcome == Outcome::kNoContact) {
       EXPECT_EQ(cell(i, "gct_s"), "");
       EXPECT_EQ(cell(i, "t_MF_s"), "");
+      EXPECT_EQ(cell(i, "closing_MF"), "");
+      EXPECT_EQ(std::stod(cell(i, "gap_MF_m")), result.touches[1].smallest_gap);
     } else {
       EXPECT_EQ(std::stod(cell(i, "gct_s")), result.timing.gct);
     }
@@ -111,11 +139,14 @@ TEST(TrialTable, OtherDigitsGetColumnsByName) {
   auto records = MakeFakeRecords(1);
   records[0].result.contacts.push_back({"Z", false, 0.25});
   records[0].result.contacts.push_back({"A", false, 0.5});
+  records[0].result.touches.resize(5);
   const auto columns = ListTrialColumns(records);
   std::vector<std::string> tail;
-  for (size_t i = columns.size() - 4; i < columns.size(); ++i) tail.push_back(columns[i].name);
-  EXPECT_EQ(tail, (std::vector<std::string>{"t_LF_s", "t_A_s", "t_Z_s", "reason"}));
-  EXPECT_EQ(columns[columns.size() - 2].value(records[0]), 0.25);
+  for (size_t i = columns.size() - 10; i < columns.size(); ++i) tail.push_back(columns[i].name);
+  EXPECT_EQ(tail,
+            (std::vector<std::string>{"t_LF_s", "closing_LF", "gap_LF_m", "t_A_s", "closing_A",
+                                      "gap_A_m", "t_Z_s", "closing_Z", "gap_Z_m", "reason"}));
+  EXPECT_EQ(columns[columns.size() - 4].value(records[0]), 0.25);
 }
 
 TEST(TrialTable, SchemaDescribesEveryColumn) {

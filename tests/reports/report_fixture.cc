@@ -15,6 +15,7 @@ TrialRecord MakeRecord(const PlannedTrial& plan, Outcome outcome) {
   const double late = 0.01 * plan.trial;
   result.contacts = {
       {"FF", false, 0.4 + late}, {"MF", false, 0.6 + late}, {"TH", true, 0.5 + late}};
+  result.touches.resize(result.contacts.size());
   result.timing = CalcContactTiming(result.contacts, 0.0);
   result.lift_height = 0.0987;
   result.hold_slip = 0.0012;

@@ -49,6 +49,43 @@ TEST_P(TrialTest, ALightCubeIsLiftedAndHeldWithoutCreep) {
   // Two digits: forming and opposing are the same.
   EXPECT_EQ(result.timing.gft, result.timing.got);
   EXPECT_GE(result.timing.gct, result.timing.gft);
+  EXPECT_LT(result.hold_creep, 1e-6);
+  EXPECT_GT(result.steady_penetration, 0.0);
+  EXPECT_LE(result.steady_penetration, result.worst_penetration);
+}
+
+TEST_P(TrialTest, ATouchIsKeptWithTheHandAsItWas) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  ASSERT_EQ(result.touches.size(), result.contacts.size());
+  for (size_t i = 0; i < result.touches.size(); ++i) {
+    const DigitTouch& touch = result.touches[i];
+    // Closing is linear in time from the start of closure on.
+    EXPECT_NEAR(touch.closing, result.contacts[i].time / setup.strategy.closure_time,
+                1.5 * setup.sim.step);
+    EXPECT_EQ(touch.smallest_gap, 0.0);
+    // The joints of that digit lag a little behind what was asked.
+    ASSERT_EQ(touch.q.size(), setup.hand->num_joints());
+    const Eigen::VectorXd asked =
+        setup.grasp.q_pre + touch.closing * (setup.grasp.q_target - setup.grasp.q_pre);
+    EXPECT_LT((touch.q - asked).cwiseAbs().maxCoeff(), RadFromDeg(10.0));
+  }
+}
+
+TEST_P(TrialTest, StabilityIsThatOfAHeldCube) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const Stability stability = TrialRunner(setup.hand, setup.object).Run(setup).stability;
+  EXPECT_EQ(stability.sigma, stability.stabilisation.sigma);
+  EXPECT_EQ(stability.stabilisation.num_samples, 20);
+  EXPECT_EQ(stability.lift.num_samples, 10);
+  EXPECT_EQ(stability.hold.num_samples, 10);
+  for (const StabilityPart& part : {stability.stabilisation, stability.lift, stability.hold}) {
+    EXPECT_GT(part.sigma, 0.0);
+    EXPECT_LE(part.sigma, 10.0);
+    EXPECT_GT(part.quality, 0.0);
+    EXPECT_NEAR(part.opposition, 1.0, 1e-12);
+  }
+  EXPECT_LT(stability.hold.slip_speed, 1e-3);
 }
 
 // Without friction nothing can be lifted; nothing is glued.
@@ -59,9 +96,25 @@ TEST_P(TrialTest, WithoutFrictionTheCubeStaysBehind) {
   EXPECT_NE(result.outcome, Outcome::kNumericalFailure) << result.reason;
   EXPECT_LT(result.lift_height, 0.02);
   EXPECT_FALSE(result.reason.empty());
+  EXPECT_EQ(result.stability.sigma, 0.0);
+  EXPECT_TRUE(std::isnan(result.hold_creep));
+  EXPECT_TRUE(std::isnan(result.steady_penetration));
 }
 
 // A pinch carries at most mu F of weight: 20 kg cannot be lifted by a few newton.
+TEST_P(TrialTest, ADigitThatCannotReachKeepsItsSmallestGap) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  setup.grasp.q_target = setup.grasp.q_pre;
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_EQ(result.outcome, Outcome::kNoContact);
+  for (const DigitTouch& touch : result.touches) {
+    EXPECT_TRUE(std::isnan(touch.closing));
+    EXPECT_EQ(touch.q.size(), 0);
+    EXPECT_GT(touch.smallest_gap, 0.0);
+    EXPECT_LT(touch.smallest_gap, 0.1);
+  }
+}
+
 TEST_P(TrialTest, ATooHeavyCubeStaysBehind) {
   const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(20.0, 0.5));
   const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);

@@ -239,5 +239,24 @@ INSTANTIATE_TEST_SUITE_P(Steps, SwingTest,
                          testing::Values(Swing{0.0005, 0.0}, Swing{0.001, 0.0},
                                          Swing{0.002, 1e-4}));
 
+// A load of known size moves a free body as Newton says, and its work is accounted for.
+TEST(World, AnExternalLoadDoesItsWork) {
+  BodyWorld body(MakeBlock(0.5), MakeConfig(0.002));
+  body.state().gravity_W.setZero();
+  body.state().p_WOcm = Vector3d(0.0, 0.0, 1.0);
+  body.Start();
+  const double I_xx = MakeBlock(0.5).mass_properties.I_OOcm(0, 0), t = 0.5;
+  body.world().SetExternalLoad(Vector3d(0.0, 2.0, 0.0), Vector3d(1e-4, 0.0, 0.0));
+  body.Run(250);
+  EXPECT_NEAR(body.world().state().p_WOcm.y(), 0.5 * (2.0 / 0.5) * t * t, 1e-9);
+  EXPECT_NEAR(body.world().state().w_WO.x(), 1e-4 / I_xx * t, 1e-6);
+  const double work = 2.0 * 0.5 + 0.5 * 1e-4 * 1e-4 / I_xx * t * t;
+  EXPECT_NEAR(body.world().energy().external, work, 1e-6);
+  EXPECT_LT(std::abs(body.world().CalcEnergyResidual()), 1e-9);
+  body.Start();
+  body.Run(1);
+  EXPECT_EQ(body.world().state().v_WOcm.norm(), 0.0);
+}
+
 }  // namespace
 }  // namespace graspbench
