@@ -75,7 +75,7 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   std::vector<ConfigProblem> problems;
   CheckNames("hands", config.hands, {"all"}, problems);
   CheckNames("objects", config.objects, {"all"}, problems);
-  CheckNames("grasps", config.grasps, {"all", "best"}, problems);
+  CheckNames("grasps", config.grasps, {"all"}, problems);
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     const auto range = std::find_if(std::begin(kRanges), std::end(kRanges),

@@ -27,7 +27,7 @@ struct VariationConfig {
 struct SessionConfig {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
-  std::vector<std::string> grasps = {"best"};  ///< "best", "all" or ids
+  std::vector<std::string> grasps = {"best"};  ///< "all", or "best", ids, files
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
   VariationConfig variation;

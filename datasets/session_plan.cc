@@ -17,15 +17,20 @@ Json JsonAngles(const Eigen::VectorXd& q) {
 
 /** Every field of a grasp: its content, not its name, decides the result. */
 Json JsonOfGrasp(const StandardGrasp& grasp) {
-  return Json{{"id", grasp.id},
-              {"type", static_cast<int>(grasp.type)},
-              {"approach_distance_m", grasp.approach_distance},
-              {"alpha_rad", grasp.alpha},
-              {"tilt_rad", grasp.tilt},
-              {"q_pre_rad", JsonAngles(grasp.q_pre)},
-              {"q_target_rad", JsonAngles(grasp.q_target)},
-              {"digits", grasp.digits},
-              {"palm_may_touch", grasp.palm_may_touch}};
+  Json json{{"id", grasp.id},
+            {"type", static_cast<int>(grasp.type)},
+            {"approach_distance_m", grasp.approach_distance},
+            {"alpha_rad", grasp.alpha},
+            {"tilt_rad", grasp.tilt},
+            {"q_pre_rad", JsonAngles(grasp.q_pre)},
+            {"q_target_rad", JsonAngles(grasp.q_target)},
+            {"digits", grasp.digits},
+            {"palm_may_touch", grasp.palm_may_touch}};
+  if (grasp.placement) {
+    json["X_WH"] = JsonPose(grasp.placement->X_WH);
+    json["approach_W"] = JsonVector(grasp.placement->approach_W);
+  }
+  return json;
 }
 
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
@@ -42,34 +47,48 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
   return CalcHashHex(FormatJson(content));
 }
 
-const StandardGrasp* FindGrasp(const SessionHand& hand, const std::string& id) {
-  const auto grasp = std::find_if(hand.grasps.begin(), hand.grasps.end(),
-                                  [&](const StandardGrasp& g) { return g.id == id; });
+/** The hand's grasp of this id that may be used on the object. */
+const StandardGrasp* FindGrasp(const SessionHand& hand, const GraspObject& object,
+                               const std::string& id) {
+  const auto grasp =
+      std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const StandardGrasp& g) {
+        return g.id == id && (g.object.empty() || g.object == object.id);
+      });
   return grasp == hand.grasps.end() ? nullptr : &*grasp;
 }
 
 const StandardGrasp& FindBestGrasp(const SessionHand& hand, const GraspObject& object) {
   const auto best = object.best_grasp.find(hand.hand->id);
   if (best != object.best_grasp.end()) {
-    if (const StandardGrasp* grasp = FindGrasp(hand, best->second)) return *grasp;
+    if (const StandardGrasp* grasp = FindGrasp(hand, object, best->second)) return *grasp;
   }
   for (const std::string& id : object.grasp_order) {
-    if (const StandardGrasp* grasp = FindGrasp(hand, id)) return *grasp;
+    if (const StandardGrasp* grasp = FindGrasp(hand, object, id)) return *grasp;
   }
   return hand.grasps.front();
 }
 
-std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config, const SessionHand& hand,
+/** The id that a name in the configuration stands for. */
+std::string FindGraspId(const SessionInputs& inputs, const std::string& name) {
+  const auto file = inputs.grasp_files.find(name);
+  return file == inputs.grasp_files.end() ? name : file->second;
+}
+
+std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config,
+                                             const SessionInputs& inputs, const SessionHand& hand,
                                              const GraspObject& object) {
   std::vector<const StandardGrasp*> grasps;
   if (hand.grasps.empty()) return grasps;
-  if (config.grasps.front() == "best") {
-    grasps.push_back(&FindBestGrasp(hand, object));
-  } else if (config.grasps.front() == "all") {
+  if (config.grasps.front() == "all") {
     for (const StandardGrasp& grasp : hand.grasps) grasps.push_back(&grasp);
-  } else {
-    for (const std::string& id : config.grasps) {
-      if (const StandardGrasp* grasp = FindGrasp(hand, id)) grasps.push_back(grasp);
+    return grasps;
+  }
+  for (const std::string& name : config.grasps) {
+    const StandardGrasp* grasp = name == "best"
+                                     ? &FindBestGrasp(hand, object)
+                                     : FindGrasp(hand, object, FindGraspId(inputs, name));
+    if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
+      grasps.push_back(grasp);
     }
   }
   return grasps;
@@ -83,12 +102,26 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
     }
   }
   if (known.empty()) throw Error(ErrorKind::kUsage, "none of the session's hands has any grasp");
-  for (const std::string& id : config.grasps) {
-    if (id == "best" || id == "all") continue;
+  for (const std::string& name : config.grasps) {
+    if (name == "best" || name == "all") continue;
+    const std::string id = FindGraspId(inputs, name);
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       throw Error(ErrorKind::kNotFound, "none of the session's hands can do a grasp \"" + id +
                                             "\"" + SuggestNames(id, known));
     }
+  }
+}
+
+/** Two files may bring grasps of one name only for different objects. */
+void CheckGraspsDiffer(const SessionHand& hand) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const StandardGrasp& grasp : hand.grasps) {
+    if (seen.emplace(grasp.id, grasp.object).second) continue;
+    throw Error(ErrorKind::kUsage,
+                "two grasp files of the session bring a grasp \"" + grasp.id + "\" of the hand \"" +
+                    hand.hand->id + "\"" +
+                    (grasp.object.empty() ? "" : " for \"" + grasp.object + "\"") +
+                    "; leave one out or change its id");
   }
 }
 
@@ -115,7 +148,10 @@ bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs) {
   CheckSessionConfig(config);
   std::vector<std::string> hand_names, object_names;
-  for (const SessionHand& hand : inputs.hands) hand_names.push_back(hand.hand->id);
+  for (const SessionHand& hand : inputs.hands) {
+    hand_names.push_back(hand.hand->id);
+    CheckGraspsDiffer(hand);
+  }
   for (const auto& object : inputs.objects) object_names.push_back(object->id);
   CheckNamesDiffer("hands", hand_names);
   CheckNamesDiffer("objects", object_names);
@@ -124,13 +160,17 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   std::vector<PlannedTrial> plan;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
-      for (const StandardGrasp* grasp : FindGrasps(config, hand, *object)) {
+      for (const StandardGrasp* grasp : FindGrasps(config, inputs, hand, *object)) {
         for (int trial = 0; trial < config.trials; ++trial) {
           plan.push_back({CalcTrialId(config, *hand.hand, *object, *grasp, trial), hand.hand->id,
                           object->id, grasp->id, trial});
         }
       }
     }
+  }
+  if (plan.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "the session has no trial: none of its grasps is for its hands and objects");
   }
   return plan;
 }
@@ -162,7 +202,7 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                    [&](const auto& candidate) { return candidate->id == planned.object; });
   GRASPBENCH_DEMAND(hand != inputs.hands.end() && object != inputs.objects.end(),
                     planned.hand + ", " + planned.object);
-  const StandardGrasp* grasp = FindGrasp(*hand, planned.grasp);
+  const StandardGrasp* grasp = FindGrasp(*hand, **object, planned.grasp);
   GRASPBENCH_DEMAND(grasp, planned.grasp);
   return {hand->hand,      *object,    *grasp,
           config.strategy, config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};

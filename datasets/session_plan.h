@@ -28,7 +28,7 @@ bool operator==(const PlannedTrial& a, const PlannedTrial& b);
 - "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
   hand cannot do, the first of the object's grasp_order that the hand can do, else the hand's first;
 - "all": all that the hand can do;
-- ids: those of them that the hand can do.
+- ids and grasp files, "best" among them: those that the hand can do on the object.
 
 @throws Error(kRange) for a bad configuration; Error(kUsage) for two hands or objects of one name or
 when nothing is left to do; Error(kNotFound) for a grasp that none of the hands can do. */

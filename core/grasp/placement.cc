@@ -87,6 +87,7 @@ Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp,
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size,
                         const Vector3d& p_OOcm) {
   GRASPBENCH_DEMAND(object_size.minCoeff() > 0.0, "an object's sizes must be positive");
+  if (grasp.placement) return *grasp.placement;
   const double width = object_size.y();
   const double height = object_size.z();
   const bool from_side = grasp.type == GraspType::kPower && height > CalcReach(hand);

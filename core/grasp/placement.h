@@ -1,6 +1,7 @@
 #pragma once
 /** @file
-Where the hand stands to the object: computed, never stored.
+Where the hand stands to the object: computed, unless the grasp was made for this object and brings
+its placement (grasp_file.h).
 
 The hand knows the object's nominal pose (frame O: centre of its bounding box, resting on the table)
 and its sizes. With q(s) the linear closing from pre-grasp to target,
@@ -24,18 +25,10 @@ All of this is proposed by graspbench: the thesis gives d and alpha, and that p 
 
 #include <Eigen/Core>
 
-#include "core/base/pose.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {
-
-struct Placement {
-  Pose X_WH =
-      Pose::Identity();  ///< at the grasp position, for an object with p_WO = (0, 0, height/2)
-  Eigen::Vector3d approach_W = -Eigen::Vector3d::UnitZ();  ///< unit; the hand moves along it by d
-  double closing_at_contact = 1.0;                         ///< s*, in [0, 1]
-};
 
 /** The posture at closing parameter s in [0, 1], coupled joints included. */
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s);

@@ -1,50 +1,14 @@
 #include "core/grasp/standard_grasp.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "core/base/units.h"
 #include "core/base/yaml.h"
-#include "core/hand/coupling.h"
+#include "core/grasp/posture_yaml.h"
 
 namespace graspbench {
 namespace {
-
-/** Reads {TH: [..], FF: [..]} in degrees into the actuated joints of each digit, base to tip. */
-void ReadPosture(const Hand& hand, YAML::Node node, const std::string& file,
-                 const std::string& where, Diagnostics& problems, Eigen::VectorXd& q) {
-  q = Eigen::VectorXd::Zero(hand.num_joints());
-  YamlMap map(node, file, where, problems);
-  for (const Digit& digit : hand.digits) {
-    std::vector<double> angles_deg;
-    map.Read(digit.id, angles_deg);
-    std::vector<int> actuated;
-    for (int link : digit.links) {
-      const int joint = hand.links[link].joint;
-      if (joint >= 0 && hand.joints[joint].coupled_to < 0) actuated.push_back(joint);
-    }
-    if (!map.Has(digit.id)) continue;
-    if (angles_deg.size() != actuated.size()) {
-      map.Fail(digit.id, "expected " + std::to_string(actuated.size()) +
-                             " angles, one for each driven joint from base to tip, found " +
-                             std::to_string(angles_deg.size()));
-      continue;
-    }
-    for (size_t i = 0; i < actuated.size(); ++i) {
-      const HandJoint& joint = hand.joints[actuated[i]];
-      const double angle = RadFromDeg(angles_deg[i]);
-      constexpr double kRounding = 1e-4;  // limits are written with four digits
-      if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
-        map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) +
-                               " deg is outside its limits");
-      }
-      q[actuated[i]] = std::clamp(angle, joint.lower, joint.upper);
-    }
-  }
-  map.FinishKnownKeys();
-  ApplyCoupling(hand, q);
-}
 
 StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, YAML::Node node,
                         const std::string& file, Diagnostics& problems) {
@@ -64,14 +28,7 @@ StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, YAML::Node no
   map.Read("changed", changed, Needed::kNo);
   grasp.tilt = RadFromDeg(tilt_deg);
 
-  std::vector<std::string> known;
-  for (const Digit& digit : hand.digits) known.push_back(digit.id);
-  for (const std::string& id : grasp.digits) {
-    if (std::find(known.begin(), known.end(), id) == known.end()) {
-      map.Fail("digits", "the hand has no digit \"" + id + "\"" + SuggestNames(id, known));
-    }
-  }
-  if (grasp.digits.size() < 2) map.Fail("digits", "a grasp needs at least two digits");
+  CheckGraspDigits(hand, grasp.digits, map);
   ReadPosture(hand, map.Child("pre_deg"), file, where + ", pre_deg", problems, grasp.q_pre);
   ReadPosture(hand, map.Child("target_deg"), file, where + ", target_deg", problems,
               grasp.q_target);

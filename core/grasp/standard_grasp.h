@@ -7,9 +7,11 @@ belong to the grasp and are the same for every hand; the rest belongs to the han
 its hand.yaml. */
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/pose.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {
@@ -28,7 +30,16 @@ const std::vector<GraspTaxon>& ListGraspTaxa();
 /** @throws Error(kNotFound) with suggestions. */
 const GraspTaxon& FindGraspTaxon(const std::string& id);
 
-/** One grasp of one hand. Where the hand stands follows from the postures: see placement.h. */
+/** Where the hand stands to the object, and from where it comes. */
+struct Placement {
+  Pose X_WH =
+      Pose::Identity();  ///< at the grasp position, for an object with p_WO = (0, 0, height/2)
+  Eigen::Vector3d approach_W = -Eigen::Vector3d::UnitZ();  ///< unit; the hand moves along it by d
+  double closing_at_contact = 1.0;                         ///< s*, in [0, 1]
+};
+
+/** One grasp of one hand. Where the hand stands follows from the postures (placement.h), unless
+the grasp was made for one object and brings its placement. */
 struct StandardGrasp {
   std::string id;  ///< "g1".."g5", or the name of an optimised grasp
   GraspType type = GraspType::kAllFingerPrecision;
@@ -40,6 +51,8 @@ struct StandardGrasp {
   Eigen::VectorXd q_target;         ///< (num_joints) [rad]
   std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
   bool palm_may_touch = false;      ///< power grasps
+  std::string object;               ///< id of the object it was made for; empty: any
+  std::optional<Placement> placement;  ///< absent: computed from postures and sizes
 };
 
 /** The digit that opposes the others: the thumb, or the first grasping digit of a grasp without it.

@@ -43,6 +43,15 @@ int Hand::FindDigitOfLink(int link) const {
   return -1;
 }
 
+std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit) {
+  std::vector<int> driven;
+  for (int link : digit.links) {
+    const int joint = hand.links[link].joint;
+    if (joint >= 0 && hand.joints[joint].coupled_to < 0) driven.push_back(joint);
+  }
+  return driven;
+}
+
 std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q) {
   std::vector<Pose> X_HL(hand.links.size(), Pose::Identity());
   for (size_t i = 0; i < hand.links.size(); ++i) {

@@ -110,6 +110,9 @@ struct Hand {
   int FindDigitOfLink(int link) const;                 ///< -1: the palm or wrist
 };
 
+/** Indices of the joints with a drive of their own, from base to tip. */
+std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit);
+
 /** Poses of all links in H, X_HL, for joint angles q (num_joints) [rad]. With the wrist at zero the
 palm's is the identity. */
 std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q);

@@ -64,7 +64,7 @@ TEST(SessionConfig, ReadsYamlOverTheDefaults) {
 
 TEST(SessionConfig, TellsEveryProblemWithItsLine) {
   const std::string text = FindProblems(
-      "trails: 3\ntrials: 0\nhands: [tum, shadow, tum]\nobjects: []\ngrasps: best, g1\n"
+      "trails: 3\ntrials: 0\nhands: [tum, shadow, tum]\nobjects: []\ngrasps: all, g1\n"
       "sim:\n  step_s: 1\n  stp_s: 2\nseed: 3\nseed: 4\nvariation: 3\nstrategy:\n"
       "  lift_time_s: slow\n");
   for (const char* part :
@@ -72,7 +72,7 @@ TEST(SessionConfig, TellsEveryProblemWithItsLine) {
         "s.yaml:2: error: trials: 0 is out of range; expected 1 to 100000",
         "s.yaml:3: error: hands: \"tum\" is listed twice",
         "s.yaml:4: error: objects: the list is empty; name at least one, or \"all\"",
-        "s.yaml:5: error: grasps: \"best\" must stand alone, without other names",
+        "s.yaml:5: error: grasps: \"all\" must stand alone, without other names",
         "s.yaml:7: error: sim.step_s: 1 is out of range; expected 0.0001 to 0.01",
         "s.yaml:8: error: sim: unknown key \"stp_s\"; did you mean \"step_s\"?",
         "s.yaml:10: error: session: \"seed\" is given twice",

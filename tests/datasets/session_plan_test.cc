@@ -57,6 +57,50 @@ TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {
                                       "mine pencil pinch"}));
 }
 
+TEST(SessionPlan, AGraspOfOneObjectIsTriedOnThatObjectBesideTheBestOne) {
+  SessionInputs inputs = MakeFakeInputs();
+  StandardGrasp optimised = inputs.hands[0].grasps[0];
+  optimised.id = "new-target";
+  optimised.object = "pencil";
+  inputs.hands[0].grasps.push_back(optimised);
+  inputs.grasp_files["some/where.yaml"] = "new-target";
+  SessionConfig config;
+  config.grasps = {"best", "some/where.yaml"};
+  EXPECT_EQ(ListCells(MakePlan(config, inputs)),
+            (std::vector<std::string>{"tum mug g2", "tum pencil g2", "tum pencil new-target",
+                                      "shadow mug g3", "shadow pencil g1"}));
+  config.grasps = {"some/where.yaml"};
+  EXPECT_EQ(ListCells(MakePlan(config, inputs)),
+            (std::vector<std::string>{"tum pencil new-target"}));
+
+  inputs.hands[0].grasps.push_back(optimised);
+  EXPECT_EQ(FindError(config, inputs),
+            std::make_pair(ErrorKind::kUsage,
+                           std::string("two grasp files of the session bring a grasp "
+                                       "\"new-target\" of the hand \"tum\" for \"pencil\"; leave "
+                                       "one out or change its id")));
+  inputs.hands[0].grasps.pop_back();
+  inputs.objects.pop_back();  // the pencil
+  EXPECT_EQ(FindError(config, inputs),
+            std::make_pair(ErrorKind::kUsage,
+                           std::string("the session has no trial: none of its grasps is for its "
+                                       "hands and objects")));
+}
+
+TEST(SessionPlan, WhereTheHandStandsIsPartOfTheTrialsId) {
+  SessionInputs inputs = MakeFakeInputs();
+  const std::set<std::string> before = ListIds(MakePlan(SessionConfig(), inputs));
+  for (SessionHand& hand : inputs.hands) {
+    for (StandardGrasp& grasp : hand.grasps) grasp.placement = Placement();
+  }
+  const std::set<std::string> fixed = ListIds(MakePlan(SessionConfig(), inputs));
+  for (SessionHand& hand : inputs.hands) {
+    for (StandardGrasp& grasp : hand.grasps) grasp.placement->X_WH.translation().z() = 0.1;
+  }
+  const std::set<std::string> moved = ListIds(MakePlan(SessionConfig(), inputs));
+  for (const std::string& id : fixed) EXPECT_EQ(before.count(id) + moved.count(id), 0u);
+}
+
 TEST(SessionPlan, AllAndIdsGiveWhatTheHandCanDo) {
   EXPECT_EQ(MakePlanOf({"all"}).size(), 10u * 2u * (2u + 5u));
   EXPECT_EQ(ListCells(MakePlanOf({"g3", "g1"})),

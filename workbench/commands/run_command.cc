@@ -212,7 +212,8 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("SESSION.YAML");
   add_list("--hand", options->hands, "hands by id or folder, or all (default tum,shadow)", "H,..");
   add_list("--object", options->objects, "objects by id or folder, or all (default all)", "O,..");
-  add_list("--grasp", options->grasps, "best, all, or ids: g1,g3 (default best)", "G,..");
+  add_list("--grasp", options->grasps, "best, all, ids or grasp files: g1,my.yaml (default best)",
+           "G,..");
   command
       .add_option("--trials", options->trials, "trials of each hand, object, grasp (default 10)")
       ->option_text("N");

@@ -1,0 +1,218 @@
+#include "core/grasp/grasp_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/files.h"
+#include "core/base/units.h"
+#include "core/grasp/placement.h"
+#include "core/grasp/posture_yaml.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr char kFormat[] = "graspbench grasp";
+constexpr int kFormatVersion = 1;
+constexpr double kUnitTolerance = 1e-3;  ///< of vectors that should have length one
+
+std::string FormatFixedNumber(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value == 0.0 ? 0.0 : value);
+  return text;
+}
+
+std::string FormatList(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    text += (text.empty() ? "" : ", ") + FormatFixedNumber(value, 9);
+  }
+  return "[" + text + "]";
+}
+
+/** Of the two quaternions of a rotation the one with w >= 0. */
+Quaterniond MakeQuaternion(const Pose& X) {
+  Quaterniond quaternion(X.linear());
+  if (quaternion.w() < 0.0) quaternion.coeffs() = -quaternion.coeffs();
+  return quaternion;
+}
+
+Placement ReadPlacement(const YAML::Node& node, const std::string& file, Diagnostics& problems) {
+  YamlMap map(node, file, "placement", problems);
+  Placement placement;
+  Vector3d p_WH = Vector3d::Zero();
+  std::vector<double> wxyz = {1.0, 0.0, 0.0, 0.0};
+  map.Read("position_m", p_WH);
+  map.Read("orientation_wxyz", wxyz);
+  map.Read("approach", placement.approach_W);
+  map.Read("closing_at_contact", placement.closing_at_contact);
+  map.FinishKnownKeys();
+  if (wxyz.size() != 4) {
+    map.Fail("orientation_wxyz", "expected four numbers, w first");
+    return placement;
+  }
+  const Quaterniond quaternion(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  if (std::abs(quaternion.norm() - 1.0) > kUnitTolerance) {
+    map.Fail("orientation_wxyz", "expected a quaternion of length one, found length " +
+                                     FormatFixedNumber(quaternion.norm(), 3));
+    return placement;
+  }
+  if (std::abs(placement.approach_W.norm() - 1.0) > kUnitTolerance) {
+    map.Fail("approach", "expected a direction of length one, found length " +
+                             FormatFixedNumber(placement.approach_W.norm(), 3));
+    return placement;
+  }
+  if (!(placement.closing_at_contact >= 0.0 && placement.closing_at_contact <= 1.0)) {
+    map.Fail("closing_at_contact", "expected a number from 0 to 1");
+  }
+  placement.X_WH = MakePose(quaternion.normalized().toRotationMatrix(), p_WH);
+  placement.approach_W.normalize();
+  return placement;
+}
+
+/** The standard grasp that gives type, d and alpha; a problem and the first one when there is none.
+ */
+const GraspTaxon& ReadTaxon(YamlMap& map) {
+  std::string made_from;
+  map.Read("made_from", made_from);
+  std::vector<std::string> known;
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == made_from) return taxon;
+    known.push_back(taxon.id);
+  }
+  if (!made_from.empty()) {
+    map.Fail("made_from",
+             "no standard grasp \"" + made_from + "\"" + SuggestNames(made_from, known));
+  }
+  return ListGraspTaxa().front();
+}
+
+void ReadHeader(YamlMap& map) {
+  std::string format;
+  int version = kFormatVersion;
+  map.Read("format", format);
+  map.Read("format_version", version);
+  if (!format.empty() && format != kFormat) {
+    map.Fail("format", "expected \"" + std::string(kFormat) + "\", found \"" + format + "\"");
+  }
+  if (version != kFormatVersion) {
+    map.Fail("format_version", "this program reads version " + std::to_string(kFormatVersion) +
+                                   ", found " + std::to_string(version));
+  }
+}
+
+const Hand* ReadHand(YamlMap& map, const std::vector<const Hand*>& hands) {
+  std::string id;
+  map.Read("hand", id);
+  std::string known;
+  for (const Hand* hand : hands) {
+    if (hand->id == id) return hand;
+    known += (known.empty() ? "" : ", ") + hand->id;
+  }
+  if (!id.empty()) {
+    map.Fail("hand", "the grasp is for the hand \"" + id +
+                         "\", which is not in use here; in use: " + known);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+GraspFile LoadGraspFile(const std::string& path, const std::vector<const Hand*>& hands) {
+  return ParseGraspFile(ReadFile(path), path, hands);
+}
+
+GraspFile ParseGraspFile(const std::string& text, const std::string& file,
+                         const std::vector<const Hand*>& hands) {
+  Diagnostics problems;
+  const YAML::Node root = ParseYaml(text, file, problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the grasp cannot be read");
+
+  YamlMap map(root, file, "grasp", problems);
+  ReadHeader(map);
+  GraspFile result;
+  StandardGrasp& grasp = result.grasp;
+  const GraspTaxon& taxon = ReadTaxon(map);
+  grasp.type = taxon.type;
+  grasp.approach_distance = taxon.approach_distance;
+  grasp.alpha = taxon.alpha;
+  double tilt_deg = 0.0;
+  map.Read("id", grasp.id);
+  map.Read("object", grasp.object, Needed::kNo);
+  map.Read("digits", grasp.digits);
+  map.Read("tilt_deg", tilt_deg);
+  map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
+  grasp.tilt = RadFromDeg(tilt_deg);
+  const auto& taxa = ListGraspTaxa();
+  if (std::any_of(taxa.begin(), taxa.end(), [&](const auto& t) { return t.id == grasp.id; })) {
+    map.Fail("id", "\"" + grasp.id + "\" is the name of a standard grasp; choose another");
+  }
+
+  const YAML::Node pre = map.Child("pre_deg"), target = map.Child("target_deg");
+  if (const Hand* hand = ReadHand(map, hands)) {
+    result.hand = hand->id;
+    CheckGraspDigits(*hand, grasp.digits, map);
+    ReadPosture(*hand, pre, file, "pre_deg", problems, grasp.q_pre);
+    ReadPosture(*hand, target, file, "target_deg", problems, grasp.q_target);
+  }
+  const YAML::Node placement = map.Child("placement", Needed::kNo);
+  if (!placement.IsNull()) grasp.placement = ReadPlacement(placement, file, problems);
+  map.FinishKnownKeys();
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the grasp cannot be used");
+  return result;
+}
+
+std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
+                            const std::string& made_from) {
+  std::string digits;
+  for (const std::string& digit : grasp.digits) digits += (digits.empty() ? "" : ", ") + digit;
+  std::string text = std::string("format: ") + kFormat +
+                     "\nformat_version: " + std::to_string(kFormatVersion) + "\nid: " + grasp.id +
+                     "\nhand: " + hand.id + "\nmade_from: " + made_from;
+  if (!grasp.object.empty()) text += "\nobject: " + grasp.object;
+  text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixedNumber(DegFromRad(grasp.tilt), 6) +
+          "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false") +
+          "\n# driven joints of each digit, from base to tip\npre_deg: " +
+          FormatPosture(hand, grasp.q_pre) +
+          "\ntarget_deg: " + FormatPosture(hand, grasp.q_target) + "\n";
+  if (grasp.placement) {
+    const Vector3d p = grasp.placement->X_WH.translation(), a = grasp.placement->approach_W;
+    const Quaterniond q = MakeQuaternion(grasp.placement->X_WH);
+    text += "placement:\n  position_m: " + FormatList({p.x(), p.y(), p.z()}) +
+            "\n  orientation_wxyz: " + FormatList({q.w(), q.x(), q.y(), q.z()}) +
+            "\n  approach: " + FormatList({a.x(), a.y(), a.z()}) +
+            "\n  closing_at_contact: " + FormatFixedNumber(grasp.placement->closing_at_contact, 9) +
+            "\n";
+  }
+  return text;
+}
+
+std::string FormatIsaacGrasp(const Hand& hand, const StandardGrasp& grasp,
+                             const std::string& object_id, const Vector3d& object_size,
+                             const Vector3d& p_OOcm, double confidence) {
+  Pose X_OH = CalcPlacement(hand, grasp, object_size, p_OOcm).X_WH;
+  X_OH.pretranslate(Vector3d(0.0, 0.0, -0.5 * object_size.z()));
+  const Vector3d p = X_OH.translation();
+  const Quaterniond q = MakeQuaternion(X_OH);
+  const auto format_joints = [&](const Eigen::VectorXd& angles) {
+    std::string lines;
+    for (int joint = 0; joint < hand.num_joints(); ++joint) {
+      lines += "      " + hand.joints[static_cast<size_t>(joint)].name + ": " +
+               FormatFixedNumber(angles[joint], 9) + "\n";
+    }
+    return lines;
+  };
+  return "format: isaac_grasp\nformat_version: 1.0\n\nobject_frame: " + object_id +
+         "\ngripper_frame: " + hand.links.front().name + "\n\ngrasps:\n  \"" + grasp.id +
+         "\":\n    confidence: " + FormatFixedNumber(confidence, 3) +
+         "\n    position: " + FormatList({p.x(), p.y(), p.z()}) +
+         "\n    orientation: {w: " + FormatFixedNumber(q.w(), 9) +
+         ", xyz: " + FormatList({q.x(), q.y(), q.z()}) + "}\n    cspace_position:\n" +
+         format_joints(grasp.q_target) + "    pregrasp_cspace_position:\n" +
+         format_joints(grasp.q_pre);
+}
+
+}  // namespace graspbench

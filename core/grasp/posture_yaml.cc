@@ -1,0 +1,71 @@
+#include "core/grasp/posture_yaml.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "core/base/units.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+
+void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& file,
+                 const std::string& where, Diagnostics& problems, Eigen::VectorXd& q) {
+  q = Eigen::VectorXd::Zero(hand.num_joints());
+  YamlMap map(node, file, where, problems);
+  for (const Digit& digit : hand.digits) {
+    std::vector<double> angles_deg;
+    map.Read(digit.id, angles_deg);
+    const std::vector<int> actuated = FindDrivenJoints(hand, digit);
+    if (!map.Has(digit.id)) continue;
+    if (angles_deg.size() != actuated.size()) {
+      map.Fail(digit.id, "expected " + std::to_string(actuated.size()) +
+                             " angles, one for each driven joint from base to tip, found " +
+                             std::to_string(angles_deg.size()));
+      continue;
+    }
+    for (size_t i = 0; i < actuated.size(); ++i) {
+      const HandJoint& joint = hand.joints[actuated[i]];
+      const double angle = RadFromDeg(angles_deg[i]);
+      constexpr double kRounding = 1e-4;  // limits are written with four digits
+      if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
+        map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) +
+                               " deg is outside its limits");
+      }
+      q[actuated[i]] = std::clamp(angle, joint.lower, joint.upper);
+    }
+  }
+  map.FinishKnownKeys();
+  ApplyCoupling(hand, q);
+}
+
+std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q) {
+  std::string text;
+  for (const Digit& digit : hand.digits) {
+    text += (text.empty() ? "" : ", ") + digit.id + ": [";
+    const char* separator = "";
+    for (const int joint : FindDrivenJoints(hand, digit)) {
+      char number[32];
+      std::snprintf(number, sizeof number, "%s%.6f", separator, DegFromRad(q[joint]));
+      text += number;
+      separator = ", ";
+    }
+    text += "]";
+  }
+  return "{" + text + "}";
+}
+
+void CheckGraspDigits(const Hand& hand, const std::vector<std::string>& digits, YamlMap& map) {
+  std::vector<std::string> known;
+  for (const Digit& digit : hand.digits) known.push_back(digit.id);
+  for (const std::string& id : digits) {
+    if (std::find(known.begin(), known.end(), id) == known.end()) {
+      map.Fail("digits", "the hand has no digit \"" + id + "\"" + SuggestNames(id, known));
+    }
+  }
+  const std::set<std::string> distinct(digits.begin(), digits.end());
+  if (distinct.size() < digits.size()) map.Fail("digits", "a digit is listed twice");
+  if (digits.size() < 2) map.Fail("digits", "a grasp needs at least two digits");
+}
+
+}  // namespace graspbench
