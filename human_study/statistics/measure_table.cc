@@ -32,6 +32,13 @@ std::string DescribeRow(const Observation& row) {
   return "person \"" + row.person + "\", trial \"" + row.trial + "\"";
 }
 
+struct Sums {
+  std::vector<double> sums;
+  std::vector<int> counts;
+};
+
+}  // namespace
+
 Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& row) {
   if (row.levels.size() != factors.size()) {
     return NoAnswer{DescribeRow(row) + " has " + std::to_string(row.levels.size()) +
@@ -50,13 +57,6 @@ Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& r
   }
   return cell;
 }
-
-struct Sums {
-  std::vector<double> sums;
-  std::vector<int> counts;
-};
-
-}  // namespace
 
 std::vector<std::string> ListCells(const std::vector<Factor>& factors) {
   std::vector<std::string> cells = {""};

@@ -58,6 +58,9 @@ is not a complete design (an unknown level, two factors of the same name, ..) or
 infinite. */
 Answer<CellMeans> CalcCellMeans(const MeasureTable& table);
 
+/** Index of a row's cell. No answer unless its levels are known. */
+Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& row);
+
 /** The labels of all combinations of levels, the last factor varying fastest. */
 std::vector<std::string> ListCells(const std::vector<Factor>& factors);
 

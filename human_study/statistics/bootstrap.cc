@@ -1,0 +1,81 @@
+#include "human_study/statistics/bootstrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/random.h"
+#include "human_study/statistics/distributions.h"
+#include "human_study/statistics/summary.h"
+
+namespace graspbench {
+namespace {
+
+/** Efron's a: skewness of the jackknife values / 6. No answer when they do not vary. */
+Answer<double> CalcAcceleration(size_t num_persons, const PersonStatistic& statistic) {
+  std::vector<double> values;
+  for (size_t left_out = 0; left_out < num_persons; ++left_out) {
+    std::vector<size_t> persons;
+    for (size_t i = 0; i < num_persons; ++i) {
+      if (i != left_out) persons.push_back(i);
+    }
+    values.push_back(statistic(persons));
+    if (!std::isfinite(values.back())) {
+      return NoAnswer{"the statistic has no value without person " + std::to_string(left_out + 1)};
+    }
+  }
+  const Moments moments = CalcMoments(values);
+  if (moments.is_constant) return NoAnswer{"the statistic does not depend on who takes part"};
+  double cubes = 0.0;
+  for (double value : values) cubes += std::pow(moments.mean - value, 3);
+  return cubes / (6.0 * std::pow(moments.sum_of_squares, 1.5));
+}
+
+}  // namespace
+
+Answer<BootstrapInterval> CalcBootstrap(size_t num_persons, const PersonStatistic& statistic,
+                                        const std::string& id, int num_resamples) {
+  GRASPBENCH_DEMAND(num_resamples >= 100, std::to_string(num_resamples));
+  constexpr size_t kMinPersons = 5;
+  if (num_persons < kMinPersons) {
+    return NoAnswer{std::to_string(num_persons) + " persons; expected " +
+                    std::to_string(kMinPersons) + " or more to draw from"};
+  }
+  std::vector<size_t> persons(num_persons);
+  std::iota(persons.begin(), persons.end(), size_t{0});
+  BootstrapInterval result;
+  result.estimate = statistic(persons);
+  if (!std::isfinite(result.estimate)) return NoAnswer{"the statistic has no value"};
+  result.num_resamples = num_resamples;
+  const Answer<double> acceleration = CalcAcceleration(num_persons, statistic);
+  if (!acceleration) return acceleration.none();
+  result.acceleration = *acceleration;
+
+  RandomStream random(id, "bootstrap of persons");
+  std::vector<double> values;
+  double num_below = 0.0;
+  for (int k = 0; k < num_resamples; ++k) {
+    for (size_t& person : persons) {
+      person = static_cast<size_t>(random.NextIndex(static_cast<int>(num_persons)));
+    }
+    const double value = statistic(persons);
+    if (!std::isfinite(value)) return NoAnswer{"the statistic has no value for some resamples"};
+    values.push_back(value);
+    num_below += value < result.estimate ? 1.0 : value == result.estimate ? 0.5 : 0.0;
+  }
+  const double share = num_below / num_resamples;
+  if (share <= 0.0 || share >= 1.0) {
+    return NoAnswer{"all resamples lie on one side of the estimate"};
+  }
+  result.bias_correction = CalcNormalQuantile(share);
+  std::sort(values.begin(), values.end());
+  const auto find_limit = [&](double probability) {
+    const double z = result.bias_correction + CalcNormalQuantile(probability);
+    return CalcSortedQuantile(
+        values, CalcNormalP(result.bias_correction + z / (1.0 - result.acceleration * z)));
+  };
+  result.interval = {find_limit(0.025), find_limit(0.975)};
+  return result;
+}
+
+}  // namespace graspbench
