@@ -52,7 +52,8 @@ struct SimbodyModel::Impl {
   SimTK::State state;
 };
 
-SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object)
+SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
+                           std::optional<DistalMode> coupled)
     : impl_(std::make_unique<Impl>()) {
   Impl& model = *impl_;
   for (const HandLink& link : hand.links) {
@@ -76,8 +77,21 @@ SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object)
       model.matter.updGround(), SimTK::Transform(),
       SimTK::Body::Rigid(MakeMassProperties(object.mass, Eigen::Vector3d::Zero(), object.I_OOcm)),
       SimTK::Transform());
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to < 0 || !coupled) continue;
+    // The joints' rates keep their ratio: rate_distal q_middle - rate_middle q_distal = constant.
+    const DistalRates rates = CalcDistalRates(hand.coupling, hand.fixed_coupling_ratio, *coupled);
+    const SimTK::Vector coefficients(SimTK::Vec3(rates.distal, -rates.middle, 0.0));
+    const int middle_link = hand.joints[joint.coupled_to].link;
+    SimTK::Array_<SimTK::MobilizedBodyIndex> bodies;
+    bodies.push_back(model.links[middle_link].getMobilizedBodyIndex());
+    bodies.push_back(model.links[joint.link].getMobilizedBodyIndex());
+    SimTK::Constraint::CoordinateCoupler(model.matter, new SimTK::Function::Linear(coefficients),
+                                         bodies, {2, SimTK::MobilizerQIndex(0)});
+  }
   model.state = model.system.realizeTopology();
   model.system.realizeModel(model.state);
+  model.root.lock(model.state, SimTK::Motion::Acceleration);
 }
 
 SimbodyModel::~SimbodyModel() = default;
@@ -127,6 +141,21 @@ std::vector<int> FindSpeedIndices(const Model& model) {
   return indices;
 }
 
+/** Weight of every body. */
+template <class Model>
+SimTK::Vector_<SimTK::SpatialVec> MakeWeights(const Model& model,
+                                              const Eigen::Vector3d& gravity_W) {
+  SimTK::Vector_<SimTK::SpatialVec> forces(model.matter.getNumBodies(),
+                                           SimTK::SpatialVec(SimTK::Vec3(0)));
+  for (SimTK::MobilizedBodyIndex b(1); b < model.matter.getNumBodies(); ++b) {
+    const SimTK::MobilizedBody& body = model.matter.getMobilizedBody(b);
+    const SimTK::MassProperties& mass = body.getBodyMassProperties(model.state);
+    body.applyForceToBodyPoint(model.state, mass.getMassCenter(),
+                               ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
+  }
+  return forces;
+}
+
 }  // namespace
 
 Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
@@ -145,14 +174,7 @@ Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
 Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   Impl& model = *impl_;
   model.system.realize(model.state, SimTK::Stage::Velocity);
-  SimTK::Vector_<SimTK::SpatialVec> forces(model.matter.getNumBodies(),
-                                           SimTK::SpatialVec(SimTK::Vec3(0)));
-  for (SimTK::MobilizedBodyIndex b(1); b < model.matter.getNumBodies(); ++b) {
-    const SimTK::MobilizedBody& body = model.matter.getMobilizedBody(b);
-    const SimTK::MassProperties& mass = body.getBodyMassProperties(model.state);
-    body.applyForceToBodyPoint(model.state, mass.getMassCenter(),
-                               ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
-  }
+  const SimTK::Vector_<SimTK::SpatialVec> forces = MakeWeights(model, gravity_W);
   const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
   const SimTK::Vector accelerations(model.state.getNU(), 0.0);
   SimTK::Vector residual;
@@ -161,6 +183,26 @@ Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   const std::vector<int> indices = FindSpeedIndices(model);
   Eigen::VectorXd result(num_speeds());
   for (int i = 0; i < num_speeds(); ++i) result[i] = residual[indices[i]];
+  return result;
+}
+
+Eigen::VectorXd SimbodyModel::CalcJointAccelerations(const Eigen::VectorXd& torques,
+                                                     const Eigen::Vector3d& gravity_W) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Dynamics);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  SimTK::Vector mobility_forces(model.state.getNU(), 0.0);
+  for (Eigen::Index j = 0; j < torques.size(); ++j) {
+    mobility_forces[indices[static_cast<size_t>(j)]] = torques[j];
+  }
+  SimTK::Vector udot;
+  SimTK::Vector_<SimTK::SpatialVec> body_accelerations;
+  model.matter.calcAcceleration(model.state, mobility_forces, MakeWeights(model, gravity_W), udot,
+                                body_accelerations);
+  Eigen::VectorXd result(torques.size());
+  for (Eigen::Index j = 0; j < result.size(); ++j) {
+    result[j] = udot[indices[static_cast<size_t>(j)]];
+  }
   return result;
 }
 

@@ -12,9 +12,11 @@ be too (checked in the .cc). One model belongs to one thread. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/hand/coupling.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 
@@ -22,7 +24,10 @@ namespace graspbench {
 
 class SimbodyModel {
  public:
-  SimbodyModel(const Hand& hand, const MassProperties& object);
+  /** @param coupled  given: coupled joints are held to their middle joints by constraints, as the
+  hand's rule has them in this mode. Not given: all joints are free. */
+  SimbodyModel(const Hand& hand, const MassProperties& object,
+               std::optional<DistalMode> coupled = std::nullopt);
   ~SimbodyModel();
 
   int num_speeds() const;  ///< num_joints + 6
@@ -42,6 +47,10 @@ class SimbodyModel {
   constant speed: Coriolis, centrifugal, gyroscopic, gravity (num_speeds). By Simbody's
   calcResidualForceIgnoringConstraints. */
   Eigen::VectorXd CalcBias(const Eigen::Vector3d& gravity_W);
+  /** Accelerations of all joints under torques and gravity, the root at constant speed, with the
+  constraints of coupled joints (num_joints) [rad/s^2]. By Simbody's calcAcceleration. */
+  Eigen::VectorXd CalcJointAccelerations(const Eigen::VectorXd& torques,
+                                         const Eigen::Vector3d& gravity_W);
 
  private:
   struct Impl;

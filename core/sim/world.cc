@@ -51,6 +51,9 @@ void World::Reset(const WorldState& state) {
   v_ = VectorXd::Zero(dofs + 6);
   v_ << state.u, state.w_WO, state.v_WOcm;
   modes_.assign(static_cast<size_t>(dofs), DistalMode::kMiddleMoves);
+  for (int dof = 0; dof < dofs; ++dof) {
+    if (dynamics_.distal_of_dof(dof) >= 0) SetDistalRates(dof);
+  }
   link_touches_.assign(hand_->links.size(), false);
   collider_.Reset();
   step_number_ = 0;
@@ -64,26 +67,33 @@ Pose World::CalcObjectPose() const {
 }
 
 void World::ChooseDistalModes(const WorldCommand& command) {
+  if (hand_->coupling != CouplingRule::kMiddleFirst) return;
   for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
     const int distal = dynamics_.distal_of_dof(dof);
     if (distal < 0) continue;
     const int middle = dynamics_.joint_of_dof(dof);
     const int middle_link = hand_->joints[middle].link;
     const int proximal_link = hand_->links[middle_link].parent;
-    const double theta = hand_->coupling == CouplingRule::kMiddleFirst
-                             ? state_.q[middle] + state_.q[distal]
-                             : state_.q[middle];
+    const double theta = state_.q[middle] + state_.q[distal];
     const bool blocked = link_touches_[middle_link] || link_touches_[proximal_link];
     const DistalMode mode =
         FindDistalMode(state_.q[middle], state_.q[distal], hand_->joints[middle].upper,
                        command.q[middle] > theta, blocked, modes_[dof]);
+    if (mode == modes_[dof]) continue;
     // What moved hits its stop: the freedom starts from rest in its new direction.
-    if (mode != modes_[dof]) state_.u[dof] = 0.0;
+    const double before = CalcKineticEnergy();
+    state_.u[dof] = 0.0;
+    energy_.limits += CalcKineticEnergy() - before;
     modes_[dof] = mode;
-    const DistalRates rates = CalcDistalRates(hand_->coupling, hand_->fixed_coupling_ratio, mode);
-    dynamics_.SetRate(middle, rates.middle);
-    dynamics_.SetRate(distal, rates.distal);
+    SetDistalRates(dof);
   }
+}
+
+void World::SetDistalRates(int dof) {
+  const DistalRates rates =
+      CalcDistalRates(hand_->coupling, hand_->fixed_coupling_ratio, modes_[dof]);
+  dynamics_.SetRate(dynamics_.joint_of_dof(dof), rates.middle);
+  dynamics_.SetRate(dynamics_.distal_of_dof(dof), rates.distal);
 }
 
 void World::MovePositions(double h, const VectorXd& u, WorldState& state) const {

@@ -75,7 +75,7 @@ kinetic_energy - start = drives + gravity + contacts + limits + external; the re
 */
 struct EnergyAccount {
   double drives = 0.0;    ///< work of the drives on the joints
-  double limits = 0.0;    ///< work of the joint limits
+  double limits = 0.0;    ///< work of the joint limits and of the stops of coupled joints
   double gravity = 0.0;   ///< work of gravity and of the moving frame's inertial force
   double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
   double external = 0.0;  ///< work of the external load on the object
@@ -115,6 +115,7 @@ class World {
 
  private:
   void ChooseDistalModes(const WorldCommand& command);
+  void SetDistalRates(int dof);
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
   void AddDrivesAndLimits(const WorldCommand& command);
   double CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& v_WH,

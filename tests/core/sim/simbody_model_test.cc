@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/sim/hand_dynamics.h"
-#include "tests/core/sim/sim_fixtures.h"
+#include "core/sim/known_answers/small_scenes.h"
 
 namespace graspbench {
 namespace {
@@ -16,6 +17,24 @@ VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
   VectorXd v(size);
   for (double& value : v) value = scale * random.NextNormal();
   return v;
+}
+
+/** A tree of `num_links` links with random frames, axes and inertia; branches are random too. */
+Hand MakeRandomHand(int num_links, RandomStream& random) {
+  Hand hand = MakeBareHand();
+  for (int i = 0; i < num_links; ++i) {
+    const auto parent = random.NextIndex(static_cast<int>(hand.links.size()));
+    const Pose X_PJ = MakePose(
+        MakeRotationRpy(random.NextUniform(-3, 3), random.NextUniform(-1, 1),
+                        random.NextUniform(-3, 3)),
+        0.05 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()));
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
+    AddRodLink(hand, parent, X_PJ, axis, random.NextUniform(0.01, 0.1),
+               random.NextUniform(0.02, 0.06));
+    hand.links.back().p_LLcm += 0.01 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), 0);
+  }
+  return hand;
 }
 
 // The oracle is Simbody itself: calcM and calcResidualForceIgnoringConstraints.

@@ -8,14 +8,15 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
-#include "tests/core/sim/sim_fixtures.h"
+#include "core/shape/primitives.h"
+#include "core/sim/known_answers/small_scenes.h"
 
 namespace graspbench {
 namespace {
 
 std::shared_ptr<const GraspObject> MakeCube(double mass, double mu) {
   GraspObject object =
-      MakeTestObject(MakeRoundedBox(Eigen::Vector3d::Constant(0.031), 0.001, 2), mass, mu, mu);
+      MakeSolid(MakeRoundedBox(Eigen::Vector3d::Constant(0.031), 0.001, 2), mass, mu, mu);
   object.id = "cube";
   object.size = Eigen::Vector3d::Constant(0.031);
   return std::make_shared<const GraspObject>(object);
@@ -151,8 +152,8 @@ TEST(TrialRunner, RefusesAChainOfTooManyJoints) {
   Hand hand = MakeBareHand();
   hand.id = "snake";
   for (int i = 0; i < 13; ++i) {
-    AddTestLink(hand, i, MakePose(Eigen::Vector3d(0, 0, 0.02)), Eigen::Vector3d::UnitX(), 0.01,
-                0.02);
+    AddRodLink(hand, i, MakePose(Eigen::Vector3d(0, 0, 0.02)), Eigen::Vector3d::UnitX(), 0.01,
+               0.02);
   }
   try {
     TrialRunner(std::make_shared<const Hand>(hand), MakeCube(0.1, 0.5));

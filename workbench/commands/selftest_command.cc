@@ -1,0 +1,77 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/sim/known_answers/known_answer.h"
+#include "reports/format.h"
+#include "workbench/commands/command.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatNumber(double value, const std::string& unit) {
+  return FormatSignificant(value, 6) + (unit.empty() ? "" : " " + unit);
+}
+
+/** Runs a check and prints its part of the sheet; the number of answers that failed. */
+int PrintCheck(const KnownAnswerCheck& check, const std::vector<KnownAnswer>& answers) {
+  std::cout << check.name << ": " << check.source << '\n';
+  TextTable table({"", "answer", "expected", "obtained", "tolerance"});
+  int num_failed = 0;
+  for (const KnownAnswer& answer : answers) {
+    if (!answer.passes()) ++num_failed;
+    table.AddRow(
+        {answer.passes() ? "pass" : "FAIL", answer.what, FormatNumber(answer.expected, answer.unit),
+         FormatNumber(answer.obtained, answer.unit), FormatNumber(answer.tolerance, answer.unit)});
+  }
+  std::cout << table.Format() << std::endl;
+  return num_failed;
+}
+
+Json ToJson(const KnownAnswerCheck& check, const std::vector<KnownAnswer>& answers) {
+  Json list = Json::array();
+  for (const KnownAnswer& answer : answers) {
+    list.push_back({{"answer", answer.what},
+                    {"unit", answer.unit},
+                    {"expected", JsonNumber(answer.expected)},
+                    {"obtained", JsonNumber(answer.obtained)},
+                    {"tolerance", JsonNumber(answer.tolerance)},
+                    {"pass", answer.passes()}});
+  }
+  return {{"check", check.name}, {"source", check.source}, {"answers", list}};
+}
+
+ExitCode RunSelftest(bool json) {
+  Json sheet = Json::array();
+  int num_answers = 0, num_failed = 0;
+  for (const KnownAnswerCheck& check : ListKnownAnswerChecks()) {
+    const std::vector<KnownAnswer> answers = check.run();
+    num_answers += static_cast<int>(answers.size());
+    if (json) {
+      sheet.push_back(ToJson(check, answers));
+      for (const KnownAnswer& answer : answers) num_failed += answer.passes() ? 0 : 1;
+    } else {
+      num_failed += PrintCheck(check, answers);
+    }
+  }
+  if (json) {
+    PrintJson({{"num_answers", num_answers}, {"num_failed", num_failed}, {"checks", sheet}});
+  } else {
+    std::cout << num_answers - num_failed << " of " << FormatCount(num_answers, "known answer")
+              << " obtained\n";
+  }
+  return num_failed == 0 ? kExitOk : kExitFailed;
+}
+
+}  // namespace
+
+void AddSelftestCommand(CLI::App& program, ExitCode& exit_code) {
+  CLI::App& command = AddSubcommand(
+      program, "selftest", "Runs the physics on problems with known answers and prints the sheet.",
+      "  graspbench selftest\n"
+      "  graspbench selftest --json");
+  CLI::Option* json = command.add_flag("--json", "one JSON object");
+  command.callback([json, &exit_code] { exit_code = RunSelftest(json->count() > 0); });
+}
+
+}  // namespace graspbench
