@@ -3,7 +3,6 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/complement.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -22,10 +21,6 @@ double CalcStudentTwoSidedP(double t, double df) {
 
 double CalcStudentQuantile(double probability, double df) {
   return bm::quantile(bm::students_t(df), probability);
-}
-
-double CalcNoncentralStudentP(double t, double df, double noncentrality) {
-  return bm::cdf(bm::non_central_t(df, noncentrality), t);
 }
 
 double CalcFisherUpperP(double f, double df_1, double df_2) {

@@ -11,8 +11,6 @@ namespace graspbench {
 double CalcStudentUpperP(double t, double df);
 double CalcStudentTwoSidedP(double t, double df);
 double CalcStudentQuantile(double probability, double df);
-/** Distribution function of the non-central t at t. */
-double CalcNoncentralStudentP(double t, double df, double noncentrality);
 
 double CalcFisherUpperP(double f, double df_1, double df_2);
 double CalcFisherQuantile(double probability, double df_1, double df_2);

@@ -200,6 +200,10 @@ FixedEffect MakeEffect(double estimate, double standard_error, const Answer<doub
     effect.test = df.none();
     return effect;
   }
+  if (!std::isfinite(*df) || *df <= 0.0) {
+    effect.test = NoAnswer{"the likelihood is too flat for degrees of freedom"};
+    return effect;
+  }
   const double half_width = CalcStudentQuantile(0.975, *df) * standard_error;
   effect.test = CoefficientTest{
       *df, CalcStudentTwoSidedP(effect.t, *df), {estimate - half_width, estimate + half_width}};
