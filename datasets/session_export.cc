@@ -12,9 +12,9 @@ void ExportSession(const std::filesystem::path& folder, const Session& session) 
   const std::vector<TrialColumn> columns = ListTrialColumns(session.records);
   std::string lines;
   for (const TrialRecord& record : session.records) lines += FormatJson(ToJson(record)) + "\n";
-  WriteFileAtomically(exports / "trials.csv", FormatTrialsCsv(columns, session.records));
+  WriteFileAtomically(exports / "trials.csv", FormatCsv(columns, session.records));
   WriteFileAtomically(exports / "trials.schema.json",
-                      FormatJson(MakeTrialsSchema(columns), 2) + "\n");
+                      FormatJson(MakeTableSchema(columns, "trial_id"), 2) + "\n");
   WriteFileAtomically(exports / "records.jsonl", lines);
   WriteFileAtomically(folder / "index.sqlite", MakeSessionIndex(session, columns));
 }

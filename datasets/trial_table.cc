@@ -72,16 +72,6 @@ void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns
        })});
 }
 
-std::string FormatCell(const Json& value) {
-  if (value.is_null()) return "";
-  if (!value.is_string()) return FormatJson(value);
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 }  // namespace
 
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records) {
@@ -158,36 +148,6 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});
   return columns;
-}
-
-std::string FormatTrialsCsv(const std::vector<TrialColumn>& columns,
-                            const std::vector<TrialRecord>& records) {
-  std::string csv;
-  const auto add_row = [&](const auto& cell_of) {
-    for (size_t i = 0; i < columns.size(); ++i) {
-      csv += (i > 0 ? "," : "") + FormatCell(cell_of(columns[i]));
-    }
-    csv += '\n';
-  };
-  add_row([](const TrialColumn& column) { return Json(column.name); });
-  for (const TrialRecord& record : records) {
-    add_row([&](const TrialColumn& column) { return column.value(record); });
-  }
-  return csv;
-}
-
-Json MakeTrialsSchema(const std::vector<TrialColumn>& columns) {
-  Json fields = Json::array();
-  for (const TrialColumn& column : columns) {
-    Json field = {{"name", column.name}, {"type", column.type}, {"description", column.meaning}};
-    if (!column.unit.empty()) field["unit"] = column.unit;
-    if (column.type == "boolean") {
-      field["trueValues"] = {"1"};
-      field["falseValues"] = {"0"};
-    }
-    fields.push_back(field);
-  }
-  return Json{{"fields", fields}, {"primaryKey", "trial_id"}, {"missingValues", {""}}};
 }
 
 }  // namespace graspbench

@@ -95,7 +95,7 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
 TEST(TrialTable, CsvReadsBackAsTheRecords) {
   const auto records = MakeFakeRecords(40);
   const auto columns = ListTrialColumns(records);
-  const auto rows = ParseCsv(FormatTrialsCsv(columns, records));
+  const auto rows = ParseCsv(FormatCsv(columns, records));
   ASSERT_EQ(rows.size(), 41u);
   const auto cell = [&](size_t row, const std::string& name) {
     for (size_t i = 0; i < columns.size(); ++i) {
@@ -151,7 +151,7 @@ TEST(TrialTable, OtherDigitsGetColumnsByName) {
 
 TEST(TrialTable, SchemaDescribesEveryColumn) {
   const auto columns = ListTrialColumns({});
-  const Json fields = MakeTrialsSchema(columns).at("fields");
+  const Json fields = MakeTableSchema(columns, "trial_id").at("fields");
   ASSERT_EQ(fields.size(), columns.size());
   const std::set<std::string> types = {"string", "integer", "number", "boolean"};
   const std::pair<const char*, const char*> suffixes[] = {

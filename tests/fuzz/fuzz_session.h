@@ -22,7 +22,7 @@ inline void FuzzRecordLine(const std::string& line) {
     session.plan = {records[0].plan};
     session.records = records;
     const auto columns = ListTrialColumns(records);
-    FormatTrialsCsv(columns, records);
+    FormatCsv(columns, records);
     MakeSessionIndex(session, columns);
   } catch (const Error&) {
   }

@@ -1,0 +1,63 @@
+#pragma once
+/** @file
+Tables as files: one list of columns makes the CSV and its data dictionary, so that the two cannot
+drift apart. */
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+
+namespace graspbench {
+
+template <class Row>
+struct CsvColumn {
+  std::string name;                       ///< with the unit as suffix: "gct_s"
+  std::string type;                       ///< "string", "integer", "number" or "boolean"
+  std::string unit;                       ///< "s", "m", ...; empty: none
+  std::string meaning;                    ///< one sentence
+  std::function<Json(const Row&)> value;  ///< null: missing; a boolean is 0 or 1
+};
+
+/** Empty for null; numbers shortest-exact; text quoted after RFC 4180 where it must be. */
+std::string FormatCsvCell(const Json& value);
+
+/** RFC 4180 with line feeds: a heading and one line a row. */
+template <class Row>
+std::string FormatCsv(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
+  std::string csv;
+  const auto add_line = [&](const auto& cell_of) {
+    for (size_t i = 0; i < columns.size(); ++i) {
+      csv += (i > 0 ? "," : "") + FormatCsvCell(cell_of(columns[i]));
+    }
+    csv += '\n';
+  };
+  add_line([](const CsvColumn<Row>& column) { return Json(column.name); });
+  for (const Row& row : rows) {
+    add_line([&](const CsvColumn<Row>& column) { return column.value(row); });
+  }
+  return csv;
+}
+
+/** The data dictionary in the form of a Frictionless Table Schema, plus each column's unit.
+@param primary_key  a column, or empty. */
+template <class Row>
+Json MakeTableSchema(const std::vector<CsvColumn<Row>>& columns, const std::string& primary_key) {
+  Json fields = Json::array();
+  for (const CsvColumn<Row>& column : columns) {
+    Json field = {{"name", column.name}, {"type", column.type}, {"description", column.meaning}};
+    if (!column.unit.empty()) field["unit"] = column.unit;
+    if (column.type == "boolean") {
+      field["trueValues"] = {"1"};
+      field["falseValues"] = {"0"};
+    }
+    fields.push_back(field);
+  }
+  Json schema = {{"fields", fields}};
+  if (!primary_key.empty()) schema["primaryKey"] = primary_key;
+  schema["missingValues"] = {""};
+  return schema;
+}
+
+}  // namespace graspbench

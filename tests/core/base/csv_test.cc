@@ -1,0 +1,37 @@
+#include "core/base/csv.h"
+
+#include <gtest/gtest.h>
+
+namespace graspbench {
+namespace {
+
+struct Row {
+  std::string text;
+  double number = 0.0;
+};
+
+std::vector<CsvColumn<Row>> ListColumns() {
+  return {{"text", "string", "", "what it says", [](const Row& row) { return Json(row.text); }},
+          {"number_s", "number", "s", "how long",
+           [](const Row& row) { return JsonNumber(row.number); }},
+          {"is_long", "boolean", "", "above 1",
+           [](const Row& row) { return Json(row.number > 1.0 ? 1 : 0); }}};
+}
+
+TEST(FormatCsv, QuotesOnlyWhatMustBeAndLeavesMissingEmpty) {
+  const std::vector<Row> rows = {{"plain", 0.1}, {"a,b", 2.0}, {"say \"x\"\n", std::nan("")}};
+  EXPECT_EQ(FormatCsv(ListColumns(), rows),
+            "text,number_s,is_long\nplain,0.1,0\n\"a,b\",2.0,1\n\"say \"\"x\"\"\n\",,0\n");
+}
+
+TEST(MakeTableSchema, SaysWhatEachColumnIs) {
+  const Json schema = MakeTableSchema(ListColumns(), "text");
+  EXPECT_EQ(schema.at("primaryKey"), "text");
+  EXPECT_EQ(schema.at("fields").at(1).at("unit"), "s");
+  EXPECT_EQ(schema.at("fields").at(2).at("trueValues"), Json({"1"}));
+  EXPECT_FALSE(schema.at("fields").at(0).contains("unit"));
+  EXPECT_FALSE(MakeTableSchema(ListColumns(), "").contains("primaryKey"));
+}
+
+}  // namespace
+}  // namespace graspbench
