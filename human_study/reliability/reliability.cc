@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
+#include "core/statistics/summary.h"
 #include "human_study/statistics/one_way_anova.h"
-#include "human_study/statistics/summary.h"
 
 namespace graspbench {
 namespace {

@@ -16,8 +16,8 @@ Practice and fatigue over trials count as variation within the person. */
 #include <string>
 #include <vector>
 
+#include "core/statistics/bootstrap.h"
 #include "human_study/reliability/icc.h"
-#include "human_study/statistics/bootstrap.h"
 
 namespace graspbench {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
 #include "human_study/statistics/multiple_tests.h"
 
 namespace graspbench {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "human_study/statistics/summary.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 

@@ -8,7 +8,7 @@ its mean per person and condition, the unit of analysis of a repeated-measures d
 #include <string>
 #include <vector>
 
-#include "human_study/statistics/answer.h"
+#include "core/statistics/answer.h"
 
 namespace graspbench {
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "core/base/units.h"
-#include "human_study/statistics/distributions.h"
-#include "human_study/statistics/summary.h"
+#include "core/statistics/distributions.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {

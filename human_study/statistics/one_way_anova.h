@@ -7,7 +7,7 @@ One-way analysis of variance of groups of values, which may differ in size: how 
 
 #include <vector>
 
-#include "human_study/statistics/answer.h"
+#include "core/statistics/answer.h"
 
 namespace graspbench {
 

@@ -5,39 +5,13 @@
 #include <limits>
 #include <numeric>
 
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
+#include "core/statistics/ranks.h"
 
 namespace graspbench {
 namespace {
 
 constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-
-struct Ranks {
-  std::vector<int> twice;  ///< twice the rank: average ranks are halves
-  double tie_sum = 0.0;    ///< sum over groups of equal values of t^3 - t
-};
-
-/** Values within `tolerance` of their neighbour in order share the average rank. */
-Ranks RankValues(const std::vector<double>& values, double tolerance) {
-  std::vector<size_t> order(values.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return values[a] < values[b]; });
-  Ranks ranks;
-  ranks.twice.resize(values.size());
-  for (size_t first = 0, last; first < order.size(); first = last) {
-    last = first + 1;
-    while (last < order.size() && values[order[last]] - values[order[last - 1]] <= tolerance) {
-      ++last;
-    }
-    for (size_t i = first; i < last; ++i) {
-      ranks.twice[order[i]] = static_cast<int>(first + last + 1);
-    }
-    const double count = static_cast<double>(last - first);
-    ranks.tie_sum += count * count * count - count;
-  }
-  return ranks;
-}
 
 /** P(sum of the chosen <= limit), each value chosen with probability 1/2. */
 double CalcSubsetSumP(const std::vector<int>& values, int limit) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "human_study/statistics/distributions.h"
-#include "human_study/statistics/summary.h"
+#include "core/statistics/distributions.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {

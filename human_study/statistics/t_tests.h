@@ -9,7 +9,7 @@ t tests of one value per person: against a number, between two conditions, and f
 #include <vector>
 
 #include "core/base/proportion.h"
-#include "human_study/statistics/answer.h"
+#include "core/statistics/answer.h"
 
 namespace graspbench {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <unsupported/Eigen/KroneckerProduct>
 
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
 
 namespace graspbench {
 namespace {

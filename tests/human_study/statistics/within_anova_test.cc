@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "human_study/statistics/condition_means.h"
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
 #include "human_study/statistics/multiple_tests.h"
 #include "tests/human_study/statistics/reach_study.h"
 

@@ -1,4 +1,4 @@
-#include "human_study/statistics/summary.h"
+#include "core/statistics/summary.h"
 
 #include <gtest/gtest.h>
 

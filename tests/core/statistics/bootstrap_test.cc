@@ -1,4 +1,4 @@
-#include "human_study/statistics/bootstrap.h"
+#include "core/statistics/bootstrap.h"
 
 #include <gtest/gtest.h>
 
@@ -6,16 +6,16 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
 
 namespace graspbench {
 namespace {
 
-PersonStatistic MakeMean(const std::vector<double>& values) {
-  return [&values](const std::vector<size_t>& persons) {
+GroupStatistic MakeMean(const std::vector<double>& values) {
+  return [&values](const std::vector<size_t>& members) {
     double sum = 0.0;
-    for (size_t person : persons) sum += values[person];
-    return sum / static_cast<double>(persons.size());
+    for (size_t member : members) sum += values[member];
+    return sum / static_cast<double>(members.size());
   };
 }
 
@@ -24,11 +24,11 @@ TEST(Bootstrap, AgreesWithEfronAndTibshirani) {
   // children; 171.5, a = 0.061, z0 = 0.146 from 2000 resamples.
   const std::vector<double> scores = {48, 36, 20, 29, 42, 42, 20, 42, 22, 41, 45, 14, 6,
                                       0,  33, 28, 34, 4,  32, 24, 47, 41, 24, 26, 30, 41};
-  const auto statistic = [&](const std::vector<size_t>& persons) {
-    const double mean = MakeMean(scores)(persons);
+  const auto statistic = [&](const std::vector<size_t>& members) {
+    const double mean = MakeMean(scores)(members);
     double sum = 0.0;
-    for (size_t person : persons) sum += (scores[person] - mean) * (scores[person] - mean);
-    return sum / static_cast<double>(persons.size());
+    for (size_t member : members) sum += (scores[member] - mean) * (scores[member] - mean);
+    return sum / static_cast<double>(members.size());
   };
   const auto result = CalcBootstrap(scores.size(), statistic, "spatial");
   ASSERT_TRUE(result) << result.reason();
@@ -39,7 +39,7 @@ TEST(Bootstrap, AgreesWithEfronAndTibshirani) {
 
 TEST(Bootstrap, AgreesWithAllResamplesOfFive) {
   const std::vector<double> values = {0.3, 1.1, 1.9, 2.2, 7.0};
-  const PersonStatistic mean = MakeMean(values);
+  const GroupStatistic mean = MakeMean(values);
   const auto result = CalcBootstrap(5, mean, "five", 50000);
   ASSERT_TRUE(result) << result.reason();
   // All 5^5 ordered draws are equally likely.
@@ -91,7 +91,7 @@ TEST(Bootstrap, CoversTheMeanAboutAsOftenAsItSays) {
   int num_covered = 0;
   for (int study = 0; study < 300; ++study) {
     std::vector<double> values;
-    for (int person = 0; person < 20; ++person) values.push_back(5.0 + random.NextNormal());
+    for (int member = 0; member < 20; ++member) values.push_back(5.0 + random.NextNormal());
     const auto result = CalcBootstrap(20, MakeMean(values), std::to_string(study), 999);
     num_covered += result->interval.low < 5.0 && 5.0 < result->interval.high;
   }
@@ -101,21 +101,20 @@ TEST(Bootstrap, CoversTheMeanAboutAsOftenAsItSays) {
 
 TEST(Bootstrap, GivesReasons) {
   const std::vector<double> same(6, 0.1), some = {1, 2, 3, 4, 5, 6};
-  EXPECT_EQ(CalcBootstrap(4, MakeMean(some), "x").reason(),
-            "4 persons; expected 5 or more to draw from");
+  EXPECT_EQ(CalcBootstrap(4, MakeMean(some), "x").reason(), "4 to draw from; expected 5 or more");
   EXPECT_EQ(CalcBootstrap(6, MakeMean(same), "x").reason(),
-            "the statistic does not depend on who takes part");
+            "the statistic does not depend on who is drawn");
   const auto nothing = [](const std::vector<size_t>&) { return NAN; };
   EXPECT_EQ(CalcBootstrap(6, nothing, "x").reason(), "the statistic has no value");
-  const auto needs_first = [&](const std::vector<size_t>& persons) {
-    return std::find(persons.begin(), persons.end(), 0u) == persons.end() ? NAN
-                                                                          : MakeMean(some)(persons);
+  const auto needs_first = [&](const std::vector<size_t>& members) {
+    return std::find(members.begin(), members.end(), 0u) == members.end() ? NAN
+                                                                          : MakeMean(some)(members);
   };
   EXPECT_EQ(CalcBootstrap(6, needs_first, "x").reason(),
-            "the statistic has no value without person 1");
-  const auto needs_all = [&](const std::vector<size_t>& persons) {
-    return std::count(persons.begin(), persons.end(), persons[0]) > 2 ? NAN
-                                                                      : MakeMean(some)(persons);
+            "the statistic has no value without member 1");
+  const auto needs_all = [&](const std::vector<size_t>& members) {
+    return std::count(members.begin(), members.end(), members[0]) > 2 ? NAN
+                                                                      : MakeMean(some)(members);
   };
   EXPECT_EQ(CalcBootstrap(6, needs_all, "x").reason(),
             "the statistic has no value for some resamples");

@@ -1,4 +1,4 @@
-#include "human_study/statistics/distributions.h"
+#include "core/statistics/distributions.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/complement.hpp>

@@ -1,31 +1,31 @@
-#include "human_study/statistics/bootstrap.h"
+#include "core/statistics/bootstrap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "core/base/random.h"
-#include "human_study/statistics/distributions.h"
-#include "human_study/statistics/summary.h"
+#include "core/statistics/distributions.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
 
 /** Efron's a: skewness of the jackknife values / 6. No answer when they do not vary. */
-Answer<double> CalcAcceleration(size_t num_persons, const PersonStatistic& statistic) {
+Answer<double> CalcAcceleration(size_t num_members, const GroupStatistic& statistic) {
   std::vector<double> values;
-  for (size_t left_out = 0; left_out < num_persons; ++left_out) {
-    std::vector<size_t> persons;
-    for (size_t i = 0; i < num_persons; ++i) {
-      if (i != left_out) persons.push_back(i);
+  for (size_t left_out = 0; left_out < num_members; ++left_out) {
+    std::vector<size_t> members;
+    for (size_t i = 0; i < num_members; ++i) {
+      if (i != left_out) members.push_back(i);
     }
-    values.push_back(statistic(persons));
+    values.push_back(statistic(members));
     if (!std::isfinite(values.back())) {
-      return NoAnswer{"the statistic has no value without person " + std::to_string(left_out + 1)};
+      return NoAnswer{"the statistic has no value without member " + std::to_string(left_out + 1)};
     }
   }
   const Moments moments = CalcMoments(values);
-  if (moments.is_constant) return NoAnswer{"the statistic does not depend on who takes part"};
+  if (moments.is_constant) return NoAnswer{"the statistic does not depend on who is drawn"};
   double cubes = 0.0;
   for (double value : values) cubes += std::pow(moments.mean - value, 3);
   return cubes / (6.0 * std::pow(moments.sum_of_squares, 1.5));
@@ -33,32 +33,32 @@ Answer<double> CalcAcceleration(size_t num_persons, const PersonStatistic& stati
 
 }  // namespace
 
-Answer<BootstrapInterval> CalcBootstrap(size_t num_persons, const PersonStatistic& statistic,
+Answer<BootstrapInterval> CalcBootstrap(size_t num_members, const GroupStatistic& statistic,
                                         const std::string& id, int num_resamples) {
   GRASPBENCH_DEMAND(num_resamples >= 100, std::to_string(num_resamples));
-  constexpr size_t kMinPersons = 5;
-  if (num_persons < kMinPersons) {
-    return NoAnswer{std::to_string(num_persons) + " persons; expected " +
-                    std::to_string(kMinPersons) + " or more to draw from"};
+  constexpr size_t kMinMembers = 5;
+  if (num_members < kMinMembers) {
+    return NoAnswer{std::to_string(num_members) + " to draw from; expected " +
+                    std::to_string(kMinMembers) + " or more"};
   }
-  std::vector<size_t> persons(num_persons);
-  std::iota(persons.begin(), persons.end(), size_t{0});
+  std::vector<size_t> members(num_members);
+  std::iota(members.begin(), members.end(), size_t{0});
   BootstrapInterval result;
-  result.estimate = statistic(persons);
+  result.estimate = statistic(members);
   if (!std::isfinite(result.estimate)) return NoAnswer{"the statistic has no value"};
   result.num_resamples = num_resamples;
-  const Answer<double> acceleration = CalcAcceleration(num_persons, statistic);
+  const Answer<double> acceleration = CalcAcceleration(num_members, statistic);
   if (!acceleration) return acceleration.none();
   result.acceleration = *acceleration;
 
-  RandomStream random(id, "bootstrap of persons");
+  RandomStream random(id, "bootstrap");
   std::vector<double> values;
   double num_below = 0.0;
   for (int k = 0; k < num_resamples; ++k) {
-    for (size_t& person : persons) {
-      person = static_cast<size_t>(random.NextIndex(static_cast<int>(num_persons)));
+    for (size_t& member : members) {
+      member = static_cast<size_t>(random.NextIndex(static_cast<int>(num_members)));
     }
-    const double value = statistic(persons);
+    const double value = statistic(members);
     if (!std::isfinite(value)) return NoAnswer{"the statistic has no value for some resamples"};
     values.push_back(value);
     num_below += value < result.estimate ? 1.0 : value == result.estimate ? 0.5 : 0.0;

@@ -9,7 +9,7 @@ that values with many constant leading digits keep their spread. */
 #include <optional>
 #include <vector>
 
-#include "human_study/statistics/answer.h"
+#include "core/statistics/answer.h"
 
 namespace graspbench {
 
