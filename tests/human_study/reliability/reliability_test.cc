@@ -179,7 +179,7 @@ TEST(CompareReliability, SeesThatNoiseCosts) {
   EXPECT_GT(difference->interval.low, 0.0);
   EXPECT_NEAR(CompareReliability(noisy, clean, "compare")->estimate, -difference->estimate, 1e-12);
   EXPECT_EQ(CompareReliability(clean, clean, "compare").reason(),
-            "the statistic does not depend on who takes part");
+            "the statistic does not depend on who is drawn");
 }
 
 TEST(PrecisionLoss, ComparesWithAndWithout) {
