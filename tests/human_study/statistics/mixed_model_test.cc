@@ -39,6 +39,41 @@ TEST(MixedModel, AgreesWithLme4OnTheSleepStudy) {
   EXPECT_NEAR(model->persons[1].slope, 10.46728596 - 8.61970318, 1e-4);
 }
 
+TEST(MixedModel, IsTheClosedFormWhenAllPersonsHaveTheSameX) {
+  // Then sigma^2 is the pooled variance about the persons' own lines, and Psi the covariance of
+  // their coefficients less sigma^2 (X^T X)^-1; standard errors are those of the mean coefficients.
+  for (const auto& [points, num_trials] :
+       {std::pair{MakeSleepStudy(), 10}, std::pair{*ListPoints(MakeReachTable(), 0), 4}}) {
+    const PersonSlopes lines = CalcPersonSlopes(points, 0.0);
+    const auto n = static_cast<Eigen::Index>(lines.persons.size());
+    Eigen::MatrixXd coefficients(n, 2);
+    double sigma2 = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const LineFit& line = *lines.persons[static_cast<size_t>(i)].line;
+      coefficients.row(i) << line.intercept, line.slope;
+      sigma2 += *line.residual_sd * *line.residual_sd / static_cast<double>(n);
+    }
+    Eigen::MatrixXd x(num_trials, 2);
+    for (int t = 0; t < num_trials; ++t) {
+      x.row(t) << 1.0, points[static_cast<size_t>(t)].x;
+    }
+    const Eigen::MatrixXd deviations = coefficients.rowwise() - coefficients.colwise().mean();
+    const Eigen::Matrix2d between =
+        deviations.transpose() * deviations / static_cast<double>(n - 1);
+    const Eigen::Matrix2d psi = between - sigma2 * (x.transpose() * x).inverse();
+
+    const Answer<MixedModel> model = FitMixedModel(points);
+    ASSERT_TRUE(model) << model.reason();
+    EXPECT_NEAR(model->residual_sd / std::sqrt(sigma2), 1.0, 1e-8);
+    EXPECT_NEAR(model->intercept_sd / std::sqrt(psi(0, 0)), 1.0, 1e-7);
+    EXPECT_NEAR(model->slope_sd / std::sqrt(psi(1, 1)), 1.0, 1e-7);
+    EXPECT_NEAR(*model->correlation, psi(1, 0) / std::sqrt(psi(0, 0) * psi(1, 1)), 1e-7);
+    EXPECT_NEAR(model->slope.estimate, lines.test->mean, 1e-10);
+    EXPECT_NEAR(model->slope.t / lines.test->t, 1.0, 1e-8);
+    EXPECT_NEAR(model->slope.test->df, static_cast<double>(n - 1), 1e-5);
+  }
+}
+
 std::vector<PersonPoint> MakeUnbalanced() {
   std::vector<PersonPoint> kept;
   const std::vector<PersonPoint> all = MakeSleepStudy();

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "human_study/statistics/condition_means.h"
 #include "core/statistics/distributions.h"
+#include "human_study/statistics/condition_means.h"
 #include "human_study/statistics/multiple_tests.h"
 #include "tests/human_study/statistics/reach_study.h"
 

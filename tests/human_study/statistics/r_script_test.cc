@@ -1,0 +1,73 @@
+// The exported script, run by R where it is installed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/base/files.h"
+#include "core/base/random.h"
+#include "human_study/statistics/tidy_export.h"
+#include "human_study/statistics/within_anova.h"
+#include "tests/human_study/statistics/reach_study.h"
+
+namespace graspbench {
+namespace {
+
+bool HasR() { return std::system("Rscript --version > /dev/null 2>&1") == 0; }
+
+/** What the script prints. */
+std::string RunScript(const std::filesystem::path& folder) {
+  const std::string command =
+      "cd '" + folder.string() + "' && Rscript analysis.R > output.txt 2> errors.txt";
+  EXPECT_EQ(std::system(command.c_str()), 0) << ReadFile(folder / "errors.txt");
+  return ReadFile(folder / "output.txt");
+}
+
+TEST(TidyExport, TheScriptGivesTheKnownAnswersInR) {
+  if (!HasR()) GTEST_SKIP() << "no Rscript on this machine";
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "tidy_export";
+  std::filesystem::remove_all(folder);
+  SaveTidyExport({MakeReachTable()}, folder);
+  const std::string output = RunScript(folder);
+  for (const char* known : {"179.17793", "0.03268208", "0.0017773", "0.4156", "0.4621",
+                            "2.497998e-05", "2.3801607e-07", "80.248", "1.04666666"}) {
+    EXPECT_NE(output.find(known), std::string::npos) << known << " in\n" << output;
+  }
+}
+
+TEST(TidyExport, TheScriptStandsAwkwardNamesAndGapsInR) {
+  if (!HasR()) GTEST_SKIP() << "no Rscript on this machine";
+  MeasureTable table;
+  table.measure = "grasp_forming_time_s";
+  table.factors = {{"object", {"cup, \"blue\"", "box"}, {}, ""},
+                   {"object width \\ mm", {"30 mm", "60 mm"}, {0.03, 0.06}, ""}};
+  RandomStream random("awkward", "test");
+  for (int person = 0; person < 6; ++person) {
+    for (const std::string& object : table.factors[0].levels) {
+      for (const std::string& width : table.factors[1].levels) {
+        for (int trial = 0; trial < 3; ++trial) {
+          table.rows.push_back({"P " + std::to_string(person),
+                                "",
+                                {object, width},
+                                person == 5 && width == "60 mm" ? NAN : random.NextNormal()});
+        }
+      }
+    }
+  }
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "tidy_awkward";
+  std::filesystem::remove_all(folder);
+  SaveTidyExport({table}, folder);
+  const std::string output = RunScript(folder);
+  EXPECT_NE(output.find("left out: P 5"), std::string::npos) << output;
+  EXPECT_NE(output.find("-- object x object width \\ mm --"), std::string::npos) << output;
+  EXPECT_EQ(ReadFile(folder / "errors.txt").find("Error"), std::string::npos)
+      << ReadFile(folder / "errors.txt");
+  const Answer<WithinAnova> anova = CalcWithinAnova(*CalcCellMeans(table));
+  char f[32];
+  std::snprintf(f, sizeof f, "%.5f", anova->effects[2].test->f);
+  EXPECT_NE(output.find(f), std::string::npos) << f << " in\n" << output;
+}
+
+}  // namespace
+}  // namespace graspbench
