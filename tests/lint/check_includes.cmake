@@ -22,7 +22,7 @@ endfunction()
 set(owned_headers "Simbody.h|SimTK" "assimp/" "sqlite3.h" "GL/" "CLI/" "kainjow/" "libqhull"
   "opencv2/" "boost/")
 set(owners core_sim objects datasets core_render workbench reports core_grasp
-  core_vision human_study)
+  core_vision core_statistics)
 
 set(offences "")
 find_cxx_files(files ${ROOMS})
