@@ -46,7 +46,7 @@ ContactTiming CalcContactTiming(const std::vector<DigitContact>& contacts, doubl
     return "GCT " + std::to_string(timing.gct) + ", GFT " + std::to_string(timing.gft) + ", GOT " +
            std::to_string(timing.got);
   };
-  if (all_touched && !timing.contact_before_start) {
+  if (all_touched && first >= t0) {
     GRASPBENCH_DEMAND(timing.gct >= timing.gft, values());
   }
   if (all_touched && std::isfinite(timing.got)) {

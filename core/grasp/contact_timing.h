@@ -35,8 +35,8 @@ struct ContactTiming {
 };
 
 /** A digit that never touches makes GCT and GFT missing; GOT needs the thumb and one other digit.
-GCT = 0 makes the ratios missing. @pre at most one thumb. Asserts the order of the three measures.
-*/
+An unknown t0 (NaN) makes GCT missing, GCT missing or 0 the ratios. @pre at most one thumb. Asserts
+the order of the three measures. */
 ContactTiming CalcContactTiming(const std::vector<DigitContact>& contacts, double t0);
 
 }  // namespace graspbench

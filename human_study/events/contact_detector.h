@@ -22,8 +22,9 @@ namespace graspbench {
 struct ContactOptions {
   std::string detector = "breakpoint";  ///< an id of ContactDetectorList(): the one believed
   double cutoff = 20.0;                 ///< of the zero-phase filter on the tips [Hz]
+  double object_cutoff = 6.0;           ///< of the filter on the object's pose [Hz]
   double speed_threshold = 0.05;        ///< "speed": slower against the object [m/s]
-  double surface_tolerance = 0.002;     ///< "surface": nearer than this beyond the pad [m]
+  double arrival_tolerance = 0.002;     ///< nearer than this a tip has nearly arrived [m]
   double max_pad_offset = 0.025;        ///< a marker held farther from the surface: no touch [m]
   double force_noise_factor = 4.0;      ///< "force": above this many SD of the baseline's rate
 
@@ -31,20 +32,25 @@ struct ContactOptions {
   void Visit(V&& v) {
     v("detector", detector);
     v("cutoff_hz", cutoff);
+    v("object_cutoff_hz", object_cutoff);
     v("speed_threshold_m_per_s", speed_threshold);
-    v("surface_tolerance_m", surface_tolerance);
+    v("arrival_tolerance_m", arrival_tolerance);
     v("max_pad_offset_m", max_pad_offset);
     v("force_noise_factor", force_noise_factor);
   }
 };
 
-/** What the detectors share, computed once a trial. Without a recorded object, "against the object"
-means against the laboratory. */
+/** What the detectors share, computed once a trial. "About the hold" is from 50 ms before to 100 ms
+after it, or the nearest sample that shows the digit (FindHoldSample). Without a recorded object,
+"against the object" means against the laboratory. */
 struct DigitEvidence {
-  Trajectory p_O;        ///< tip in O, unfiltered
-  ScalarCurve speed;     ///< against the object, filtered [m/s]
-  ScalarCurve distance;  ///< of the marker from the surface, filtered [m]; empty: shape not known
-  double noise = 0.0;    ///< SD of one coordinate of p_O [m], from what the filter takes away
+  Trajectory p_O;         ///< tip in O; the tip is unfiltered, the object's pose is filtered
+  ScalarCurve speed;      ///< against the object, filtered [m/s]
+  ScalarCurve departure;  ///< from its mean place about the hold, filtered [m]
+  ScalarCurve distance;   ///< of the marker from the surface, filtered [m]; empty: shape not known
+  /** Median of the distance about the hold [m]; NaN: shape not known or hidden. It stands in for a
+   * pad offset that is not given. */
+  double hold_distance = std::numeric_limits<double>::quiet_NaN();
   const DigitTrack* track = nullptr;
 };
 
@@ -56,9 +62,24 @@ struct ContactEvidence {
   std::vector<DigitEvidence> digits;
 };
 
-/** @pre CheckTrial passed. The evidence refers to `trial`. */
-ContactEvidence MakeContactEvidence(const ReachTrial& trial, double begin, double hold,
-                                    const ContactOptions& options);
+/** @param opening  the hand's opening, filtered.
+@param object_displacement  see ContactEvidence.
+@pre CheckTrial passed. The evidence refers to `trial`. */
+ContactEvidence MakeContactEvidence(const ReachTrial& trial, const ScalarCurve& opening,
+                                    const ScalarCurve& object_displacement, double begin,
+                                    double hold, const ContactOptions& options);
+
+/** A tip that moves against the object for less long is seen through noise, not approaching [s]. */
+inline constexpr double kMinApproach = 0.04;
+
+/** Sample that shows the digit in the hold: at the hold, else (hidden there) the first valid one up
+to 0.5 s later, else the last one up to 0.1 s earlier; -1 when there is none. */
+int FindHoldSample(const ScalarCurve& curve, double hold);
+
+/** Why a digit does not take part in the grasp, as far as motion and shape can tell: hidden, moving
+against the object, or its marker too far from the surface. Empty when it may. */
+std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& digit,
+                        const ContactOptions& options);
 
 struct ContactDetector {
   const char* id;
@@ -67,6 +88,11 @@ struct ContactDetector {
   EventTime (*find)(const ContactEvidence& evidence, const DigitEvidence& digit,
                     const ContactOptions& options);
 };
+
+/** When a distance that is zero in the hold became zero: its last fall below the tolerance,
+extrapolated with the speed there. The tolerance keeps noise from deciding. */
+EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& evidence,
+                      double tolerance);
 
 const std::vector<ContactDetector>& ContactDetectorList();
 /** Place in ContactDetectorList(). @throws Error(kNotFound) with a suggestion. */

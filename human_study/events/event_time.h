@@ -22,7 +22,7 @@ struct EventTime {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< on the trial's clock [s]; NaN: none
   double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< standard [s]
   bool is_filled = false;  ///< a filled sample lies where the event was decided
-  bool is_in_gap = false;  ///< fell into a gap: `time` is the gap's middle
+  bool is_in_gap = false;  ///< fell into a gap (`time` is its middle); a maximum: beside one
   std::string missing;     ///< why there is none; empty when there is one
 
   bool IsFound() const { return missing.empty() && time == time; }

@@ -49,8 +49,17 @@ struct ObjectEvents {
   EventTime lift_off;  ///< first leaves its support for good
 };
 
-/** The place of rest is the median position over the first tenth of the trial.
-@throws Error(kNotFound) for an unknown rule, Error(kRange) when `up` is no direction. */
-ObjectEvents FindObjectEvents(const ReachTrial& trial, const LiftOffOptions& options);
+/** How far the object is from its place of rest, the median position over the first tenth of the
+trial. */
+struct ObjectTravel {
+  ScalarCurve height;        ///< along the direction of the lift [m]
+  ScalarCurve displacement;  ///< in any direction [m]
+};
+
+/** @pre the object was recorded and the direction of the lift is not zero. */
+ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& options);
+
+/** @pre the rule is known. */
+ObjectEvents FindObjectEvents(const ObjectTravel& travel, const LiftOffOptions& options);
 
 }  // namespace graspbench

@@ -45,10 +45,11 @@ struct Movement {
   double peak_time = std::numeric_limits<double>::quiet_NaN();   ///< [s]
 };
 
-/** @param point  unfiltered path of the wrist.
+/** @param speed  of the wrist, filtered.
 @param begin,end  only this part is looked at [s]; give the lift-off as the end, where the next
-movement starts. */
-Movement FindMovement(const Trajectory& point, double begin, double end,
+movement starts.
+@throws Error(kNotFound) for an unknown rule. */
+Movement FindMovement(const ScalarCurve& speed, double begin, double end,
                       const MovementOptions& options);
 
 }  // namespace graspbench

@@ -16,12 +16,13 @@ struct PeakOpening {
   bool is_ambiguous = false;                                     ///< they are different maxima
 };
 
-/** Maxima of a filtered opening between `begin` and `end` [s], refined by a parabola through three
-samples. A last maximum counts when it rises at least `min_prominence` [m] above the valley between
-it and the largest.
-@param noise  SD of the filtered opening's rate of change [m/s]: over the curvature at the peak it
-is the uncertainty of its time. */
-PeakOpening FindPeakOpening(const ScalarCurve& opening, double begin, double end,
-                            double min_prominence, double noise);
+/** Maxima of a filtered opening, refined by a parabola through three samples. The largest is looked
+for between `begin` and `end`, the last one between `begin` and `first_contact` (NaN: `end`). A last
+maximum counts when it rises at least `min_prominence` [m] above the valley before it.
+
+Uncertainty of the time: noise of the rate of change over the curvature at the peak, and sampling.
+*/
+PeakOpening FindPeakOpening(const ScalarCurve& opening, double begin, double first_contact,
+                            double end, double min_prominence);
 
 }  // namespace graspbench

@@ -69,4 +69,10 @@ pose is filled when a filled marker took part.
 ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
                             const std::vector<Eigen::Vector3d>& p_OM);
 
+/** The object's path behind a zero-phase low-pass: each coordinate of its origin and of its axes,
+the axes then made orthonormal. Noise of the markers turns the object, and a turn moves the far tips
+more than the markers, while a thing on a table moves slowly: filter it harder than the tips.
+@pre the object was recorded. @throws Error(kRange) when the cut-off does not fit the rate. */
+ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff);
+
 }  // namespace graspbench

@@ -15,30 +15,64 @@ struct ScalarCurve {
   std::vector<double> times;  ///< [s], even
   Eigen::VectorXd values;     ///< NaN where invalid
   std::vector<SampleState> states;
+  double noise = 0.0;       ///< SD of the values, as far as the cameras' noise makes it
+  double rate_noise = 0.0;  ///< the same of their derivative [1/s]
+  double reach = 0.0;       ///< [s] a value is made of samples as far away as this
 
   size_t size() const { return times.size(); }
   bool IsValid(size_t i) const { return states[i] != SampleState::kInvalid; }
   double Interval() const { return times[1] - times[0]; }  ///< [s] @pre size() >= 2
 };
 
+/** NaN without any. */
+double CalcMedian(std::vector<double> values);
+
 /** Worse of two: a value computed from both is filled when one is, invalid when one is. */
 SampleState CombineStates(SampleState a, SampleState b);
 
-/** Speed by central differences (one-sided at the ends of a run) [m/s]. A valid sample without
-valid neighbours is invalid. */
-ScalarCurve CalcSpeed(const Trajectory& trajectory);
+/** A path behind a zero-phase low-pass, and the noise before and after it. */
+struct SmoothPath {
+  Trajectory path;
+  double noise = 0.0;         ///< SD of one coordinate before the filter [m]
+  double smooth_noise = 0.0;  ///< after it [m]
+  double speed_noise = 0.0;   ///< of one coordinate's derivative after it [m/s]
+  double reach = 0.0;         ///< half the rise time, 0.18 / cut-off [s]
+};
+/** The noise is what the filter takes away (median absolute, so that corners of the path do not
+count), taken to be white: an ideal low-pass at f_c leaves the share 2 f_c / f_s of its variance and
+(2 pi)^2 2 f_c^3 / (3 f_s) of it in the derivative.
+@throws Error(kRange) when the cut-off does not fit the rate. */
+SmoothPath Smooth(const Trajectory& trajectory, double cutoff);
+
+/** Speed by central differences [m/s]. Beside a gap the filter has samples on one side only and
+leans on the noise of the last of them, so values within its reach of a gap are invalid. */
+ScalarCurve CalcSpeed(const SmoothPath& smooth);
 
 /** The same curve run backwards in time: t -> -t. */
 ScalarCurve Reverse(const ScalarCurve& curve);
 
-/** Sample index range [first, last) with begin <= time <= end. */
+/** Samples with begin <= time <= end. */
 SampleRun FindSamples(const std::vector<double>& times, double begin, double end);
+ScalarCurve Cut(const ScalarCurve& curve, const SampleRun& samples);
 
-/** Goes from sample `from`, where the curve is above (or below) the threshold, backwards to sample
-`first` at the earliest, and gives the latest instant at which it was not: linear between samples,
-the middle of a gap, with its uncertainty from sampling and gap. Missing when it never was.
-@param is_filled_within  [s] filled samples as near as this set the flag: the filter's reach. */
+/** Largest of the valid samples; -1 when there is none. */
+int FindPeak(const ScalarCurve& curve, const SampleRun& samples);
+
+/** A filled sample lies within the curve's reach of that instant. */
+bool HasFilledNear(const ScalarCurve& curve, double time);
+
+/** The event of a rule that multiplies criteria: the maximum of their product, refined by a
+parabola. Its uncertainty is that of a uniform distribution over where the product is within 5 % of
+the maximum. Missing when the product is zero everywhere. */
+EventTime FindProductPeak(const ScalarCurve& product);
+
+enum class Side { kAbove, kBelow };
+
+/** Goes back from sample `from`, where the curve is on that side of the threshold, and gives the
+latest instant at which it was not: linear between two samples, or the middle of a gap. Missing when
+`from` is not on that side or no earlier sample, down to `first`, is on the other.
+@param min_duration  crossings to the other side that last less are noise [s]. */
 EventTime TraceBack(const ScalarCurve& curve, size_t from, size_t first, double threshold,
-                    bool is_above, double is_filled_within);
+                    Side side, double min_duration = 0.0);
 
 }  // namespace graspbench

@@ -10,10 +10,10 @@ aperture" virtual_finger  |p_T - mean p_k|                       default (Arbib 
     centroid_sum    sum of |p_i - c|                       over all digits
     fan             sqrt(area of the triangles c p_i p_i+1, thumb round to thumb)   (Supuk 2005)
     perimeter       sum of |p_i - p_i+1|, thumb round to thumb
-    thumb_index_little  sqrt(area of that triangle)
+    outer_triangle  sqrt(area of the triangle of thumb, index and last digit)
 
-All are lengths [m]. With two digits the first three are equal. A measure that lacks a digit it
-needs is NaN; those over "all" digits take the digits given, so compare only like with like. */
+All are lengths [m]. With two digits the first three are equal. A measure over "all" digits takes
+the digits given, so compare only like with like. */
 
 #include <Eigen/Core>
 #include <string>
@@ -29,7 +29,7 @@ struct HandOpening {
   const char* text;
   /** @param tips  a column a digit, thumb first, then from radial to ulnar. */
   double (*calc)(const Eigen::Matrix3Xd& tips);
-  int min_digits;
+  int min_digits;  ///< with fewer every sample is invalid
 };
 
 inline constexpr const char* kDefaultHandOpening = "virtual_finger";

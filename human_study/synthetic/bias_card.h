@@ -31,8 +31,12 @@ struct BiasRow {
   double coverage = 0.0;
 };
 
-/** A row for every case and asynchrony. @param seed  the same for all rows, so that they differ by
-the case alone. Costs about 1 ms a trial. */
+/** Analyses the trials and compares with their truth. `text` stays empty. */
+BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options);
+
+/** A row for every case and asynchrony. @param num_trials  rounded up to a multiple of 20: five
+people, four sizes.
+@param seed  the same for all rows, so that they differ by the case alone. */
 std::vector<BiasRow> CalcBiasCard(const std::vector<BiasCase>& cases,
                                   const std::vector<double>& true_gfts, int num_trials,
                                   const std::string& seed);

@@ -36,8 +36,8 @@ struct SyntheticOptions {
   double dropout_duration = 0.05;    ///< [s], in the mean
   /** True GFT of every trial [s]; NaN: drawn, about 30 ms. */
   double forming_time = std::numeric_limits<double>::quiet_NaN();
-  double min_contact_speed = 0.08;  ///< v_c is drawn evenly between these [m/s]
-  double max_contact_speed = 0.25;
+  double min_contact_speed = 0.06;  ///< v_c is drawn evenly between these [m/s]
+  double max_contact_speed = 0.15;
   double pad_compression = 0.0;  ///< the pad yields by this much after contact [m]
   double push = 0.001;           ///< the first digit pushes the object by this much [m]
   bool has_force = false;        ///< one force channel a digit at five times the frame rate
@@ -76,7 +76,7 @@ inline constexpr const char* kSyntheticWristLabel = "wrist";
 /** Object markers are "object_1" .. "object_3", force channels "force_TH" .. */
 inline constexpr int kNumSyntheticObjectMarkers = 3;
 inline constexpr double kSyntheticObjectHeight = 0.11;  ///< [m]
-inline constexpr double kSyntheticPadOffset = 0.01;     ///< marker to surface in contact [m]
+inline constexpr double kSyntheticPadOffset = 0.008;    ///< marker to surface in contact [m]
 /** Places of the object's markers in O. */
 std::vector<Eigen::Vector3d> SyntheticMarkerPlaces(double diameter);
 
@@ -90,7 +90,10 @@ ReachTrial MakeReachTrial(const SyntheticTrial& trial);
 
 enum class SyntheticFormat { kC3d, kQualisysTsv };
 
-/** Writes sub-<person>_trial-<nnn>.c3d (or .tsv) and truth.csv (a row a trial) into `folder`.
+/** "sub-01_trial-003.c3d". */
+std::string SyntheticFileName(const SyntheticTrial& trial, SyntheticFormat format);
+
+/** Writes every recording under its SyntheticFileName and truth.csv (a row a trial) into `folder`.
 @throws Error(kIo). */
 void SaveSyntheticStudy(const std::vector<SyntheticTrial>& trials, SyntheticFormat format,
                         const std::filesystem::path& folder);

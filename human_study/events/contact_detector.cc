@@ -1,0 +1,195 @@
+#include "human_study/events/contact_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "human_study/events/detectors/detector_list.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+
+/** Tip in the object's frame; the laboratory's when the object was not recorded. */
+Trajectory ExpressInObject(const Trajectory& tip, const ObjectTrack& object) {
+  if (!object.IsRecorded()) return tip;
+  Trajectory p_O = tip;
+  for (size_t i = 0; i < tip.size(); ++i) {
+    const auto column = static_cast<Column>(i);
+    p_O.states[i] = CombineStates(tip.states[i], object.states[i]);
+    p_O.p.col(column) = p_O.IsValid(i)
+                            ? Eigen::Vector3d(object.X_LO[i].inverse() * tip.p.col(column))
+                            : Eigen::Vector3d::Constant(std::nan(""));
+  }
+  return p_O;
+}
+
+template <class Measure>
+ScalarCurve MakeCurve(const SmoothPath& smooth, const Measure& measure) {
+  ScalarCurve curve;
+  curve.times = smooth.path.times;
+  curve.states = smooth.path.states;
+  curve.values.resize(smooth.path.p.cols());
+  for (Column i = 0; i < smooth.path.p.cols(); ++i) {
+    curve.values[i] =
+        smooth.path.IsValid(static_cast<size_t>(i)) ? measure(smooth.path.p.col(i)) : std::nan("");
+  }
+  curve.noise = smooth.smooth_noise;
+  curve.rate_noise = smooth.speed_noise;
+  curve.reach = smooth.reach;
+  return curve;
+}
+
+/** Valid samples about the hold. */
+std::vector<Column> FindHoldSamples(const ScalarCurve& curve, double hold) {
+  const SampleRun window = FindSamples(curve.times, hold - 0.05, hold + 0.1);
+  std::vector<Column> samples;
+  for (size_t i = window.first; i < window.last; ++i) {
+    if (curve.IsValid(i)) samples.push_back(static_cast<Column>(i));
+  }
+  const int nearest = FindHoldSample(curve, hold);
+  if (samples.empty() && nearest >= 0) samples.push_back(nearest);
+  return samples;
+}
+
+/** Median about the hold; NaN when hidden there. */
+double CalcHoldMedian(const ScalarCurve& curve, double hold) {
+  std::vector<double> values;
+  for (const Column i : FindHoldSamples(curve, hold)) values.push_back(curve.values[i]);
+  return CalcMedian(std::move(values));
+}
+
+/** Mean place about the hold; NaN when hidden there. */
+Eigen::Vector3d CalcHoldPlace(const SmoothPath& smooth, const ScalarCurve& speed, double hold) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const std::vector<Column> samples = FindHoldSamples(speed, hold);
+  for (const Column i : samples) sum += smooth.path.p.col(i);
+  return sum / static_cast<double>(samples.size());
+}
+
+}  // namespace
+
+ContactEvidence MakeContactEvidence(const ReachTrial& trial, const ScalarCurve& opening,
+                                    const ScalarCurve& object_displacement, double begin,
+                                    double hold, const ContactOptions& options) {
+  ContactEvidence evidence;
+  evidence.begin = begin;
+  evidence.hold = hold;
+  evidence.opening = opening;
+  evidence.object_displacement = object_displacement;
+  const ObjectTrack object =
+      trial.object.IsRecorded() ? SmoothObject(trial, options.object_cutoff) : ObjectTrack();
+  for (const DigitTrack& track : trial.digits) {
+    DigitEvidence digit;
+    digit.track = &track;
+    digit.p_O = ExpressInObject(track.tip, object);
+    const SmoothPath smooth = Smooth(digit.p_O, options.cutoff);
+    digit.speed = CalcSpeed(smooth);
+    const Eigen::Vector3d place = CalcHoldPlace(smooth, digit.speed, hold);
+    digit.departure =
+        MakeCurve(smooth, [&](const Eigen::Vector3d& p_O) { return (p_O - place).norm(); });
+    if (trial.object.IsRecorded() && trial.object.distance) {
+      digit.distance = MakeCurve(smooth, trial.object.distance);
+      digit.hold_distance = CalcHoldMedian(digit.distance, hold);
+    }
+    evidence.digits.push_back(std::move(digit));
+  }
+  return evidence;
+}
+
+int FindHoldSample(const ScalarCurve& curve, double hold) {
+  const size_t at = FindSamples(curve.times, hold, hold + 0.5).first;
+  for (size_t i = at; i < curve.size() && curve.times[i] <= hold + 0.5; ++i) {
+    if (curve.IsValid(i)) return static_cast<int>(i);
+  }
+  for (size_t i = at; i-- > 0 && curve.times[i] >= hold - 0.1;) {
+    if (curve.IsValid(i)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& digit,
+                        const ContactOptions& options) {
+  const double speed = CalcHoldMedian(digit.speed, evidence.hold);
+  if (std::isnan(speed)) return "the digit is hidden in the hold";
+  char text[120];
+  if (digit.hold_distance > options.max_pad_offset) {
+    std::snprintf(text, sizeof text, "in the hold its marker is %.0f mm from the surface",
+                  MmFromM(digit.hold_distance));
+    return text;
+  }
+  // Below four standard deviations noise alone may look like motion.
+  if (speed > std::max(options.speed_threshold, 4.0 * digit.speed.noise)) {
+    std::snprintf(text, sizeof text, "in the hold it moves at %.0f mm/s against the object",
+                  MmFromM(speed));
+    return text;
+  }
+  return "";
+}
+
+EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& evidence,
+                      double tolerance) {
+  // A slower approach is not extrapolated as such: the contact would lie too far away [m/s].
+  constexpr double kMinClosingSpeed = 0.02;
+  const int hold = FindHoldSample(distance, evidence.hold);
+  if (hold < 0) return MissingEvent("the digit is hidden in the hold");
+  const size_t first = FindSamples(distance.times, evidence.begin, evidence.hold).first;
+  EventTime event =
+      TraceBack(distance, static_cast<size_t>(hold), first, tolerance, Side::kBelow, kMinApproach);
+  if (!event.IsFound() || event.is_in_gap) return event;
+  const size_t after = FindSamples(distance.times, event.time, distance.times.back()).first;
+  const auto column = static_cast<Column>(after);
+  const double speed = (distance.values[column - 1] - distance.values[column]) /
+                       (distance.times[after] - distance.times[after - 1]);
+  event.time += tolerance / std::max(speed, kMinClosingSpeed);
+  return event;
+}
+
+const std::vector<ContactDetector>& ContactDetectorList() {
+  static const std::vector<ContactDetector> detectors = {
+#define GRASPBENCH_DETECTOR(name) Make##name##Detector(),
+#include "human_study/events/detectors/detector_list.inc"
+#undef GRASPBENCH_DETECTOR
+  };
+  return detectors;
+}
+
+size_t FindContactDetector(const std::string& id) {
+  const std::vector<ContactDetector>& detectors = ContactDetectorList();
+  std::vector<std::string> known;
+  for (size_t i = 0; i < detectors.size(); ++i) {
+    if (detectors[i].id == id) return i;
+    known.push_back(detectors[i].id);
+  }
+  throw Error(ErrorKind::kNotFound, "no contact detector \"" + id + "\"" + SuggestNames(id, known));
+}
+
+std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
+                                             const ContactOptions& options) {
+  const size_t believed = FindContactDetector(options.detector);
+  std::vector<DigitContactEvents> contacts;
+  for (const DigitEvidence& digit : evidence.digits) {
+    DigitContactEvents events;
+    events.digit = digit.track->digit;
+    events.is_thumb = digit.track->is_thumb;
+    double earliest = std::numeric_limits<double>::infinity(), latest = -earliest;
+    int num_found = 0;
+    for (const ContactDetector& detector : ContactDetectorList()) {
+      events.by_detector.push_back(detector.find(evidence, digit, options));
+      const EventTime& event = events.by_detector.back();
+      if (!event.IsFound()) continue;
+      ++num_found;
+      earliest = std::min(earliest, event.time);
+      latest = std::max(latest, event.time);
+    }
+    events.contact = events.by_detector[believed];
+    if (num_found >= 2) events.disagreement = latest - earliest;
+    contacts.push_back(std::move(events));
+  }
+  return contacts;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+
+#include "human_study/cleaning/butterworth.h"
+#include "human_study/cleaning/resample.h"
+#include "human_study/events/detectors/detector_list.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+
+constexpr double kCutoff = 50.0;     // [Hz], or what the sensor's rate allows
+constexpr double kAfterHold = 0.5;   // [s] the grip's force has its peak by then
+constexpr double kPeakShare = 0.25;  // the search starts at a quarter of the peak
+constexpr size_t kMinBaseline = 20;  // samples before the movement
+
+/** Rate of change of the filtered force. */
+ScalarCurve CalcForceRate(const ForceChannel& force, double cutoff, double rate) {
+  const Eigen::VectorXd raw = Eigen::Map<const Eigen::VectorXd>(
+      force.values.data(), static_cast<Column>(force.values.size()));
+  const Eigen::VectorXd smooth = FilterZeroPhase(MakeLowPass(cutoff, rate), raw);
+  ScalarCurve curve;
+  curve.times = force.times;
+  curve.states.assign(force.times.size(), SampleState::kMeasured);
+  curve.values.resize(smooth.size());
+  for (Column i = 0; i < smooth.size(); ++i) {
+    const Column before = std::max<Column>(i - 1, 0), after = std::min(i + 1, smooth.size() - 1);
+    curve.values[i] =
+        (smooth[after] - smooth[before]) / (static_cast<double>(after - before) / rate);
+  }
+  curve.reach = 0.18 / cutoff;
+  return curve;
+}
+
+EventTime FindByForce(const ContactEvidence& evidence, const DigitEvidence& digit,
+                      const ContactOptions& options) {
+  const ForceChannel& force = digit.track->force;
+  if (force.times.empty()) return MissingEvent("the digit has no force sensor");
+  const SampleRun baseline = FindSamples(force.times, force.times.front(), evidence.begin);
+  const SampleRun grip = FindSamples(force.times, evidence.begin, evidence.hold + kAfterHold);
+  if (baseline.size() < kMinBaseline || grip.size() < kMinBaseline) {
+    return MissingEvent("too few samples of force before or after the onset");
+  }
+  if (!FindSampling(force.times).is_even) {
+    return MissingEvent("the samples of force are not evenly spaced");
+  }
+  const double rate =
+      static_cast<double>(force.times.size() - 1) / (force.times.back() - force.times.front());
+  ScalarCurve curve = CalcForceRate(force, std::min(kCutoff, 0.3 * rate), rate);
+
+  const auto rest = curve.values.segment(static_cast<Column>(baseline.first),
+                                         static_cast<Column>(baseline.size()));
+  curve.noise = std::sqrt((rest.array() - rest.mean()).square().mean());
+  const double threshold = rest.mean() + options.force_noise_factor * curve.noise;
+  double zero = 0.0;
+  for (size_t i = baseline.first; i < baseline.last; ++i) zero += force.values[i];
+  zero /= static_cast<double>(baseline.size());
+  const auto first = force.values.begin() + static_cast<std::ptrdiff_t>(grip.first);
+  const auto last = force.values.begin() + static_cast<std::ptrdiff_t>(grip.last);
+  const double start = zero + kPeakShare * (*std::max_element(first, last) - zero);
+  const auto quarter = std::find_if(first, last, [&](double f) { return f >= start; });
+  EventTime event = TraceBack(curve, static_cast<size_t>(quarter - force.values.begin()),
+                              grip.first, threshold, Side::kAbove);
+  if (!event.IsFound()) return MissingEvent("the force does not rise out of its noise");
+  // A threshold near the noise sees a sudden rise as early as the filter smears it.
+  event.uncertainty = std::hypot(event.uncertainty, curve.reach / std::sqrt(3.0));
+  return event;
+}
+
+}  // namespace
+
+ContactDetector MakeForceDetector() {
+  return {"force",
+          "rate of force above the baseline's mean plus four standard deviations, traced back from "
+          "a quarter of the peak (after Luciw et al. 2014)",
+          "a force or tactile sensor on the digit", FindByForce};
+}
+
+}  // namespace graspbench

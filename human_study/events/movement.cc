@@ -1,0 +1,169 @@
+#include "human_study/events/movement.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+
+EventTime FindThreshold(const ScalarCurve& speed, size_t peak, const MovementOptions& options) {
+  return TraceBack(speed, peak, 0, options.speed_threshold, Side::kAbove);
+}
+
+EventTime FindPeakFraction(const ScalarCurve& speed, size_t peak, const MovementOptions& options) {
+  const double threshold = options.peak_fraction * speed.values[static_cast<Column>(peak)];
+  return TraceBack(speed, peak, 0, threshold, Side::kAbove);
+}
+
+EventTime FindLongestRun(const ScalarCurve& speed, size_t, const MovementOptions& options) {
+  SampleRun longest, run;
+  for (size_t i = 0; i < speed.size(); ++i) {
+    const bool is_fast =
+        speed.IsValid(i) && speed.values[static_cast<Column>(i)] > options.speed_threshold;
+    if (!is_fast) {
+      run = {i + 1, i + 1};
+    } else {
+      run.last = i + 1;
+      if (run.size() > longest.size()) longest = run;
+    }
+  }
+  if (longest.size() == 0) return MissingEvent("the speed never exceeds the threshold");
+  return TraceBack(speed, longest.first, 0, options.speed_threshold, Side::kAbove);
+}
+
+EventTime FindBaseline(const ScalarCurve& speed, size_t peak, const MovementOptions& options) {
+  constexpr double kDistance = 0.1;  // [s] the quiet window keeps from the coarse onset
+  constexpr double kLength = 0.5;    // [s]
+  constexpr double kNumSds = 2.0;
+  const EventTime coarse = FindThreshold(speed, peak, options);
+  if (!coarse.IsFound()) return coarse;
+  const SampleRun window =
+      FindSamples(speed.times, coarse.time - kDistance - kLength, coarse.time - kDistance);
+  double sum = 0.0, square_sum = 0.0, count = 0.0;
+  for (size_t i = window.first; i < window.last; ++i) {
+    if (!speed.IsValid(i)) continue;
+    const double value = speed.values[static_cast<Column>(i)];
+    sum += value;
+    square_sum += value * value;
+    count += 1.0;
+  }
+  if (count < 5.0) return MissingEvent("no quiet samples 0.1 s before the movement");
+  const double mean = sum / count;
+  const double variance = std::max(0.0, square_sum / count - mean * mean) * count / (count - 1.0);
+  return TraceBack(speed, peak, 0, mean + kNumSds * std::sqrt(variance), Side::kAbove);
+}
+
+EventTime FindRegression(const ScalarCurve& speed, size_t peak, const MovementOptions&) {
+  const double top = speed.values[static_cast<Column>(peak)];
+  // The rising flank from 10 to 60 % of the peak.
+  size_t last = peak;
+  while (last > 0 && !(speed.values[static_cast<Column>(last)] <= 0.6 * top)) --last;
+  size_t first = last;
+  while (first > 0 && !(speed.values[static_cast<Column>(first)] <= 0.1 * top)) --first;
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double count = 0.0, square_sum = 0.0;
+  const double origin = speed.times[last];
+  bool is_filled = false;
+  for (size_t i = first; i <= last; ++i) {
+    if (!speed.IsValid(i)) continue;
+    const double t = speed.times[i] - origin;
+    const double y = std::sqrt(speed.values[static_cast<Column>(i)]);
+    const Eigen::Vector3d row(1.0, t, t * t);
+    normal += row * row.transpose();
+    right += row * y;
+    square_sum += y * y;
+    count += 1.0;
+    is_filled |= speed.states[i] == SampleState::kFilled;
+  }
+  if (count < 5.0) return MissingEvent("fewer than five samples on the rising flank");
+  const Eigen::Matrix3d inverse = normal.inverse();
+  const Eigen::Vector3d c = inverse * right;
+  // The root on the way up: where the parabola, open below, has a positive slope.
+  const double discriminant = c[1] * c[1] - 4.0 * c[2] * c[0];
+  if (!(discriminant > 0.0)) return MissingEvent("the rising flank does not lead to zero");
+  const double slope = std::sqrt(discriminant);
+  const double root = c[2] != 0.0 ? (slope - c[1]) / (2.0 * c[2]) : -c[0] / c[1];
+  const Eigen::Vector3d at_root(1.0, root, root * root);
+  const double residual = std::max(0.0, square_sum - c.dot(right)) / (count - 3.0);
+  EventTime event;
+  event.time = origin + root;
+  event.uncertainty = std::hypot(std::sqrt(residual * at_root.dot(inverse * at_root)) / slope,
+                                 speed.Interval() / std::sqrt(12.0));
+  event.is_filled = is_filled;
+  if (!(event.time <= speed.times[first] + speed.Interval())) {
+    return MissingEvent("the rising flank does not lead to zero");
+  }
+  return event;
+}
+
+EventTime FindMultiplied(const ScalarCurve& speed, size_t peak, const MovementOptions&) {
+  const double top = speed.values[static_cast<Column>(peak)];
+  const double begin = speed.times[0], length = speed.times[peak] - begin;
+  ScalarCurve product = Cut(speed, {0, peak + 1});
+  for (size_t i = 0; i <= peak; ++i) {
+    const double is_slow = 1.0 - speed.values[static_cast<Column>(i)] / top;
+    const double is_late = (speed.times[i] - begin) / length;
+    product.values[static_cast<Column>(i)] = is_slow * is_late;
+  }
+  return FindProductPeak(product);
+}
+
+}  // namespace
+
+const std::vector<MovementRule>& MovementRuleList() {
+  static const std::vector<MovementRule> rules = {
+      {"threshold", "speed traced back from its peak to a fixed threshold", FindThreshold},
+      {"peak_fraction", "speed traced back from its peak to a fixed share of the peak",
+       FindPeakFraction},
+      {"longest_run", "first sample of the longest stretch above a fixed threshold (kinesis)",
+       FindLongestRun},
+      {"baseline",
+       "speed traced back to the mean plus two standard deviations of a quiet window that ends "
+       "0.1 s before a fixed threshold (after Luciw et al. 2014)",
+       FindBaseline},
+      {"regression",
+       "root of a parabola through the square root of speed on the rising flank, exact for "
+       "minimum-jerk movements (after Botzer and Karniel 2009)",
+       FindRegression},
+      {"multiplied",
+       "largest product of being slow and being late (after Schot, Brenner and Smeets 2010)",
+       FindMultiplied},
+  };
+  return rules;
+}
+
+const MovementRule& FindMovementRule(const std::string& id) {
+  std::vector<std::string> known;
+  for (const MovementRule& rule : MovementRuleList()) {
+    if (rule.id == id) return rule;
+    known.push_back(rule.id);
+  }
+  throw Error(ErrorKind::kNotFound, "no movement rule \"" + id + "\"" + SuggestNames(id, known));
+}
+
+Movement FindMovement(const ScalarCurve& whole, double begin, double end,
+                      const MovementOptions& options) {
+  const MovementRule& rule = FindMovementRule(options.rule);
+  Movement movement;
+  const ScalarCurve speed = Cut(whole, FindSamples(whole.times, begin, end));
+  const int peak = FindPeak(speed, {0, speed.size()});
+  if (peak < 0 || peak == 0 || peak + 1 == static_cast<int>(speed.size())) {
+    movement.onset = movement.end = MissingEvent("no peak of speed before the lift-off");
+    return movement;
+  }
+  movement.peak_speed = speed.values[peak];
+  movement.peak_time = speed.times[static_cast<size_t>(peak)];
+  movement.onset = rule.find_onset(speed, static_cast<size_t>(peak), options);
+  movement.end =
+      rule.find_onset(Reverse(speed), speed.size() - 1 - static_cast<size_t>(peak), options);
+  movement.end.time = -movement.end.time;
+  return movement;
+}
+
+}  // namespace graspbench

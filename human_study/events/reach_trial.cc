@@ -1,0 +1,167 @@
+#include "human_study/events/reach_trial.h"
+
+#include <Eigen/SVD>
+
+#include "core/base/error.h"
+#include "human_study/cleaning/butterworth.h"
+#include "human_study/cleaning/resample.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+
+constexpr size_t kMinSamples = 10;
+
+[[noreturn]] void Refuse(const std::string& text) {
+  throw Error(ErrorKind::kRange, "this trial cannot be analysed: " + text);
+}
+
+void CheckTrack(const ReachTrial& trial, const Trajectory& track, const std::string& name) {
+  if (track.times == trial.times && track.states.size() == trial.times.size() &&
+      track.p.cols() == static_cast<Column>(trial.times.size())) {
+    return;
+  }
+  Refuse("the track of " + name + " has " + std::to_string(track.size()) +
+         " samples, the trial has " + std::to_string(trial.times.size()) +
+         "; both must have the same times (resample them together)");
+}
+
+/** Rigid motion that takes the places in O to where the markers were seen. */
+Pose FitPose(const Eigen::Matrix3Xd& p_OM, const Eigen::Matrix3Xd& p_LM) {
+  if (p_OM.cols() < 3) return MakePose((p_LM - p_OM).rowwise().mean());
+  Pose X_LO;
+  X_LO.matrix() = Eigen::umeyama(p_OM, p_LM, false);
+  return X_LO;
+}
+
+void CheckSpread(const Eigen::Matrix3Xd& p_OM) {
+  if (p_OM.cols() < 3) return;
+  const Eigen::Matrix3Xd centred = p_OM.colwise() - p_OM.rowwise().mean();
+  const Eigen::Vector3d spread = centred.jacobiSvd().singularValues();
+  if (!(spread[1] > 1e-3 * spread[0])) {
+    Refuse("the object's " + std::to_string(p_OM.cols()) +
+           " markers lie on one line, so its turn about that line is not known; leave all but two "
+           "of them out to go without its orientation");
+  }
+}
+
+/** One column of the poses' matrices over time. */
+Trajectory TakeColumn(const ReachTrial& trial, Column column) {
+  Trajectory path;
+  path.times = trial.times;
+  path.states = trial.object.states;
+  path.p.resize(3, static_cast<Column>(trial.times.size()));
+  for (size_t i = 0; i < trial.times.size(); ++i) {
+    path.p.col(static_cast<Column>(i)) = trial.object.X_LO[i].matrix().col(column).head<3>();
+  }
+  return path;
+}
+
+}  // namespace
+
+void CheckTrial(const ReachTrial& trial) {
+  if (trial.times.size() < kMinSamples) {
+    Refuse("it has " + std::to_string(trial.times.size()) + " samples; expected " +
+           std::to_string(kMinSamples) + " or more");
+  }
+  if (!FindSampling(trial.times).is_even) {
+    Refuse("its samples are not evenly spaced; resample them");
+  }
+  if (trial.digits.size() < 2) {
+    Refuse("it has " + std::to_string(trial.digits.size()) +
+           " digits; a grasp needs two or more fingertip markers");
+  }
+  int num_thumbs = 0;
+  for (const DigitTrack& digit : trial.digits) {
+    num_thumbs += digit.is_thumb;
+    CheckTrack(trial, digit.tip, "digit " + digit.digit);
+    if (digit.force.times.size() != digit.force.values.size()) {
+      Refuse("the force of digit " + digit.digit + " has " +
+             std::to_string(digit.force.times.size()) + " times and " +
+             std::to_string(digit.force.values.size()) + " values");
+    }
+  }
+  if (num_thumbs > 1) Refuse("it has " + std::to_string(num_thumbs) + " thumbs");
+  if (trial.wrist.size() > 0) CheckTrack(trial, trial.wrist, "the wrist");
+  if (trial.object.IsRecorded() && (trial.object.X_LO.size() != trial.times.size() ||
+                                    trial.object.states.size() != trial.times.size())) {
+    Refuse("the object has " + std::to_string(trial.object.X_LO.size()) + " poses, the trial has " +
+           std::to_string(trial.times.size()) + " samples");
+  }
+}
+
+std::vector<Eigen::Vector3d> FindMarkerPlaces(const std::vector<Trajectory>& markers, double until,
+                                              const Eigen::Vector3d& p_MO_L) {
+  std::vector<Eigen::Vector3d> places;
+  Eigen::Vector3d origin = p_MO_L;
+  for (size_t m = 0; m < markers.size(); ++m) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double count = 0.0;
+    for (size_t i = 0; i < markers[m].size() && markers[m].times[i] < until; ++i) {
+      if (!markers[m].IsValid(i)) continue;
+      sum += markers[m].p.col(static_cast<Column>(i));
+      count += 1.0;
+    }
+    if (count == 0.0) {
+      throw Error(ErrorKind::kFormat, "marker " + std::to_string(m + 1) +
+                                          " of the object is not seen while the object rests, so "
+                                          "its place on the object is not known");
+    }
+    places.push_back(sum / count);
+    origin += places.back() / static_cast<double>(markers.size());
+  }
+  for (Eigen::Vector3d& place : places) place -= origin;
+  return places;
+}
+
+ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
+                            const std::vector<Eigen::Vector3d>& p_OM) {
+  GRASPBENCH_DEMAND(!markers.empty() && markers.size() == p_OM.size(),
+                    std::to_string(markers.size()) + ", " + std::to_string(p_OM.size()));
+  Eigen::Matrix3Xd all_places(3, static_cast<Column>(p_OM.size()));
+  for (size_t m = 0; m < p_OM.size(); ++m) all_places.col(static_cast<Column>(m)) = p_OM[m];
+  CheckSpread(all_places);
+
+  const size_t num_needed = std::min<size_t>(markers.size(), 3);
+  ObjectTrack track;
+  for (size_t i = 0; i < markers[0].size(); ++i) {
+    Eigen::Matrix3Xd places(3, all_places.cols()), seen(3, all_places.cols());
+    Column count = 0;
+    SampleState state = SampleState::kMeasured;
+    for (size_t m = 0; m < markers.size(); ++m) {
+      if (!markers[m].IsValid(i)) continue;
+      if (markers[m].states[i] == SampleState::kFilled) state = SampleState::kFilled;
+      places.col(count) = p_OM[m];
+      seen.col(count++) = markers[m].p.col(static_cast<Column>(i));
+    }
+    if (static_cast<size_t>(count) < num_needed) {
+      track.X_LO.push_back(MakePose(Eigen::Vector3d::Constant(std::nan(""))));
+      track.states.push_back(SampleState::kInvalid);
+      continue;
+    }
+    track.X_LO.push_back(FitPose(places.leftCols(count), seen.leftCols(count)));
+    track.states.push_back(state);
+  }
+  return track;
+}
+
+ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff) {
+  ObjectTrack smooth = trial.object;
+  for (Column column = 0; column < 4; ++column) {
+    Trajectory path = TakeColumn(trial, column);
+    FilterLowPass(path, cutoff);
+    for (size_t i = 0; i < trial.times.size(); ++i) {
+      smooth.X_LO[i].matrix().col(column).head<3>() = path.p.col(static_cast<Column>(i));
+    }
+  }
+  for (size_t i = 0; i < trial.times.size(); ++i) {
+    if (smooth.states[i] == SampleState::kInvalid) continue;
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(smooth.X_LO[i].linear(),
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    smooth.X_LO[i].linear() = svd.matrixU() * svd.matrixV().transpose();
+  }
+  return smooth;
+}
+
+}  // namespace graspbench
