@@ -7,32 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/hand/load_hand.h"
-#include "core/shape/primitives.h"
-#include "core/sim/known_answers/small_scenes.h"
+#include "tests/core/sim/trial_setups.h"
 
 namespace graspbench {
 namespace {
-
-std::shared_ptr<const GraspObject> MakeCube(double mass, double mu) {
-  GraspObject object =
-      MakeSolid(MakeRoundedBox(Eigen::Vector3d::Constant(0.031), 0.001, 2), mass, mu, mu);
-  object.id = "cube";
-  object.size = Eigen::Vector3d::Constant(0.031);
-  return std::make_shared<const GraspObject>(object);
-}
-
-TrialSetup MakeSetup(const char* hand, const char* grasp,
-                     std::shared_ptr<const GraspObject> object) {
-  TrialSetup setup;
-  setup.hand = std::make_shared<const Hand>(LoadHand(hand));
-  setup.object = std::move(object);
-  for (const StandardGrasp& candidate : LoadStandardGrasps(*setup.hand)) {
-    if (candidate.id == grasp) setup.grasp = candidate;
-  }
-  setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
-  return setup;
-}
 
 class TrialTest : public testing::TestWithParam<const char*> {};
 
