@@ -4,12 +4,31 @@ Connects the batch to the simulation and the store: a worker simulates the plann
 session and writes them into its own journal. */
 
 #include <filesystem>
+#include <memory>
 
+#include "core/sim/trial.h"
 #include "datasets/session_config.h"
 #include "datasets/session_inputs.h"
 #include "workbench/batch_runner.h"
 
 namespace graspbench {
+
+/** Simulates planned trials of a session in one thread. */
+class PlannedTrialRunner {
+ public:
+  /** @pre both outlive the runner. */
+  PlannedTrialRunner(const SessionConfig& config, const SessionInputs& inputs)
+      : config_(config), inputs_(inputs) {}
+  TrialResult Run(const PlannedTrial& planned);
+
+ private:
+  const SessionConfig& config_;
+  const SessionInputs& inputs_;
+  // Of the last hand and object: a plan has all trials of a pair in a row.
+  std::shared_ptr<const Hand> hand_;
+  std::shared_ptr<const GraspObject> object_;
+  std::unique_ptr<TrialRunner> runner_;
+};
 
 /** @pre config, inputs and folder outlive the workers, and the plan was made from them. */
 MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,

@@ -11,7 +11,10 @@ speeds (u + v) / 2, so that the smooth part is second order and keeps its energy
 Contact and drives look ahead from the middle by the whole of h v, which makes stiff springs settle
 in one step instead of ringing.
 
-The hand's root moves as the strategy says; its motion is prescribed, whatever force that takes. */
+The hand's root moves as the strategy says; its motion is prescribed, whatever force that takes.
+
+Another backend moves the same scene by other means: it overrides the virtual functions and keeps
+`state_` up to date, so that the whole course of a trial runs on it unchanged. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -85,11 +88,12 @@ struct EnergyAccount {
 class World {
  public:
   World(const Hand& hand, const GraspObject& object, const SimConfig& config);
+  virtual ~World() = default;
 
   /** Starts anew, without contacts or history. */
-  void Reset(const WorldState& state);
+  virtual void Reset(const WorldState& state);
 
-  StepReport Step(const WorldCommand& command);
+  virtual StepReport Step(const WorldCommand& command);
 
   /** Turns gravity, as a test or a verdict asks [m/s^2]. */
   void SetGravity(const Eigen::Vector3d& gravity_W) { state_.gravity_W = gravity_W; }
@@ -103,13 +107,13 @@ class World {
 
   /** The contacts of the last step in the collider's fixed order, with the forces of the step's end
   at the places of its middle; replaces what is in `contacts`. */
-  void FindHandContacts(std::vector<HandContact>& contacts) const;
+  virtual void FindHandContacts(std::vector<HandContact>& contacts) const;
 
   const WorldState& state() const { return state_; }
   Pose CalcObjectPose() const;  ///< X_WO
   const EnergyAccount& energy() const { return energy_; }
-  double CalcKineticEnergy();   ///< relative to the moving root [J]
-  double CalcEnergyResidual();  ///< [J]
+  double CalcKineticEnergy();           ///< relative to the moving root [J]
+  virtual double CalcEnergyResidual();  ///< [J]
   const Collider& collider() const { return collider_; }
   HandDynamics& dynamics() { return dynamics_; }
 
