@@ -8,7 +8,8 @@ spread of the others is reported beside it.
 
 A grasp ends in a hold: the object is in the hand, no tip moves against it. Every detector starts
 from there and looks back, so that touching and letting go before the grasp does not count. The hold
-is the lift-off; without a recorded object it is the end of the movement. */
+is the lift-off; without one it is when, after the end of the movement, all tips have come to rest.
+*/
 
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/units.h"
 #include "core/statistics/summary.h"
 #include "human_study/cleaning/butterworth.h"
 
@@ -11,6 +10,24 @@ namespace graspbench {
 namespace {
 
 using Column = Eigen::Index;
+
+/** What a filter makes of white noise of SD 1. */
+struct NoiseShares {
+  double taken = 0.0;  ///< SD of input minus output
+  double left = 0.0;   ///< SD of the output
+  double rate = 0.0;   ///< SD of the output's central difference [1/s]
+};
+
+/** From the impulse response: variances of white noise add up. */
+NoiseShares CalcNoiseShares(const Biquad& pass, double sampling_rate) {
+  constexpr Column kHalfLength = 200;  // samples, many times the response of any cut-off in use
+  Eigen::VectorXd impulse = Eigen::VectorXd::Zero(2 * kHalfLength + 1);
+  impulse[kHalfLength] = 1.0;
+  const Eigen::VectorXd response = FilterZeroPhase(pass, impulse);
+  const Eigen::VectorXd difference =
+      response.tail(impulse.size() - 2) - response.head(impulse.size() - 2);
+  return {(impulse - response).norm(), response.norm(), difference.norm() * sampling_rate / 2};
+}
 
 /** Event between sample `before`, still on the other side, and sample `after`. */
 EventTime MakeCrossing(const ScalarCurve& curve, size_t before, size_t after, double threshold) {
@@ -85,12 +102,11 @@ SmoothPath Smooth(const Trajectory& trajectory, double cutoff) {
       taken_away.push_back(std::abs(trajectory.p(axis, column) - smooth.path.p(axis, column)));
     }
   }
-  const double share = 2.0 * cutoff / rate;  // of the noise's variance that passes
-  constexpr double kSdPerMedian = 1.4826;    // of a normal distribution
-  smooth.noise =
-      taken_away.empty() ? 0.0 : kSdPerMedian * CalcMedian(taken_away) / std::sqrt(1.0 - share);
-  smooth.smooth_noise = smooth.noise * std::sqrt(share);
-  smooth.speed_noise = smooth.smooth_noise * 2.0 * kPi * cutoff / std::sqrt(3.0);
+  const NoiseShares shares = CalcNoiseShares(MakeLowPass(cutoff, rate), rate);
+  constexpr double kSdPerMedian = 1.4826;  // of a normal distribution
+  smooth.noise = taken_away.empty() ? 0.0 : kSdPerMedian * CalcMedian(taken_away) / shares.taken;
+  smooth.smooth_noise = shares.left * smooth.noise;
+  smooth.speed_noise = shares.rate * smooth.noise;
   smooth.reach = 0.18 / cutoff;
   return smooth;
 }

@@ -39,8 +39,8 @@ struct SmoothPath {
   double reach = 0.0;         ///< half the rise time, 0.18 / cut-off [s]
 };
 /** The noise is what the filter takes away (median absolute, so that corners of the path do not
-count), taken to be white: an ideal low-pass at f_c leaves the share 2 f_c / f_s of its variance and
-(2 pi)^2 2 f_c^3 / (3 f_s) of it in the derivative.
+count), taken to be white: the filter's impulse response then says how much of it was taken, is left
+and is in the derivative.
 @throws Error(kRange) when the cut-off does not fit the rate. */
 SmoothPath Smooth(const Trajectory& trajectory, double cutoff);
 

@@ -31,6 +31,32 @@ Trajectory FindTransport(const ReachTrial& trial) {
   return centroid;
 }
 
+/** When the hand holds without a recorded object to tell: the first instant after the end of the
+movement from which no visible tip is faster than the threshold for 0.1 s. Tips that close towards
+each other can be fast while their centroid rests. */
+double FindRestOfTips(const ReachTrial& trial, double end, const MovementOptions& options) {
+  constexpr double kDuration = 0.1;
+  std::vector<ScalarCurve> speeds;
+  for (const DigitTrack& digit : trial.digits) {
+    speeds.push_back(CalcSpeed(Smooth(digit.tip, options.cutoff)));
+  }
+  double rest_begin = std::nan("");
+  const SampleRun samples = FindSamples(trial.times, end, trial.times.back());
+  for (size_t i = samples.first; i < samples.last; ++i) {
+    const bool is_moving = std::any_of(speeds.begin(), speeds.end(), [&](const ScalarCurve& speed) {
+      return speed.values[static_cast<Column>(i)] > options.speed_threshold;
+    });
+    if (is_moving) {
+      rest_begin = std::nan("");
+    } else if (std::isnan(rest_begin)) {
+      rest_begin = trial.times[i];
+    } else if (trial.times[i] - rest_begin >= kDuration) {
+      return rest_begin;
+    }
+  }
+  return std::isnan(rest_begin) ? end : rest_begin;
+}
+
 ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double t0,
                          bool with_missing) {
   std::vector<DigitContact> times;
@@ -162,11 +188,13 @@ TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& optio
 
   analysis.opening =
       CalcOpeningCurve(trial, FindHandOpening(options.opening.measure), options.opening.cutoff);
-  const EventTime& hold = lift_off.IsFound() ? lift_off : end;
+  double hold = lift_off.time;
+  if (!lift_off.IsFound() && end.IsFound())
+    hold = FindRestOfTips(trial, end.time, options.movement);
   const double begin = onset.IsFound() ? onset.time : trial_begin;
-  if (hold.IsFound()) {
+  if (!std::isnan(hold)) {
     const ContactEvidence evidence = MakeContactEvidence(
-        trial, analysis.opening, travel.displacement, begin, hold.time, options.contact);
+        trial, analysis.opening, travel.displacement, begin, hold, options.contact);
     analysis.contacts = FindContacts(evidence, options.contact);
   } else {
     for (const DigitTrack& digit : trial.digits) {
@@ -180,7 +208,7 @@ TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& optio
 
   analysis.peak_opening =
       FindPeakOpening(analysis.opening, begin, FindFirstContact(analysis.contacts),
-                      hold.IsFound() ? hold.time : trial_end, options.opening.min_prominence);
+                      std::isnan(hold) ? trial_end : hold, options.opening.min_prominence);
   const bool is_largest = options.opening.maximum == "largest";
   const PeakOpening& peak = analysis.peak_opening;
   analysis.closure_start = is_largest ? peak.largest : peak.last;
