@@ -1,6 +1,7 @@
 #include "human_study/statistics/mixed_model.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -200,8 +201,8 @@ FixedEffect MakeEffect(double estimate, double standard_error, const Answer<doub
     effect.test = df.none();
     return effect;
   }
-  if (!std::isfinite(*df) || *df <= 0.0) {
-    effect.test = NoAnswer{"the likelihood is too flat for degrees of freedom"};
+  if (!(*df >= 0.5)) {
+    effect.test = NoAnswer{"the likelihood is too flat: less than half a degree of freedom"};
     return effect;
   }
   const double half_width = CalcStudentQuantile(0.975, *df) * standard_error;
@@ -305,8 +306,9 @@ Answer<MixedModel> FitMixedModel(const std::vector<PersonPoint>& points) {
   const Vector2d beta = back * terms.beta + origin;
   const Matrix2d covariance = back * (sigma2 * terms.c_inverse) * back.transpose();
   const Matrix2d psi = back * (sigma2 * relative) * back.transpose();
-  model.intercept_sd = std::sqrt(psi(0, 0));
-  model.slope_sd = std::sqrt(psi(1, 1));
+  // A variance of zero may come back as a rounding error below it.
+  model.intercept_sd = std::sqrt(std::max(0.0, psi(0, 0)));
+  model.slope_sd = std::sqrt(std::max(0.0, psi(1, 1)));
   if (model.intercept_sd > kSingular * model.residual_sd &&
       model.slope_sd * scaling.x_scale > kSingular * model.residual_sd) {
     model.correlation = psi(1, 0) / (model.intercept_sd * model.slope_sd);

@@ -106,11 +106,12 @@ Answer<double> CalcHuynhFeldt(double greenhouse_geisser, int num_contrasts, int 
   if (num_contrasts == 1) return 1.0;
   const double used = num_contrasts * greenhouse_geisser;
   const double left = num_persons - 1.0 - used;
-  if (left <= 0.0) {
+  if (left <= 1e-9 * num_persons) {
     return NoAnswer{std::to_string(num_persons) + " persons are too few for " +
                     std::to_string(num_contrasts) + " contrasts"};
   }
-  return std::min(1.0, (num_persons * used - 2.0) / (num_contrasts * left));
+  // It is never below Greenhouse and Geisser's, but for rounding.
+  return std::clamp((num_persons * used - 2.0) / (num_contrasts * left), greenhouse_geisser, 1.0);
 }
 
 double CalcMauchlyP(double w, int num_contrasts, int num_cells, int num_persons) {
