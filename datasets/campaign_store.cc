@@ -7,6 +7,7 @@
 #include "core/base/config.h"
 #include "core/base/files.h"
 #include "core/base/version.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -19,13 +20,6 @@ constexpr char kTargetVariant[] = "new-target";
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
   return folder / "comparison" / (hand + "-" + object);
-}
-
-double CalcMedian(std::vector<double> values) {
-  if (values.empty()) return kUnset;
-  std::sort(values.begin(), values.end());
-  const size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
@@ -43,14 +37,14 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
     ++summary.trials;
     summary.successes += result.outcome == Outcome::kSuccess;
     if (std::isfinite(result.stability.sigma)) sum += result.stability.sigma;
-    if (std::isfinite(result.timing.gft_ratio)) gft.push_back(result.timing.gft_ratio);
-    if (std::isfinite(result.timing.got_ratio)) got.push_back(result.timing.got_ratio);
-    if (std::isfinite(result.timing.gct)) gct.push_back(result.timing.gct);
+    gft.push_back(result.timing.gft_ratio);
+    got.push_back(result.timing.got_ratio);
+    gct.push_back(result.timing.gct);
   }
   summary.mean_sigma = sum / summary.trials;
-  summary.median_gft_ratio = CalcMedian(gft);
-  summary.median_got_ratio = CalcMedian(got);
-  summary.median_gct = CalcMedian(gct);
+  summary.median_gft_ratio = CalcMedianOfFinite(gft);
+  summary.median_got_ratio = CalcMedianOfFinite(got);
+  summary.median_gct = CalcMedianOfFinite(gct);
   return summary;
 }
 
@@ -287,6 +281,14 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
     }
   }
   return tasks;
+}
+
+double CalcMedianOfFinite(std::vector<double> values) {
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [](double value) { return !std::isfinite(value); }),
+               values.end());
+  std::sort(values.begin(), values.end());
+  return values.empty() ? kUnset : CalcSortedQuantile(values, 0.5);
 }
 
 std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {

@@ -181,16 +181,6 @@ std::string FormatPercentage(double ratio) {
   return std::isfinite(ratio) ? FormatFixed(100.0 * ratio, 1) : "n/a";
 }
 
-double CalcMedian(std::vector<double> values) {
-  values.erase(std::remove_if(values.begin(), values.end(),
-                              [](double value) { return !std::isfinite(value); }),
-               values.end());
-  if (values.empty()) return kUnset;
-  std::sort(values.begin(), values.end());
-  const size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 void PrintVariants(const Campaign& campaign) {
   const std::vector<VariantSummary> summaries = SummariseVariants(campaign.benchmark);
   TextTable table({"variant", "scenes", "trials", "successes", "95 % interval [%]", "median sigma",
@@ -207,10 +197,11 @@ void PrintVariants(const Campaign& campaign) {
       got.push_back(summary.median_got_ratio);
       gct.push_back(summary.median_gct);
     }
-    table.AddRow({variant, std::to_string(sigma.size()), std::to_string(trials),
-                  std::to_string(successes), FormatRateInterval(successes, trials),
-                  FormatFixed(CalcMedian(sigma), 3), FormatPercentage(CalcMedian(gft)),
-                  FormatPercentage(CalcMedian(got)), FormatFixed(CalcMedian(gct), 3)});
+    table.AddRow(
+        {variant, std::to_string(sigma.size()), std::to_string(trials), std::to_string(successes),
+         FormatRateInterval(successes, trials), FormatFixed(CalcMedianOfFinite(sigma), 3),
+         FormatPercentage(CalcMedianOfFinite(gft)), FormatPercentage(CalcMedianOfFinite(got)),
+         FormatFixed(CalcMedianOfFinite(gct), 3)});
   }
   std::cout << '\n' << table.Format();
 }
@@ -226,8 +217,8 @@ void PrintComparison(const Campaign& campaign) {
       best.push_back(*std::max_element(run.fitness.begin(), run.fitness.end()));
       if (run.evaluations_to_90 > 0) evaluations.push_back(run.evaluations_to_90);
     }
-    const double median = CalcMedian(evaluations);
-    table.AddRow({method, std::to_string(best.size()), FormatFixed(CalcMedian(best), 3),
+    const double median = CalcMedianOfFinite(evaluations);
+    table.AddRow({method, std::to_string(best.size()), FormatFixed(CalcMedianOfFinite(best), 3),
                   std::to_string(evaluations.size()),
                   std::isfinite(median) ? FormatFixed(median, 0) : "n/a"});
   }
