@@ -11,20 +11,13 @@ namespace graspbench {
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const CellPictures& pictures) {
   const ReportData data = {session, summary, models, pictures};
-  std::vector<PageLink> contents;
-  Html body;
-  for (const Section& section : ListSections()) {
-    contents.push_back({section.anchor, section.title});
-    body += Element("section", {{"id", section.anchor}},
-                    Element("h2", {}, section.title) + section.draw(data));
-  }
   const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
                                FormatCount(static_cast<int>(summary.objects.size()), "object") +
                                ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
                                ", " + std::to_string(summary.total.finished) + " of " +
                                FormatCount(summary.total.planned, "planned trial") +
                                " finished, seed " + std::to_string(session.config.seed);
-  return MakePage("Grasp benchmark session", subtitle, contents, body);
+  return MakeSectionedPage("Grasp benchmark session", subtitle, ListSections(), data);
 }
 
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,

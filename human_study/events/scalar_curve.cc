@@ -161,6 +161,12 @@ ScalarCurve Cut(const ScalarCurve& curve, const SampleRun& samples) {
   return part;
 }
 
+double ValueNear(const ScalarCurve& curve, double time) {
+  const SampleRun run =
+      FindSamples(curve.times, time - curve.Interval() / 2, time + curve.Interval());
+  return run.size() == 0 ? std::nan("") : curve.values[static_cast<Eigen::Index>(run.first)];
+}
+
 int FindPeak(const ScalarCurve& curve, const SampleRun& samples) {
   int peak = -1;
   for (size_t i = samples.first; i < samples.last; ++i) {

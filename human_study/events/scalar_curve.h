@@ -55,6 +55,9 @@ ScalarCurve Reverse(const ScalarCurve& curve);
 SampleRun FindSamples(const std::vector<double>& times, double begin, double end);
 ScalarCurve Cut(const ScalarCurve& curve, const SampleRun& samples);
 
+/** Value at the sample nearest to an instant; NaN outside the curve. */
+double ValueNear(const ScalarCurve& curve, double time);
+
 /** Largest of the valid samples; -1 when there is none. */
 int FindPeak(const ScalarCurve& curve, const SampleRun& samples);
 

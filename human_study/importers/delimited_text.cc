@@ -81,6 +81,12 @@ double ParseNumber(const Cells& cells, size_t column, const LineReader& reader) 
   reader.Fail("column " + std::to_string(column + 1) + ": " + Quote(cell) + " is not a number");
 }
 
+std::optional<double> ParseFiniteNumber(std::string_view text) {
+  double value = 0.0;
+  if (!ParsePlain(text, value) || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
 double ParseHeaderNumber(std::string_view cell, const std::string& what, double min, double max,
                          const LineReader& reader) {
   double value = 0.0;

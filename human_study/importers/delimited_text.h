@@ -3,6 +3,7 @@
 Lines and cells of tab- or comma-separated text, with line numbers for messages. */
 
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,9 @@ void SplitCells(std::string_view line, char delimiter, Cells& cells);
 /** NaN for an empty cell, "nan" or "n/a"; anything else that is not a number fails with line and
 column. */
 double ParseNumber(const Cells& cells, size_t column, const LineReader& reader);
+
+/** Nothing unless the whole text is a finite number. */
+std::optional<double> ParseFiniteNumber(std::string_view text);
 
 /** A number of a header: finite and within [min, max], else fails naming `what`. */
 double ParseHeaderNumber(std::string_view cell, const std::string& what, double min, double max,

@@ -3,6 +3,7 @@ Motion-BIDS (Jeung et al. 2024): `.._motion.tsv` without a heading, one column a
 by `.._channels.tsv` and `.._motion.json` beside it; `.._events.tsv` when present. Channels of type
 POS become points, LATENCY the time stamps, the rest analog channels at the same rate. */
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -166,9 +167,12 @@ Recording ImportMotionBids(const ImportSource& source, const ImportOptions& opti
   NoteZeros(num_zeros, recording);
   SettleTimes(std::move(times), 1, source.name, recording);
   // Events belong to the task, not to one tracking system.
-  const std::string task_stem = stem.substr(0, stem.find("_tracksys-"));
-  if (const auto events = source.read_sibling(task_stem + "_events.tsv")) {
-    const std::string file = task_stem + "_events.tsv";
+  std::string task_stem = stem;
+  if (const size_t entity = stem.find("_tracksys-"); entity != std::string::npos) {
+    task_stem.erase(entity, std::min(stem.find('_', entity + 1), stem.size()) - entity);
+  }
+  const std::string file = task_stem + "_events.tsv";
+  if (const auto events = source.read_sibling(file)) {
     int line_number = 1;
     for (const auto& row : ParseTable(*events, file)) {
       ++line_number;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 
@@ -15,16 +14,6 @@ void CheckPositive(const char* key, double value) {
   if (value > 0.0 && std::isfinite(value)) return;
   throw Error(ErrorKind::kRange,
               std::string(key) + " is " + std::to_string(value) + "; expected more than 0");
-}
-
-void CheckCutoff(const char* key, double cutoff, double rate) {
-  const double limit = 0.4 * rate;  // as MakeLowPass
-  if (cutoff < limit) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%s is %g; this recording of %g Hz allows less than %g, so choose a lower one", key,
-                cutoff, rate, limit);
-  throw Error(ErrorKind::kRange, text);
 }
 
 /** Path whose speed is the movement's: the wrist, else the centroid of the tips. */
@@ -80,12 +69,6 @@ ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double
   return CalcContactTiming(times, t0);
 }
 
-double ValueNear(const ScalarCurve& curve, double time) {
-  const SampleRun run =
-      FindSamples(curve.times, time - curve.Interval() / 2, time + curve.Interval());
-  return run.size() == 0 ? std::nan("") : curve.values[static_cast<Column>(run.first)];
-}
-
 void CalcUncertainties(TrialAnalysis& analysis) {
   const EventTime *first = nullptr, *last = nullptr, *thumb = nullptr, *first_finger = nullptr;
   for (const DigitContactEvents& digit : analysis.contacts) {
@@ -125,14 +108,6 @@ double FindFirstContact(const std::vector<DigitContactEvents>& contacts) {
     if (digit.contact.IsFound() && !(digit.contact.time >= first)) first = digit.contact.time;
   }
   return first;
-}
-
-double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
-  double last = std::nan("");
-  for (const DigitContactEvents& digit : contacts) {
-    if (digit.contact.IsFound() && !(digit.contact.time <= last)) last = digit.contact.time;
-  }
-  return last;
 }
 
 /** Found instants' difference; NaN when one is missing, as its time is NaN. */
@@ -176,16 +151,17 @@ void CheckOptions(const AnalysisOptions& options) {
   CheckPositive("contact.force_noise_factor", options.contact.force_noise_factor);
 }
 
+double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
+  double last = std::nan("");
+  for (const DigitContactEvents& digit : contacts) {
+    if (digit.contact.IsFound() && !(digit.contact.time <= last)) last = digit.contact.time;
+  }
+  return last;
+}
+
 TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options) {
   CheckOptions(options);
   CheckTrial(trial);
-  const double rate =
-      static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
-  CheckCutoff("movement.cutoff_hz", options.movement.cutoff, rate);
-  CheckCutoff("opening.cutoff_hz", options.opening.cutoff, rate);
-  CheckCutoff("contact.cutoff_hz", options.contact.cutoff, rate);
-  CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
-  CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
   TrialAnalysis analysis;
 
   ObjectTravel travel;
@@ -263,9 +239,9 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return a.timing_all.gct; }},
       {"grasp_forming_ratio_all", "GFT / GCT of all digits", "1",
        [](const A& a) { return a.timing_all.gft_ratio; }},
-      {"touching_digits", "digits that touched", "1",
+      {"touching_digits", "digits that touched", "",
        [](const A& a) { return static_cast<double>(a.num_touching); }},
-      {"contact_ties", "neighbours in the order of contact that cannot be told apart", "1",
+      {"contact_ties", "neighbours in the order of contact that cannot be told apart", "",
        [](const A& a) { return static_cast<double>(a.order.num_ties); }},
       {"peak_opening_m", "peak opening", "m", [](const A& a) { return a.closure_start_value; }},
       {"time_to_peak_opening_s", "onset to peak opening", "s",

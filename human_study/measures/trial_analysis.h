@@ -77,15 +77,18 @@ struct TrialAnalysis {
   bool used_gap = false;     ///< .. or fell into a gap
 };
 
-/** @throws Error as CheckTrial and CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate.
-What a trial does not show is missing in the result, with the reason, never an error. */
+/** @throws Error as CheckTrial and CheckOptions. What a trial does not show is missing in the
+result, with the reason, never an error. */
 TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options);
+
+/** Latest of the first contacts [s]; NaN without any. */
+double FindLastContact(const std::vector<DigitContactEvents>& contacts);
 
 /** One column of a table of measures. */
 struct TrialMeasure {
-  const char* id;                                  ///< with its unit: "grasp_forming_time_s"
-  const char* name;                                ///< for people: "grasp forming time (GFT)"
-  const char* unit;                                ///< "s", "m", "m/s", "1"
+  const char* id;    ///< with its unit: "grasp_forming_time_s"
+  const char* name;  ///< for people: "grasp forming time (GFT)"
+  const char* unit;  ///< "s", "m", "m/s", "1" for a ratio, "" for a count
   double (*value)(const TrialAnalysis& analysis);  ///< NaN: missing
 };
 

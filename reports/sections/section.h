@@ -6,8 +6,8 @@ line in section_list.inc, which fixes the order of the page. */
 #include <vector>
 
 #include "reports/cell_pictures.h"
-#include "reports/html.h"
 #include "reports/models.h"
+#include "reports/sectioned_page.h"
 #include "reports/session_summary.h"
 
 namespace graspbench {
@@ -19,11 +19,8 @@ struct ReportData {
   const CellPictures& pictures;
 };
 
-struct Section {
-  const char* anchor;  ///< lower-case letters only, so that it never meets a cell's anchor
-  const char* title;
-  Html (*draw)(const ReportData& data);  ///< must bear a session without a plan or without records
-};
+/** Must bear a session without a plan or without records. */
+using Section = PageSection<ReportData>;
 
 /** In the order of the page. */
 std::vector<Section> ListSections();

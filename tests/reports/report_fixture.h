@@ -34,4 +34,7 @@ const tinyxml2::XMLElement* FindById(const tinyxml2::XMLElement& root, const std
 /** Every value of an attribute anywhere in the page. */
 std::vector<std::string> ListAttribute(const tinyxml2::XMLElement& root, const char* name);
 
+/** Links lead somewhere, ids are unique, nothing is fetched, headings do not skip a level. */
+void ExpectSoundPage(const std::string& page);
+
 }  // namespace graspbench

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "tests/reports/report_fixture.h"
 
@@ -26,33 +25,6 @@ std::string TextOfSection(const std::string& page, const std::string& id) {
 
 void ExpectContains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n" << text;
-}
-
-/** Links lead somewhere, ids are unique, nothing is fetched, headings do not skip a level. */
-void ExpectSoundPage(const std::string& page) {
-  tinyxml2::XMLDocument document;
-  ParsePage(page, document);
-  const tinyxml2::XMLElement& root = *document.RootElement();
-  const std::vector<std::string> ids = ListAttribute(root, "id");
-  const std::set<std::string> known(ids.begin(), ids.end());
-  EXPECT_EQ(known.size(), ids.size()) << "an id is used twice";
-  for (const std::string& href : ListAttribute(root, "href")) {
-    EXPECT_TRUE(href[0] == '#' && known.count(href.substr(1)) == 1) << href;
-  }
-  for (const std::string& src : ListAttribute(root, "src")) {
-    EXPECT_EQ(src.rfind("data:image/webp;base64,", 0), 0u) << src.substr(0, 60);
-  }
-  EXPECT_EQ(page.find("http:"), std::string::npos);
-  EXPECT_EQ(page.find("https:"), std::string::npos);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
-  EXPECT_EQ(page.find("url("), std::string::npos);
-  char level = '1';
-  for (size_t at = page.find("<h"); at != std::string::npos; at = page.find("<h", at + 1)) {
-    const char digit = page[at + 2];
-    if (digit < '1' || digit > '6') continue;
-    EXPECT_LE(digit, level + 1) << page.substr(at, 80);
-    level = digit;
-  }
 }
 
 TEST(SessionReport, EveryNumberStandsInThePageWithoutScript) {

@@ -1,0 +1,32 @@
+#pragma once
+/** @file
+A made-up study as its user would have it on disk, and how well its truth is recovered: a first look
+at the workbench, and the test of the whole way from files to measures. */
+
+#include <filesystem>
+#include <vector>
+
+#include "human_study/study/run_study.h"
+#include "human_study/synthetic/synthetic_study.h"
+
+namespace graspbench {
+
+/** Six people, four cylinders, five trials each, five digits at 200 Hz with short drop-outs. */
+SyntheticOptions MakeDemoOptions();
+
+/** Writes study.yaml, trials.csv, objects.csv and recordings/ into the folder.
+@throws Error(kIo). */
+void WriteDemoStudy(const std::vector<SyntheticTrial>& trials, const std::filesystem::path& folder);
+
+/** Errors of what a study found against what happened, over the trials that count [s]. */
+struct TruthComparison {
+  int num_trials = 0;  ///< planned
+  int num_kept = 0;
+  Answer<Summary> onset, contact, gft, closure_start;  ///< found - true
+};
+
+/** @param trials  the study's, in the order of its trials.csv. */
+TruthComparison CompareWithTruth(const StudyResult& result,
+                                 const std::vector<SyntheticTrial>& trials);
+
+}  // namespace graspbench

@@ -1,0 +1,224 @@
+#include "human_study/study/prepare_recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "human_study/cleaning/gaps.h"
+#include "human_study/cleaning/resample.h"
+#include "human_study/events/scalar_curve.h"
+
+namespace graspbench {
+namespace {
+
+/** A gap of the resampled clock: intervals longer than this many median ones are no neighbours. */
+constexpr double kMaxIntervals = 2.5;
+/** A hand this much farther from the object than it was is on its way back [m]. */
+constexpr double kDeparture = 0.01;
+
+std::vector<std::string> ListLabels(const Recording& recording) {
+  std::vector<std::string> labels;
+  for (const RecordedPoint& point : recording.points) labels.push_back(point.label);
+  return labels;
+}
+
+const std::string* FindFirst(const std::vector<std::string>& wanted,
+                             const std::vector<std::string>& labels) {
+  for (const std::string& label : wanted) {
+    if (std::find(labels.begin(), labels.end(), label) != labels.end()) return &label;
+  }
+  return nullptr;
+}
+
+std::string DescribeMissing(const char* role, const std::vector<std::string>& wanted,
+                            const std::vector<std::string>& labels) {
+  std::string list;
+  for (const std::string& label : wanted) list += (list.empty() ? "\"" : ", \"") + label + "\"";
+  return std::string("no marker for the ") + role + ": the recording has no " + list +
+         SuggestNames(wanted.front(), labels);
+}
+
+/** Cleans tracks of one recording alike. */
+class Cleaner {
+ public:
+  Cleaner(const Recording& recording, const CleaningConfig& config)
+      : recording_(&recording), config_(&config) {}
+
+  Trajectory Clean(const std::string& label, PreparedRecording& prepared) const {
+    Trajectory track = MakeTrajectory(*recording_, label);
+    if (config_->drop_frozen) prepared.num_frozen += InvalidateFrozenSamples(track);
+    const SamplingReport sampling = FindSampling(track.times);
+    if (!(sampling.median_interval > 0.0)) {
+      throw Error(ErrorKind::kFormat, "the recording has fewer than two samples");
+    }
+    prepared.rate = 1.0 / sampling.median_interval;
+    prepared.was_resampled = !sampling.is_even;
+    if (!sampling.is_even) {
+      track = Resample(track, prepared.rate, kMaxIntervals * sampling.median_interval);
+    }
+    FillGaps(track, config_->max_gap);
+    if (prepared.times.empty()) prepared.times = track.times;
+    return track;
+  }
+
+ private:
+  const Recording* recording_;
+  const CleaningConfig* config_;
+};
+
+ForceChannel FindForce(const Recording& recording, const std::string& label) {
+  ForceChannel force;
+  if (label.empty()) return force;
+  std::vector<std::string> labels;
+  for (const AnalogChannel& channel : recording.analog) {
+    labels.push_back(channel.label);
+    if (channel.label != label) continue;
+    const double start = recording.num_frames > 0 ? recording.Time(0) : 0.0;
+    for (size_t i = 0; i < channel.samples.size(); ++i) {
+      force.times.push_back(start + static_cast<double>(i) / channel.rate);
+      force.values.push_back(channel.samples[i]);
+    }
+    return force;
+  }
+  throw Error(ErrorKind::kNotFound,
+              "no analog channel \"" + label + "\"" + SuggestNames(label, labels));
+}
+
+Trajectory Slice(const Trajectory& track, const SampleRun& run) {
+  Trajectory part;
+  if (track.size() == 0) return part;
+  const auto first = static_cast<std::ptrdiff_t>(run.first);
+  const auto last = static_cast<std::ptrdiff_t>(run.last);
+  part.times.assign(track.times.begin() + first, track.times.begin() + last);
+  part.states.assign(track.states.begin() + first, track.states.begin() + last);
+  part.p = track.p.middleCols(first, last - first);
+  return part;
+}
+
+ForceChannel Slice(const ForceChannel& force, const Reach& part) {
+  ForceChannel slice;
+  for (size_t i = 0; i < force.times.size(); ++i) {
+    if (force.times[i] < part.begin || force.times[i] > part.end) continue;
+    slice.times.push_back(force.times[i]);
+    slice.values.push_back(force.values[i]);
+  }
+  return slice;
+}
+
+/** Mean of the valid ones at one sample; NaN without any. */
+Eigen::Vector3d CalcMiddle(const std::vector<const Trajectory*>& tracks, size_t sample) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const Trajectory* track : tracks) {
+    if (!track->IsValid(sample)) continue;
+    sum += track->p.col(static_cast<Eigen::Index>(sample));
+    ++count;
+  }
+  if (count == 0) return Eigen::Vector3d::Constant(std::nan(""));
+  return sum / count;
+}
+
+}  // namespace
+
+PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config) {
+  PreparedRecording prepared;
+  const std::vector<std::string> labels = ListLabels(recording);
+  const Cleaner cleaner(recording, config.cleaning);
+  const auto miss = [&](int digit, const char* role, const std::vector<std::string>& wanted) {
+    prepared.missing.push_back({digit, DescribeMissing(role, wanted, labels)});
+  };
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    const std::vector<std::string>& wanted = config.markers.tips[digit];
+    if (wanted.empty()) continue;
+    const std::string* label = FindFirst(wanted, labels);
+    if (label == nullptr) {
+      miss(digit, NameOfDigit(digit), wanted);
+      continue;
+    }
+    DigitTrack track;
+    track.digit = IdOfDigit(digit);
+    track.is_thumb = digit == 0;
+    track.tip = cleaner.Clean(*label, prepared);
+    track.pad_offset = config.pad_offsets[digit];
+    track.force = FindForce(recording, config.forces[digit]);
+    prepared.digits.push_back(track);
+  }
+  if (!config.markers.wrist.empty()) {
+    const std::string* label = FindFirst(config.markers.wrist, labels);
+    if (label == nullptr) {
+      miss(-1, "wrist", config.markers.wrist);
+    } else {
+      prepared.wrist = cleaner.Clean(*label, prepared);
+    }
+  }
+  for (const std::string& label : config.markers.object) {
+    if (FindFirst({label}, labels) == nullptr) continue;
+    prepared.object_markers.push_back(cleaner.Clean(label, prepared));
+  }
+  if (!config.markers.object.empty() && prepared.object_markers.empty()) {
+    miss(-1, "object", config.markers.object);
+  }
+  return prepared;
+}
+
+std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConfig& cut) {
+  std::vector<const Trajectory*> tips, markers;
+  for (const DigitTrack& digit : recording.digits) tips.push_back(&digit.tip);
+  for (const Trajectory& marker : recording.object_markers) markers.push_back(&marker);
+
+  std::vector<Reach> reaches;
+  bool is_at_object = false;
+  double farthest = -1.0, farthest_time = 0.0, nearest = 0.0;
+  for (size_t i = 0; i < recording.times.size(); ++i) {
+    const double distance = (CalcMiddle(tips, i) - CalcMiddle(markers, i)).norm();
+    if (std::isnan(distance)) continue;
+    const double time = recording.times[i];
+    if (distance > cut.far) is_at_object = false;
+    if (distance < cut.near) {
+      if (!is_at_object && farthest > cut.far) reaches.push_back({farthest_time, time});
+      if (!is_at_object || distance < nearest) nearest = distance;
+      is_at_object = true;
+      farthest = -1.0;
+      if (!reaches.empty() && distance < nearest + kDeparture) reaches.back().end = time;
+    }
+    if (!is_at_object && distance > farthest) {
+      farthest = distance;
+      farthest_time = time;
+    }
+  }
+  return reaches;
+}
+
+ReachTrial MakeReachTrial(const PreparedRecording& recording, const Reach& part,
+                          const StudyConfig& config, const StudyObject* object) {
+  const SampleRun run = FindSamples(recording.times, part.begin, part.end);
+  if (run.size() < 10) {
+    throw Error(ErrorKind::kRange, "only " + std::to_string(run.size()) +
+                                       " samples between start and end; expected at least 10");
+  }
+  ReachTrial trial;
+  const auto first = static_cast<std::ptrdiff_t>(run.first);
+  trial.times.assign(recording.times.begin() + first,
+                     recording.times.begin() + static_cast<std::ptrdiff_t>(run.last));
+  for (const DigitTrack& digit : recording.digits) {
+    DigitTrack track = digit;
+    track.tip = Slice(digit.tip, run);
+    track.force = Slice(digit.force, part);
+    trial.digits.push_back(track);
+  }
+  trial.wrist = Slice(recording.wrist, run);
+  if (!recording.object_markers.empty()) {
+    std::vector<Trajectory> markers;
+    for (const Trajectory& marker : recording.object_markers) {
+      markers.push_back(Slice(marker, run));
+    }
+    const double rest_end = trial.times.front() +
+                            config.cleaning.rest_share * (trial.times.back() - trial.times.front());
+    const Eigen::Vector3d p_MO_L = object ? object->p_MO_L : Eigen::Vector3d::Zero();
+    trial.object = MakeObjectTrack(markers, FindMarkerPlaces(markers, rest_end, p_MO_L));
+    if (object) trial.object.distance = object->distance;
+  }
+  CheckTrial(trial);
+  return trial;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,53 @@
+#pragma once
+/** @file
+From a recording to trials: markers under the study's names, cleaned and on one even clock, then cut
+into reaches. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/events/reach_trial.h"
+#include "human_study/recording.h"
+#include "human_study/study/study_config.h"
+
+namespace graspbench {
+
+/** A role of the study's marker map that a recording has no marker for. */
+struct MissingMarker {
+  int digit = -1;    ///< 0..4; -1: wrist or object
+  std::string text;  ///< what was looked for, and what the recording has
+};
+
+struct PreparedRecording {
+  std::vector<double> times;  ///< [s], even; all tracks have these
+  std::vector<DigitTrack> digits;
+  Trajectory wrist;
+  std::vector<Trajectory> object_markers;
+  double rate = 0.0;           ///< of the even clock [Hz]
+  bool was_resampled = false;  ///< the recording's own clock is uneven
+  size_t num_frozen = 0;       ///< samples made invalid because they repeat the one before
+  std::vector<MissingMarker> missing;
+};
+
+/** Renames, removes frozen samples, resamples an uneven clock at its median rate, fills short gaps.
+@throws Error(kFormat) when a marker has no length unit or the recording no clock. */
+PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config);
+
+/** Part of a recording, both ends included [s]. */
+struct Reach {
+  double begin = 0.0;
+  double end = 0.0;
+};
+
+/** Finds the reaches of a long recording. The hand is at the object from the sample where it is
+nearer than `near` until it is farther than `far`; a reach goes from where it was farthest before
+that to the last sample within 10 mm of the smallest distance, before the way back. Samples without
+the object or any fingertip are passed over. */
+std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConfig& cut);
+
+/** @param object  null: shape not known.
+@throws Error(kFormat, kRange) when the part cannot be analysed, for a person to read. */
+ReachTrial MakeReachTrial(const PreparedRecording& recording, const Reach& part,
+                          const StudyConfig& config, const StudyObject* object);
+
+}  // namespace graspbench

@@ -1,0 +1,275 @@
+#include "human_study/study/run_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "human_study/cleaning/residual_analysis.h"
+#include "human_study/importers/importer.h"
+#include "human_study/study/prepare_recording.h"
+
+namespace graspbench {
+namespace {
+
+double CalcMedian(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  std::sort(values.begin(), values.end());
+  return CalcSortedQuantile(values, 0.5);
+}
+
+/** Largest value between two instants; NaN without any. */
+double FindLargest(const ScalarCurve& curve, double begin, double end) {
+  double largest = std::nan("");
+  const SampleRun run = FindSamples(curve.times, begin, end);
+  for (size_t i = run.first; i < run.last; ++i) {
+    const double value = curve.values[static_cast<Eigen::Index>(i)];
+    if (curve.IsValid(i) && !(value <= largest)) largest = value;
+  }
+  return largest;
+}
+
+std::vector<OpeningValues> CalcOpenings(const ReachTrial& trial, const TrialAnalysis& analysis,
+                                        const AnalysisOptions& options) {
+  const double last_contact = FindLastContact(analysis.contacts);
+  const double begin = analysis.movement.onset.time;
+  const auto find_open = [&](const ScalarCurve& curve) {
+    return FindLargest(curve, begin, last_contact);
+  };
+  std::vector<OpeningValues> values;
+  for (const HandOpening& opening : HandOpeningList()) {
+    const ScalarCurve curve = CalcOpeningCurve(trial, opening, options.opening.cutoff);
+    OpeningValues value;
+    value.open = find_open(curve);
+    value.closed = ValueNear(curve, last_contact);
+    for (const DigitTrack& digit : trial.digits) {
+      const bool can_leave_out = !digit.is_thumb && trial.digits.size() > 2;
+      value.open_without.push_back(
+          can_leave_out
+              ? find_open(CalcOpeningCurve(trial, opening, options.opening.cutoff, digit.digit))
+              : std::nan(""));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+/** Why a trial does not count under the study's rules; empty: it counts. */
+std::string FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
+  if (!analysis.movement.onset.IsFound()) {
+    return "no onset of the movement: " + analysis.movement.onset.missing;
+  }
+  if (!analysis.closure_start.IsFound()) {
+    return "no widest opening: " + analysis.closure_start.missing;
+  }
+  std::string missing_finger;
+  int num_fingers = 0;
+  for (const DigitContactEvents& digit : analysis.contacts) {
+    const std::string name = NameOfDigit(digit.digit);
+    if (digit.contact.IsFound()) {
+      if (!digit.is_thumb) ++num_fingers;
+      if (rules.max_disagreement > 0.0 && digit.disagreement > rules.max_disagreement) {
+        return "detectors disagree on the contact of the " + name;
+      }
+      continue;
+    }
+    const std::string reason = "no contact of the " + name + ": " + digit.contact.missing;
+    if (digit.is_thumb || rules.missing_digit) return reason;
+    missing_finger = reason;
+  }
+  if (num_fingers == 0) return missing_finger;
+  if (rules.filled_event && analysis.used_filled) return "an event was decided on filled samples";
+  if (rules.gap_event && analysis.used_gap) return "an event fell into a gap";
+  return "";
+}
+
+/** Goes through the rows of trials.csv and collects. */
+class Runner {
+ public:
+  Runner(const StudyWatch& watch, StudyResult& result)
+      : study_(result.study), watch_(watch), result_(result) {}
+
+  void Run(const PlannedReach& planned) {
+    StudyTrial trial;
+    trial.participant = planned.participant;
+    trial.trial = planned.trial;
+    trial.file = planned.file;
+    trial.object = planned.object;
+    trial.levels = planned.levels;
+    trial.removed = planned.remove;
+    if (!planned.remove.empty()) return Add(trial);
+    try {
+      Load(planned);
+      if (!prepared_.missing.empty()) {
+        trial.removed = prepared_.missing.front().text;
+        return Add(trial);
+      }
+    } catch (const Error& error) {
+      trial.removed = error.what();
+      loaded_.clear();
+      return Add(trial);
+    }
+    for (const Reach& part : ListParts(planned, trial)) Analyse(trial, planned, part);
+  }
+
+  void Finish() {
+    CheckMarkersFound();
+    result_.rate = CalcMedian(rates_);
+    result_.noise = CalcMedian(noises_);
+    result_.advised_cutoff = CalcMedian(cutoffs_);
+  }
+
+ private:
+  void Add(StudyTrial trial) {
+    trial.id = trial.participant + "-" + trial.trial;
+    if (trial.universes.empty()) trial.universes.assign(result_.universes.size(), std::nan(""));
+    result_.trials.push_back(std::move(trial));
+  }
+
+  /** Several rows may be parts of one recording. */
+  void Load(const PlannedReach& planned) {
+    const std::string key = planned.file + "\n" + planned.table_trial;
+    if (loaded_ == key) return;
+    loaded_.clear();
+    const RecordingConfig& config = study_.config.recording;
+    ImportOptions options;
+    options.format = config.format;
+    options.unit = config.unit;
+    options.accept_truncated = config.accept_truncated;
+    if (!config.mapping.empty()) options.mapping = study_.folder / config.mapping;
+    options.trial = planned.table_trial;
+    const Recording recording = LoadRecording(study_.recordings / planned.file, options);
+    for (const ImportFinding& finding : recording.findings) {
+      result_.findings.push_back({planned.file, finding});
+    }
+    prepared_ = PrepareRecording(recording, study_.config);
+    loaded_ = key;
+    ++num_read_;
+    for (const MissingMarker& missing : prepared_.missing) {
+      if (missing.digit < 0) continue;
+      const auto digit = static_cast<size_t>(missing.digit);
+      if (num_missing_[digit]++ == 0) missing_texts_[digit] = planned.file + ": " + missing.text;
+    }
+    if (prepared_.was_resampled) ++result_.num_resampled;
+    result_.num_frozen += prepared_.num_frozen;
+    rates_.push_back(prepared_.rate);
+  }
+
+  std::vector<Reach> ListParts(const PlannedReach& planned, StudyTrial& trial) {
+    if (study_.config.cut.near == 0.0) return {{planned.start, planned.end}};
+    std::vector<Reach> parts;
+    for (const Reach& reach : FindReaches(prepared_, study_.config.cut)) {
+      if (reach.begin >= planned.start && reach.end <= planned.end) parts.push_back(reach);
+    }
+    if (parts.empty()) {
+      trial.removed =
+          "no reach found: the hand is never first farther than cut.far_m and then "
+          "nearer than cut.near_m";
+      Add(trial);
+    }
+    return parts;
+  }
+
+  void Analyse(StudyTrial trial, const PlannedReach& planned, const Reach& part) {
+    if (study_.config.cut.near > 0.0)
+      trial.trial += "." + std::to_string(++num_parts_[planned.line]);
+    std::optional<ReachTrial> reach;
+    try {
+      reach = MakeReachTrial(prepared_, part, study_.config, study_.FindObject(planned.object));
+      trial.begin = reach->times.front();
+      trial.end = reach->times.back();
+      const AnalysisOptions& options = study_.config.analysis;
+      trial.analysis = AnalyseTrial(*reach, options);
+      trial.removed = FindRemoval(*trial.analysis, study_.config.removal);
+      if (trial.IsKept()) {
+        trial.openings = CalcOpenings(*reach, *trial.analysis, options);
+        CalcUniverses(*reach, trial);
+        EstimateNoise(*reach);
+      }
+    } catch (const Error& error) {
+      trial.removed = error.what();
+    }
+    Add(std::move(trial));
+    const StudyTrial& added = result_.trials.back();
+    if (added.IsKept() && watch_.on_trial) watch_.on_trial(added, *reach);
+  }
+
+  void CalcUniverses(const ReachTrial& reach, StudyTrial& trial) {
+    const TrialMeasure& measure = FindMeasure(study_.config.multiverse.measure);
+    for (const Universe& universe : result_.universes) {
+      const TrialAnalysis analysis =
+          AnalyseTrial(reach, MakeOptions(study_.config.analysis, universe));
+      trial.universes.push_back(measure.value(analysis));
+    }
+  }
+
+  /** Of the thumb; a trial too short for it has none. */
+  void EstimateNoise(const ReachTrial& reach) {
+    try {
+      const ResidualAnalysis residual = FindCutoff(reach.digits.front().tip);
+      noises_.push_back(residual.noise / std::sqrt(3.0));
+      if (std::isfinite(residual.cutoff)) cutoffs_.push_back(residual.cutoff);
+    } catch (const Error&) {
+    }
+  }
+
+  /** A label that no recording has is a fault of study.yaml, not of a trial. */
+  void CheckMarkersFound() const {
+    if (num_read_ == 0) {
+      const auto failed = std::find_if(study_.trials.begin(), study_.trials.end(),
+                                       [](const auto& t) { return t.remove.empty(); });
+      if (failed == study_.trials.end()) return;
+      const auto index = static_cast<size_t>(failed - study_.trials.begin());
+      throw Error(ErrorKind::kNotFound,
+                  "no recording could be read; the first fault: " + result_.trials[index].removed +
+                      "\nFiles are looked for in \"" + study_.recordings.string() +
+                      "\"; --data DIR names another folder");
+    }
+    Diagnostics problems;
+    for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+      const auto i = static_cast<size_t>(digit);
+      if (num_missing_[i] == num_read_) {
+        problems.Fail(study_.file, study_.marker_lines[digit],
+                      std::string("markers.") + NameOfDigit(digit) +
+                          ": no recording has it; the first, " + missing_texts_[i]);
+      }
+    }
+    problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");
+  }
+
+  const Study& study_;
+  const StudyWatch& watch_;
+  StudyResult& result_;
+  PreparedRecording prepared_;
+  std::string loaded_;  // which recording `prepared_` is
+  int num_read_ = 0;
+  std::map<int, int> num_parts_;  // by line of trials.csv
+  int num_missing_[PerDigit<int>::kNumDigits] = {};
+  std::string missing_texts_[PerDigit<int>::kNumDigits];
+  std::vector<double> rates_, noises_, cutoffs_;
+};
+
+}  // namespace
+
+int StudyResult::CountKept() const {
+  return static_cast<int>(
+      std::count_if(trials.begin(), trials.end(), [](const auto& t) { return t.IsKept(); }));
+}
+
+StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
+  StudyResult result;
+  result.study = study;
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    if (!study.config.markers.tips[digit].empty()) result.digits.push_back(IdOfDigit(digit));
+  }
+  result.universes = ListUniverses(study.config);
+  Runner runner(watch, result);
+  for (size_t i = 0; i < study.trials.size(); ++i) {
+    runner.Run(study.trials[i]);
+    if (watch.on_row) watch.on_row(i + 1, study.trials.size());
+  }
+  runner.Finish();
+  CalcStudyStatistics(result);
+  return result;
+}
+
+}  // namespace graspbench

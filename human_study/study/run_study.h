@@ -1,0 +1,74 @@
+#pragma once
+/** @file
+A study from its recordings to its numbers: every trial is read, cut, cleaned and analysed under the
+study's choices and under those of its multiverse; then the statistics (study_statistics.h).
+
+A trial that cannot be analysed is removed with a reason in words; it never stops the study. Nothing
+here depends on the clock, the machine or the order in which files lie in a folder. */
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "human_study/recording.h"
+#include "human_study/study/study_config.h"
+#include "human_study/study/study_statistics.h"
+
+namespace graspbench {
+
+/** One measure of hand opening in one trial [m]; NaN: missing. */
+struct OpeningValues {
+  double open = NAN;    ///< largest between the onset and the last contact
+  double closed = NAN;  ///< at the last contact
+  /** `open` without each recorded digit, in the order of StudyResult::digits. */
+  std::vector<double> open_without;
+};
+
+struct StudyTrial {
+  std::string id;  ///< "<participant>-<trial>"
+  std::string participant, trial, file, object;
+  std::vector<std::string> levels;  ///< one per factor
+  std::string removed;              ///< why it does not count; empty: it counts
+  double begin = NAN, end = NAN;    ///< part of the recording [s]; NaN when it was not read
+  std::optional<TrialAnalysis> analysis;
+  std::vector<OpeningValues> openings;  ///< in the order of HandOpeningList()
+  std::vector<double> universes;        ///< main measure, in the order of StudyResult::universes
+
+  bool IsKept() const { return removed.empty(); }
+};
+
+struct FileFinding {
+  std::string file;
+  ImportFinding finding;
+};
+
+struct StudyResult {
+  Study study;
+  std::vector<std::string> digits;  ///< ids of those the marker map names
+  std::vector<StudyTrial> trials;   ///< in the order of trials.csv, then of time
+  std::vector<FileFinding> findings;
+  int num_resampled = 0;        ///< recordings with an uneven clock
+  size_t num_frozen = 0;        ///< samples
+  double rate = NAN;            ///< median of the recordings [Hz]
+  double noise = NAN;           ///< median over trials, SD of one coordinate of the thumb [m]
+  double advised_cutoff = NAN;  ///< median over trials, by residual analysis of the thumb [Hz]
+  std::vector<Universe> universes;
+  StudyStatistics statistics;
+
+  int CountKept() const;
+};
+
+/** What may watch a run. */
+struct StudyWatch {
+  /** After every row of trials.csv, with the numbers done and planned. */
+  std::function<void(size_t, size_t)> on_row;
+  /** Every trial that counts, with the cleaned data it was analysed from. */
+  std::function<void(const StudyTrial&, const ReachTrial&)> on_trial;
+};
+
+/** @throws Error(kFormat) when no recording has a marker that study.yaml names, with file and line;
+Error(kNotFound) when no recording could be read. */
+StudyResult RunStudy(const Study& study, const StudyWatch& watch = {});
+
+}  // namespace graspbench

@@ -1,0 +1,373 @@
+#include "human_study/study/study_config.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "human_study/importers/delimited_text.h"
+#include "human_study/study/study_table.h"
+#include "objects/catalogue.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kDigitIds[] = {"TH", "FF", "MF", "RF", "LF"};
+constexpr const char* kDigitNames[] = {"thumb", "index", "middle", "ring", "little"};
+
+bool IsLabel(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return c < 128 && std::isalnum(c) != 0;
+  });
+}
+
+/** Problems of values, each at the line of its key. */
+class ConfigChecker {
+ public:
+  ConfigChecker(const YAML::Node& root, const std::string& file, Diagnostics& problems)
+      : root_(root), file_(file), problems_(&problems) {}
+
+  void Fail(const std::string& key, const std::string& text) {
+    problems_->Fail(file_, FindConfigLine(root_, key), key + ": " + text);
+  }
+  void CheckRange(const std::string& key, double value, double low, double high) {
+    if (value >= low && value <= high) return;  // NaN fails
+    Fail(key, FormatJson(JsonNumber(value)) + " is out of range; expected " + FormatJson(low) +
+                  " to " + FormatJson(high));
+  }
+  void CheckName(const std::string& key, const std::string& name,
+                 const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    Fail(key, "\"" + name + "\" is not known" + SuggestNames(name, known));
+  }
+  template <class List>
+  static std::vector<std::string> ListIds(const List& list) {
+    std::vector<std::string> ids;
+    for (const auto& entry : list) ids.push_back(entry.id);
+    return ids;
+  }
+
+ private:
+  YAML::Node root_;
+  std::string file_;
+  Diagnostics* problems_;
+};
+
+void CheckMarkers(const StudyConfig& config, ConfigChecker& check) {
+  int num_tips = 0;
+  std::map<std::string, std::string> roles;
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    const std::string key = std::string("markers.") + NameOfDigit(digit);
+    if (!config.markers.tips[digit].empty()) ++num_tips;
+    for (const std::string& label : config.markers.tips[digit]) {
+      const auto [role, is_new] = roles.insert({label, key});
+      if (!is_new) check.Fail(key, "\"" + label + "\" is already " + role->second);
+    }
+  }
+  if (num_tips < 2 || config.markers.tips.thumb.empty()) {
+    check.Fail("markers",
+               "name the marker of the thumb's tip and of at least one other digit, for instance "
+               "{thumb: thumb_tip, index: index_tip}");
+  }
+}
+
+void CheckMultiverse(const StudyConfig& config, ConfigChecker& check) {
+  const MultiverseConfig& multiverse = config.multiverse;
+  const auto check_names = [&](const char* key, const std::vector<std::string>& names,
+                               const std::vector<std::string>& known) {
+    for (const std::string& name : names) check.CheckName(key, name, known);
+  };
+  check_names("multiverse.measure", {multiverse.measure},
+              ConfigChecker::ListIds(TrialMeasureList()));
+  check_names("multiverse.onset", multiverse.onset, ConfigChecker::ListIds(MovementRuleList()));
+  check_names("multiverse.detector", multiverse.detector,
+              ConfigChecker::ListIds(ContactDetectorList()));
+  check_names("multiverse.opening", multiverse.opening, ConfigChecker::ListIds(HandOpeningList()));
+  for (const double cutoff : multiverse.cutoff) {
+    check.CheckRange("multiverse.cutoff_hz", cutoff, 0.5, 1000.0);
+  }
+}
+
+void CheckAnalysis(const AnalysisOptions& options, ConfigChecker& check) {
+  check.CheckName("movement.rule", options.movement.rule,
+                  ConfigChecker::ListIds(MovementRuleList()));
+  check.CheckName("lift_off.rule", options.lift_off.rule,
+                  ConfigChecker::ListIds(LiftOffRuleList()));
+  check.CheckName("opening.measure", options.opening.measure,
+                  ConfigChecker::ListIds(HandOpeningList()));
+  check.CheckName("opening.maximum", options.opening.maximum, {"largest", "last"});
+  check.CheckName("contact.detector", options.contact.detector,
+                  ConfigChecker::ListIds(ContactDetectorList()));
+  try {
+    CheckOptions(options);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::kNotFound) return;  // told above, with its line
+    // "contact.cutoff_hz is -1; expected ..": the message starts with the key.
+    const std::string text = error.what();
+    const size_t space = text.find(' ');
+    check.Fail(text.substr(0, space), text.substr(std::min(space, text.size() - 1) + 1));
+  }
+}
+
+void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
+  if (!IsLabel(config.task)) {
+    check.Fail("task", "\"" + config.task + "\"; expected letters and digits alone");
+  }
+  if (config.trials.empty()) check.Fail("trials", "expected the name of a table");
+  std::set<std::string> factors;
+  for (const std::string& factor : config.factors) {
+    if (!factors.insert(factor).second) check.Fail("factors", "\"" + factor + "\" stands twice");
+  }
+  CheckMarkers(config, check);
+  for (const std::string& measure : config.measures) {
+    check.CheckName("measures", measure, ConfigChecker::ListIds(TrialMeasureList()));
+  }
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    const double offset = config.pad_offsets[digit];
+    if (std::isnan(offset)) continue;
+    check.CheckRange(std::string("pad_offsets_m.") + NameOfDigit(digit), offset, 0.0, 0.05);
+  }
+  if (config.cut.near != 0.0 || config.cut.far != 0.0) {
+    check.CheckRange("cut.near_m", config.cut.near, 1e-3, 10.0);
+    if (!(config.cut.far > config.cut.near)) {
+      check.Fail("cut.far_m", "must be larger than cut.near_m");
+    }
+    if (config.markers.object.empty()) {
+      check.Fail("cut", "cutting needs the object's markers: markers.object is empty");
+    }
+  }
+  check.CheckRange("cleaning.max_gap_s", config.cleaning.max_gap, 0.0, 5.0);
+  check.CheckRange("cleaning.rest_share", config.cleaning.rest_share, 0.01, 0.9);
+  check.CheckRange("removal.max_disagreement_s", config.removal.max_disagreement, 0.0, 10.0);
+  check.CheckRange("bias_trials", config.bias_trials, 0, 10000);
+  CheckMultiverse(config, check);
+  CheckAnalysis(config.analysis, check);
+}
+
+std::vector<Factor> ReadFactors(const StudyConfig& config, StudyTable& table) {
+  std::vector<Factor> factors;
+  for (const std::string& name : config.factors) {
+    Factor factor;
+    factor.name = name;
+    table.Require(name);
+    for (size_t row = 0; row < table.num_rows(); ++row) {
+      const std::string& level = table.Text(row, name);
+      if (std::find(factor.levels.begin(), factor.levels.end(), level) == factor.levels.end()) {
+        factor.levels.push_back(level);
+      }
+    }
+    const auto number_of = [](const std::string& level) {
+      return ParseFiniteNumber(level).value_or(std::nan(""));
+    };
+    const bool is_number = std::all_of(factor.levels.begin(), factor.levels.end(),
+                                       [&](const auto& l) { return !std::isnan(number_of(l)); });
+    if (is_number) {
+      std::stable_sort(factor.levels.begin(), factor.levels.end(),
+                       [&](const auto& a, const auto& b) { return number_of(a) < number_of(b); });
+      for (const std::string& level : factor.levels) factor.numbers.push_back(number_of(level));
+    }
+    factors.push_back(factor);
+  }
+  return factors;
+}
+
+std::vector<PlannedReach> ReadTrials(const Study& study, StudyTable& table, Diagnostics& problems) {
+  static const std::set<std::string> known = {"participant", "trial",   "file",  "table_trial",
+                                              "object",      "start_s", "end_s", "remove"};
+  table.Require("participant");
+  table.Require("file");
+  const std::vector<std::string>& factors = study.config.factors;
+  for (const std::string& column : table.columns()) {
+    const bool is_factor = std::find(factors.begin(), factors.end(), column) != factors.end();
+    if (is_factor && known.count(column) > 0 && column != "object") {
+      problems.Fail(table.file(), 1, "\"" + column + "\" cannot be a factor");
+    } else if (!is_factor && known.count(column) == 0) {
+      problems.Warn(table.file(), 1, "the column \"" + column + "\" is not used");
+    }
+  }
+  std::vector<PlannedReach> trials;
+  std::map<std::string, int> counts;
+  std::map<std::pair<std::string, std::string>, int> lines;
+  for (size_t row = 0; row < table.num_rows(); ++row) {
+    PlannedReach trial;
+    trial.line = table.LineOfRow(row);
+    const auto fail = [&](const std::string& text) {
+      problems.Fail(table.file(), trial.line, text);
+    };
+    trial.participant = table.Text(row, "participant");
+    trial.file = table.Text(row, "file");
+    trial.trial = table.Text(row, "trial");
+    trial.table_trial = table.Text(row, "table_trial");
+    trial.object = table.Text(row, "object");
+    trial.remove = table.Text(row, "remove");
+    const int count = ++counts[trial.participant];
+    if (trial.trial.empty()) trial.trial = std::to_string(count);
+    for (const std::string& factor : factors) {
+      trial.levels.push_back(table.Text(row, factor));
+      if (trial.levels.back().empty()) fail(factor + ": empty; expected the trial's condition");
+    }
+    const double start = table.Number(row, "start_s"), end = table.Number(row, "end_s");
+    if (!std::isnan(start)) trial.start = start;
+    if (!std::isnan(end)) trial.end = end;
+    if (!(trial.start < trial.end)) fail("end_s must be later than start_s");
+    if (trial.participant.empty()) fail("participant: empty");
+    if (trial.file.empty()) fail("file: empty");
+    const auto [first, is_new] = lines.insert({{trial.participant, trial.trial}, trial.line});
+    if (!is_new) {
+      fail("participant " + trial.participant + " has trial " + trial.trial + " already in line " +
+           std::to_string(first->second));
+    }
+    trials.push_back(trial);
+  }
+  return trials;
+}
+
+SurfaceDistance ReadShape(StudyTable& table, size_t row, Diagnostics& problems) {
+  const std::string& shape = table.Text(row, "shape");
+  const auto fail = [&](const std::string& text) {
+    problems.Fail(table.file(), table.LineOfRow(row), text);
+  };
+  const auto read_length = [&](const char* column) {
+    const double length = table.Number(row, column);
+    if (!(length > 0.0 && length < 10.0)) {
+      fail(shape + " needs " + column + ", a length above 0 and below 10");
+      return 0.1;  // for the rest of the checks
+    }
+    return length;
+  };
+  if (shape == "sphere") return MakeSphereDistance(read_length("length_m") / 2.0);
+  if (shape == "cylinder") {
+    const double diameter = read_length("length_m");
+    return MakeCylinderDistance(diameter / 2.0, read_length("height_m"));
+  }
+  if (shape == "box") {
+    const double length = read_length("length_m"), width = read_length("width_m");
+    return MakeBoxDistance({length, width, read_length("height_m")});
+  }
+  if (shape == "catalogue") {
+    try {
+      return MakeFieldDistance(LoadObject(table.Text(row, "object"))->field);
+    } catch (const Error& error) {
+      fail(error.what());
+      return {};
+    }
+  }
+  if (!shape.empty()) {
+    fail("shape \"" + shape + "\" is not known" +
+         SuggestNames(shape, {"sphere", "cylinder", "box", "catalogue"}));
+  }
+  return {};
+}
+
+std::vector<StudyObject> ReadObjects(StudyTable& table, Diagnostics& problems) {
+  table.Require("object");
+  std::vector<StudyObject> objects;
+  for (size_t row = 0; row < table.num_rows(); ++row) {
+    StudyObject object;
+    object.id = table.Text(row, "object");
+    for (const StudyObject& other : objects) {
+      if (other.id == object.id) {
+        problems.Fail(table.file(), table.LineOfRow(row), "\"" + object.id + "\" stands twice");
+      }
+    }
+    object.distance = ReadShape(table, row, problems);
+    const char* const axes[] = {"centre_x_m", "centre_y_m", "centre_z_m"};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double value = table.Number(row, axes[axis]);
+      if (!std::isnan(value)) object.p_MO_L[axis] = value;
+    }
+    objects.push_back(object);
+  }
+  return objects;
+}
+
+void CheckObjectNames(const Study& study, const std::string& trials_file, Diagnostics& problems) {
+  std::vector<std::string> known;
+  for (const StudyObject& object : study.objects) known.push_back(object.id);
+  if (known.empty()) return;
+  for (const PlannedReach& trial : study.trials) {
+    if (trial.object.empty() || study.FindObject(trial.object) != nullptr) continue;
+    problems.Fail(trials_file, trial.line,
+                  "object \"" + trial.object + "\" is not in " + study.config.objects +
+                      SuggestNames(trial.object, known));
+  }
+}
+
+}  // namespace
+
+const char* IdOfDigit(int digit) { return kDigitIds[digit]; }
+const char* NameOfDigit(int digit) { return kDigitNames[digit]; }
+
+std::string NameOfDigit(const std::string& id) {
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    if (id == kDigitIds[digit]) return kDigitNames[digit];
+  }
+  return id;
+}
+
+const StudyObject* Study::FindObject(const std::string& id) const {
+  for (const StudyObject& object : objects) {
+    if (object.id == id) return &object;
+  }
+  return nullptr;
+}
+
+StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
+                             Diagnostics& problems) {
+  StudyConfig config;
+  const YAML::Node root = ParseYaml(text, file, problems);
+  if (problems.num_errors() > 0) return config;
+  ReadConfig(root, file, "study", config, problems);
+  if (problems.num_errors() > 0) return config;  // defaults would give misleading follow-ups
+  ConfigChecker check(root, file, problems);
+  CheckConfig(config, check);
+  return config;
+}
+
+Study LoadStudy(const fs::path& path, const fs::path& recordings) {
+  Study study;
+  Diagnostics problems;
+  const std::string text = ReadFile(path);
+  study.file = path.string();
+  study.folder = path.parent_path();
+  study.recordings = recordings.empty() ? study.folder : recordings;
+  study.config = ParseStudyConfig(text, study.file, problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");
+
+  const YAML::Node root = ParseYaml(text, study.file, problems);
+  int* const lines[] = {&study.marker_lines.thumb, &study.marker_lines.index,
+                        &study.marker_lines.middle, &study.marker_lines.ring,
+                        &study.marker_lines.little};
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    *lines[digit] = FindConfigLine(root, std::string("markers.") + NameOfDigit(digit));
+  }
+  const auto read = [&](const char* key, const std::string& name) -> std::optional<StudyTable> {
+    const fs::path table = study.folder / name;
+    try {
+      return StudyTable(ReadFile(table), table.string(), problems);
+    } catch (const Error& error) {
+      problems.Fail(study.file, FindConfigLine(root, key), std::string(key) + ": " + error.what());
+      return std::nullopt;
+    }
+  };
+  if (!study.config.objects.empty()) {
+    if (auto table = read("objects", study.config.objects)) {
+      study.objects = ReadObjects(*table, problems);
+    }
+  }
+  if (auto table = read("trials", study.config.trials)) {
+    study.factors = ReadFactors(study.config, *table);
+    study.trials = ReadTrials(study, *table, problems);
+    CheckObjectNames(study, table->file(), problems);
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");
+  study.warnings = problems;
+  return study;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,238 @@
+#pragma once
+/** @file
+study.yaml: what was recorded, what the markers are, and every choice of the analysis.
+
+    name: Five fingers on cylinders
+    trials: trials.csv          # beside this file; a row a trial, see below
+    objects: objects.csv        # optional
+    factors: [diameter_m]       # columns of trials.csv, varied within each person
+    markers:
+      thumb: [thumb_tip, RTTI]  # the first of these labels that a recording has
+      index: [index_tip, RIFT]
+      object: [object_1, object_2, object_3]  # all of these that it has
+    robot: ../results/pilot     # optional: a session of `graspbench run` to stand beside
+
+trials.csv needs the columns participant and file (from the folder of the recordings); trial (label;
+else counted within the person), object (of objects.csv), table_trial (of a plain table), start_s,
+end_s, remove (the reason why a person leaves the trial out) and one for each factor are optional.
+
+objects.csv: object, shape (sphere, cylinder, box or catalogue), length_m, width_m, height_m (a
+sphere's and a cylinder's diameter is length_m), centre_x_m .. centre_z_m: from the middle of the
+object's markers at rest to the centre of the solid, along the laboratory's axes (else zero).
+
+All other settings have defaults; `Study::config` is what an analysis goes by. Lengths in metres,
+times in seconds, frequencies in hertz. */
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "human_study/events/object_surface.h"
+#include "human_study/measures/trial_analysis.h"
+#include "human_study/statistics/measure_table.h"
+
+namespace graspbench {
+
+/** One value for each digit, thumb first, then from radial to ulnar. */
+template <class T>
+struct PerDigit {
+  T thumb{}, index{}, middle{}, ring{}, little{};
+
+  static constexpr int kNumDigits = 5;
+  const T& operator[](int digit) const {
+    const T* values[] = {&thumb, &index, &middle, &ring, &little};
+    return *values[digit];
+  }
+  template <class V>
+  void Visit(V&& v) {
+    v("thumb", thumb);
+    v("index", index);
+    v("middle", middle);
+    v("ring", ring);
+    v("little", little);
+  }
+};
+
+/** "TH", "FF", "MF", "RF", "LF", as the robot hands call them. */
+const char* IdOfDigit(int digit);
+/** "thumb", "index", .. */
+const char* NameOfDigit(int digit);
+/** The name for an id; the id itself when it is none of the five. */
+std::string NameOfDigit(const std::string& id);
+
+struct MarkerConfig {
+  PerDigit<std::vector<std::string>> tips;  ///< labels tried in turn; empty: digit not recorded
+  std::vector<std::string> wrist;           ///< the same; empty: centroid of the tips
+  std::vector<std::string> object;          ///< all that the recording has; empty: not recorded
+
+  template <class V>
+  void Visit(V&& v) {
+    tips.Visit(v);
+    v("wrist", wrist);
+    v("object", object);
+  }
+};
+
+struct RecordingConfig {
+  std::string format;   ///< importer's id; empty: found by content and name
+  std::string unit;     ///< for files that do not state one
+  std::string mapping;  ///< columns of plain tables, beside study.yaml
+  bool accept_truncated = false;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("format", format);
+    v("unit", unit);
+    v("mapping", mapping);
+    v("accept_truncated", accept_truncated);
+  }
+};
+
+/** Cuts a long recording into trials (prepare_recording.h). Distances are between the middle of the
+object's markers and the middle of the fingertips. */
+struct CutConfig {
+  double near = 0.0;  ///< [m]; 0: a row of trials.csv is one trial
+  double far = 0.0;   ///< [m]
+
+  template <class V>
+  void Visit(V&& v) {
+    v("near_m", near);
+    v("far_m", far);
+  }
+};
+
+struct CleaningConfig {
+  bool drop_frozen = true;  ///< repeated positions are invalid: the tracker held the last one
+  double max_gap = 0.1;     ///< longer gaps stay open [s]
+  double rest_share = 0.1;  ///< of the trial, at its start, in which the object rests
+
+  template <class V>
+  void Visit(V&& v) {
+    v("drop_frozen", drop_frozen);
+    v("max_gap_s", max_gap);
+    v("rest_share", rest_share);
+  }
+};
+
+/** Which trials an analysis does without. Always removed: no recording, no marker, no movement, no
+widest opening, no contact of the thumb and another digit. */
+struct RemovalConfig {
+  bool missing_digit = false;     ///< a recorded digit never touched
+  bool filled_event = false;      ///< an event was decided on filled samples
+  bool gap_event = false;         ///< an event fell into a gap
+  double max_disagreement = 0.0;  ///< of the detectors, any digit [s]; 0: none
+
+  template <class V>
+  void Visit(V&& v) {
+    v("missing_digit", missing_digit);
+    v("filled_event", filled_event);
+    v("gap_event", gap_event);
+    v("max_disagreement_s", max_disagreement);
+  }
+};
+
+/** The same main test under every combination of these choices and the study's own. */
+struct MultiverseConfig {
+  std::string measure = "grasp_forming_ratio";
+  std::vector<std::string> onset = {"threshold", "peak_fraction"};
+  std::vector<double> cutoff = {10.0, 20.0};  ///< of the contact detectors [Hz]
+  std::vector<std::string> detector;          ///< empty: all there are
+  std::vector<std::string> opening = {"aperture", "virtual_finger"};
+
+  template <class V>
+  void Visit(V&& v) {
+    v("measure", measure);
+    v("onset", onset);
+    v("cutoff_hz", cutoff);
+    v("detector", detector);
+    v("opening", opening);
+  }
+};
+
+struct StudyConfig {
+  std::string name = "Reach to grasp";
+  std::string task = "reachtograsp";  ///< BIDS label: letters and digits
+  std::string trials = "trials.csv";
+  std::string objects;
+  std::string robot;
+  std::vector<std::string> factors;
+  std::vector<std::string> measures;  ///< ids tested and drawn; empty: the usual ones
+  MarkerConfig markers;
+  PerDigit<std::string> forces;                              ///< labels of analog channels
+  PerDigit<double> pad_offsets = {NAN, NAN, NAN, NAN, NAN};  ///< marker to skin [m]
+  RecordingConfig recording;
+  CutConfig cut;
+  CleaningConfig cleaning;
+  AnalysisOptions analysis;
+  RemovalConfig removal;
+  MultiverseConfig multiverse;
+  int bias_trials = 40;  ///< of each row of the bias card, in twenties; 0: no bias card
+
+  template <class V>
+  void Visit(V&& v) {
+    v("name", name);
+    v("task", task);
+    v("trials", trials);
+    v("objects", objects);
+    v("robot", robot);
+    v("factors", factors);
+    v("measures", measures);
+    v("markers", markers);
+    v("forces", forces);
+    v("pad_offsets_m", pad_offsets);
+    v("recording", recording);
+    v("cut", cut);
+    v("cleaning", cleaning);
+    analysis.Visit(v);
+    v("removal", removal);
+    v("multiverse", multiverse);
+    v("bias_trials", bias_trials);
+  }
+};
+
+struct StudyObject {
+  std::string id;
+  SurfaceDistance distance;                          ///< in O
+  Eigen::Vector3d p_MO_L = Eigen::Vector3d::Zero();  ///< markers' middle to O at rest
+};
+
+/** A row of trials.csv. */
+struct PlannedReach {
+  int line = 0;
+  std::string participant, trial, file, table_trial;
+  std::string object;                                       ///< empty: none named
+  std::vector<std::string> levels;                          ///< one per factor
+  double start = -std::numeric_limits<double>::infinity();  ///< [s], as end
+  double end = std::numeric_limits<double>::infinity();
+  std::string remove;  ///< why a person left it out; empty: kept
+};
+
+struct Study {
+  StudyConfig config;
+  std::string file;                  ///< study.yaml, as given
+  std::filesystem::path folder;      ///< of study.yaml
+  std::filesystem::path recordings;  ///< where `file` of a trial starts
+  std::vector<Factor> factors;
+  std::vector<StudyObject> objects;
+  std::vector<PlannedReach> trials;
+  PerDigit<int> marker_lines;  ///< lines of markers.thumb, .. in study.yaml, for messages
+  Diagnostics warnings;
+
+  /** Null when there is none of that name. */
+  const StudyObject* FindObject(const std::string& id) const;
+};
+
+/** Reads study.yaml and the tables beside it; the recordings are not opened.
+@param recordings  folder of the recordings; empty: that of study.yaml.
+@throws Error(kNotFound, kIo) for study.yaml itself; Error(kFormat) with every problem of all three
+files, each with file and line. */
+Study LoadStudy(const std::filesystem::path& path, const std::filesystem::path& recordings = {});
+
+/** The settings alone, from text in memory; `file` is its name in messages. Problems, also of
+ranges and unknown names, go into `problems`. */
+StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
+                             Diagnostics& problems);
+
+}  // namespace graspbench

@@ -1,0 +1,248 @@
+#include "human_study/study/study_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "human_study/study/run_study.h"
+
+namespace graspbench {
+namespace {
+
+/** Measures drawn and tested when a study names none. */
+constexpr const char* kUsualMeasures[] = {
+    "grasp_forming_ratio",  "grasp_opposing_ratio", "grasp_forming_time_s", "grasp_opposing_time_s",
+    "grasp_closure_time_s", "peak_opening_m",       "movement_time_s",
+};
+/** Asynchronies of the bias card [s]. */
+constexpr double kBiasGfts[] = {0.0, 0.03, 0.06};
+
+Observation MakeObservation(const StudyTrial& trial, double value) {
+  return {trial.participant, trial.id, trial.levels, value};
+}
+
+/** The levels of every cell, in the order of ListCells(). */
+std::vector<std::vector<std::string>> ListLevels(const std::vector<Factor>& factors) {
+  std::vector<std::vector<std::string>> cells = {{}};
+  for (const Factor& factor : factors) {
+    std::vector<std::vector<std::string>> longer;
+    for (const std::vector<std::string>& cell : cells) {
+      for (const std::string& level : factor.levels) {
+        longer.push_back(cell);
+        longer.back().push_back(level);
+      }
+    }
+    cells = std::move(longer);
+  }
+  return cells;
+}
+
+std::vector<double> ListValues(const MeasureTable& table) {
+  std::vector<double> values;
+  for (const Observation& row : table.rows) values.push_back(row.value);
+  return values;
+}
+
+Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells) {
+  if (!cells) return cells.none();
+  if (cells->factors.empty()) return NoAnswer{"the study names no factor"};
+  return CalcWithinAnova(*cells);
+}
+
+/** The trials of each cell, without regard to persons. */
+std::vector<Answer<Summary>> SummariseCells(const MeasureTable& table) {
+  std::map<std::vector<std::string>, std::vector<double>> values;
+  for (const Observation& row : table.rows) values[row.levels].push_back(row.value);
+  std::vector<Answer<Summary>> summaries;
+  for (const std::vector<std::string>& levels : ListLevels(table.factors)) {
+    summaries.push_back(CalcSummary(values[levels]));
+  }
+  return summaries;
+}
+
+MeasureStatistics CalcMeasureStatistics(const StudyResult& result, const TrialMeasure& measure) {
+  MeasureStatistics statistics{measure, MakeMeasureTable(result, measure), {}, {}, {}, {}, {}};
+  statistics.summary = CalcSummary(ListValues(statistics.table));
+  statistics.by_cell = SummariseCells(statistics.table);
+  statistics.cells = CalcCellMeans(statistics.table);
+  statistics.anova = CalcAnova(statistics.cells);
+  if (statistics.cells) statistics.pairs = ComparePairs(*statistics.cells);
+  return statistics;
+}
+
+/** Value at `share` of the way from the onset to the last contact; NaN when it is missing. */
+double SampleOpening(const TrialAnalysis& analysis, double share) {
+  const double begin = analysis.movement.onset.time;
+  return ValueNear(analysis.opening, begin + share * (FindLastContact(analysis.contacts) - begin));
+}
+
+std::vector<OpeningCurve> CalcOpeningCurves(const StudyResult& result) {
+  constexpr int kNumSteps = 50;
+  std::vector<OpeningCurve> curves;
+  const std::vector<std::string> names = ListCells(result.study.factors);
+  const std::vector<std::vector<std::string>> cells = ListLevels(result.study.factors);
+  for (size_t cell = 0; cell < cells.size(); ++cell) {
+    std::vector<const TrialAnalysis*> trials;
+    for (const StudyTrial& trial : result.trials) {
+      if (trial.IsKept() && trial.levels == cells[cell]) trials.push_back(&*trial.analysis);
+    }
+    OpeningCurve curve;
+    curve.cell = names[cell];
+    curve.num_trials = static_cast<int>(trials.size());
+    for (int step = 0; step <= kNumSteps; ++step) {
+      const double share = static_cast<double>(step) / kNumSteps;
+      std::vector<double> values;
+      for (const TrialAnalysis* trial : trials) values.push_back(SampleOpening(*trial, share));
+      const Answer<Summary> summary = CalcSummary(values);
+      const double mean = summary ? summary->mean : std::nan("");
+      const double sd = summary ? summary->standard_deviation.value_or(0.0) : std::nan("");
+      curve.times.push_back(share);
+      curve.mean.push_back(mean);
+      curve.low.push_back(mean - sd);
+      curve.high.push_back(mean + sd);
+    }
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
+void CalcUniverse(const StudyResult& result, size_t index, Universe& universe) {
+  MeasureTable table =
+      MakeMeasureTable(result, FindMeasure(result.study.config.multiverse.measure));
+  table.rows.clear();
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.IsKept()) table.rows.push_back(MakeObservation(trial, trial.universes[index]));
+  }
+  universe.summary = CalcSummary(ListValues(table));
+  const Answer<WithinAnova> anova = CalcAnova(CalcCellMeans(table));
+  universe.test = anova ? anova->effects.front().test : Answer<WithinTest>(anova.none());
+}
+
+std::vector<BiasRow> CalcBias(const StudyResult& result) {
+  // A study at 8 kHz would only make the simulation slow; above 1 kHz nothing changes.
+  const double rate = std::clamp(result.rate, 20.0, 1000.0);
+  if (!std::isfinite(result.rate) || !std::isfinite(result.noise)) return {};
+  if (result.study.config.bias_trials == 0) return {};
+  const AnalysisOptions& own = result.study.config.analysis;
+  std::vector<BiasCase> cases;
+  const auto add = [&](std::string text, double case_rate, const AnalysisOptions& options) {
+    // A filter needs its cut-off well below half the rate.
+    if (options.contact.cutoff >= 0.35 * case_rate) return;
+    BiasCase bias;
+    bias.text = std::move(text);
+    bias.rate = case_rate;
+    bias.noise = result.noise;
+    bias.options = options;
+    cases.push_back(bias);
+  };
+  add("this study", rate, own);
+  for (const double factor : {0.5, 2.0}) {
+    AnalysisOptions options = own;
+    options.contact.cutoff *= factor;
+    add(factor < 1.0 ? "half the cut-off" : "twice the cut-off", rate, options);
+  }
+  for (const ContactDetector& detector : ContactDetectorList()) {
+    // Forces are not simulated here, and the surface needs no bias card of its own filter.
+    if (own.contact.detector == detector.id || std::string(detector.id) == "force") continue;
+    AnalysisOptions options = own;
+    options.contact.detector = detector.id;
+    add(std::string("detector ") + detector.id, rate, options);
+  }
+  add("half the frame rate", rate / 2.0, own);
+  return CalcBiasCard(cases, {std::begin(kBiasGfts), std::end(kBiasGfts)},
+                      result.study.config.bias_trials, "bias card");
+}
+
+/** The study's own choice first, then the others. */
+template <class T>
+std::vector<T> ListChoices(const T& own, const std::vector<T>& others) {
+  std::vector<T> choices = {own};
+  for (const T& other : others) {
+    if (std::find(choices.begin(), choices.end(), other) == choices.end()) {
+      choices.push_back(other);
+    }
+  }
+  return choices;
+}
+
+}  // namespace
+
+const TrialMeasure& FindMeasure(const std::string& id) {
+  const std::vector<TrialMeasure>& list = TrialMeasureList();
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const TrialMeasure& m) { return m.id == id; });
+  GRASPBENCH_DEMAND(found != list.end(), id);
+  return *found;
+}
+
+std::vector<TrialMeasure> ListStudyMeasures(const StudyConfig& config) {
+  std::vector<TrialMeasure> measures;
+  if (config.measures.empty()) {
+    for (const char* id : kUsualMeasures) measures.push_back(FindMeasure(id));
+  }
+  for (const std::string& id : config.measures) measures.push_back(FindMeasure(id));
+  return measures;
+}
+
+std::vector<Universe> ListUniverses(const StudyConfig& config) {
+  const MultiverseConfig& multiverse = config.multiverse;
+  const AnalysisOptions& own = config.analysis;
+  std::vector<std::string> others = multiverse.detector;
+  if (others.empty()) {
+    for (const ContactDetector& detector : ContactDetectorList()) others.push_back(detector.id);
+  }
+  const std::vector<std::string> detectors = ListChoices(own.contact.detector, others);
+  std::vector<Universe> universes;
+  for (const std::string& onset : ListChoices(own.movement.rule, multiverse.onset)) {
+    for (const std::string& opening : ListChoices(own.opening.measure, multiverse.opening)) {
+      for (const double cutoff : ListChoices(own.contact.cutoff, multiverse.cutoff)) {
+        for (const std::string& detector : detectors) {
+          Universe universe;
+          universe.onset = onset;
+          universe.opening = opening;
+          universe.cutoff = cutoff;
+          universe.detector = detector;
+          universe.is_own = onset == own.movement.rule && opening == own.opening.measure &&
+                            cutoff == own.contact.cutoff && detector == own.contact.detector;
+          universes.push_back(universe);
+        }
+      }
+    }
+  }
+  return universes;
+}
+
+AnalysisOptions MakeOptions(const AnalysisOptions& own, const Universe& universe) {
+  AnalysisOptions options = own;
+  options.movement.rule = universe.onset;
+  options.opening.measure = universe.opening;
+  options.contact.cutoff = universe.cutoff;
+  options.contact.detector = universe.detector;
+  return options;
+}
+
+MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& measure) {
+  MeasureTable table;
+  table.measure = measure.id;
+  table.unit = measure.unit;
+  table.description = measure.name;
+  table.factors = result.study.factors;
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.IsKept()) {
+      table.rows.push_back(MakeObservation(trial, measure.value(*trial.analysis)));
+    }
+  }
+  return table;
+}
+
+void CalcStudyStatistics(StudyResult& result) {
+  for (const TrialMeasure& measure : ListStudyMeasures(result.study.config)) {
+    result.statistics.measures.push_back(CalcMeasureStatistics(result, measure));
+  }
+  for (size_t i = 0; i < result.universes.size(); ++i) CalcUniverse(result, i, result.universes[i]);
+  result.statistics.curves = CalcOpeningCurves(result);
+  result.statistics.openings = CalcOpeningReliability(result);
+  result.statistics.bias = CalcBias(result);
+}
+
+}  // namespace graspbench

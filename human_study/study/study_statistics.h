@@ -1,0 +1,74 @@
+#pragma once
+/** @file
+What the trials of a study say together: each measure by condition, the main test under every
+choice, the reliability of every measure of hand opening, and what the study's own choices do to a
+known asynchrony. */
+
+#include <string>
+#include <vector>
+
+#include "core/statistics/summary.h"
+#include "human_study/statistics/condition_means.h"
+#include "human_study/statistics/within_anova.h"
+#include "human_study/study/opening_reliability.h"
+#include "human_study/study/study_config.h"
+#include "human_study/synthetic/bias_card.h"
+
+namespace graspbench {
+
+struct StudyResult;
+
+/** One measure over the whole study. */
+struct MeasureStatistics {
+  TrialMeasure measure;
+  MeasureTable table;                    ///< the kept trials
+  Answer<Summary> summary;               ///< over them
+  std::vector<Answer<Summary>> by_cell;  ///< the same within each cell, as ListCells() orders them
+  Answer<CellMeans> cells;
+  Answer<WithinAnova> anova;
+  std::vector<PairComparison> pairs;
+};
+
+/** One combination of choices. */
+struct Universe {
+  std::string onset, detector, opening;
+  double cutoff = 0.0;      ///< of the contact detectors [Hz]
+  Answer<Summary> summary;  ///< of the main measure over the kept trials
+  Answer<WithinTest> test;  ///< of the first factor
+  bool is_own = false;      ///< the study's own choices
+};
+
+/** The chosen opening from the onset (0) to the last contact (1), over the trials of one cell. */
+struct OpeningCurve {
+  std::string cell;
+  int num_trials = 0;
+  std::vector<double> times;  ///< 0..1
+  std::vector<double> mean;   ///< [m], as low and high: mean -+ SD; NaN where no trial has a value
+  std::vector<double> low, high;
+};
+
+struct StudyStatistics {
+  std::vector<MeasureStatistics> measures;
+  std::vector<OpeningCurve> curves;
+  std::vector<OpeningReliability> openings;
+  std::vector<BiasRow> bias;
+};
+
+/** @pre the id is one of TrialMeasureList(). */
+const TrialMeasure& FindMeasure(const std::string& id);
+
+/** The measures a study tests and draws: its own list, else the usual ones. */
+std::vector<TrialMeasure> ListStudyMeasures(const StudyConfig& config);
+
+/** All combinations of the study's own choices and the multiverse's; its own come first. */
+std::vector<Universe> ListUniverses(const StudyConfig& config);
+/** The study's options under one of them. */
+AnalysisOptions MakeOptions(const AnalysisOptions& own, const Universe& universe);
+
+/** A row a kept trial. */
+MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& measure);
+
+/** Fills `statistics` and the results of the universes from the trials. */
+void CalcStudyStatistics(StudyResult& result);
+
+}  // namespace graspbench

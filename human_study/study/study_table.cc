@@ -1,0 +1,76 @@
+#include "human_study/study/study_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "human_study/importers/delimited_text.h"
+
+namespace graspbench {
+namespace {
+
+const std::string kEmpty;
+
+}  // namespace
+
+StudyTable::StudyTable(const std::string& text, const std::string& file, Diagnostics& problems)
+    : file_(file), problems_(&problems) {
+  std::istringstream stream(text);
+  LineReader reader(stream, file);
+  std::string_view line;
+  char delimiter = ',';
+  Cells cells;
+  while (reader.Next(line)) {
+    if (columns_.empty() && line.find('\t') != std::string_view::npos) delimiter = '\t';
+    SplitCells(line, delimiter, cells);
+    if (IsBlank(cells)) continue;
+    if (columns_.empty()) {
+      columns_.assign(cells.begin(), cells.end());
+      for (auto name = columns_.begin(); name != columns_.end(); ++name) {
+        if (std::find(columns_.begin(), name, *name) != name) {
+          problems.Fail(file, reader.line(), "the column \"" + *name + "\" is there twice");
+        }
+      }
+      continue;
+    }
+    if (cells.size() != columns_.size()) {
+      problems.Fail(file, reader.line(),
+                    std::to_string(cells.size()) + " cells; expected " +
+                        std::to_string(columns_.size()) + ", as many as the heading has");
+      continue;
+    }
+    rows_.push_back({reader.line(), {cells.begin(), cells.end()}});
+  }
+  if (rows_.empty()) {
+    problems.Fail(file, 0, "holds no rows; expected a heading and one row each");
+  }
+}
+
+bool StudyTable::Has(const std::string& column) const {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
+void StudyTable::Require(const std::string& column) {
+  if (Has(column)) return;
+  problems_->Fail(file_, 1,
+                  "the column \"" + column + "\" is missing" + SuggestNames(column, columns_));
+}
+
+const std::string& StudyTable::Text(size_t row, const std::string& column) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), column);
+  if (found == columns_.end()) return kEmpty;
+  return rows_[row].cells[static_cast<size_t>(found - columns_.begin())];
+}
+
+double StudyTable::Number(size_t row, const std::string& column) {
+  const std::string& text = Text(row, column);
+  if (text.empty()) return std::nan("");
+  const std::optional<double> number = ParseFiniteNumber(text);
+  if (!number) {
+    problems_->Fail(file_, LineOfRow(row),
+                    column + ": \"" + text + "\" is not a number; expected one, or an empty cell");
+  }
+  return number.value_or(std::nan(""));
+}
+
+}  // namespace graspbench

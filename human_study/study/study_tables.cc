@@ -1,0 +1,187 @@
+#include "human_study/study/study_tables.h"
+
+#include "core/base/files.h"
+
+namespace graspbench {
+namespace {
+
+using TrialColumns = std::vector<CsvColumn<const StudyTrial*>>;
+
+void AddDesign(const StudyResult& result, TrialColumns& columns) {
+  columns.push_back({"trial_id", "string", "", "participant and trial",
+                     [](const StudyTrial* trial) { return Json(trial->id); }});
+  columns.push_back({"participant", "string", "", "who reached",
+                     [](const StudyTrial* trial) { return Json(trial->participant); }});
+  for (size_t i = 0; i < result.study.factors.size(); ++i) {
+    const Factor& factor = result.study.factors[i];
+    const bool is_number = !factor.numbers.empty();
+    columns.push_back({factor.name, is_number ? "number" : "string", "", "factor of the design",
+                       [i, is_number](const StudyTrial* trial) {
+                         const std::string& level = trial->levels[i];
+                         return is_number ? Json::parse(level, nullptr, false) : Json(level);
+                       }});
+  }
+}
+
+TrialColumns ListTrialColumns(const StudyResult& result) {
+  TrialColumns columns;
+  AddDesign(result, columns);
+  const auto text = [](std::string StudyTrial::*field) {
+    return [field](const StudyTrial* trial) { return Json(trial->*field); };
+  };
+  const auto number = [](double StudyTrial::*field) {
+    return [field](const StudyTrial* trial) { return JsonNumber(trial->*field); };
+  };
+  columns.push_back(
+      {"trial", "string", "", "label within the participant", text(&StudyTrial::trial)});
+  columns.push_back({"file", "string", "", "recording", text(&StudyTrial::file)});
+  columns.push_back({"object", "string", "", "what was grasped", text(&StudyTrial::object)});
+  columns.push_back({"begin_s", "number", "s", "first sample on the recording's clock",
+                     number(&StudyTrial::begin)});
+  columns.push_back(
+      {"end_s", "number", "s", "last sample on the recording's clock", number(&StudyTrial::end)});
+  columns.push_back({"is_kept", "boolean", "", "1 when the trial counts",
+                     [](const StudyTrial* trial) { return Json(trial->IsKept() ? 1 : 0); }});
+  columns.push_back({"removed", "string", "", "why it does not count; empty when it does",
+                     text(&StudyTrial::removed)});
+  return columns;
+}
+
+TrialColumns ListMeasureColumns(const StudyResult& result) {
+  TrialColumns columns;
+  AddDesign(result, columns);
+  for (const TrialMeasure& measure : TrialMeasureList()) {
+    const std::string unit = std::string(measure.unit) == "1" ? "" : measure.unit;
+    columns.push_back(
+        {measure.id, "number", unit, measure.name, [measure](const StudyTrial* trial) {
+           return JsonNumber(measure.value(*trial->analysis));
+         }});
+  }
+  const auto uncertainty = [](double TrialAnalysis::*field) {
+    return [field](const StudyTrial* trial) { return JsonNumber((*trial->analysis).*field); };
+  };
+  columns.push_back({"grasp_forming_time_uncertainty_s", "number", "s",
+                     "standard uncertainty of grasp_forming_time_s",
+                     uncertainty(&TrialAnalysis::gft_uncertainty)});
+  columns.push_back({"grasp_opposing_time_uncertainty_s", "number", "s",
+                     "standard uncertainty of grasp_opposing_time_s",
+                     uncertainty(&TrialAnalysis::got_uncertainty)});
+  columns.push_back({"grasp_closure_time_uncertainty_s", "number", "s",
+                     "standard uncertainty of grasp_closure_time_s",
+                     uncertainty(&TrialAnalysis::gct_uncertainty)});
+  for (size_t i = 0; i < HandOpeningList().size(); ++i) {
+    const std::string id = HandOpeningList()[i].id;
+    columns.push_back(
+        {"open_" + id + "_m", "number", "m",
+         "largest opening by " + id + " before the last contact",
+         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].open); }});
+    columns.push_back(
+        {"closed_" + id + "_m", "number", "m", "opening by " + id + " at the last contact",
+         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].closed); }});
+  }
+  columns.push_back({"num_digits_touching", "integer", "", "digits with a contact",
+                     [](const StudyTrial* trial) { return Json(trial->analysis->num_touching); }});
+  columns.push_back(
+      {"contact_order", "string", "",
+       "digits by first contact; = joins those the data cannot tell apart",
+       [](const StudyTrial* trial) { return Json(trial->analysis->order.Format()); }});
+  const auto flag = [](bool TrialAnalysis::*field) {
+    return [field](const StudyTrial* trial) { return Json((*trial->analysis).*field ? 1 : 0); };
+  };
+  columns.push_back({"used_filled", "boolean", "", "an event was decided on filled samples",
+                     flag(&TrialAnalysis::used_filled)});
+  columns.push_back(
+      {"used_gap", "boolean", "", "an event fell into a gap", flag(&TrialAnalysis::used_gap)});
+  columns.push_back({"contact_before_start", "boolean", "",
+                     "a digit touched before the widest opening", [](const StudyTrial* trial) {
+                       return Json(trial->analysis->timing.contact_before_start ? 1 : 0);
+                     }});
+  columns.push_back({"ambiguous_opening", "boolean", "",
+                     "the largest and the last maximum of the opening differ",
+                     [](const StudyTrial* trial) {
+                       return Json(trial->analysis->peak_opening.is_ambiguous ? 1 : 0);
+                     }});
+  return columns;
+}
+
+std::vector<CsvColumn<StudyEvent>> ListEventColumns() {
+  const auto text = [](std::string StudyEvent::*field) {
+    return [field](const StudyEvent& event) { return Json(event.*field); };
+  };
+  return {
+      {"trial_id", "string", "", "participant and trial",
+       [](const StudyEvent& event) { return Json(event.trial->id); }},
+      {"event", "string", "", "what happened", text(&StudyEvent::name)},
+      {"digit", "string", "", "TH, FF, MF, RF or LF; empty where none is meant",
+       text(&StudyEvent::digit)},
+      {"detector", "string", "", "how it was found; empty for events with one rule",
+       text(&StudyEvent::detector)},
+      {"is_believed", "boolean", "", "1 for the event that the measures rest on",
+       [](const StudyEvent& event) { return Json(event.is_believed ? 1 : 0); }},
+      {"time_s", "number", "s", "on the recording's clock; empty when not found",
+       [](const StudyEvent& event) { return JsonNumber(event.event.time); }},
+      {"uncertainty_s", "number", "s", "standard uncertainty",
+       [](const StudyEvent& event) { return JsonNumber(event.event.uncertainty); }},
+      {"is_filled", "boolean", "", "decided on filled samples",
+       [](const StudyEvent& event) { return Json(event.event.is_filled ? 1 : 0); }},
+      {"is_in_gap", "boolean", "", "fell into a gap; the time is its middle",
+       [](const StudyEvent& event) { return Json(event.event.is_in_gap ? 1 : 0); }},
+      {"missing", "string", "", "why it was not found",
+       [](const StudyEvent& event) { return Json(event.event.missing); }},
+  };
+}
+
+template <class Row>
+void WriteTable(const std::filesystem::path& folder, const std::string& name,
+                const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows,
+                const std::string& primary_key) {
+  WriteFileAtomically(folder / (name + ".csv"), FormatCsv(columns, rows));
+  WriteFileAtomically(folder / (name + ".schema.json"),
+                      FormatJson(MakeTableSchema(columns, primary_key), 2) + "\n");
+}
+
+}  // namespace
+
+std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& config) {
+  std::vector<StudyEvent> events;
+  if (!trial.analysis) return events;
+  const TrialAnalysis& analysis = *trial.analysis;
+  const std::vector<ContactDetector>& detectors = ContactDetectorList();
+  const auto add = [&](const char* name, const EventTime& event, bool is_believed = true) {
+    events.push_back({&trial, name, "", "", event, is_believed});
+  };
+  const std::string& maximum = config.analysis.opening.maximum;
+  add("movement_onset", analysis.movement.onset);
+  add("maximum_opening", analysis.peak_opening.largest, maximum == "largest");
+  add("last_maximum_opening", analysis.peak_opening.last, maximum == "last");
+  for (const DigitContactEvents& digit : analysis.contacts) {
+    for (size_t i = 0; i < detectors.size(); ++i) {
+      events.push_back({&trial, "contact", digit.digit, detectors[i].id, digit.by_detector[i],
+                        config.analysis.contact.detector == detectors[i].id});
+    }
+  }
+  if (!config.markers.object.empty()) {
+    add("object_moved", analysis.object.moved);
+    add("lift_off", analysis.object.lift_off);
+  }
+  add("movement_end", analysis.movement.end);
+  return events;
+}
+
+void WriteStudyTables(const StudyResult& result, const std::filesystem::path& folder) {
+  MakeFolder(folder);
+  std::vector<const StudyTrial*> all, kept;
+  std::vector<StudyEvent> events;
+  for (const StudyTrial& trial : result.trials) {
+    all.push_back(&trial);
+    if (trial.IsKept()) kept.push_back(&trial);
+    for (StudyEvent& event : ListEvents(trial, result.study.config)) {
+      events.push_back(std::move(event));
+    }
+  }
+  WriteTable(folder, "trials", ListTrialColumns(result), all, "trial_id");
+  WriteTable(folder, "measures", ListMeasureColumns(result), kept, "trial_id");
+  WriteTable(folder, "events", ListEventColumns(), events, "");
+}
+
+}  // namespace graspbench

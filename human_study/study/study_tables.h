@@ -1,0 +1,36 @@
+#pragma once
+/** @file
+A study's results as tables, for any other program:
+
+    trials.csv    every trial of the plan: where it is, whether it counts and why not
+    events.csv    every event of every analysed trial, by each detector, with its uncertainty
+    measures.csv  a row a trial that counts: all measures, openings and the contact order
+
+Each has a data dictionary beside it, <name>.schema.json (Frictionless Table Schema). */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/csv.h"
+#include "human_study/study/run_study.h"
+
+namespace graspbench {
+
+/** One event of one trial; `detector` and `digit` are empty where they do not apply. */
+struct StudyEvent {
+  const StudyTrial* trial = nullptr;
+  std::string name;  ///< "movement_onset", "contact", ..
+  std::string digit;
+  std::string detector;
+  EventTime event;
+  bool is_believed = true;  ///< the one the measures rest on
+};
+
+/** In the order of a reach; none for a trial that was not analysed. They point to `trial`. */
+std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& config);
+
+/** Writes the six files. Same result, same bytes. @throws Error(kIo). */
+void WriteStudyTables(const StudyResult& result, const std::filesystem::path& folder);
+
+}  // namespace graspbench

@@ -1,0 +1,33 @@
+#pragma once
+/** @file
+Pages made of sections: a list in the order of the page, each drawn from the same data. */
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/layout.h"
+
+namespace graspbench {
+
+template <class Data>
+struct PageSection {
+  const char* anchor;  ///< lower-case letters only, so that it never meets another anchor
+  const char* title;
+  Html (*draw)(const Data& data);  ///< must bear empty data
+};
+
+template <class Data>
+std::string MakeSectionedPage(std::string_view title, std::string_view subtitle,
+                              const std::vector<PageSection<Data>>& sections, const Data& data) {
+  std::vector<PageLink> contents;
+  Html body;
+  for (const PageSection<Data>& section : sections) {
+    contents.push_back({section.anchor, section.title});
+    body += Element("section", {{"id", section.anchor}},
+                    Element("h2", {}, section.title) + section.draw(data));
+  }
+  return MakePage(title, subtitle, contents, body);
+}
+
+}  // namespace graspbench

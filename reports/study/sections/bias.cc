@@ -1,0 +1,88 @@
+#include <cmath>
+
+#include "reports/format.h"
+#include "reports/line_plot.h"
+#include "reports/study/study_format.h"
+#include "reports/study/study_section.h"
+
+namespace graspbench {
+namespace {
+
+Html DrawFigure(const std::vector<BiasRow>& rows) {
+  IntervalPlot plot;
+  plot.text.title = "Error of GFT by choice";
+  plot.text.description = "Mean error of the grasp forming time for each choice and asynchrony.";
+  plot.axis = "found - true GFT [ms]";
+  std::string text;
+  int series = -1;
+  for (const BiasRow& bias : rows) {
+    if (bias.text != text) {
+      IntervalPlot::Row heading;
+      heading.label = bias.text;
+      heading.is_heading = true;
+      plot.rows.push_back(heading);
+      text = bias.text;
+      ++series;
+    }
+    IntervalPlot::Row row;
+    row.label = "true " + FormatWithUnit(bias.true_gft, "s");
+    row.value = 1e3 * (bias.mean_gft - bias.true_gft);
+    row.low = row.value - 1e3 * bias.sd_gft;
+    row.high = row.value + 1e3 * bias.sd_gft;
+    row.text = FormatFixed(row.value, 1) + " \u00B1 " + FormatValue(bias.sd_gft, "s") + " ms";
+    row.series = series % 8;
+    plot.rows.push_back(row);
+  }
+  return MakeFigure(
+      "Error of GFT for known asynchronies; lines are one standard deviation over "
+      "trials.",
+      "marks off zero are a bias of all trials alike. GFT is a difference that "
+      "cannot be negative, so noise alone lifts a true zero.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawTable(const std::vector<BiasRow>& rows) {
+  const Align number = Align::kNumber;
+  Table table("What these choices make of a known asynchrony.",
+              {{"Choice"},
+               {"True GFT [ms]", number},
+               {"n", number},
+               {"Missing", number, "trials without a GFT"},
+               {"Found GFT [ms]", number, "mean"},
+               {"SD [ms]", number},
+               {"Contact bias [ms]", number, "found - true contact time, all digits"},
+               {"Contact SD [ms]", number},
+               {"Coverage [%]", number,
+                "contacts whose error is below 1.96 stated uncertainties; 95 would be honest"}});
+  for (const BiasRow& row : rows) {
+    table.AddRow({Text(row.text), Text(FormatValue(row.true_gft, "s")),
+                  Text(std::to_string(row.num_trials)), Text(std::to_string(row.num_missing)),
+                  Text(FormatValue(row.mean_gft, "s")), Text(FormatValue(row.sd_gft, "s")),
+                  Text(FormatValue(row.contact_bias, "s")), Text(FormatValue(row.contact_sd, "s")),
+                  Text(FormatFixed(100.0 * row.coverage, 1))});
+  }
+  return MakeDetails("All numbers", table.ToHtml());
+}
+
+Html Draw(const StudyPageData& data) {
+  const StudyResult& result = data.result;
+  const std::vector<BiasRow>& rows = result.statistics.bias;
+  if (result.study.config.bias_trials == 0) return MakeParagraph("Not wanted: bias_trials is 0.");
+  if (rows.empty()) {
+    return MakeParagraph(
+        "Not computed: the noise of the recordings is not known, because no "
+        "trial holds a second of the thumb without a gap.");
+  }
+  return MakeParagraph("Reaches with a known GFT were simulated at this study's " +
+                       FormatFixed(result.rate, 1) + " Hz and noise (" +
+                       FormatFixed(1e3 * result.noise, 2) +
+                       " mm, one coordinate) and analysed with its choices and with others. "
+                       "Rigid objects and smooth paths: real hands are no easier.") +
+         DrawFigure(rows) + DrawTable(rows);
+}
+
+}  // namespace
+
+StudySection bias_study_section() { return {"bias", "Bias card", Draw}; }
+
+}  // namespace graspbench

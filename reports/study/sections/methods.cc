@@ -1,0 +1,111 @@
+#include "core/base/config.h"
+#include "core/base/version.h"
+#include "reports/format.h"
+#include "reports/study/study_format.h"
+#include "reports/study/study_section.h"
+
+namespace graspbench {
+namespace {
+
+std::string ListDigitNames(const StudyResult& result) {
+  std::string text;
+  for (size_t i = 0; i < result.digits.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == result.digits.size() ? " and " : ", ";
+    text += NameOfDigit(result.digits[i]);
+  }
+  return text;
+}
+
+/** The text of an entry of one of the lists of rules. */
+template <class List>
+std::string TextOf(const List& list, const std::string& id) {
+  for (const auto& entry : list) {
+    if (entry.id == id) return entry.text;
+  }
+  return id;
+}
+
+std::string DescribeRecording(const StudyResult& result) {
+  const StudyConfig& config = result.study.config;
+  std::string text = "Markers on the tips of " + ListDigitNames(result) +
+                     (config.markers.object.empty() ? "" : " and on the object") +
+                     " were recorded at " + FormatFixed(result.rate, 1) + " Hz (median). ";
+  if (config.cleaning.drop_frozen) text += "Samples that repeat the one before were discarded. ";
+  if (result.num_resampled > 0) text += "Uneven time stamps were resampled linearly. ";
+  return text + "Gaps up to " + FormatValue(config.cleaning.max_gap, "s") +
+         " ms were filled by cubic Hermite curves and flagged; longer ones stayed open. ";
+}
+
+std::string DescribeEvents(const StudyResult& result) {
+  const AnalysisOptions& options = result.study.config.analysis;
+  std::string text =
+      "All filters were zero-phase second-order Butterworth filters, corrected for two passes: " +
+      FormatSignificant(options.movement.cutoff, 3) + " Hz for the movement, " +
+      FormatSignificant(options.opening.cutoff, 3) + " Hz for the hand opening, " +
+      FormatSignificant(options.contact.cutoff, 3) + " Hz for contacts. Onset and end of the " +
+      "movement: " + TextOf(MovementRuleList(), options.movement.rule) +
+      ". First contact of each digit: " + TextOf(ContactDetectorList(), options.contact.detector) +
+      ". Hand opening: " + TextOf(HandOpeningList(), options.opening.measure) +
+      "; closure starts at its " + options.opening.maximum + " maximum. ";
+  if (!result.study.config.markers.object.empty()) {
+    text += "Lift-off: " + TextOf(LiftOffRuleList(), options.lift_off.rule) + ". ";
+  }
+  return text +
+         "Grasp forming time (GFT) is the time from the first to the last of the first contacts, "
+         "grasp opposing time (GOT) that between the thumb and the earliest finger, grasp closure "
+         "time (GCT) that from the widest opening to the last contact; GFT% and GOT% are their "
+         "shares of GCT. ";
+}
+
+std::string DescribeStatistics(const StudyResult& result) {
+  std::string text =
+      std::to_string(result.trials.size() - static_cast<size_t>(result.CountKept())) + " of " +
+      std::to_string(result.trials.size()) + " trials were removed. ";
+  if (result.study.factors.empty()) return text;
+  std::string factors;
+  for (const Factor& factor : result.study.factors) {
+    factors += (factors.empty() ? "" : " and ") + factor.name + " (" +
+               FormatCount(static_cast<int>(factor.levels.size()), "level") + ")";
+  }
+  return text +
+         "The unit of analysis is the mean of a person's trials in a condition. Effects of " +
+         factors + " were tested by repeated-measures analysis of variance with " +
+         "Greenhouse-Geisser correction; pairs of conditions by paired t tests, p values "
+         "adjusted " +
+         "after Holm. Effect sizes are partial and generalised eta squared and d_z.";
+}
+
+/** Every value of the configuration under its key. */
+void AddRows(const Json& json, const std::string& prefix, Table& table) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      AddRows(value, prefix + key + ".", table);
+    } else {
+      table.AddRow({Element("code", {}, prefix + key), Element("code", {}, FormatJson(value))});
+    }
+  }
+}
+
+Html Draw(const StudyPageData& data) {
+  const StudyResult& result = data.result;
+  Table config("The study's complete settings; null is \"not given\".",
+               {{"Key"}, {"Value", Align::kProse}});
+  AddRows(ConfigToJson(result.study.config), "", config);
+  return MakeParagraph("Ready to paste:") +
+         Element(
+             "blockquote", {},
+             MakeParagraph(DescribeRecording(result) + DescribeEvents(result) +
+                           DescribeStatistics(result) + " The analysis was made with graspbench " +
+                           program_version() + ".")) +
+         MakeParagraph(
+             "Known from the thesis: the names of GCT, GFT, GOT and their ratios, and the widest "
+             "opening as the start of closure. Inferred: their formulas. Proposed by graspbench: "
+             "detectors, default hand opening, thresholds and cut-offs.") +
+         MakeDetails("All settings", config.ToHtml());
+}
+
+}  // namespace
+
+StudySection methods_study_section() { return {"methods", "Methods and settings", Draw}; }
+
+}  // namespace graspbench

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include "reports/format.h"
+#include "reports/study/study_section.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kMaxNamed = 12;
+
+/** Trials by reason, most frequent first, names in the order of the plan. */
+std::vector<std::pair<std::string, std::vector<std::string>>> GroupRemoved(
+    const StudyResult& result) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.IsKept()) continue;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& g) { return g.first == trial.removed; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {trial.removed, {}});
+    group->second.push_back(trial.id);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  return groups;
+}
+
+std::string ListNames(const std::vector<std::string>& names) {
+  std::string text;
+  for (size_t i = 0; i < names.size() && i < kMaxNamed; ++i) text += (i ? ", " : "") + names[i];
+  if (names.size() > kMaxNamed) {
+    text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
+  }
+  return text;
+}
+
+Html DrawRemoved(const StudyResult& result) {
+  const auto groups = GroupRemoved(result);
+  if (groups.empty()) return MakeParagraph("No trial was removed.");
+  Table table("Trials that do not count, by reason; trials.csv has every one.",
+              {{"Reason", Align::kProse}, {"Trials", Align::kNumber}, {"Which", Align::kProse}});
+  for (const auto& [reason, names] : groups) {
+    table.AddRow({Text(reason), Text(std::to_string(names.size())), Text(ListNames(names))});
+  }
+  return table.ToHtml();
+}
+
+struct Flag {
+  const char* name;
+  bool (*is_set)(const TrialAnalysis& analysis);
+};
+
+constexpr Flag kFlags[] = {
+    {"an event was decided on filled samples",
+     [](const TrialAnalysis& a) { return a.used_filled; }},
+    {"an event fell into a gap; its time is the gap's middle",
+     [](const TrialAnalysis& a) { return a.used_gap; }},
+    {"a digit touched before the widest opening",
+     [](const TrialAnalysis& a) { return a.timing.contact_before_start; }},
+    {"the largest and the last maximum of the opening differ",
+     [](const TrialAnalysis& a) { return a.peak_opening.is_ambiguous; }},
+    {"a recorded digit never touched",
+     [](const TrialAnalysis& a) { return a.num_touching < static_cast<int>(a.contacts.size()); }},
+};
+
+Html DrawFlags(const StudyResult& result) {
+  Table table("Trials that count in spite of a flag; study.yaml can remove them (removal).",
+              {{"Flag", Align::kProse},
+               {"Trials", Align::kNumber},
+               {"Of those that count", Align::kNumber}});
+  for (const Flag& flag : kFlags) {
+    int count = 0;
+    for (const StudyTrial& trial : result.trials) {
+      count += trial.IsKept() && flag.is_set(*trial.analysis);
+    }
+    const double share =
+        result.CountKept() > 0 ? static_cast<double>(count) / result.CountKept() : std::nan("");
+    table.AddRow({Text(flag.name), Text(std::to_string(count)), Text(FormatPercent(share))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawImport(const StudyResult& result) {
+  // The same deviation in every file is one finding.
+  struct Group {
+    ImportFinding finding;
+    std::vector<std::string> files;
+  };
+  std::vector<Group> groups;
+  for (const FileFinding& entry : result.findings) {
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+      return g.finding.code == entry.finding.code && g.finding.text == entry.finding.text;
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), {entry.finding, {}});
+    if (group->files.empty() || group->files.back() != entry.file) {
+      group->files.push_back(entry.file);
+    }
+  }
+  Html html = MakeParagraph(
+      std::to_string(result.num_frozen) + " samples repeated the one before exactly and were " +
+      (result.study.config.cleaning.drop_frozen ? "taken as missing; " : "kept; ") +
+      FormatCount(result.num_resampled, "recording") + " had uneven time stamps and " +
+      (result.num_resampled == 1 ? "was" : "were") + " resampled.");
+  if (groups.empty()) return html + MakeParagraph("Reading the files needed no assumption.");
+  Table table("What had to be assumed to read the files.",
+              {{"Code"}, {"Assumption", Align::kProse}, {"Files", Align::kProse}});
+  for (const Group& group : groups) {
+    table.AddRow({Element("code", {}, group.finding.code), Text(group.finding.text),
+                  Text(ListNames(group.files))});
+  }
+  return html + table.ToHtml();
+}
+
+Html Draw(const StudyPageData& data) {
+  return DrawRemoved(data.result) + Element("h3", {}, "Flags") + DrawFlags(data.result) +
+         Element("h3", {}, "Reading and cleaning") + DrawImport(data.result);
+}
+
+}  // namespace
+
+StudySection removed_study_section() { return {"removed", "Trials removed, and why", Draw}; }
+
+}  // namespace graspbench

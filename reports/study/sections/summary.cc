@@ -1,0 +1,77 @@
+#include <cmath>
+
+#include "reports/format.h"
+#include "reports/study/study_format.h"
+#include "reports/study/study_section.h"
+
+namespace graspbench {
+namespace {
+
+/** The study's main test in a sentence, or why there is none. */
+std::string DescribeMainTest(const StudyResult& result) {
+  if (result.universes.empty()) return "";
+  const Universe& own = result.universes.front();
+  const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
+  std::string text = std::string("Main measure: ") + measure.name + ", ";
+  if (own.summary) {
+    text += "median " + FormatWithUnit(own.summary->median, measure.unit) + " over " +
+            FormatCount(own.summary->count, "trial") + ". ";
+  } else {
+    text += "no value (" + own.summary.reason() + "). ";
+  }
+  if (result.study.factors.empty()) return text + "The study names no factor to test.";
+  const std::string& factor = result.study.factors.front().name;
+  if (!own.test) return text + "Effect of " + factor + ": not tested (" + own.test.reason() + ").";
+  const double p = own.test->greenhouse_geisser.p;
+  return text + "Effect of " + factor + ": F = " + FormatFixed(own.test->f, 2) + ", p " +
+         (p < 0.001 ? "" : "= ") + FormatP(p) + " (Greenhouse-Geisser), generalised eta squared " +
+         FormatFixed(own.test->generalised_eta_squared, 2) + ".";
+}
+
+Html DrawMeasureTable(const StudyResult& result) {
+  const Align number = Align::kNumber;
+  Table table("Every measure over the trials that count.",
+              {{"Measure"},
+               {"n", number, "trials with a value"},
+               {"Missing", number, "trials without"},
+               {"Median", number},
+               {"Quartiles", number},
+               {"Mean", number},
+               {"SD", number, "over trials, people and conditions together"}});
+  for (const MeasureStatistics& row : result.statistics.measures) {
+    const char* unit = row.measure.unit;
+    if (!row.summary) {
+      table.AddRow({Text(FormatHead(row.measure)), Text("0"),
+                    Text(std::to_string(row.table.rows.size())), Text("n/a"), Text("n/a"),
+                    Text("n/a"), Text("n/a")});
+      continue;
+    }
+    const Summary& s = *row.summary;
+    table.AddRow(
+        {Text(FormatHead(row.measure)), Text(std::to_string(s.count)),
+         Text(std::to_string(s.num_missing)), Text(FormatValue(s.median, unit)),
+         Text(FormatValue(s.lower_quartile, unit) + " to " + FormatValue(s.upper_quartile, unit)),
+         Text(FormatValue(s.mean, unit)),
+         Text(FormatValue(s.standard_deviation.value_or(std::nan("")), unit))});
+  }
+  return table.ToHtml();
+}
+
+Html Draw(const StudyPageData& data) {
+  const StudyResult& result = data.result;
+  const int num_trials = static_cast<int>(result.trials.size());
+  const int num_removed = num_trials - result.CountKept();
+  const std::string counts = std::to_string(result.CountKept()) + " of " +
+                             FormatCount(num_trials, "trial") + " count; " +
+                             std::to_string(num_removed) + " were removed. ";
+  return Element("p", {{"class", "verdict"}},
+                 Text(counts) + LinkTo("removed", "Why") + Text(". ") +
+                     Text(DescribeMainTest(result))) +
+         DrawMeasureTable(result);
+}
+
+}  // namespace
+
+StudySection summary_study_section() { return {"summary", "Result", Draw}; }
+
+}  // namespace graspbench

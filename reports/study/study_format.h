@@ -1,0 +1,37 @@
+#pragma once
+/** @file
+How the numbers of a study are printed: times in milliseconds, lengths in millimetres, ratios in per
+cent; heads carry the unit, cells the number alone. */
+
+#include <string>
+
+#include "human_study/measures/trial_analysis.h"
+#include "human_study/study/study_statistics.h"
+
+namespace graspbench {
+
+/** What an SI value is multiplied by for people, and what then stands in the head. */
+struct DisplayUnit {
+  const char* name = "";  ///< "ms"; empty: a number without unit
+  double factor = 1.0;
+  int decimals = 2;
+};
+
+DisplayUnit FindDisplayUnit(const std::string& si_unit);
+
+/** "grasp forming time (GFT) [ms]". */
+std::string FormatHead(const TrialMeasure& measure);
+/** The number alone, in the measure's display unit; "n/a" when it is missing. */
+std::string FormatValue(double value, const std::string& si_unit);
+/** The number with its unit: "31.2 ms". */
+std::string FormatWithUnit(double value, const std::string& si_unit);
+
+/** "0.034", "< 0.001". */
+std::string FormatP(double p);
+/** "F(2.1, 14.7) = 12.34, p = 0.002 (Greenhouse-Geisser), generalised eta squared 0.31". */
+std::string FormatTest(const WithinEffect& effect, const WithinTest& test);
+
+/** "30, left"; "all trials" for a study without factors. */
+std::string NameOfCell(const std::string& cell);
+
+}  // namespace graspbench

@@ -1,0 +1,218 @@
+#include "human_study/study/run_study.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/base/files.h"
+#include "human_study/importers/importer.h"
+#include "human_study/study/demo_study.h"
+#include "human_study/study/motion_bids.h"
+#include "human_study/study/study_tables.h"
+#include "tests/support/mocap_data.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** Three people, two sizes, two trials each, on disk. */
+class RunStudyTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              (std::string("run_study_") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    SyntheticOptions options;
+    options.seed = "run_study_test";
+    options.num_people = 3;
+    options.trials_per_size = 2;
+    options.diameters = {0.03, 0.06};
+    trials_ = MakeSyntheticStudy(options);
+    WriteDemoStudy(trials_, folder_);
+    // Two universes are enough to see that they differ.
+    Append("study.yaml",
+           "multiverse:\n  onset: []\n  cutoff_hz: [8]\n  detector: [speed]\n  opening: []\n"
+           "bias_trials: 0\n");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void Append(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::app) << text;
+  }
+  void Replace(const std::string& name, const std::string& what, const std::string& with) const {
+    std::string text = ReadFile(folder_ / name);
+    const size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), with);
+    WriteFileAtomically(folder_ / name, text);
+  }
+  StudyResult Run(const StudyWatch& watch = {}) const {
+    return RunStudy(LoadStudy(folder_ / "study.yaml"), watch);
+  }
+
+  fs::path folder_;
+  std::vector<SyntheticTrial> trials_;
+};
+
+TEST_F(RunStudyTest, TheTruthComesOutAtTheEndOfTheWay) {
+  const StudyResult result = Run();
+  ASSERT_EQ(result.trials.size(), 12u);
+  EXPECT_EQ(result.CountKept(), 12);
+  EXPECT_NEAR(result.rate, 200.0, 1e-3);
+  EXPECT_NEAR(result.noise, 0.0003, 0.0001);
+  const TruthComparison errors = CompareWithTruth(result, trials_);
+  EXPECT_LT(std::abs(errors.contact->mean), 0.005);
+  EXPECT_LT(*errors.contact->standard_deviation, 0.010);
+  EXPECT_LT(std::abs(errors.gft->mean), 0.005);
+
+  ASSERT_FALSE(result.statistics.measures.empty());
+  const MeasureStatistics& first = result.statistics.measures.front();
+  ASSERT_TRUE(first.cells.has_value()) << first.cells.reason();
+  EXPECT_EQ(first.cells->persons.size(), 3u);
+  ASSERT_TRUE(first.anova.has_value()) << first.anova.reason();
+
+  // People open wider for the larger object.
+  for (const MeasureStatistics& statistics : result.statistics.measures) {
+    if (std::string(statistics.measure.id) != "peak_opening_m") continue;
+    EXPECT_GT(statistics.by_cell[1]->mean, statistics.by_cell[0]->mean + 0.01);
+  }
+  EXPECT_EQ(result.statistics.openings.size(), HandOpeningList().size());
+  EXPECT_GT(result.statistics.openings.front().d_prime, 1.0);
+  EXPECT_TRUE(result.statistics.bias.empty());
+}
+
+TEST_F(RunStudyTest, AUniverseIsTheStudyUnderOtherChoices) {
+  const StudyResult result = Run();
+  ASSERT_EQ(result.universes.size(), 4u);  // two cut-offs, two detectors
+  EXPECT_TRUE(result.universes.front().is_own);
+  const size_t other = 3;
+  EXPECT_EQ(result.universes[other].detector, "speed");
+  EXPECT_EQ(result.universes[other].cutoff, 8.0);
+  Append("study.yaml", "contact: {detector: speed, cutoff_hz: 8}\n");
+  const StudyResult changed = Run();
+  const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
+  for (size_t i = 0; i < result.trials.size(); ++i) {
+    EXPECT_EQ(result.trials[i].universes[0], measure.value(*result.trials[i].analysis));
+    EXPECT_EQ(result.trials[i].universes[other], measure.value(*changed.trials[i].analysis));
+  }
+}
+
+TEST_F(RunStudyTest, ATrialThatCannotBeAnalysedIsRemovedWithItsReason) {
+  fs::resize_file(folder_ / "recordings" / SyntheticFileName(trials_[1], SyntheticFormat::kC3d), 0);
+  fs::remove(folder_ / "recordings" / SyntheticFileName(trials_[2], SyntheticFormat::kC3d));
+  const StudyResult result = Run();
+  EXPECT_EQ(result.CountKept(), 10);
+  EXPECT_FALSE(result.trials[1].removed.empty());
+  EXPECT_NE(result.trials[2].removed.find("trial-003.c3d"), std::string::npos)
+      << result.trials[2].removed;
+  EXPECT_FALSE(result.trials[2].analysis.has_value());
+}
+
+TEST_F(RunStudyTest, AMarkerThatNoRecordingHasIsAFaultOfTheStudy) {
+  Replace("study.yaml", "index_tip", "index_tp");
+  try {
+    Run();
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("study.yaml:6: error: markers.index: no recording has it"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("did you mean \"index_tip\"?"), std::string::npos) << text;
+  }
+}
+
+TEST_F(RunStudyTest, ARecordingWithoutOneMarkerCostsItsTrialsAlone) {
+  const fs::path file =
+      folder_ / "recordings" / SyntheticFileName(trials_[4], SyntheticFormat::kC3d);
+  std::string bytes = ReadFile(file);
+  const size_t at = bytes.find("ring_tip");
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, 8, "rong_tip");
+  WriteFileAtomically(file, bytes);
+  const StudyResult result = Run();
+  EXPECT_EQ(result.CountKept(), 11);
+  EXPECT_NE(result.trials[4].removed.find("no marker for the ring"), std::string::npos);
+  EXPECT_NE(result.trials[4].removed.find("did you mean \"rong_tip\"?"), std::string::npos);
+}
+
+TEST_F(RunStudyTest, TheWrongFolderIsToldAsSuch) {
+  try {
+    RunStudy(LoadStudy(folder_ / "study.yaml", folder_ / "elsewhere"));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kNotFound);
+    EXPECT_NE(std::string(error.what()).find("--data DIR names another folder"), std::string::npos);
+  }
+}
+
+TEST_F(RunStudyTest, TablesHoldEveryTrialAndEventAndTheSameBytes) {
+  const StudyResult result = Run();
+  WriteStudyTables(result, folder_ / "a");
+  WriteStudyTables(Run(), folder_ / "b");
+  for (const char* name : {"trials", "events", "measures"}) {
+    const std::string csv = ReadFile(folder_ / "a" / (std::string(name) + ".csv"));
+    EXPECT_EQ(csv, ReadFile(folder_ / "b" / (std::string(name) + ".csv")));
+    const Json schema = Json::parse(ReadFile(folder_ / "a" / (std::string(name) + ".schema.json")));
+    const std::string heading = csv.substr(0, csv.find('\n'));
+    EXPECT_EQ(static_cast<size_t>(std::count(heading.begin(), heading.end(), ',')) + 1,
+              schema.at("fields").size());
+  }
+  const std::string measures = ReadFile(folder_ / "a" / "measures.csv");
+  EXPECT_EQ(std::count(measures.begin(), measures.end(), '\n'), 13);
+  const std::vector<StudyEvent> events = ListEvents(result.trials[0], result.study.config);
+  // onset, two maxima, lift-off, moved, end; five digits by every detector
+  EXPECT_EQ(events.size(), 6 + 5 * ContactDetectorList().size());
+}
+
+TEST_F(RunStudyTest, TheBidsDerivativeReadsBackAsTheCleanedTrial) {
+  std::vector<ReachTrial> reaches;
+  const Study study = LoadStudy(folder_ / "study.yaml");
+  MotionBidsWriter bids(folder_ / "bids", study);
+  StudyWatch watch;
+  watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
+    bids.WriteTrial(trial, reach);
+    reaches.push_back(reach);
+  };
+  const StudyResult result = RunStudy(study, watch);
+  bids.Finish();
+  const Recording recording =
+      LoadRecording(folder_ / "bids" / "sub-01" / "motion" /
+                    "sub-01_task-reachtograsp_tracksys-markers_run-1_desc-cleaned_motion.tsv");
+  ASSERT_EQ(recording.num_frames, reaches[0].times.size());
+  EXPECT_NEAR(recording.rate, 200.0, 1e-6);
+  const RecordedPoint& thumb = recording.FindPoint("thumb_tip");
+  for (size_t i = 0; i < recording.num_frames; i += 50) {
+    EXPECT_LT(
+        (thumb.Position(i) - reaches[0].digits[0].tip.p.col(static_cast<Eigen::Index>(i))).norm(),
+        1e-6);
+  }
+  double onset = -1.0;
+  for (const RecordedEvent& event : recording.events) {
+    if (event.label == "movement_onset") onset = event.time;
+  }
+  EXPECT_NEAR(onset, result.trials[0].analysis->movement.onset.time - result.trials[0].begin, 1e-6);
+}
+
+TEST(StudyExamples, DfkiRunsEndToEnd) {
+  GRASPBENCH_REQUIRE_MOCAP(recording, "dfki-hand_embodiment/recording.tsv");
+  const StudyResult result =
+      RunStudy(LoadStudy(FindDataRoot() / "human_study/examples/dfki/study.yaml", FindMocapData()));
+  EXPECT_GE(result.trials.size(), 18u);
+  EXPECT_LE(result.trials.size(), 24u);
+  EXPECT_GE(result.CountKept(), 5);
+}
+
+TEST(StudyExamples, KinesisRunsEndToEnd) {
+  GRASPBENCH_REQUIRE_MOCAP(recording, "kinesis/rtgData.txt");
+  const StudyResult result = RunStudy(
+      LoadStudy(FindDataRoot() / "human_study/examples/kinesis/study.yaml", FindMocapData()));
+  EXPECT_EQ(result.trials.size(), 45u);
+  EXPECT_EQ(result.num_resampled, 45);
+  EXPECT_GE(result.CountKept(), 20);
+}
+
+}  // namespace
+}  // namespace graspbench

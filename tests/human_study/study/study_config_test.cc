@@ -1,0 +1,170 @@
+#include "human_study/study/study_config.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** A folder of files for one test. */
+class StudyFolder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    Write("study.yaml", kGood);
+    Write("trials.csv", kTrials);
+    Write("objects.csv", kObjects);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  /** What a person is told, with the folder's name taken out. */
+  std::string FindFault() const {
+    try {
+      LoadStudy(folder_ / "study.yaml");
+      return "";
+    } catch (const Error& error) {
+      std::string text = error.what();
+      for (size_t at; (at = text.find(folder_.string() + "/")) != std::string::npos;) {
+        text.erase(at, folder_.string().size() + 1);
+      }
+      return text;
+    }
+  }
+  void ExpectFault(const std::string& part) const {
+    const std::string fault = FindFault();
+    EXPECT_NE(fault.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n"
+                                                   << fault;
+  }
+
+  static constexpr char kGood[] =
+      "name: Test\n"
+      "objects: objects.csv\n"
+      "factors: [diameter_m, side]\n"
+      "markers:\n"
+      "  thumb: [thumb_tip, RTTI]\n"
+      "  index: index_tip\n"
+      "contact:\n"
+      "  cutoff_hz: 15\n"
+      "pad_offsets_m: {thumb: 0.01}\n";
+  static constexpr char kTrials[] =
+      "participant,file,object,diameter_m,side,start_s,remove,notes\n"
+      "01,a.c3d,cup,0.1,left,0.5,,x\n"
+      "01,b.c3d,ball,0.02,right,,looked away,x\n"
+      "02,c.c3d,,0.02,left,,,x\n";
+  static constexpr char kObjects[] =
+      "object,shape,length_m,height_m,centre_z_m\n"
+      "cup,cylinder,0.08,0.1,-0.02\n"
+      "ball,sphere,0.06,,\n";
+
+  fs::path folder_;
+};
+
+TEST_F(StudyFolder, EveryThingWrittenArrives) {
+  const Study study = LoadStudy(folder_ / "study.yaml", "elsewhere");
+  EXPECT_EQ(study.config.name, "Test");
+  EXPECT_EQ(study.config.markers.tips.thumb, (std::vector<std::string>{"thumb_tip", "RTTI"}));
+  EXPECT_EQ(study.config.markers.tips.index, (std::vector<std::string>{"index_tip"}));
+  EXPECT_TRUE(study.config.markers.tips.little.empty());
+  EXPECT_EQ(study.config.analysis.contact.cutoff, 15.0);
+  EXPECT_EQ(study.config.pad_offsets.thumb, 0.01);
+  EXPECT_TRUE(std::isnan(study.config.pad_offsets.index));
+  EXPECT_EQ(study.marker_lines.index, 6);
+  EXPECT_EQ(study.recordings, "elsewhere");
+
+  ASSERT_EQ(study.trials.size(), 3u);
+  EXPECT_EQ(study.trials[0].trial, "1");
+  EXPECT_EQ(study.trials[1].trial, "2");
+  EXPECT_EQ(study.trials[2].trial, "1");
+  EXPECT_EQ(study.trials[1].remove, "looked away");
+  EXPECT_EQ(study.trials[0].start, 0.5);
+  EXPECT_TRUE(std::isinf(study.trials[0].end));
+  EXPECT_EQ(study.trials[1].levels, (std::vector<std::string>{"0.02", "right"}));
+
+  ASSERT_EQ(study.factors.size(), 2u);  // numbers by size, names as they come
+  EXPECT_EQ(study.factors[0].levels, (std::vector<std::string>{"0.02", "0.1"}));
+  EXPECT_EQ(study.factors[0].numbers, (std::vector<double>{0.02, 0.1}));
+  EXPECT_EQ(study.factors[1].levels, (std::vector<std::string>{"left", "right"}));
+  EXPECT_TRUE(study.factors[1].numbers.empty());
+
+  const StudyObject* cup = study.FindObject("cup");
+  ASSERT_NE(cup, nullptr);
+  EXPECT_NEAR(cup->distance({0.05, 0.0, 0.0}), 0.01, 1e-12);
+  EXPECT_EQ(cup->p_MO_L, Eigen::Vector3d(0.0, 0.0, -0.02));
+  EXPECT_NEAR(study.FindObject("ball")->distance({0.0, 0.0, 0.05}), 0.02, 1e-12);
+  EXPECT_EQ(study.FindObject("bowl"), nullptr);
+
+  ASSERT_EQ(study.warnings.entries().size(), 1u);
+  EXPECT_NE(study.warnings.Format().find("the column \"notes\" is not used"), std::string::npos);
+}
+
+TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
+  const auto expect = [&](const std::string& yaml, const std::string& part) {
+    Write("study.yaml", yaml);
+    ExpectFault(part);
+  };
+  const std::string markers = "markers: {thumb: t, index: i}\n";
+  expect(markers + "contct: {cutoff_hz: 10}\n",
+         "study.yaml:2: error: study: unknown key \"contct\"; did you mean \"contact\"?");
+  expect(markers + "contact: {detector: brekpoint}\n", "study.yaml:2: error: contact.detector");
+  expect(markers + "contact: {detector: brekpoint}\n", "did you mean \"breakpoint\"?");
+  expect("markers: {index: i, middle: m}\n",
+         "study.yaml:1: error: markers: name the marker of the "
+         "thumb's tip and of at least one other digit");
+  expect("markers: {thumb: t, index: [i, t]}\n",
+         "study.yaml:1: error: markers.index: \"t\" is already markers.thumb");
+  expect(markers + "cleaning:\n  max_gap_s: -1\n",
+         "study.yaml:3: error: cleaning.max_gap_s: -1.0 is out of range; expected 0.0 to 5.0");
+  expect(markers + "task: reach to grasp\n",
+         "task: \"reach to grasp\"; expected letters and digits");
+  expect(markers + "cut: {near_m: 0.1, far_m: 0.05}\n",
+         "cut.far_m: must be larger than cut.near_m");
+  expect(markers + "measures: [grasp_forming_tim_s]\n", "did you mean \"grasp_forming_time_s\"?");
+  expect(markers + "multiverse: {opening: [apertur]}\n", "did you mean \"aperture\"?");
+  expect(markers + "trials: nothing.csv\n", "study.yaml:2: error: trials: ");
+  expect("markers: [", "study.yaml:1: error: not valid YAML");
+}
+
+TEST_F(StudyFolder, FaultsOfTheTablesHaveTheirLine) {
+  const auto expect = [&](const std::string& name, const std::string& text,
+                          const std::string& part) {
+    SetUp();
+    Write(name, text);
+    ExpectFault(part);
+  };
+  expect(
+      "trials.csv", "participnt,file,diameter_m,side\n01,a,1,l\n",
+      "trials.csv:1: error: the column \"participant\" is missing; did you mean \"participnt\"?");
+  expect("trials.csv", "participant,file,side\n01,a,l\n",
+         "trials.csv:1: error: the column \"diameter_m\" is missing");
+  expect("trials.csv", "participant,file,diameter_m,side\n01,a,1\n",
+         "trials.csv:2: error: 3 cells; expected 4");
+  expect("trials.csv", "participant,file,diameter_m,side\n01,a,1,\n",
+         "trials.csv:2: error: side: empty; expected the trial's condition");
+  expect("trials.csv", "participant,file,diameter_m,side,start_s,end_s\n01,a,1,l,2,1\n",
+         "trials.csv:2: error: end_s must be later than start_s");
+  expect("trials.csv", "participant,file,diameter_m,side,start_s\n01,a,1,l,soon\n",
+         "trials.csv:2: error: start_s: \"soon\" is not a number");
+  expect("trials.csv", "participant,file,diameter_m,side,object\n01,a,1,l,cupp\n",
+         "trials.csv:2: error: object \"cupp\" is not in objects.csv; did you mean \"cup\"?");
+  expect("trials.csv", "participant,trial,file,diameter_m,side\n01,7,a,1,l\n01,7,b,1,l\n",
+         "trials.csv:3: error: participant 01 has trial 7 already in line 2");
+  expect("trials.csv", "participant,file,diameter_m,side\n", "trials.csv: error: holds no rows");
+  expect("objects.csv", "object,shape,length_m\ncup,cylindre,0.1\n",
+         "objects.csv:2: error: shape \"cylindre\" is not known; did you mean \"cylinder\"?");
+  expect("objects.csv", "object,shape,length_m\ncup,box,0.1\n",
+         "objects.csv:2: error: box needs width_m, a length above 0 and below 10");
+  expect("objects.csv", "object,shape\nmugg,catalogue\n", "objects.csv:2: error: ");
+}
+
+}  // namespace
+}  // namespace graspbench

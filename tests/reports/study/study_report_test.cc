@@ -1,0 +1,104 @@
+#include "reports/study/study_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "human_study/study/demo_study.h"
+#include "reports/study/study_format.h"
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** A small made-up study, analysed once for all tests. */
+const StudyResult& SmallStudy() {
+  static const StudyResult result = [] {
+    const fs::path folder = fs::path(::testing::TempDir()) / "study_report_test";
+    fs::remove_all(folder);
+    SyntheticOptions options;
+    options.seed = "study_report_test";
+    options.num_people = 3;
+    options.trials_per_size = 2;
+    options.diameters = {0.03, 0.06};
+    WriteDemoStudy(MakeSyntheticStudy(options), folder);
+    const StudyResult made = RunStudy(LoadStudy(folder / "study.yaml"));
+    fs::remove_all(folder);
+    return made;
+  }();
+  return result;
+}
+
+std::string SectionText(const std::string& page, const char* id) {
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const tinyxml2::XMLElement* section = FindById(*document.RootElement(), id);
+  return section == nullptr ? std::string("no section ") + id : ListText(*section);
+}
+
+void ExpectContains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n" << text;
+}
+
+TEST(StudyReport, EverySectionSaysItsNumbers) {
+  const StudyResult& result = SmallStudy();
+  const std::string page = MakeStudyReport(result, nullptr);
+  ExpectSoundPage(page);
+  ExpectContains(SectionText(page, "summary"), "12 of 12 trials count");
+  ExpectContains(SectionText(page, "removed"), "No trial was removed.");
+  ExpectContains(SectionText(page, "curves"), "0.03 (6 trials)");
+  const MeasureStatistics& gft = result.statistics.measures.front();
+  ExpectContains(SectionText(page, "measures"),
+                 FormatWithUnit(gft.cells->means.col(1).mean(), gft.measure.unit) + ", 6 trials");
+  ExpectContains(SectionText(page, "measures"), std::string(NameOf(BarKind::kLoftusMasson)));
+  ExpectContains(SectionText(page, "tests"), "diameter_m");
+  ExpectContains(SectionText(page, "tests"), FormatP(gft.anova->effects[0].test->p));
+  ExpectContains(SectionText(page, "order"), result.trials[0].analysis->order.Format());
+  ExpectContains(SectionText(page, "robot"), "No robot session was named.");
+  ExpectContains(SectionText(page, "openings"), "virtual_finger");
+  ExpectContains(SectionText(page, "bias"), "half the cut-off");
+  ExpectContains(SectionText(page, "multiverse"), "\u25B6");
+  ExpectContains(SectionText(page, "trials"), "01-1, ");
+  ExpectContains(SectionText(page, "methods"), "0 of 12 trials were removed.");
+}
+
+TEST(StudyReport, SameResultSameBytes) {
+  EXPECT_EQ(MakeStudyReport(SmallStudy(), nullptr), MakeStudyReport(SmallStudy(), nullptr));
+}
+
+TEST(StudyReport, HumansStandBesideARobot) {
+  const RobotSession robot = {"pilot", MakeSession({"tum"}, {"can"}, "g3", 3)};
+  const std::string page = MakeStudyReport(SmallStudy(), &robot);
+  ExpectSoundPage(page);
+  const std::string text = SectionText(page, "robot");
+  ExpectContains(text, "humans, all trials");
+  ExpectContains(text, "TUM Hand, power (g3)");
+  ExpectContains(text, "Session: pilot.");
+  ExpectContains(text, "32.8");  // GFT% of the fixture's middle trial
+}
+
+TEST(StudyReport, AStudyWithoutTrialsSaysSo) {
+  StudyResult result;
+  result.study.config.name = "</script><img src=x>";
+  const std::string page = MakeStudyReport(result, nullptr);
+  ExpectSoundPage(page);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  ExpectContains(SectionText(page, "summary"), "0 of 0 trials count");
+  ExpectContains(SectionText(page, "trials"), "No trial could be analysed.");
+}
+
+TEST(StudyFormat, PeopleReadMillisecondsMillimetresAndPerCent) {
+  EXPECT_EQ(FormatWithUnit(0.0312, "s"), "31.2\u00A0ms");
+  EXPECT_EQ(FormatWithUnit(0.0834, "m"), "83.4\u00A0mm");
+  EXPECT_EQ(FormatWithUnit(0.215, "1"), "21.5\u00A0%");
+  EXPECT_EQ(FormatWithUnit(5.0, ""), "5.0");
+  EXPECT_EQ(FormatWithUnit(std::nan(""), "s"), "n/a");
+  EXPECT_EQ(FormatP(0.0004), "< 0.001");
+  EXPECT_EQ(FormatP(0.0419), "0.042");
+}
+
+}  // namespace
+}  // namespace graspbench
