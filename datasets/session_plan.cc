@@ -15,30 +15,12 @@ Json JsonAngles(const Eigen::VectorXd& q) {
   return Json(std::vector<double>(q.data(), q.data() + q.size()));
 }
 
-/** Every field of a grasp: its content, not its name, decides the result. */
-Json JsonOfGrasp(const StandardGrasp& grasp) {
-  Json json{{"id", grasp.id},
-            {"type", static_cast<int>(grasp.type)},
-            {"approach_distance_m", grasp.approach_distance},
-            {"alpha_rad", grasp.alpha},
-            {"tilt_rad", grasp.tilt},
-            {"q_pre_rad", JsonAngles(grasp.q_pre)},
-            {"q_target_rad", JsonAngles(grasp.q_target)},
-            {"digits", grasp.digits},
-            {"palm_may_touch", grasp.palm_may_touch}};
-  if (grasp.placement) {
-    json["X_WH"] = JsonPose(grasp.placement->X_WH);
-    json["approach_W"] = JsonVector(grasp.placement->approach_W);
-  }
-  return json;
-}
-
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         const StandardGrasp& grasp, int trial) {
   const Json content = {{"physics", kPhysicsVersion},
                         {"hand", {hand.id, hand.content_hash}},
                         {"object", {object.id, object.content_hash}},
-                        {"grasp", JsonOfGrasp(grasp)},
+                        {"grasp", ToJson(grasp)},
                         {"variation", ConfigToJson(config.variation)},
                         {"strategy", ConfigToJson(config.strategy)},
                         {"sim", ConfigToJson(config.sim)},
@@ -145,6 +127,23 @@ bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
          a.trial == b.trial;
 }
 
+Json ToJson(const StandardGrasp& grasp) {
+  Json json{{"id", grasp.id},
+            {"type", static_cast<int>(grasp.type)},
+            {"approach_distance_m", grasp.approach_distance},
+            {"alpha_rad", grasp.alpha},
+            {"tilt_rad", grasp.tilt},
+            {"q_pre_rad", JsonAngles(grasp.q_pre)},
+            {"q_target_rad", JsonAngles(grasp.q_target)},
+            {"digits", grasp.digits},
+            {"palm_may_touch", grasp.palm_may_touch}};
+  if (grasp.placement) {
+    json["X_WH"] = JsonPose(grasp.placement->X_WH);
+    json["approach_W"] = JsonVector(grasp.placement->approach_W);
+  }
+  return json;
+}
+
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs) {
   CheckSessionConfig(config);
   std::vector<std::string> hand_names, object_names;
@@ -175,22 +174,26 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   return plan;
 }
 
-TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
-                        int trial) {
+TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
+                        RandomStream error) {
   TrialDraw draw;
-  RandomStream pose(JoinNames({config.seed, object.id, trial}), "object pose");
-  const VariationConfig& variation = config.variation;
   draw.offset_x = pose.NextUniform(-variation.offset, variation.offset);
   draw.offset_y = pose.NextUniform(-variation.offset, variation.offset);
   draw.offset_yaw = pose.NextUniform(-variation.yaw, variation.yaw);
-
-  RandomStream error(JoinNames({config.seed, hand.id, object.id, trial}), "joint error");
   draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
     if (hand.joints[static_cast<size_t>(joint)].coupled_to >= 0) continue;
     draw.joint_error[joint] = error.NextUniform(-hand.joint_accuracy, hand.joint_accuracy);
   }
   return draw;
+}
+
+TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
+                        int trial) {
+  return DrawVariation(
+      config.variation, hand,
+      RandomStream(JoinNames({config.seed, object.id, trial}), "object pose"),
+      RandomStream(JoinNames({config.seed, hand.id, object.id, trial}), "joint error"));
 }
 
 TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,

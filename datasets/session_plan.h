@@ -6,6 +6,8 @@ of hands and objects. */
 #include <string>
 #include <vector>
 
+#include "core/base/json.h"
+#include "core/base/random.h"
 #include "core/sim/trial.h"
 #include "datasets/session_config.h"
 #include "datasets/session_inputs.h"
@@ -39,6 +41,13 @@ meets the same poses; joint errors from (seed, hand, object, trial), uniform wit
 accuracy for every joint with a drive of its own. */
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial);
+
+/** Three numbers of `pose` (x, y, yaw), then one of `error` for every joint with a drive. */
+TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
+                        RandomStream error);
+
+/** Every field that decides a grasp's result. */
+Json ToJson(const StandardGrasp& grasp);
 
 /** Everything TrialRunner needs for a trial of MakePlan(config, inputs). */
 TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,

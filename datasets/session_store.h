@@ -17,11 +17,11 @@ those a person wrote into the configuration. session.json, plan.jsonl, index.sql
 the same bytes for any number of workers and any number of interruptions. */
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "datasets/append_file.h"
 #include "datasets/session_config.h"
 #include "datasets/session_plan.h"
 #include "datasets/trial_record.h"
@@ -59,19 +59,17 @@ physics has changed since. */
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan);
 
-/** Appends finished trials to one worker's journal; each Append is on the disk when it returns. A
-line that a crash has torn stays where it is; the next one starts on a line of its own. */
+/** Appends finished trials to one worker's journal; see append_file.h. */
 class JournalWriter {
  public:
   /** @throws Error(kIo) when the journal cannot be written or another process writes it. */
-  JournalWriter(const std::filesystem::path& folder, int worker);
-  ~JournalWriter();
+  JournalWriter(const std::filesystem::path& folder, int worker)
+      : file_(folder / "journal" / (std::to_string(worker) + ".jsonl")) {}
   /** @throws Error(kIo) with the system's reason; what was appended before stays valid. */
-  void Append(const TrialRecord& record);
+  void Append(const TrialRecord& record) { file_.Append(FormatJournalLine(record) + "\n"); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  AppendFile file_;
 };
 
 /** Writes index.sqlite and export/ from what LoadSession gives. Same records, same bytes. */

@@ -1,11 +1,6 @@
 #pragma once
 /** @file
-A finished trial as one line of text, safe against torn and damaged bytes.
-
-    {"trial_id":"..","hand":"tum",..,"result":{..},"xxh64":"0123456789abcdef"}
-
-The last member is the checksum: XXH64 of all bytes of the line before `,"xxh64"`. So a journal is
-JSON Lines to every other program, and a flipped bit is found before the line is parsed. */
+A finished trial as one line of a journal, with a checksum (checked_line.h). */
 
 #include <string>
 #include <string_view>

@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <tuple>
 
 #include "core/base/units.h"
+#include "core/sim/compliant_backend.h"
 #include "reports/format.h"
 #include "workbench/batch_runner.h"
 #include "workbench/session_worker.h"
@@ -65,12 +67,13 @@ std::vector<NumericsVariant> ListNumericsVariants(const SimConfig& sim) {
     changed.step *= step_factor;
     changed.contact_stiffness *= stiffness_factor;
     changed.tangential_stiffness *= stiffness_factor;
-    variants.push_back({id, changed});
+    variants.push_back({id, changed, false});
   };
   add("half step", 0.5, 1.0);
   add("double step", 2.0, 1.0);
   add("half stiffness", 1.0, 0.5);
   add("double stiffness", 1.0, 2.0);
+  variants.push_back({"compliant", sim, true});
   return variants;
 }
 
@@ -87,9 +90,25 @@ std::vector<TrialRecord> ChooseTrials(const std::vector<TrialRecord>& records,
   return chosen;
 }
 
+std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
+                                     const NumericsVariant& variant, const SessionInputs& inputs) {
+  if (!variant.is_compliant) return trials;
+  std::set<std::string> objects;
+  for (const auto& object : inputs.objects) {
+    if (CanRunCompliant(*object)) objects.insert(object->id);
+  }
+  std::vector<TrialRecord> covered;
+  for (const TrialRecord& trial : trials) {
+    if (objects.count(trial.plan.object) > 0) covered.push_back(trial);
+  }
+  return covered;
+}
+
 std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
-                                     const SessionConfig& config, const SessionInputs& inputs,
-                                     int num_workers) {
+                                     const NumericsVariant& variant, const SessionConfig& config,
+                                     const SessionInputs& inputs, int num_workers) {
+  SessionConfig changed = config;
+  changed.sim = variant.sim;
   std::vector<PlannedTrial> plan;
   std::map<std::string, size_t> position;
   for (const TrialRecord& trial : trials) {
@@ -99,8 +118,12 @@ std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
   // Each trial writes to its own place, so the workers need no lock.
   std::vector<TrialResult> results(plan.size());
   const MakeBatchWorker make_worker = [&](int) {
-    const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
-    return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
+    const auto runner = std::make_shared<PlannedTrialRunner>(changed, inputs);
+    return BatchWorker{[&, runner](const PlannedTrial& planned) {
+                         return variant.is_compliant
+                                    ? RunCompliantTrial(MakeTrialSetup(changed, inputs, planned))
+                                    : runner->Run(planned);
+                       },
                        [&results, &position](const TrialRecord& record) {
                          results[position.at(record.plan.id)] = record.result;
                        }};

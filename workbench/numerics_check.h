@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How far a session's results depend on the numerics: its trials again with other steps and other
-contact stiffnesses, compared one by one with the stored results.
+How far a session's results depend on the numerics: its trials again with other steps, other
+contact stiffnesses and another backend, compared one by one with the stored results.
 
 A verdict flips when a success becomes a failure or the other way round; one failure that becomes
 another is no flip. Times of contacts are compared where both trials have them. */
@@ -19,19 +19,25 @@ namespace graspbench {
 struct NumericsVariant {
   std::string id;  ///< "half step"
   SimConfig sim;
+  bool is_compliant = false;  ///< core/sim/compliant_backend.h instead of our own world
 };
-/** Half and double step, half and double contact stiffness (normal and tangential). */
+/** Half and double step, half and double contact stiffness (normal and tangential), and Simbody's
+compliant contact ("compliant"). */
 std::vector<NumericsVariant> ListNumericsVariants(const SimConfig& sim);
 
 /** The first `trials_per_cell` finished trials of each hand, object and grasp; in the records'
 order. */
 std::vector<TrialRecord> ChooseTrials(const std::vector<TrialRecord>& records, int trials_per_cell);
 
+/** The trials that the variant can do: for "compliant" those whose object it has a geometry for. */
+std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
+                                     const NumericsVariant& variant, const SessionInputs& inputs);
+
 /** Simulates the trials again. @returns their results in the same order; the same for any number of
-workers. @param config  of the session, with the variant's `sim`. */
+workers. @param config  of the session. */
 std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
-                                     const SessionConfig& config, const SessionInputs& inputs,
-                                     int num_workers);
+                                     const NumericsVariant& variant, const SessionConfig& config,
+                                     const SessionInputs& inputs, int num_workers);
 
 /** One variant of one trial beside its stored result. */
 struct NumericsComparison {

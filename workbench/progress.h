@@ -50,6 +50,8 @@ class Progress {
   /** @param before  outcomes of the trials that earlier runs finished. */
   Progress(std::FILE* stream, int num_planned, std::map<Outcome, int> before);
 
+  /** There turned out to be more or fewer trials. */
+  void SetPlanned(int num_planned) { num_planned_ = num_planned; }
   /** Shows the status when it is time to. @param time  since the start [s]. */
   void Show(const BatchStatus& status, double time);
   /** Shows the last status once more and leaves the cursor below it. */

@@ -188,39 +188,58 @@ std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadOrBuild(
   return field;
 }
 
-SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& p_O) const {
-  // In cells from the first node, clamped onto the grid.
+SignedDistanceField::Cell SignedDistanceField::FindCell(const Eigen::Vector3d& p_O) const {
+  Cell cell;
   const Eigen::Vector3d wanted = (p_O - lower_) / cell_;
   const Eigen::Vector3d highest = (num_nodes_.array() - 1).cast<double>();
   const Eigen::Vector3d clamped = wanted.cwiseMax(0.0).cwiseMin(highest);
-  const Eigen::Vector3i node = clamped.cast<int>().cwiseMin((num_nodes_.array() - 2).matrix());
-  const double x = clamped.x() - node.x(), y = clamped.y() - node.y(), z = clamped.z() - node.z();
+  cell.node = clamped.cast<int>().cwiseMin((num_nodes_.array() - 2).matrix());
+  cell.share = clamped - cell.node.cast<double>();
+  cell.beyond = cell_ * (wanted - clamped).norm();
+  return cell;
+}
 
-  const int64_t row = num_nodes_.x();
-  const int64_t layer = row * num_nodes_.y();
+double SignedDistanceField::Interpolate(const Eigen::Vector3i& node,
+                                        const Eigen::Vector3d& share) const {
+  const int64_t row = num_nodes_.x(), layer = row * num_nodes_.y();
   const float* v = values_.data() + node.x() + row * node.y() + layer * node.z();
-  const double v000 = v[0], v100 = v[1], v010 = v[row], v110 = v[row + 1];
-  const double v001 = v[layer], v101 = v[layer + 1], v011 = v[layer + row],
-               v111 = v[layer + row + 1];
-
+  const double x = share.x(), y = share.y(), z = share.z();
   // Along x on the four edges, along y on the two faces, along z.
-  const double e00 = v000 + x * (v100 - v000), e10 = v010 + x * (v110 - v010);
-  const double e01 = v001 + x * (v101 - v001), e11 = v011 + x * (v111 - v011);
+  const double e00 = v[0] + x * (v[1] - v[0]);
+  const double e10 = v[row] + x * (v[row + 1] - v[row]);
+  const double e01 = v[layer] + x * (v[layer + 1] - v[layer]);
+  const double e11 = v[layer + row] + x * (v[layer + row + 1] - v[layer + row]);
   const double f0 = e00 + y * (e10 - e00), f1 = e01 + y * (e11 - e01);
-  const double dx0 = (1.0 - y) * (v100 - v000) + y * (v110 - v010);
-  const double dx1 = (1.0 - y) * (v101 - v001) + y * (v111 - v011);
+  return f0 + z * (f1 - f0);
+}
 
+double SignedDistanceField::CalcDistance(const Cell& cell) const {
+  const double distance = Interpolate(cell.node, cell.share);
+  // The object lies in the grid's box: beyond it the way out adds at a right angle or more.
+  return cell.beyond > 0.0 ? std::hypot(distance, cell.beyond) : distance;
+}
+
+double SignedDistanceField::CalcDistance(const Eigen::Vector3d& p_O) const {
+  return CalcDistance(FindCell(p_O));
+}
+
+SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& p_O) const {
+  const Cell cell = FindCell(p_O);
   Sample sample;
-  sample.distance = f0 + z * (f1 - f0);
-  const Eigen::Vector3d gradient(dx0 + z * (dx1 - dx0), (1.0 - z) * (e10 - e00) + z * (e11 - e01),
-                                 f1 - f0);
+  sample.distance = CalcDistance(cell);
+  // The nodes' central differences, interpolated: the difference of the interpolant one cell on and
+  // one cell back.
+  Eigen::Vector3d gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::Vector3i on = cell.node, back = cell.node;
+    on[axis] = std::min(on[axis] + 1, num_nodes_[axis] - 2);
+    back[axis] = std::max(back[axis] - 1, 0);
+    gradient[axis] = (Interpolate(on, cell.share) - Interpolate(back, cell.share)) /
+                     std::max(on[axis] - back[axis], 1);
+  }
   // It vanishes on the medial axis only; the default direction is as good as any there.
   const double norm = gradient.norm();
   if (norm > 0.0) sample.gradient = gradient / norm;
-
-  // The object lies in the grid's box: beyond it the way out adds at a right angle or more.
-  const double beyond = cell_ * (wanted - clamped).norm();
-  if (beyond > 0.0) sample.distance = std::hypot(sample.distance, beyond);
   return sample;
 }
 

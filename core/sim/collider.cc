@@ -194,16 +194,16 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
     const double reach = object_radius_ + group.radius + kMargin;
     if ((X_WL * group.p_LCentre - p_WO).squaredNorm() > reach * reach) continue;
     const Vector3d p_OCentre = R_WO.transpose() * (X_WL * group.p_LCentre - p_WO);
-    if (field_->Query(p_OCentre).distance > group.radius + kMargin) continue;
+    if (field_->CalcDistance(p_OCentre) > group.radius + kMargin) continue;
     for (int i = group.first; i < group.first + group.count; ++i) {
       const ContactSphere& sphere = spheres_[i];
       const Vector3d p_WS = X_WL * sphere.p_LS;
-      const SignedDistanceField::Sample sample = field_->Query(R_WO.transpose() * (p_WS - p_WO));
-      const double gap = sample.distance - sphere.radius;
+      const Vector3d p_OS = R_WO.transpose() * (p_WS - p_WO);
+      const double gap = field_->CalcDistance(p_OS) - sphere.radius;
       if (gap > kMargin) continue;
       ContactPoint& contact = contacts.emplace_back();
       contact.material = sphere.is_pad ? pad_material_ : link_material_;
-      contact.nhat_BA_W = R_WO * sample.gradient;
+      contact.nhat_BA_W = R_WO * field_->Query(p_OS).gradient;
       contact.p_WC = p_WS - (sphere.radius + 0.5 * gap) * contact.nhat_BA_W;
       contact.depth = -gap;
       contact.link = group.link;
@@ -342,7 +342,7 @@ double Collider::CalcSmallestGap(const HandDynamics& dynamics, const Pose& X_WO)
   for (const ContactSphere& sphere : spheres_) {
     const Vector3d p_WS = dynamics.X_WL(sphere.link) * sphere.p_LS;
     gap = std::min(
-        {gap, p_WS.z() - sphere.radius, field_->Query(X_OW * p_WS).distance - sphere.radius});
+        {gap, p_WS.z() - sphere.radius, field_->CalcDistance(X_OW * p_WS) - sphere.radius});
   }
   return gap;
 }

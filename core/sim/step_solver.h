@@ -6,7 +6,7 @@ One implicit step: the speeds v at its end, from
 
 With the friction limits held fixed every force on the right is minus the gradient of a convex
 potential of v, so Newton with an exact line search always finds the one solution; then the limits
-are taken from the new normal forces, a few times. Both details are needed: without them light
+are taken from the new normal forces until they agree. Both details are needed: without them light
 objects blow up and slipping heavy ones stall. Cost: a dense Cholesky factor of at most 30 unknowns
 per iteration, none when the last speeds solve the step already. */
 
@@ -41,22 +41,22 @@ class StepSolver {
  public:
   static constexpr double kTolerance = 1e-9;  ///< largest impulse residual [N s, N m s]
   static constexpr int kMaxIterations = 50;   ///< of Newton, per pass
-  static constexpr int kMaxPasses = 4;        ///< of friction limits and bias
+  static constexpr int kMaxPasses = 30;       ///< of friction limits and bias
 
   /** Solves for v, starting from its value. `refresh_bias(v)` is called between passes and may
-  change problem.bias; it returns whether it did. False when the tolerance was not reached. Contacts
+  change problem.bias; it returns whether it did. False when the tolerance was not reached or limits
+  and bias did not settle. Contacts
   keep their limits and forces for FinishContact. */
   template <class RefreshBias>
   bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
-    bool converged = false;
     for (int pass = 0; pass < kMaxPasses; ++pass) {
-      converged = SolvePass(problem, v);
+      const bool converged = SolvePass(problem, v);
       const bool limits_changed = RefreshFrictionLimits(problem);
       const bool bias_changed = refresh_bias(v);
-      if (!limits_changed && !bias_changed) break;
-      if (pass == kMaxPasses - 1) converged = SolvePass(problem, v) && converged;
+      if (!limits_changed && !bias_changed) return converged;
     }
-    return converged;
+    SolvePass(problem, v);  // with the last limits
+    return false;
   }
 
   const std::vector<ContactRates>& rates() const { return rates_; }

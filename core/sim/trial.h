@@ -22,7 +22,7 @@ namespace graspbench {
 
 /** Counts changes of the physics that change results. Part of every trial id, so that records of
 different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 2;
+inline constexpr int kPhysicsVersion = 3;
 
 enum class Outcome {
   kNotRun,

@@ -34,8 +34,8 @@ Matrix3d Orthonormalize(const Matrix3d& R) {
 World::World(const Hand& hand, const GraspObject& object, const SimConfig& config)
     : hand_(&hand),
       mass_(object.mass_properties),
-      config_(config),
       dynamics_(hand),
+      config_(config),
       collider_(hand, object, config) {
   const int n = dynamics_.num_dofs() + 6;
   problem_.h = config.step;

@@ -117,8 +117,17 @@ class World {
   const Collider& collider() const { return collider_; }
   HandDynamics& dynamics() { return dynamics_; }
 
- private:
+ protected:
+  /** Decides which joint of each coupled pair moves in this step: it has a rate, the other none. */
   void ChooseDistalModes(const WorldCommand& command);
+
+  const Hand* hand_;
+  MassProperties mass_;
+  HandDynamics dynamics_;
+  WorldState state_;
+  std::vector<bool> link_touches_;  // the object, in the last step
+
+ private:
   void SetDistalRates(int dof);
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
   void AddDrivesAndLimits(const WorldCommand& command);
@@ -127,18 +136,13 @@ class World {
   void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
   StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
 
-  const Hand* hand_;
-  MassProperties mass_;
   SimConfig config_;
-  HandDynamics dynamics_;
   Collider collider_;
   StepSolver solver_;
   StepProblem problem_;
-  WorldState state_;
-  WorldState middle_;               // of the current step
-  Eigen::VectorXd v_;               // speeds at the end of the last step: [hand dofs, w, v]
-  std::vector<DistalMode> modes_;   // by dof
-  std::vector<bool> link_touches_;  // in the last step
+  WorldState middle_;              // of the current step
+  Eigen::VectorXd v_;              // speeds at the end of the last step: [hand dofs, w, v]
+  std::vector<DistalMode> modes_;  // by dof
   Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
   int num_drives_ = 0;  // the first entries of problem_.scalars

@@ -144,7 +144,7 @@ EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& eviden
   const auto column = static_cast<Column>(after);
   const double speed = (distance.values[column - 1] - distance.values[column]) /
                        (distance.times[after] - distance.times[after - 1]);
-  event.time += tolerance / std::max(speed, kMinClosingSpeed);
+  event.time += tolerance / std::max(kMinClosingSpeed, speed);
   return event;
 }
 

@@ -49,8 +49,8 @@ struct DigitEvidence {
   ScalarCurve speed;      ///< against the object, filtered [m/s]
   ScalarCurve departure;  ///< from its mean place about the hold, filtered [m]
   ScalarCurve distance;   ///< of the marker from the surface, filtered [m]; empty: shape not known
-  /** Median of the distance about the hold [m]; NaN: shape not known or hidden. It stands in for a
-   * pad offset that is not given. */
+  /** Median of the distance about the hold [m]; NaN: shape not known or hidden. Stands in for a pad
+  offset that is not given. */
   double hold_distance = std::numeric_limits<double>::quiet_NaN();
   const DigitTrack* track = nullptr;
 };
@@ -58,7 +58,7 @@ struct DigitEvidence {
 struct ContactEvidence {
   double begin = 0.0;   ///< onset of the movement [s]: no contact is looked for before it
   double hold = 0.0;    ///< [s]
-  ScalarCurve opening;  ///< thumb to virtual finger, filtered [m]
+  ScalarCurve opening;  ///< of the hand, filtered [m]
   ScalarCurve object_displacement;  ///< [m]; empty: object not recorded
   std::vector<DigitEvidence> digits;
 };

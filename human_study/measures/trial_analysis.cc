@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/base/error.h"
 
@@ -14,6 +15,16 @@ void CheckPositive(const char* key, double value) {
   if (value > 0.0 && std::isfinite(value)) return;
   throw Error(ErrorKind::kRange,
               std::string(key) + " is " + std::to_string(value) + "; expected more than 0");
+}
+
+void CheckCutoff(const char* key, double cutoff, double rate) {
+  const double limit = 0.4 * rate;  // as MakeLowPass
+  if (cutoff < limit) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%s is %g; this recording of %g Hz allows less than %g, so choose a lower one", key,
+                cutoff, rate, limit);
+  throw Error(ErrorKind::kRange, text);
 }
 
 /** Path whose speed is the movement's: the wrist, else the centroid of the tips. */
@@ -162,6 +173,13 @@ double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
 TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options) {
   CheckOptions(options);
   CheckTrial(trial);
+  const double rate =
+      static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
+  CheckCutoff("movement.cutoff_hz", options.movement.cutoff, rate);
+  CheckCutoff("opening.cutoff_hz", options.opening.cutoff, rate);
+  CheckCutoff("contact.cutoff_hz", options.contact.cutoff, rate);
+  CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
+  CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
   TrialAnalysis analysis;
 
   ObjectTravel travel;

@@ -77,8 +77,8 @@ struct TrialAnalysis {
   bool used_gap = false;     ///< .. or fell into a gap
 };
 
-/** @throws Error as CheckTrial and CheckOptions. What a trial does not show is missing in the
-result, with the reason, never an error. */
+/** @throws Error as CheckTrial and CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate.
+What a trial does not show is missing in the result, with the reason, never an error. */
 TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options);
 
 /** Latest of the first contacts [s]; NaN without any. */

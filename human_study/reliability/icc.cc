@@ -65,8 +65,7 @@ Answer<OneWay> CalcOneWay(const std::vector<PersonTrials>& persons) {
     groups.push_back(std::move(values));
   }
   if (groups.size() < 2) {
-    return NoAnswer{std::to_string(groups.size()) + (groups.size() == 1 ? " person" : " persons") +
-                    " with a value; expected 2 or more"};
+    return NoAnswer{FormatCount(groups.size(), "person") + " with a value; expected 2 or more"};
   }
   if (!has_repeats) return NoAnswer{"no person has two trials"};
   const Answer<OneWayAnova> anova = CalcOneWayAnova(groups);
@@ -94,8 +93,7 @@ struct TwoWay {
 
 Answer<TwoWay> CalcTwoWay(const std::vector<PersonTrials>& persons) {
   if (persons.size() < 2) {
-    return NoAnswer{std::to_string(persons.size()) +
-                    (persons.size() == 1 ? " person" : " persons") + "; expected 2 or more"};
+    return NoAnswer{FormatCount(persons.size(), "person") + "; expected 2 or more"};
   }
   const auto [fewest, most] = std::minmax_element(
       persons.begin(), persons.end(),

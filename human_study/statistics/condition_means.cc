@@ -43,7 +43,7 @@ Answer<Eigen::VectorXd> CalcHalfWidths(const CellMeans& cells, BarKind kind) {
   const Eigen::MatrixXd& y = cells.means;
   const double num_persons = static_cast<double>(y.rows());
   const double num_cells = static_cast<double>(y.cols());
-  if (y.rows() < 2) return NoAnswer{std::to_string(y.rows()) + " persons; expected 2 or more"};
+  if (y.rows() < 2) return NoAnswer{FormatCount(y.rows(), "person") + "; expected 2 or more"};
   const double t = CalcStudentQuantile(0.975, num_persons - 1.0);
   if (kind == BarKind::kBetweenPerson)
     return Eigen::VectorXd(t * CalcSpread(y) / std::sqrt(num_persons));

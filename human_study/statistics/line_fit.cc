@@ -14,8 +14,7 @@ Answer<LineFit> FitLine(const std::vector<double>& x, const std::vector<double>&
     if (!std::isfinite(x[i]) || !std::isfinite(y[i])) return NoAnswer{"a value is not finite"};
   }
   if (x.size() < 2) {
-    return NoAnswer{std::to_string(x.size()) + (x.size() == 1 ? " point" : " points") +
-                    "; expected 2 or more"};
+    return NoAnswer{FormatCount(x.size(), "point") + "; expected 2 or more"};
   }
   const Moments x_moments = CalcMoments(x), y_moments = CalcMoments(y);
   if (x_moments.is_constant) {

@@ -20,8 +20,7 @@ Answer<OneWayAnova> CalcOneWayAnova(const std::vector<std::vector<double>>& grou
     return NoAnswer{"a value is not finite"};
   }
   if (anova.num_groups < 2) {
-    return NoAnswer{std::to_string(anova.num_groups) +
-                    (anova.num_groups == 1 ? " group" : " groups") + "; expected 2 or more"};
+    return NoAnswer{FormatCount(anova.num_groups, "group") + "; expected 2 or more"};
   }
   anova.num_values = static_cast<int>(all.size());
   anova.df_between = anova.num_groups - 1.0;

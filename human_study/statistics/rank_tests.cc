@@ -76,7 +76,7 @@ Answer<WilcoxonTest> CalcWilcoxon(const std::vector<double>& a, const std::vecto
 Answer<FriedmanTest> CalcFriedman(const CellMeans& cells) {
   const double n = static_cast<double>(cells.means.rows());
   const double k = static_cast<double>(cells.means.cols());
-  if (n < 2) return NoAnswer{std::to_string(cells.means.rows()) + " persons; expected 2 or more"};
+  if (n < 2) return NoAnswer{FormatCount(cells.means.rows(), "person") + "; expected 2 or more"};
   if (k < 2) return NoAnswer{"one condition: nothing to compare"};
   FriedmanTest test;
   test.num_persons = static_cast<int>(n);

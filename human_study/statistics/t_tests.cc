@@ -16,8 +16,7 @@ Answer<TTest> CalcTest(const std::vector<double>& all_values, double reference, 
     if (!std::isnan(value)) values.push_back(value);
   }
   if (values.size() < 2) {
-    return NoAnswer{std::to_string(values.size()) + (values.size() == 1 ? " person" : " persons") +
-                    " with a value; expected 2 or more"};
+    return NoAnswer{FormatCount(values.size(), "person") + " with a value; expected 2 or more"};
   }
   const Moments moments = CalcMoments(values, scale);
   if (moments.is_constant) {

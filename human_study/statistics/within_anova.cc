@@ -143,8 +143,7 @@ Answer<WithinAnova> CalcWithinAnova(const CellMeans& cells) {
   const MatrixXd& y = cells.means;
   const int num_persons = static_cast<int>(y.rows());
   if (num_persons < 2) {
-    return NoAnswer{std::to_string(num_persons) + (num_persons == 1 ? " person" : " persons") +
-                    "; expected 2 or more"};
+    return NoAnswer{FormatCount(num_persons, "person") + "; expected 2 or more"};
   }
   GRASPBENCH_DEMAND(y.cols() == static_cast<Eigen::Index>(ListCells(cells.factors).size()),
                     std::to_string(y.cols()) + " columns");

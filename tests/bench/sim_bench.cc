@@ -1,23 +1,27 @@
 // Trials a second and time per step, for both hands on several objects, each checked to succeed as
-// in a session; beside them what Simbody's own position kinematics would cost per step.
+// in a session; where the time of a step goes, on an object that is held; a distance field built
+// and read from the cache; what Simbody's own position kinematics would cost per step.
 //   build/release/tests/bench/sim_bench
 
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "core/hand/load_hand.h"
 #include "core/sim/hand_dynamics.h"
 #include "core/sim/simbody_model.h"
 #include "core/sim/trial.h"
+#include "core/sim/trial_course.h"
+#include "core/sim/world.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
 
-void BM_Trial(benchmark::State& state, const char* hand_id, const char* object_id,
-              const char* grasp_id) {
+TrialSetup MakeSetup(const char* hand_id, const char* object_id, const char* grasp_id) {
   TrialSetup setup;
   setup.hand = std::make_shared<const Hand>(LoadHand(hand_id));
   setup.object = LoadObject(object_id);
@@ -25,6 +29,12 @@ void BM_Trial(benchmark::State& state, const char* hand_id, const char* object_i
     if (grasp.id == grasp_id) setup.grasp = grasp;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
+  return setup;
+}
+
+void BM_Trial(benchmark::State& state, const char* hand_id, const char* object_id,
+              const char* grasp_id) {
+  const TrialSetup setup = MakeSetup(hand_id, object_id, grasp_id);
   TrialRunner runner(setup.hand, setup.object);
   TrialResult result;
   int64_t num_steps = 0;
@@ -47,6 +57,81 @@ BENCHMARK_CAPTURE(BM_Trial, shadow_remote, "shadow", "remote_control", "g1")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Trial, shadow_ball, "shadow", "tennis_ball", "g3")
     ->Unit(benchmark::kMillisecond);
+
+enum class StepPart { kWhole, kKinematics, kMassMatrix, kBias, kCollision };
+
+/** One part of a step at the end of a trial, the object held. What the parts leave of the whole is
+the solve, the account of energy and the report. */
+void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id,
+             const char* grasp_id, StepPart part) {
+  const TrialSetup setup = MakeSetup(hand_id, object_id, grasp_id);
+  World world(*setup.hand, *setup.object, setup.sim);
+  TrialCourse course(world, setup);
+  if (course.Run().outcome != Outcome::kSuccess) state.SkipWithError("the object is not held");
+  const WorldCommand command = course.last_command();
+  const WorldState held = world.state();
+  HandDynamics& dynamics = world.dynamics();
+  Collider collider(*setup.hand, *setup.object, setup.sim);
+  std::vector<ContactPoint> contacts;
+  Eigen::MatrixXd M(dynamics.num_dofs(), dynamics.num_dofs());
+  Eigen::VectorXd bias(dynamics.num_dofs());
+  int step = 0;
+  for (auto _ : state) {
+    switch (part) {
+      case StepPart::kWhole:
+        benchmark::DoNotOptimize(world.Step(command).grip_force);
+        break;
+      case StepPart::kKinematics:
+        dynamics.UpdatePositions(held.X_WH, held.q);
+        break;
+      case StepPart::kMassMatrix:
+        dynamics.CalcMassMatrix(M);
+        break;
+      case StepPart::kBias:
+        dynamics.CalcBias(held.u, held.v_WH, -held.gravity_W, bias);
+        break;
+      case StepPart::kCollision:
+        collider.FindContacts(dynamics, world.CalcObjectPose(), held.p_WOcm, held.v_WH, step++,
+                              contacts);
+        break;
+    }
+  }
+  if (part == StepPart::kWhole && world.Step(command).grip_force <= 0.0) {
+    state.SkipWithError("the object was lost");
+  }
+  if (part == StepPart::kCollision && contacts.empty()) state.SkipWithError("no contact");
+}
+BENCHMARK_CAPTURE(BM_Step, tum_can_whole, "tum", "can", "g3", StepPart::kWhole);
+BENCHMARK_CAPTURE(BM_Step, tum_can_kinematics, "tum", "can", "g3", StepPart::kKinematics);
+BENCHMARK_CAPTURE(BM_Step, tum_can_mass_matrix, "tum", "can", "g3", StepPart::kMassMatrix);
+BENCHMARK_CAPTURE(BM_Step, tum_can_bias, "tum", "can", "g3", StepPart::kBias);
+BENCHMARK_CAPTURE(BM_Step, tum_can_collision, "tum", "can", "g3", StepPart::kCollision);
+BENCHMARK_CAPTURE(BM_Step, shadow_can_whole, "shadow", "can", "g3", StepPart::kWhole);
+BENCHMARK_CAPTURE(BM_Step, shadow_can_kinematics, "shadow", "can", "g3", StepPart::kKinematics);
+BENCHMARK_CAPTURE(BM_Step, shadow_can_mass_matrix, "shadow", "can", "g3", StepPart::kMassMatrix);
+BENCHMARK_CAPTURE(BM_Step, shadow_can_bias, "shadow", "can", "g3", StepPart::kBias);
+BENCHMARK_CAPTURE(BM_Step, shadow_can_collision, "shadow", "can", "g3", StepPart::kCollision);
+
+/** The distance field of an object, built (cold) or read from the cache (warm). */
+void BM_Field(benchmark::State& state, const char* object_id, bool is_warm) {
+  const std::shared_ptr<const GraspObject> object = LoadObject(object_id);
+  const std::filesystem::path cache =
+      std::filesystem::temp_directory_path() / ("graspbench_bench_" + std::to_string(::getpid()));
+  if (is_warm) SignedDistanceField::LoadOrBuild(object->mesh, cache);
+  double distance = 0.0;
+  for (auto _ : state) {
+    distance = (is_warm ? *SignedDistanceField::LoadOrBuild(object->mesh, cache)
+                        : SignedDistanceField::Build(object->mesh))
+                   .Query(Eigen::Vector3d::Zero())
+                   .distance;
+  }
+  std::filesystem::remove_all(cache);
+  if (distance != object->field->Query(Eigen::Vector3d::Zero()).distance) {
+    state.SkipWithError("the fields differ");
+  }
+}
+BENCHMARK_CAPTURE(BM_Field, can_cold, "can", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Field, can_warm, "can", true)->Unit(benchmark::kMillisecond);
 
 void BM_Positions(benchmark::State& state, const char* hand_id, bool by_simbody) {
   const Hand hand = LoadHand(hand_id);

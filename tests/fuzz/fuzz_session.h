@@ -7,6 +7,7 @@ anything is refused with an Error or understood and written back. */
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "datasets/evaluation_journal.h"
 #include "datasets/session_index.h"
 #include "datasets/session_store.h"
 #include "datasets/trial_table.h"
@@ -28,10 +29,20 @@ inline void FuzzRecordLine(const std::string& line) {
   }
 }
 
+inline void FuzzEvaluationLine(const std::string& line) {
+  try {
+    const std::string written = FormatEvaluationLine(ParseEvaluationLine(line));
+    GRASPBENCH_DEMAND(FormatEvaluationLine(ParseEvaluationLine(written)) == written, written);
+  } catch (const Error&) {
+  }
+}
+
 /** Once as it is, once with a valid checksum, so that the record behind it is reached. */
 inline void FuzzJournalLine(const std::string& text) {
-  FuzzRecordLine(text);
-  FuzzRecordLine(text + ",\"xxh64\":\"" + CalcHashHex(text) + "\"}");
+  for (const std::string& line : {text, text + ",\"xxh64\":\"" + CalcHashHex(text) + "\"}"}) {
+    FuzzRecordLine(line);
+    FuzzEvaluationLine(line);
+  }
 }
 
 inline void FuzzSessionYaml(const std::string& text) {

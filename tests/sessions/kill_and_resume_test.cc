@@ -1,6 +1,6 @@
 /** @file
-A session that is killed again and again and continued each time has the same results, byte for
-byte, as one that ran through, for any number of workers. */
+A session or campaign that is killed again and again and continued each time has the same results,
+byte for byte, as one that ran through, for any number of workers. */
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -21,10 +21,32 @@ namespace graspbench {
 namespace {
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kSession = {"--object", "golf_ball,tea_light", "--trials", "8"};
+const std::vector<std::string> kSession = {"run", "--object", "golf_ball,tea_light", "--trials",
+                                           "8"};
+const std::vector<std::string> kCampaign = {"campaign",
+                                            "--object",
+                                            "golf_ball,tea_light",
+                                            "--hand",
+                                            "tum",
+                                            "--evaluations",
+                                            "30",
+                                            "--fitness-trials",
+                                            "1",
+                                            "--trials",
+                                            "2",
+                                            "--set",
+                                            "optimise.check_trials=2",
+                                            "--set",
+                                            "comparison.scenes=tum/tea_light",
+                                            "--set",
+                                            "comparison.methods=es,cmaes",
+                                            "--set",
+                                            "comparison.seeds=2",
+                                            "--set",
+                                            "comparison.evaluations=20"};
 
 pid_t Start(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {GRASPBENCH_PROGRAM, "run"});
+  arguments.insert(arguments.begin(), GRASPBENCH_PROGRAM);
   const pid_t child = ::fork();
   if (child != 0) return child;
   std::vector<char*> argv;
@@ -40,10 +62,12 @@ int WaitFor(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-int CountJournalLines(const fs::path& session) {
+/** Lines of all .jsonl files of the folder and those below it. */
+int CountLines(const fs::path& folder) {
   int count = 0;
   std::error_code status;
-  for (const auto& entry : fs::directory_iterator(session / "journal", status)) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder, status)) {
+    if (entry.path().extension() != ".jsonl") continue;
     const std::string text = ReadFile(entry.path());
     count += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   }
@@ -85,13 +109,14 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
   arguments = kSession;
   arguments.insert(arguments.end(), {"--jobs", jobs, "--out", killed});
   RandomStream moments("kill " + jobs, "moment");
+  const fs::path journal = fs::path(killed) / "journal";
   int num_kills = 0;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const int num_lines = CountJournalLines(killed) + 1 + moments.NextIndex(5);
+    const int num_lines = CountLines(journal) + 1 + moments.NextIndex(5);
     num_kills += KillAfter(
-        Start(arguments), [&] { return CountJournalLines(killed) >= num_lines; },
+        Start(arguments), [&] { return CountLines(journal) >= num_lines; },
         moments.NextUniform(0.0, 0.1));
-    arguments = {"--resume", "--jobs", jobs, "--out", killed};
+    arguments = {"run", "--resume", "--jobs", jobs, "--out", killed};
   }
   EXPECT_GE(num_kills, 2);
   ASSERT_EQ(WaitFor(Start(arguments)), 0);
@@ -104,6 +129,49 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Jobs, KillAndResume, testing::Values(1, 2, 4));
+
+/** Files below the folder that must not depend on workers and interruptions. */
+std::vector<fs::path> ListResults(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path path = entry.path().lexically_relative(folder);
+    const bool is_worker_journal = path.parent_path() == fs::path("benchmark") / "journal";
+    if (entry.is_regular_file() && path.filename() != "run.json" && !is_worker_journal) {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(KillAndResumeCampaign, GivesTheBytesOfAnUninterruptedOne) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("kill_campaign_" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  const fs::path whole = folder / "whole", killed = folder / "killed";
+  std::vector<std::string> arguments = kCampaign;
+  arguments.insert(arguments.end(), {"--jobs", "1", "--out", whole.string()});
+  ASSERT_EQ(WaitFor(Start(arguments)), 0);
+
+  arguments = kCampaign;
+  arguments.insert(arguments.end(), {"--jobs", "2", "--out", killed.string()});
+  RandomStream moments("kill campaign", "moment");
+  int num_kills = 0;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    const int num_lines = CountLines(killed) + 1 + moments.NextIndex(60);
+    num_kills += KillAfter(
+        Start(arguments), [&] { return CountLines(killed) >= num_lines; },
+        moments.NextUniform(0.0, 0.05));
+  }
+  EXPECT_GE(num_kills, 3);
+  ASSERT_EQ(WaitFor(Start(arguments)), 0);
+
+  const std::vector<fs::path> files = ListResults(whole);
+  EXPECT_GT(files.size(), 20u);
+  EXPECT_EQ(ListResults(killed), files);
+  for (const fs::path& file : files) ExpectSameFile(whole / file, killed / file);
+  if (!HasFailure()) fs::remove_all(folder);
+}
 
 }  // namespace
 }  // namespace graspbench

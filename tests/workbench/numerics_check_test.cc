@@ -27,7 +27,7 @@ NumericsComparison Compare(const TrialRecord& before, Outcome outcome, double gc
 TEST(NumericsCheck, VariantsChangeOneThingEach) {
   SimConfig sim;
   const std::vector<NumericsVariant> variants = ListNumericsVariants(sim);
-  ASSERT_EQ(variants.size(), 4u);
+  ASSERT_EQ(variants.size(), 5u);
   EXPECT_DOUBLE_EQ(variants[0].sim.step, 0.5 * sim.step);
   EXPECT_DOUBLE_EQ(variants[0].sim.contact_stiffness, sim.contact_stiffness);
   EXPECT_DOUBLE_EQ(variants[1].sim.step, 2.0 * sim.step);
@@ -35,6 +35,7 @@ TEST(NumericsCheck, VariantsChangeOneThingEach) {
   EXPECT_DOUBLE_EQ(variants[2].sim.tangential_stiffness, 0.5 * sim.tangential_stiffness);
   EXPECT_DOUBLE_EQ(variants[2].sim.step, sim.step);
   EXPECT_DOUBLE_EQ(variants[3].sim.contact_stiffness, 2.0 * sim.contact_stiffness);
+  EXPECT_TRUE(variants[4].is_compliant);
 }
 
 TEST(NumericsCheck, TakesTheFirstTrialsOfEachCell) {

@@ -39,14 +39,13 @@ void CheckNumerics(const CheckOptions& options) {
   std::vector<NumericsComparison> comparisons;
   std::vector<NumericsSummary> summaries;
   for (const NumericsVariant& variant : ListNumericsVariants(session.config.sim)) {
-    std::cerr << variant.id << ": " << FormatCount(static_cast<int>(trials.size()), "trial")
+    const std::vector<TrialRecord> covered = FindCovered(trials, variant, inputs);
+    std::cerr << variant.id << ": " << FormatCount(static_cast<int>(covered.size()), "trial")
               << '\n';
-    SessionConfig config = session.config;
-    config.sim = variant.sim;
     const std::vector<TrialResult> results =
-        RerunTrials(trials, config, inputs, options.num_workers);
-    for (size_t i = 0; i < trials.size(); ++i) {
-      comparisons.push_back({variant.id, trials[i], results[i]});
+        RerunTrials(covered, variant, session.config, inputs, options.num_workers);
+    for (size_t i = 0; i < covered.size(); ++i) {
+      comparisons.push_back({variant.id, covered[i], results[i]});
     }
     summaries.push_back(SummariseNumerics(variant.id, comparisons));
   }

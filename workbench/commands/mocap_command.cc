@@ -3,10 +3,12 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/files.h"
 #include "human_study/describe_recording.h"
 #include "human_study/importers/importer.h"
 #include "human_study/save_recording.h"
 #include "workbench/commands/command.h"
+#include "workbench/mocap_plot.h"
 
 namespace graspbench {
 namespace {
@@ -76,6 +78,15 @@ void ConvertRecording(const MocapOptions& options) {
   std::cout << options.out << '\n';
 }
 
+void PlotRecording(const MocapOptions& options) {
+  CheckDifferentFiles(options);
+  const Recording recording = LoadRecording(options.in, options.import);
+  PrintFindings(recording);
+  const std::string name = std::filesystem::path(options.in).filename().string();
+  WriteFileAtomically(options.out, MakeRecordingPage(name, recording));
+  std::cout << options.out << '\n';
+}
+
 void RedactFile(const MocapOptions& options) {
   CheckDifferentFiles(options);
   const std::vector<PersonalField> fields = RedactRecording(options.in, options.out);
@@ -89,9 +100,10 @@ void RedactFile(const MocapOptions& options) {
 }  // namespace
 
 void AddMocapCommand(CLI::App& program, ExitCode&) {
-  CLI::App& group = AddSubcommand(program, "mocap", "Shows, converts and redacts motion capture.",
-                                  "  graspbench mocap info reach01.c3d\n"
-                                  "  graspbench mocap convert reach01.tsv reach01.c3d");
+  CLI::App& group =
+      AddSubcommand(program, "mocap", "Shows, draws, converts and redacts motion capture.",
+                    "  graspbench mocap info reach01.c3d\n"
+                    "  graspbench mocap convert reach01.tsv reach01.c3d");
   group.require_subcommand(1);
   const auto options = std::make_shared<MocapOptions>();
 
@@ -110,6 +122,13 @@ void AddMocapCommand(CLI::App& program, ExitCode&) {
   AddImportOptions(convert, options);
   convert.add_option("out", options->out, "file to write")->required()->option_text("OUT");
   convert.callback([options] { ConvertRecording(*options); });
+
+  CLI::App& plot = AddSubcommand(group, "plot",
+                                 "Draws gaps, height and speed of every point into one HTML page.",
+                                 "  graspbench mocap plot reach01.c3d reach01.html");
+  AddImportOptions(plot, options);
+  plot.add_option("out", options->out, "HTML file to write")->required()->option_text("OUT");
+  plot.callback([options] { PlotRecording(*options); });
 
   CLI::App& redact = AddSubcommand(
       group, "redact", "Copies a recording with names, dates and paths blanked; data stay.",

@@ -58,7 +58,7 @@ Samples TakeSamples(const Trajectory& p_O, double begin, double end, const Eigen
   return samples;
 }
 
-/** Place of the breakpoint with the smallest misfit; missing at the window's edge. */
+/** The breakpoint with the smallest misfit; missing when the samples show none. */
 EventTime FitBreakpoint(const Samples& samples, double interval) {
   if (samples.times.size() < 2 * kMinSide) return MissingEvent(kTooFew);
   const double first = samples.times[kMinSide - 1];
@@ -73,7 +73,7 @@ EventTime FitBreakpoint(const Samples& samples, double interval) {
   }
   EventTime event;
   event.time = best;
-  // The misfit is a parabola near its minimum; two frames see more of it than of its roughness.
+  // Near its minimum the misfit is a parabola with a kink at every sample: look a frame away.
   const double h = std::max(interval, kStep);
   const double before = CalcMisfit(samples, best - h), after = CalcMisfit(samples, best + h);
   const double bend = (before - 2 * smallest + after) / (h * h);
@@ -137,12 +137,12 @@ EventTime FindByBreakpoint(const ContactEvidence& evidence, const DigitEvidence&
 }  // namespace
 
 ContactDetector MakeBreakpointDetector() {
-  return {"breakpoint",
-          "least-squares fit of a straight approach and rest to the unfiltered path against the "
-          "object, "
-          "along the direction of approach, from 50 ms before to 80 ms after; filled samples take "
-          "no part",
-          "fingertip markers", FindByBreakpoint};
+  return {
+      "breakpoint",
+      "least-squares fit of a straight approach and rest to the unfiltered path against the "
+      "object, along the direction of approach, from 50 ms before to 80 ms after; filled samples "
+      "take no part; where the path shows no breakpoint, its arrival at its place in the hold",
+      "fingertip markers", FindByBreakpoint};
 }
 
 }  // namespace graspbench

@@ -60,6 +60,7 @@ EventTime FindByForce(const ContactEvidence& evidence, const DigitEvidence& digi
   const auto last = force.values.begin() + static_cast<std::ptrdiff_t>(grip.last);
   const double start = zero + kPeakShare * (*std::max_element(first, last) - zero);
   const auto quarter = std::find_if(first, last, [&](double f) { return f >= start; });
+  if (quarter == last) return MissingEvent("the force does not rise out of its noise");
   EventTime event = TraceBack(curve, static_cast<size_t>(quarter - force.values.begin()),
                               grip.first, threshold, Side::kAbove);
   if (!event.IsFound()) return MissingEvent("the force does not rise out of its noise");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/base/units.h"
 #include "human_study/cleaning/gaps.h"
 #include "human_study/synthetic/synthetic_study.h"
@@ -194,6 +195,68 @@ TEST(AnalyseTrial, AHandThatNeverMovesHasNoEventsAndNoError) {
     const double value = measure.value(analysis);
     EXPECT_TRUE(!(value > 1e-9)) << measure.id << " " << value;
   }
+}
+
+void ExpectWhole(const EventTime& event, const std::string& what) {
+  EXPECT_EQ(std::isfinite(event.time), event.missing.empty()) << what << ": " << event.missing;
+  if (event.IsFound()) {
+    EXPECT_GT(event.uncertainty, 0.0) << what;
+    EXPECT_TRUE(std::isfinite(event.uncertainty)) << what;
+  }
+}
+
+TEST(AnalyseTrial, SpoiltTrialsGiveAnswersOrReasonsAndNeverFail) {
+  const ReachTrial good = MakeReachTrial(MakeOne());
+  RandomStream random("spoilt", "trials");
+  for (int round = 0; round < 150; ++round) {
+    ReachTrial trial = good;
+    AnalysisOptions options;
+    const std::vector<MovementRule>& rules = MovementRuleList();
+    options.movement.rule = rules[static_cast<size_t>(random.NextIndex(6))].id;
+    options.opening.measure = HandOpeningList()[static_cast<size_t>(random.NextIndex(8))].id;
+    options.opening.maximum = random.NextUnit() < 0.5 ? "largest" : "last";
+    const double noise = random.NextUnit() < 0.3 ? 0.02 * random.NextUnit() : 0.0;
+    const double end = trial.times.back();
+    for (DigitTrack& digit : trial.digits) {
+      for (double& value : digit.tip.p.reshaped()) value += noise * random.NextNormal();
+      while (random.NextUnit() < 0.5) {
+        const double begin = random.NextUniform(0.0, end);
+        HideSamples(digit.tip, begin, begin + random.NextUniform(0.0, 0.5));
+      }
+      if (random.NextUnit() < 0.3) FillGaps(digit.tip, 0.2);
+      if (random.NextUnit() < 0.2) HideSamples(digit.tip, 0.0, end);
+      if (random.NextUnit() < 0.2)
+        digit.force.values.assign(digit.force.values.size(), std::nan(""));
+    }
+    if (random.NextUnit() < 0.3) HideSamples(trial.wrist, random.NextUniform(0.0, end), end);
+    if (random.NextUnit() < 0.2) trial.object = ObjectTrack();
+    for (SampleState& state : trial.object.states) {
+      if (random.NextUnit() < 0.02) state = SampleState::kInvalid;
+    }
+    const TrialAnalysis analysis = AnalyseTrial(trial, options);
+    ExpectWhole(analysis.movement.onset, "onset");
+    ExpectWhole(analysis.movement.end, "end");
+    ExpectWhole(analysis.object.moved, "moved");
+    ExpectWhole(analysis.object.lift_off, "lift-off");
+    ExpectWhole(analysis.closure_start, "closure start");
+    for (const DigitContactEvents& digit : analysis.contacts) {
+      for (size_t k = 0; k < digit.by_detector.size(); ++k) {
+        ExpectWhole(digit.by_detector[k], digit.digit + " by " + ContactDetectorList()[k].id +
+                                              " in " + std::to_string(round));
+      }
+    }
+  }
+}
+
+TEST(AnalyseTrial, ACutoffThatTheRateDoesNotAllowNamesItsKey) {
+  SyntheticOptions options;
+  options.num_people = options.trials_per_size = 1;
+  options.rate = 40.0;
+  const ReachTrial trial = MakeReachTrial(MakeSyntheticStudy(options)[0]);
+  EXPECT_EQ(
+      FaultOf([&] { AnalyseTrial(trial, AnalysisOptions()); }),
+      "contact.cutoff_hz is 20; this recording of 40 Hz allows less than 16, so choose a lower "
+      "one");
 }
 
 TEST(CheckOptions, NamesTheKeyAndTheChoices) {

@@ -128,7 +128,7 @@ TEST(Friedman, AgreesWithROnTies) {
 
 TEST(Friedman, GivesReasons) {
   EXPECT_EQ(CalcFriedman(MakeCells(MakeReachMeans().topRows(1))).reason(),
-            "1 persons; expected 2 or more");
+            "1 person; expected 2 or more");
   EXPECT_EQ(CalcFriedman(MakeCells(MakeReachMeans().leftCols(1))).reason(),
             "one condition: nothing to compare");
   EXPECT_EQ(CalcFriedman(MakeCells(Eigen::MatrixXd::Constant(3, 3, 0.1))).reason(),

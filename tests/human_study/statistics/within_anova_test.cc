@@ -258,7 +258,7 @@ TEST(HalfWidths, GiveReasons) {
       MakeCells({{"size", {"30", "45", "60", "75"}, {}, ""}}, MakeReachMeans().topRows(1));
   const CellMeans one_cell = MakeCells({{"size", {"30"}, {}, ""}}, MakeReachMeans().leftCols(1));
   for (BarKind kind : ListBarKinds()) {
-    EXPECT_EQ(CalcHalfWidths(one_person, kind).reason(), "1 persons; expected 2 or more");
+    EXPECT_EQ(CalcHalfWidths(one_person, kind).reason(), "1 person; expected 2 or more");
     EXPECT_EQ(CalcHalfWidths(one_cell, kind).has_value(), kind == BarKind::kBetweenPerson);
   }
 }

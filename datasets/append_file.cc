@@ -1,3 +1,5 @@
+#include "datasets/append_file.h"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -8,11 +10,10 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "datasets/session_store.h"
 
 namespace graspbench {
 
-struct JournalWriter::Impl {
+struct AppendFile::Impl {
   ~Impl() {
     if (file >= 0) ::close(file);  // gives the lock back, too
   }
@@ -29,9 +30,8 @@ struct JournalWriter::Impl {
   bool ends_torn = false;  ///< the last line lacks its line break
 };
 
-JournalWriter::JournalWriter(const std::filesystem::path& folder, int worker)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->path = folder / "journal" / (std::to_string(worker) + ".jsonl");
+AppendFile::AppendFile(const std::filesystem::path& path) : impl_(std::make_unique<Impl>()) {
+  impl_->path = path;
   impl_->file = ::open(impl_->path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (impl_->file < 0) impl_->Fail("open");
   if (::flock(impl_->file, LOCK_EX | LOCK_NB) != 0) {
@@ -50,10 +50,10 @@ JournalWriter::JournalWriter(const std::filesystem::path& folder, int worker)
   SyncFolder(impl_->path.parent_path());
 }
 
-JournalWriter::~JournalWriter() = default;
+AppendFile::~AppendFile() = default;
 
-void JournalWriter::Append(const TrialRecord& record) {
-  const std::string text = (impl_->ends_torn ? "\n" : "") + FormatJournalLine(record) + "\n";
+void AppendFile::Append(const std::string& lines) {
+  const std::string text = (impl_->ends_torn ? "\n" : "") + lines;
   for (size_t written = 0; written < text.size();) {  // one write, but on a full disk or a signal
     const ssize_t count = ::write(impl_->file, text.data() + written, text.size() - written);
     if (count < 0 && errno == EINTR) continue;
@@ -62,6 +62,11 @@ void JournalWriter::Append(const TrialRecord& record) {
     impl_->ends_torn = written < text.size();
   }
   if (::fdatasync(impl_->file) != 0) impl_->Fail("sync");
+}
+
+void AppendFile::Truncate(size_t length) {
+  if (::ftruncate(impl_->file, static_cast<off_t>(length)) != 0) impl_->Fail("shorten");
+  impl_->ends_torn = false;
 }
 
 }  // namespace graspbench

@@ -1,0 +1,293 @@
+#include "core/optimise/grasp_optimiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/base/units.h"
+#include "core/grasp/grasp_file.h"
+#include "core/grasp/placement.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kLargestChange = RadFromDeg(25.0);  ///< of a target angle, to both sides
+constexpr double kFirstStep = RadFromDeg(8.0);
+
+// Learning draws by their use. Those of step 1's check start with 0, the trial without variation.
+constexpr int kFirstTargetCheck = 1000;
+constexpr int kFirstFitnessDraw = 2000;
+constexpr int kFirstFinalDraw = 3000;
+
+constexpr int kNumFinalists = 10;
+constexpr double kFinalistDistance = RadFromDeg(2.0);
+/** Finalists are tried on so many times the trials of a check. */
+constexpr int kFinalShare = 2;
+
+std::vector<int> ListDraws(int first, int count) {
+  std::vector<int> draws(static_cast<size_t>(count));
+  std::iota(draws.begin(), draws.end(), first);
+  return draws;
+}
+
+std::vector<LearningTrial> RunOne(const RunLearningTrials& run, const std::string& stage,
+                                  const StandardGrasp& grasp, const std::vector<int>& draws) {
+  LearningRequest request;
+  request.stage = stage;
+  request.grasp = grasp;
+  request.draws = draws;
+  return run({request}).at(0);
+}
+
+/** The same grasp with the angles that a grasp file holds. */
+StandardGrasp RoundAngles(const Hand& hand, const StandardGrasp& grasp,
+                          const std::string& made_from) {
+  return ParseGraspFile(FormatGraspFile(hand, grasp, made_from), grasp.id, {&hand}).grasp;
+}
+
+bool IsOutOfReach(Outcome outcome) {
+  return outcome == Outcome::kPushedAway || outcome == Outcome::kKnockedOver;
+}
+
+/** Chooses among the shots, or says why none of them is taken. */
+void Choose(PreGraspStep& step) {
+  double lowest = CalcMedianGftRatio(step.standard_trials);
+  bool has_equal_success = false;
+  for (size_t i = 0; i < step.shots.size(); ++i) {
+    const std::vector<LearningTrial>& trials = step.shots[i].trials;
+    if (CountSuccesses(trials) < CountSuccesses(step.standard_trials)) continue;
+    has_equal_success = true;
+    const double median = CalcMedianGftRatio(trials);
+    if (!(median < lowest)) continue;
+    lowest = median;
+    step.chosen = static_cast<int>(i);
+  }
+  if (step.chosen >= 0) {
+    step.verdict = step.shots[static_cast<size_t>(step.chosen)].name + " taken";
+  } else if (step.shots.empty()) {
+    step.verdict = "standard kept: there was nothing to learn, too few digits touched or no room";
+  } else if (!has_equal_success) {
+    step.verdict = "standard kept: the new pre-grasp succeeded less often";
+  } else {
+    step.verdict = "standard kept: contacts were not more simultaneous";
+  }
+}
+
+PreGraspStep LearnInTwoShots(const Hand& hand, const StandardGrasp& start,
+                             const std::string& made_from, const OptimiseConfig& config,
+                             const RunLearningTrials& run) {
+  PreGraspStep step;
+  const std::vector<int> draws = ListDraws(0, config.check_trials);
+  step.standard_trials = RunOne(run, "standard", start, draws);
+  StandardGrasp grasp = start;
+  LearningTrial lesson = step.standard_trials.front();
+  for (const char* name : {"one-shot", "two-shot"}) {
+    PreGraspShot shot;
+    shot.name = name;
+    if (lesson.closings.empty()) break;  // the simulation gave up
+    shot.learned = LearnPreGrasp(hand, grasp, lesson.closings);
+    if (shot.learned.share == 0.0) break;
+    shot.was_pushed_away = IsOutOfReach(lesson.outcome);
+    grasp.q_pre = shot.learned.q_pre;
+    grasp = RoundAngles(hand, grasp, made_from);
+    shot.grasp = grasp;
+    shot.trials = RunOne(run, name, grasp, draws);
+    lesson = shot.trials.front();
+    step.shots.push_back(shot);
+  }
+  Choose(step);
+  return step;
+}
+
+StandardGrasp MakeGrasp(const Hand& hand, const StandardGrasp& start,
+                        const std::vector<int>& joints, const Eigen::VectorXd& genome) {
+  StandardGrasp grasp = start;
+  for (size_t i = 0; i < joints.size(); ++i) {
+    grasp.q_target[joints[i]] = genome[static_cast<Eigen::Index>(i)];
+  }
+  ApplyCoupling(hand, grasp.q_target);
+  return grasp;
+}
+
+SearchSpace MakeSpace(const Hand& hand, const StandardGrasp& start,
+                      const std::vector<int>& joints) {
+  SearchSpace space;
+  const auto size = static_cast<Eigen::Index>(joints.size());
+  space.start.resize(size);
+  space.lower.resize(size);
+  space.upper.resize(size);
+  space.step = kFirstStep;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const int joint = joints[static_cast<size_t>(i)];
+    const HandJoint& limits = hand.joints[static_cast<size_t>(joint)];
+    space.start[i] = start.q_target[joint];
+    space.lower[i] = std::max(limits.lower, space.start[i] - kLargestChange);
+    space.upper[i] = std::min(limits.upper, space.start[i] + kLargestChange);
+  }
+  return space;
+}
+
+LearningRequest MakeRequest(const Hand& hand, const StandardGrasp& start, const TargetStep& step,
+                            const std::string& stage, const Individual& individual,
+                            const std::vector<int>& draws) {
+  LearningRequest request;
+  request.stage = stage;
+  request.grasp = MakeGrasp(hand, start, step.joints, individual.genome);
+  request.draws = draws;
+  request.hold = false;
+  request.individual = individual;
+  return request;
+}
+
+/** The fittest individuals that differ from each other in some joint; never the start. */
+std::vector<Individual> FindFinalists(const SearchResult& search) {
+  std::vector<Individual> sorted(search.individuals.begin() + 1, search.individuals.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.fitness > b.fitness; });
+  std::vector<Individual> finalists;
+  for (const Individual& candidate : sorted) {
+    if (finalists.size() == kNumFinalists) break;
+    const bool is_new =
+        std::none_of(finalists.begin(), finalists.end(), [&](const Individual& other) {
+          return (candidate.genome - other.genome).cwiseAbs().maxCoeff() < kFinalistDistance;
+        });
+    if (is_new) finalists.push_back(candidate);
+  }
+  return finalists;
+}
+
+void ChooseFinalist(const Hand& hand, const StandardGrasp& start, const OptimiseConfig& config,
+                    const RunLearningTrials& run, TargetStep& step) {
+  std::vector<LearningRequest> requests;
+  const std::vector<int> draws = ListDraws(kFirstFinalDraw, kFinalShare * config.check_trials);
+  for (const Individual& finalist : FindFinalists(step.search)) {
+    requests.push_back(MakeRequest(hand, start, step, "finalist", finalist, draws));
+  }
+  if (requests.empty()) return;
+  const std::vector<std::vector<LearningTrial>> trials = run(requests);
+  double best = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < requests.size(); ++i) {
+    step.finalists.push_back({requests[i].individual.number, trials[i]});
+    if (const double fitness = CalcFitness(trials[i]); fitness > best) {
+      best = fitness;
+      step.found = requests[i].individual.number;
+    }
+  }
+}
+
+}  // namespace
+
+int CountSuccesses(const std::vector<LearningTrial>& trials) {
+  return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) {
+    return trial.outcome == Outcome::kSuccess;
+  }));
+}
+
+double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
+  if (trials.empty()) return kUnset;
+  std::vector<double> ratios;
+  for (const LearningTrial& trial : trials) {
+    const double ratio = trial.timing.gft_ratio;
+    ratios.push_back(std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  const size_t middle = ratios.size() / 2;
+  return ratios.size() % 2 == 1 ? ratios[middle] : 0.5 * (ratios[middle - 1] + ratios[middle]);
+}
+
+double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
+  double sum = 0.0;
+  for (const LearningTrial& trial : trials) sum += trial.sigma;
+  return trials.empty() ? kUnset : sum / static_cast<double>(trials.size());
+}
+
+int CountLearningTrials(const OptimiseConfig& config) {
+  const int step1 = config.step == "2" ? 0 : 3 * config.check_trials;
+  const int step2 = config.step == "1"
+                        ? 0
+                        : config.evaluations * config.fitness_trials +
+                              (kNumFinalists * kFinalShare + 2) * config.check_trials;
+  return step1 + step2;
+}
+
+StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
+                              const StandardGrasp& standard, const std::string& id) {
+  StandardGrasp grasp = standard;
+  grasp.placement = CalcPlacement(hand, standard, object.size, object.mass_properties.p_OOcm);
+  grasp.object = object.id;
+  grasp.id = id;
+  return RoundAngles(hand, grasp, standard.id);
+}
+
+TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+                        const OptimiseConfig& config, const RunLearningTrials& run) {
+  TargetStep step;
+  step.joints =
+      FindDrivenJoints(hand, hand.digits[static_cast<size_t>(FindOpposingDigit(hand, start))]);
+  step.space = MakeSpace(hand, start, step.joints);
+  const std::vector<int> draws = config.fitness_trials == 1
+                                     ? std::vector<int>{0}
+                                     : ListDraws(kFirstFitnessDraw, config.fitness_trials);
+  const auto evaluate = [&](const std::vector<Individual>& generation) {
+    std::vector<LearningRequest> requests;
+    for (const Individual& individual : generation) {
+      requests.push_back(MakeRequest(hand, start, step, "search", individual, draws));
+    }
+    std::vector<double> fitness;
+    for (const std::vector<LearningTrial>& trials : run(requests)) {
+      fitness.push_back(CalcFitness(trials));
+    }
+    return fitness;
+  };
+  const std::string name =
+      FormatJson({config.seed, hand.id, object.id, config.method, config.fitness_trials});
+  step.search = RunSearch(config.method, step.space, config.evaluations,
+                          RandomStream(name, "search of the target"), evaluate);
+  return step;
+}
+
+OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
+                             const StandardGrasp& standard, const OptimiseConfig& config,
+                             const RunLearningTrials& run) {
+  OptimisedGrasp result;
+  result.new_pregrasp = MakeObjectGrasp(hand, object, standard, "new-pregrasp");
+  if (config.step != "2") {
+    PreGraspStep& step = result.pregrasp_step;
+    step = LearnInTwoShots(hand, result.new_pregrasp, standard.id, config, run);
+    if (step.chosen >= 0) result.new_pregrasp = step.shots[static_cast<size_t>(step.chosen)].grasp;
+  }
+  result.new_target = result.new_pregrasp;
+  result.new_target.id = "new-target";
+  if (config.step == "1") return result;
+
+  TargetStep& step = result.target_step;
+  const StandardGrasp start = result.new_target;
+  step = SearchTarget(hand, object, start, config, run);
+  const std::vector<int> draws = ListDraws(kFirstTargetCheck, config.check_trials);
+  step.check_before = RunOne(run, "check before", start, draws);
+  ChooseFinalist(hand, start, config, run, step);
+  if (step.found == 0) {
+    step.verdict = "start kept: the search tried nothing else";
+    return result;
+  }
+  const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
+  const StandardGrasp found =
+      RoundAngles(hand, MakeGrasp(hand, start, step.joints, best.genome), standard.id);
+  step.check_after = RunOne(run, "check after", found, draws);
+  if (CountSuccesses(step.check_after) < CountSuccesses(step.check_before)) {
+    step.verdict = "start kept: the new target succeeded less often";
+  } else if (!(CalcMeanSigma(step.check_after) > CalcMeanSigma(step.check_before))) {
+    step.verdict = "start kept: sigma was not higher on trials that the search had not seen";
+  } else {
+    step.is_taken = true;
+    step.verdict = "new target taken";
+    result.new_target = found;
+  }
+  return result;
+}
+
+}  // namespace graspbench

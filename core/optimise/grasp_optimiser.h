@@ -1,0 +1,132 @@
+#pragma once
+/** @file
+Makes a standard grasp object-specific in simulation, in two steps (Roethling 2007):
+
+1. the new pre-grasp, learned in one or two shots (pregrasp_learning.h): shot 1 learns from the
+   standard grasp's trial without variation, shot 2 from that of shot 1, because early contacts had
+   moved the object;
+2. the new target grasp: the opposing digit's (the thumb's) target angles, evolved from there within
+   the joint limits and +-25 deg; fitness sigma (learning_trial.h).
+
+The hand stays where the standard grasp puts it; only angles change.
+
+A search finds what is best on the few trials of its fitness, and sigma is rugged: single points
+stand out that hold on these trials only. So the ten fittest individuals that differ by 2 deg or
+more, the finalists, are tried on more draws, and the one with the highest mean fitness there is the
+found target.
+
+No step makes a grasp worse as far as a few trials can tell; this rule is proposed by graspbench. A
+new pre-grasp is taken when, over the check trials, it succeeds at least as often as the standard
+one and its median GFT% is lower (a trial in which a digit never touches counts as infinite); of
+two, the one with the lower median. A new target is taken when, over check trials that the search
+has not seen, it succeeds at least as often and its mean sigma is higher. Otherwise the old one is
+kept, and the verdict says why. The check's draws come from streams that no benchmark uses. */
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/grasp/standard_grasp.h"
+#include "core/optimise/learning_trial.h"
+#include "core/optimise/pregrasp_learning.h"
+#include "core/optimise/search.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+struct OptimiseConfig {
+  std::string step = "both";  ///< "1", "2" or "both"
+  std::string method = "es";  ///< of step 2, see search.h
+  int evaluations = 1000;     ///< of step 2
+  /** Per evaluation; 1: without variation, more: so many drawn ones. At the same number of trials
+  the one without variation found targets that hold better on unseen draws (README.md). */
+  int fitness_trials = 1;
+  int check_trials = 10;  ///< of each decision
+  int seed = 1;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("step", step);
+    v("method", method);
+    v("evaluations", evaluations);
+    v("fitness_trials", fitness_trials);
+    v("check_trials", check_trials);
+    v("seed", seed);
+  }
+};
+
+/** What the simulation is asked: one grasp on some learning draws. */
+struct LearningRequest {
+  /** "standard", "one-shot", "two-shot"; "search", "finalist", "check before", "check after". */
+  std::string stage;
+  StandardGrasp grasp;
+  std::vector<int> draws;  ///< 0: without variation
+  bool hold = true;        ///< with the hold after lift-off; the fitness does not need it
+  Individual individual;   ///< of the stages "search" and "finalist"
+};
+/** The trials of each request, in the order of the requests. */
+using RunLearningTrials =
+    std::function<std::vector<std::vector<LearningTrial>>(const std::vector<LearningRequest>&)>;
+
+struct PreGraspShot {
+  std::string name;  ///< "one-shot", "two-shot"
+  LearnedPreGrasp learned;
+  bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
+  StandardGrasp grasp;           ///< with the new pre-grasp
+  std::vector<LearningTrial> trials;  ///< check trials; the first one is without variation
+};
+
+struct PreGraspStep {
+  std::vector<LearningTrial> standard_trials;
+  std::vector<PreGraspShot> shots;  ///< none, when there was nothing to learn
+  int chosen = -1;                  ///< index into shots; -1: the standard pre-grasp is kept
+  std::string verdict;
+};
+
+struct Finalist {
+  int number = 0;  ///< of the individual
+  std::vector<LearningTrial> trials;
+};
+
+struct TargetStep {
+  std::vector<int> joints;  ///< driven joints of the opposing digit
+  SearchSpace space;        ///< their angles [rad]
+  SearchResult search;
+  std::vector<Finalist> finalists;  ///< by falling fitness in the search
+  int found = 0;                    ///< number of the best finalist; 0: the start
+  std::vector<LearningTrial> check_before, check_after;
+  bool is_taken = false;
+  std::string verdict;
+};
+
+struct OptimisedGrasp {
+  StandardGrasp new_pregrasp;  ///< id "new-pregrasp"; the standard postures when step 1 kept them
+  StandardGrasp new_target;    ///< id "new-target"; those of new_pregrasp when step 2 kept them
+  PreGraspStep pregrasp_step;  ///< empty when it was not asked for
+  TargetStep target_step;      ///< the same
+};
+
+/** @throws Error of the search method; what `run` throws. Deterministic: the same answers of `run`
+lead to the same requests. */
+OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
+                             const StandardGrasp& standard, const OptimiseConfig& config,
+                             const RunLearningTrials& run);
+
+/** Step 2's search alone, without finalists and check. */
+TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+                        const OptimiseConfig& config, const RunLearningTrials& run);
+
+/** A standard grasp as it becomes when it is made for one object: with this id, at its place;
+angles rounded as in a grasp file, so that a file holds the very grasp that was tried. */
+StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
+                              const StandardGrasp& standard, const std::string& id);
+
+/** How many trials OptimiseGrasp runs at most. */
+int CountLearningTrials(const OptimiseConfig& config);
+
+int CountSuccesses(const std::vector<LearningTrial>& trials);
+/** Infinite when half of the trials or more lack a contact; NaN without trials. */
+double CalcMedianGftRatio(const std::vector<LearningTrial>& trials);
+double CalcMeanSigma(const std::vector<LearningTrial>& trials);  ///< NaN without trials
+
+}  // namespace graspbench

@@ -1,0 +1,39 @@
+#pragma once
+/** @file
+What the optimisation keeps of a simulated trial, and the fitness it takes from it:
+
+    fitness = sigma (core/sim/stability.h), which is 0 when the object is lost
+            = - the opposing digit's smallest distance to the object [m] when that digit never
+              touches, so that a thumb in the air is led towards the object
+
+and for several trials their mean. Larger is better. */
+
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/sim/trial.h"
+
+namespace graspbench {
+
+struct LearningTrial {
+  int draw = 0;  ///< number of the learning draw: 0 without any variation
+  Outcome outcome = Outcome::kNotRun;
+  double sigma = 0.0;
+  StabilityPart stability;             ///< of stabilisation: the factors of sigma
+  std::vector<DigitContact> contacts;  ///< of the grasping digits
+  std::vector<double> closings;        ///< s at their first touch; NaN: never
+  double opposing_gap = 0.0;           ///< smallest distance of the opposing digit [m]
+  ContactTiming timing;
+};
+
+LearningTrial MakeLearningTrial(int draw, const TrialResult& result);
+
+double CalcFitness(const LearningTrial& trial);
+/** The mean. @pre at least one. */
+double CalcFitness(const std::vector<LearningTrial>& trials);
+
+Json ToJson(const LearningTrial& trial);
+/** @throws Json::exception or Error(kFormat). Gives back the very same numbers. */
+LearningTrial LearningTrialFromJson(const Json& json);
+
+}  // namespace graspbench

@@ -1,0 +1,82 @@
+#pragma once
+/** @file
+Search for the best point of a box: one interface for the evolution strategy and for the methods it
+is compared with, at the same number of evaluations.
+
+A method makes whole generations and learns from whole generations, so that the points of one
+generation can be evaluated at the same time and a stopped search goes on when the stored fitness
+values are given to it again: same stream, same fitness, same points. The start is always evaluated
+first, so no search ends below it.
+
+    es      evolution strategy (evolution_strategy.h)
+    cmaes   covariance matrix adaptation (cma_es.h)
+    de      differential evolution (differential_evolution.h)
+    random  uniform in the box
+    grid    equal distances in each coordinate; at most three coordinates
+
+A library such as pagmo was considered: it evaluates inside its own loop, so generations could
+neither be run in parallel nor resumed, and each method is less than a hundred lines. */
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/random.h"
+
+namespace graspbench {
+
+struct SearchSpace {
+  Eigen::VectorXd lower;  ///< of each coordinate
+  Eigen::VectorXd upper;  ///< >= lower
+  Eigen::VectorXd start;  ///< within
+  double step = 0.0;      ///< first standard deviation of a change, in the unit of the coordinates
+
+  int size() const { return static_cast<int>(start.size()); }
+};
+
+struct Individual {
+  int number = 0;            ///< in the order of their making; 0 is the start
+  int generation = 0;        ///< 0: the start
+  std::vector<int> parents;  ///< numbers; empty where the method has none
+  Eigen::VectorXd genome;    ///< within the box
+  Eigen::VectorXd steps;     ///< self-adapted standard deviations; empty where the method has none
+  double fitness = 0.0;      ///< larger is better; meaningful when evaluated
+};
+
+class SearchMethod {
+ public:
+  virtual ~SearchMethod() = default;
+  /** Parents, genomes and steps of the next generation. */
+  virtual std::vector<Individual> MakeGeneration() = 0;
+  /** @param generation  what MakeGeneration gave, evaluated; at first the start alone. */
+  virtual void Learn(const std::vector<Individual>& generation) = 0;
+};
+
+/** "es", "cmaes", "de", "random", "grid". */
+const std::vector<std::string>& ListSearchMethods();
+
+/** @param num_evaluations  how many there will be in all.
+@throws Error(kNotFound) for an unknown name; Error(kUnsupported) for a grid of more than three
+coordinates. */
+std::unique_ptr<SearchMethod> MakeSearchMethod(const std::string& name, const SearchSpace& space,
+                                               int num_evaluations, RandomStream stream);
+
+/** The fitness of each individual. */
+using EvaluateGeneration = std::function<std::vector<double>(const std::vector<Individual>&)>;
+
+struct SearchResult {
+  std::vector<Individual> individuals;  ///< all evaluated ones, by number
+  int best = 0;                         ///< the first of the fittest
+};
+
+/** Evaluates exactly `num_evaluations` >= 1 points (fewer when a grid has fewer): the last
+generation is cut. */
+SearchResult RunSearch(const std::string& method, const SearchSpace& space, int num_evaluations,
+                       RandomStream stream, const EvaluateGeneration& evaluate);
+
+/** Points outside are mirrored at the box's faces until they are inside. */
+Eigen::VectorXd ReflectInto(const SearchSpace& space, Eigen::VectorXd point);
+
+}  // namespace graspbench

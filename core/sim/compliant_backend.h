@@ -1,0 +1,26 @@
+#pragma once
+/** @file
+A second backend that shares nothing with the first one's contact and integration: Simbody's
+compliant contact, integrated by CPodes (variable order and step, implicit, error control).
+
+    hand      the same spheres, on Simbody's own multibody model
+    object    a ball; Hertz contact of spheres
+    friction  Stribeck law with a transition speed of 0.1 mm/s: a loaded contact creeps
+    coupling  distal joints are tied, or locked, by stiff springs
+
+Other objects would need elastic foundations on fine meshes, which take minutes a trial. Pads have
+no torsion radius, so sigma is lower; a smooth ball rolls off more easily than its mesh; links do
+not touch each other. Some seconds a trial: there to be compared with. */
+
+#include "core/sim/trial.h"
+
+namespace graspbench {
+
+/** Whether the object is a ball; seams and dimples do not count. */
+bool CanRunCompliant(const GraspObject& object);
+
+/** The whole course of a trial, judged by the same rules. The energy residual stays unset. Never
+throws for what happens inside a trial. @pre CanRunCompliant. */
+TrialResult RunCompliantTrial(const TrialSetup& setup);
+
+}  // namespace graspbench

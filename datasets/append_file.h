@@ -1,0 +1,30 @@
+#pragma once
+/** @file
+A file of lines that only grows: locked against a second writer, each Append on the disk when it
+returns. A line that a crash has torn stays where it is; the next one starts on a line of its own.
+*/
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace graspbench {
+
+class AppendFile {
+ public:
+  /** @throws Error(kIo) when it cannot be written or another process writes it. */
+  explicit AppendFile(const std::filesystem::path& path);
+  ~AppendFile();
+  /** @param lines  each with its line break.
+  @throws Error(kIo) with the system's reason; what was appended before stays valid. */
+  void Append(const std::string& lines);
+
+  /** Cuts off what lies behind the first `length` bytes. @throws Error(kIo). */
+  void Truncate(size_t length);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,179 @@
+#include "core/optimise/grasp_optimiser.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/base/units.h"
+#include "core/grasp/placement.h"
+#include "core/hand/load_hand.h"
+
+namespace graspbench {
+namespace {
+
+/** A trial without physics: a hand that moves as it is told closes on a thing that every digit
+touches when its base joint has come to its angle; sigma falls with the distance of the thumb's
+target from a best one. */
+class FakeTrials {
+ public:
+  FakeTrials() : hand_(LoadHand("tum")) {
+    object_.id = "fake";
+    object_.size = Eigen::Vector3d(0.06, 0.05, 0.03);
+  }
+  const Hand& hand() const { return hand_; }
+  const GraspObject& object() const { return object_; }
+  StandardGrasp grasp() const { return LoadStandardGrasps(hand_).at(2); }
+
+  LearningTrial Run(const LearningRequest& request, int draw) const {
+    LearningTrial trial;
+    trial.draw = draw;
+    const StandardGrasp& grasp = request.grasp;
+    for (size_t d = 0; d < grasp.digits.size(); ++d) {
+      const int joint = hand_.FindJoint(grasp.digits[d] + "q2");
+      const double angle = RadFromDeg(-2.0 + 4.0 * static_cast<double>(d));
+      const double s = (angle - grasp.q_pre[joint]) / (grasp.q_target[joint] - grasp.q_pre[joint]);
+      trial.contacts.push_back({grasp.digits[d], grasp.digits[d] == "TH", s});
+      trial.closings.push_back(s);
+    }
+    trial.timing = CalcContactTiming(trial.contacts, 0.0);
+    double miss = 0.0;
+    for (const char* joint : {"THq1", "THq2", "THq3"}) {
+      miss += std::pow(grasp.q_target[hand_.FindJoint(joint)] - RadFromDeg(20.0), 2);
+    }
+    trial.sigma = draw >= 1000 && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
+    trial.outcome = Outcome::kSuccess;
+    if (fails_when_changed && grasp.q_pre != first_q_pre) trial.outcome = Outcome::kPushedAway;
+    return trial;
+  }
+
+  RunLearningTrials MakeRun() {
+    return [this](const std::vector<LearningRequest>& requests) {
+      std::vector<std::vector<LearningTrial>> answers;
+      for (const LearningRequest& request : requests) {
+        if (first_q_pre.size() == 0) first_q_pre = request.grasp.q_pre;
+        asked.push_back(request);
+        answers.emplace_back();
+        for (const int draw : request.draws) answers.back().push_back(Run(request, draw));
+      }
+      return answers;
+    };
+  }
+
+  std::vector<LearningRequest> asked;
+  Eigen::VectorXd first_q_pre;
+  bool is_overfitted = false;       ///< sigma of unseen trials falls where that of seen ones rises
+  bool fails_when_changed = false;  ///< any new pre-grasp fails
+
+ private:
+  Hand hand_;
+  GraspObject object_;
+};
+
+OptimiseConfig MakeConfig() {
+  OptimiseConfig config;
+  config.evaluations = 400;
+  config.fitness_trials = 2;
+  config.check_trials = 4;
+  return config;
+}
+
+TEST(OptimiseGrasp, TakesBothStepsOnALinearHand) {
+  FakeTrials fake;
+  const StandardGrasp standard = fake.grasp();
+  const OptimisedGrasp result =
+      OptimiseGrasp(fake.hand(), fake.object(), standard, MakeConfig(), fake.MakeRun());
+  ASSERT_GE(result.pregrasp_step.chosen, 0) << result.pregrasp_step.verdict;
+  EXPECT_EQ(result.pregrasp_step.shots.size(), 2u);
+  const auto& shot = result.pregrasp_step.shots[0];
+  EXPECT_EQ(shot.learned.share, 1.0);
+  EXPECT_LT(CalcMedianGftRatio(shot.trials), 1e-6);
+  EXPECT_LT(CalcMedianGftRatio(shot.trials),
+            CalcMedianGftRatio(result.pregrasp_step.standard_trials));
+  EXPECT_EQ(result.new_pregrasp.id, "new-pregrasp");
+  EXPECT_EQ(result.new_pregrasp.object, "fake");
+
+  EXPECT_TRUE(result.target_step.is_taken) << result.target_step.verdict;
+  const TargetStep& step = result.target_step;
+  EXPECT_EQ(step.search.individuals.size(), 400u);
+  for (const char* joint : {"THq1", "THq2", "THq3"}) {
+    const int j = fake.hand().FindJoint(joint);
+    const double limit = std::min(fake.hand().joints[static_cast<size_t>(j)].upper,
+                                  standard.q_target[j] + RadFromDeg(25.0));
+    EXPECT_NEAR(result.new_target.q_target[j],
+                std::clamp(RadFromDeg(20.0), standard.q_target[j] - RadFromDeg(25.0), limit), 0.02)
+        << joint;
+  }
+  // Only the thumb's target moves; the hand stays where the standard grasp puts it.
+  for (int j = 0; j < fake.hand().num_joints(); ++j) {
+    if (fake.hand().joints[static_cast<size_t>(j)].name.substr(0, 2) == "TH") continue;
+    EXPECT_EQ(result.new_target.q_target[j], result.new_pregrasp.q_target[j]);
+  }
+  const Placement placement =
+      CalcPlacement(fake.hand(), standard, fake.object().size, Eigen::Vector3d::Zero());
+  ASSERT_TRUE(result.new_target.placement);
+  EXPECT_TRUE(result.new_target.placement->X_WH.isApprox(placement.X_WH, 1e-8));
+}
+
+TEST(OptimiseGrasp, KeepsTheStandardPreGraspWhenTheNewOneSucceedsLessOften) {
+  FakeTrials fake;
+  fake.fails_when_changed = true;
+  OptimiseConfig config = MakeConfig();
+  config.step = "1";
+  const OptimisedGrasp result =
+      OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
+  EXPECT_EQ(result.pregrasp_step.chosen, -1);
+  EXPECT_EQ(result.pregrasp_step.verdict, "standard kept: the new pre-grasp succeeded less often");
+  EXPECT_TRUE(result.pregrasp_step.shots[1].was_pushed_away);
+  EXPECT_EQ(result.new_pregrasp.q_pre, fake.first_q_pre);
+}
+
+TEST(OptimiseGrasp, KeepsTheStartWhenTheTargetIsNotBetterOnUnseenTrials) {
+  FakeTrials fake;
+  fake.is_overfitted = true;
+  const OptimisedGrasp result =
+      OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), MakeConfig(), fake.MakeRun());
+  EXPECT_FALSE(result.target_step.is_taken);
+  EXPECT_EQ(result.new_target.q_target, result.new_pregrasp.q_target);
+  EXPECT_GT(result.target_step.search.best, 0);
+}
+
+TEST(OptimiseGrasp, ChecksOnTrialsThatTheSearchHasNotSeen) {
+  FakeTrials fake;
+  OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), MakeConfig(), fake.MakeRun());
+  std::set<int> searched, checked;
+  int num_trials = 0;
+  for (const LearningRequest& request : fake.asked) {
+    auto& draws = request.stage == "search" ? searched : checked;
+    draws.insert(request.draws.begin(), request.draws.end());
+    num_trials += static_cast<int>(request.draws.size());
+  }
+  for (const int draw : searched) EXPECT_EQ(checked.count(draw), 0u);
+  EXPECT_EQ(searched.size(), 2u);
+  EXPECT_LE(num_trials, CountLearningTrials(MakeConfig()));
+}
+
+TEST(OptimiseGrasp, AsksTheSameQuestionsForTheSameAnswers) {
+  FakeTrials a, b;
+  const OptimisedGrasp x =
+      OptimiseGrasp(a.hand(), a.object(), a.grasp(), MakeConfig(), a.MakeRun());
+  const OptimisedGrasp y =
+      OptimiseGrasp(b.hand(), b.object(), b.grasp(), MakeConfig(), b.MakeRun());
+  ASSERT_EQ(a.asked.size(), b.asked.size());
+  for (size_t i = 0; i < a.asked.size(); ++i) {
+    EXPECT_EQ(a.asked[i].grasp.q_target, b.asked[i].grasp.q_target);
+  }
+  EXPECT_EQ(x.new_target.q_target, y.new_target.q_target);
+}
+
+TEST(Scores, AMissingContactCountsAsNeverTogether) {
+  LearningTrial touched, missing;
+  touched.timing = CalcContactTiming({{"TH", true, 0.4}, {"FF", false, 0.5}}, 0.0);
+  missing.timing = CalcContactTiming({{"TH", true, 0.4}, {"FF", false, std::nan("")}}, 0.0);
+  EXPECT_NEAR(CalcMedianGftRatio({touched, touched, missing}), 0.2, 1e-12);
+  EXPECT_TRUE(std::isinf(CalcMedianGftRatio({touched, missing, missing})));
+  EXPECT_TRUE(std::isnan(CalcMedianGftRatio({})));
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,59 @@
+#include "core/optimise/learning_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+
+TrialResult MakeResult(double thumb_time, double sigma) {
+  TrialResult result;
+  result.outcome = Outcome::kSuccess;
+  result.contacts = {{"TH", true, thumb_time}, {"FF", false, 0.4}};
+  result.timing = CalcContactTiming(result.contacts, 0.0);
+  result.touches.resize(2);
+  result.touches[0].closing = thumb_time;
+  result.touches[0].smallest_gap = std::isnan(thumb_time) ? 0.012 : 0.0;
+  result.touches[1].closing = 0.4;
+  result.touches[1].smallest_gap = 0.0;
+  result.stability.sigma = sigma;
+  result.stability.stabilisation.quality = 0.25;
+  return result;
+}
+
+TEST(Fitness, IsSigmaOrTheMissingThumbsDistance) {
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(0.5, 3.5))), 3.5);
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(kNever, 0.0))), -0.012);
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(0.5, kNever))), 0.0);
+  EXPECT_LT(CalcFitness(MakeLearningTrial(0, TrialResult())), -0.5);  // nothing was simulated
+  EXPECT_DOUBLE_EQ(
+      CalcFitness(std::vector<LearningTrial>{MakeLearningTrial(1, MakeResult(0.5, 3.0)),
+                                             MakeLearningTrial(2, MakeResult(0.5, 1.0))}),
+      2.0);
+}
+
+TEST(LearningTrial, IsReadAsItWasWritten) {
+  for (const double time : {0.1 + 0.2, kNever}) {
+    const LearningTrial trial = MakeLearningTrial(7, MakeResult(time, 1.0 / 3.0));
+    const LearningTrial read = LearningTrialFromJson(Json::parse(FormatJson(ToJson(trial))));
+    EXPECT_EQ(FormatJson(ToJson(read)), FormatJson(ToJson(trial)));
+    EXPECT_EQ(read.sigma, trial.sigma);
+    EXPECT_EQ(read.draw, 7);
+    EXPECT_EQ(CalcFitness(read), CalcFitness(trial));
+    EXPECT_EQ(std::isnan(read.timing.gft), std::isnan(time));
+  }
+}
+
+TEST(LearningTrial, TwoThumbsAreRefused) {
+  Json json = ToJson(MakeLearningTrial(0, MakeResult(0.5, 1.0)));
+  json["digits"][1]["is_thumb"] = true;
+  EXPECT_THROW(LearningTrialFromJson(json), Error);
+}
+
+}  // namespace
+}  // namespace graspbench
