@@ -19,19 +19,6 @@ bool IsDrawable(const SceneSnapshot& snapshot, const Hand& hand) {
          snapshot.X_WH.matrix().allFinite() && snapshot.X_WO.matrix().allFinite();
 }
 
-const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand) {
-  const TrialRecord* chosen = nullptr;
-  for (const TrialRecord* record : cell.records) {
-    const std::vector<SceneSnapshot>& snapshots = record->result.snapshots;
-    const auto is_drawable = [&](const SceneSnapshot& s) { return IsDrawable(s, hand); };
-    if (snapshots.empty() || !std::all_of(snapshots.begin(), snapshots.end(), is_drawable))
-      continue;
-    if (record->result.outcome == Outcome::kSuccess) return record;
-    if (chosen == nullptr) chosen = record;
-  }
-  return chosen;
-}
-
 Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
                    const std::shared_ptr<const Hand>& hand,
                    const std::shared_ptr<const GraspObject>& object) {
@@ -47,20 +34,33 @@ Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
   return FrameScenes(framed, to_eye_W, static_cast<double>(kPictureWidth) / kPictureHeight);
 }
 
-Filmstrip RenderFilmstrip(const TrialRecord& record, const std::shared_ptr<const Hand>& hand,
-                          const std::shared_ptr<const GraspObject>& object, Renderer& renderer) {
-  Filmstrip strip;
-  strip.record = &record;
-  const Camera camera = PlaceCamera(record.result.snapshots, hand, object);
-  for (const SceneSnapshot& snapshot : record.result.snapshots) {
-    const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
-    strip.pictures.push_back(
-        {snapshot.name, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
+}  // namespace
+
+const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand) {
+  const TrialRecord* chosen = nullptr;
+  for (const TrialRecord* record : cell.records) {
+    const std::vector<SceneSnapshot>& snapshots = record->result.snapshots;
+    const auto is_drawable = [&](const SceneSnapshot& s) { return IsDrawable(s, hand); };
+    if (snapshots.empty() || !std::all_of(snapshots.begin(), snapshots.end(), is_drawable))
+      continue;
+    if (record->result.outcome == Outcome::kSuccess) return record;
+    if (chosen == nullptr) chosen = record;
   }
-  return strip;
+  return chosen;
 }
 
-}  // namespace
+std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots,
+                                     const std::shared_ptr<const Hand>& hand,
+                                     const std::shared_ptr<const GraspObject>& object,
+                                     Renderer& renderer) {
+  std::vector<Picture> pictures;
+  const Camera camera = PlaceCamera(snapshots, hand, object);
+  for (const SceneSnapshot& snapshot : snapshots) {
+    const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
+    pictures.push_back({snapshot.name, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
+  }
+  return pictures;
+}
 
 CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models) {
   CellPictures pictures;
@@ -77,7 +77,8 @@ CellPictures RenderCellPictures(const SessionSummary& summary, const SessionMode
     }
     try {
       if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
-      pictures.by_cell[cell.anchor] = RenderFilmstrip(*record, hand, object, *renderer);
+      pictures.by_cell[cell.anchor] = {
+          record, RenderSnapshots(record->result.snapshots, hand, object, *renderer)};
     } catch (const Error& e) {
       pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());
       return pictures;

@@ -9,6 +9,7 @@ camera does not move; it stands as near as the three scenes allow. */
 #include <string>
 #include <vector>
 
+#include "core/render/scene.h"
 #include "reports/models.h"
 #include "reports/session_summary.h"
 
@@ -32,6 +33,17 @@ struct CellPictures {
 
 inline constexpr int kPictureWidth = 360;
 inline constexpr int kPictureHeight = 270;
+
+/** The cell's first successful trial whose snapshots fit the hand, else its first one that fits;
+null without any. */
+const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand);
+
+/** All from one camera, which stands as near as the scenes allow. @throws Error when the machine
+cannot draw. @pre not empty; ChooseTrial found that they fit the hand. */
+std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots,
+                                     const std::shared_ptr<const Hand>& hand,
+                                     const std::shared_ptr<const GraspObject>& object,
+                                     Renderer& renderer);
 
 /** Never throws for a machine that cannot draw: the reason becomes a problem. */
 CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models);

@@ -13,6 +13,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "datasets/campaign_store.h"
+#include "reports/campaign/campaign_report.h"
 #include "reports/format.h"
 #include "workbench/batch_runner.h"
 #include "workbench/commands/command.h"
@@ -240,7 +241,8 @@ void RunCampaign(CampaignOptions options) {
   ExportCampaign(folder, campaign);
   PrintVariants(campaign);
   PrintComparison(campaign);
-  std::cout << "\ndata     " << (folder / "summary.csv").string() << '\n';
+  std::cout << "\nreport   " << WriteCampaignReport(folder, campaign).string() << "\ndata     "
+            << (folder / "summary.csv").string() << '\n';
 }
 
 }  // namespace

@@ -2,20 +2,28 @@
 #include <iostream>
 #include <memory>
 
+#include "datasets/campaign_store.h"
 #include "datasets/session_store.h"
+#include "reports/campaign/campaign_report.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
 
 void AddReportCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
-      AddSubcommand(program, "report", "Writes the report of a session, finished or not.",
-                    "  graspbench report results/benchmark-1a2b3c4d\n"
-                    "  xdg-open \"$(graspbench report results/pilot)\"");
+  CLI::App& command = AddSubcommand(
+      program, "report", "Writes the report of a session or a campaign, finished or not.",
+      "  graspbench report results/benchmark-1a2b3c4d\n"
+      "  xdg-open \"$(graspbench report results/pilot)\"");
   const auto folder = std::make_shared<std::string>();
-  command.add_option("folder", *folder, "folder of the session")->required()->option_text("DIR");
+  command.add_option("folder", *folder, "folder of the session or campaign")
+      ->required()
+      ->option_text("DIR");
   command.callback([folder] {
+    if (HasCampaign(*folder)) {
+      std::cout << WriteCampaignReport(*folder, LoadCampaign(*folder)).string() << '\n';
+      return;
+    }
     const Session session = LoadSession(*folder);
     if (!session.findings.entries().empty()) std::cerr << session.findings.Format() << '\n';
     std::cout << WriteSessionReport(*folder, session).string() << '\n';

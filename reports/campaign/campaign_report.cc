@@ -1,0 +1,44 @@
+#include "reports/campaign/campaign_report.h"
+
+#include <algorithm>
+
+#include "core/base/files.h"
+#include "reports/format.h"
+
+namespace graspbench {
+
+std::vector<CampaignSection> ListCampaignSections() {
+  return {
+#define GRASPBENCH_CAMPAIGN_SECTION(name) name##_campaign_section(),
+#include "reports/campaign/section_list.inc"
+#undef GRASPBENCH_CAMPAIGN_SECTION
+  };
+}
+
+std::string MakeCampaignReport(const CampaignData& data) {
+  const auto num_complete =
+      std::count_if(data.scenes.begin(), data.scenes.end(),
+                    [](const SceneVariants& scene) { return scene.IsComplete(); });
+  const CampaignConfig& config = data.campaign.config;
+  const std::string subtitle = std::to_string(num_complete) + " of " +
+                               FormatCount(static_cast<int>(data.scenes.size()), "scene") +
+                               " finished, " +
+                               FormatCount(config.optimise.evaluations, "evaluation") + " each, " +
+                               FormatCount(config.session.trials, "benchmark trial") +
+                               " per variant, seed " + std::to_string(config.optimise.seed);
+  return MakeSectionedPage("Optimised grasps", subtitle, ListCampaignSections(), data);
+}
+
+std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
+                                          const Campaign& campaign) {
+  const SessionSummary benchmark = SummariseSession(campaign.benchmark);
+  const SessionModels models = LoadSessionModels(campaign.benchmark);
+  const std::vector<SceneVariants> scenes = ListScenes(campaign, benchmark);
+  const VariantPictures pictures = RenderVariantPictures(scenes, models);
+  const std::filesystem::path path = folder / "report" / "index.html";
+  MakeFolder(path.parent_path());
+  WriteFileAtomically(path, MakeCampaignReport({campaign, benchmark, scenes, models, pictures}));
+  return path;
+}
+
+}  // namespace graspbench

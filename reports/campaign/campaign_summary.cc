@@ -1,0 +1,215 @@
+#include "reports/campaign/campaign_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/proportion.h"
+#include "core/statistics/summary.h"
+#include "reports/html.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+double CalcMedian(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? kMissing : CalcSortedQuantile(values, 0.5);
+}
+
+const TrialRecord* FindTrial(const CellSummary& cell, int trial) {
+  for (const TrialRecord* record : cell.records) {
+    if (record->plan.trial == trial) return record;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const char* NameOf(Variant variant) {
+  static constexpr const char* kNames[] = {"standard grasp", "new pre-grasp", "new target grasp"};
+  return kNames[variant];
+}
+
+const std::vector<VariantMeasure>& ListVariantMeasures() {
+  static const std::vector<VariantMeasure> measures = {
+      {"success [%]", "share of successful trials", 100.0, 0, true, true,
+       [](const TrialRecord& r) { return r.result.outcome == Outcome::kSuccess ? 1.0 : 0.0; }},
+      {"sigma", "stability; 0 when the object is lost", 1.0, 2, true, true,
+       [](const TrialRecord& r) {
+         const double sigma = r.result.stability.sigma;
+         return std::isfinite(sigma) ? sigma : 0.0;
+       }},
+      {"GFT% [%]", "grasp forming time over grasp closure time", 100.0, 1, false, false,
+       [](const TrialRecord& r) { return r.result.timing.gft_ratio; }},
+      {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false, false,
+       [](const TrialRecord& r) { return r.result.timing.got_ratio; }},
+      {"GCT [s]", "grasp closure time", 1.0, 3, false, false,
+       [](const TrialRecord& r) { return r.result.timing.gct; }},
+  };
+  return measures;
+}
+
+const VariantMeasure& FindVariantMeasure(const std::string& name) {
+  for (const VariantMeasure& measure : ListVariantMeasures()) {
+    const std::string full = measure.name;
+    if (full.substr(0, full.find(' ')) == name) return measure;
+  }
+  GRASPBENCH_DEMAND(false, name);
+}
+
+bool SceneVariants::IsComplete() const {
+  return std::all_of(cells.begin(), cells.end(), [](const CellSummary* cell) {
+    return cell != nullptr && cell->tally.finished > 0;
+  });
+}
+
+double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell) {
+  std::vector<double> values;
+  for (const TrialRecord* record : cell.records) {
+    const double value = measure.value(*record);
+    if (std::isfinite(value)) values.push_back(value);
+  }
+  if (!measure.is_mean || values.empty()) return CalcMedian(values);
+  return CalcMoments(values).mean;
+}
+
+std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const SceneVariants& scene,
+                                          Variant a, Variant b) {
+  std::vector<double> differences;
+  if (!scene.cells[a] || !scene.cells[b]) return differences;
+  for (const TrialRecord* before : scene.cell(a).records) {
+    const TrialRecord* after = FindTrial(scene.cell(b), before->plan.trial);
+    if (after == nullptr) continue;
+    const double difference = measure.value(*after) - measure.value(*before);
+    if (std::isfinite(difference)) differences.push_back(difference);
+  }
+  return differences;
+}
+
+Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
+                                               const SceneVariants& scene, Variant a, Variant b) {
+  const std::vector<double> differences = ListPairedDifferences(measure, scene, a, b);
+  const auto mean = [&](const std::vector<size_t>& members) {
+    double sum = 0.0;
+    for (size_t member : members) sum += differences[member];
+    return sum / static_cast<double>(members.size());
+  };
+  constexpr int kResamples = 1999;
+  return CalcBootstrap(differences.size(), mean,
+                       scene.anchor + " " + measure.name + " " + NameOf(b), kResamples);
+}
+
+StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
+                          Variant a, Variant b, const std::string& hand) {
+  StepEffect effect;
+  std::vector<double> before, after;
+  for (const SceneVariants& scene : scenes) {
+    if (!scene.IsComplete() || (!hand.empty() && scene.hand != hand)) continue;
+    const double value_a = CalcCellValue(measure, scene.cell(a));
+    const double value_b = CalcCellValue(measure, scene.cell(b));
+    if (!std::isfinite(value_a) || !std::isfinite(value_b)) continue;
+    before.push_back(value_a);
+    after.push_back(value_b);
+    if (measure.is_larger_better ? value_b < value_a : value_b > value_a) {
+      effect.worse.push_back(&scene);
+    }
+  }
+  effect.num_scenes = static_cast<int>(before.size());
+  effect.median_before = CalcMedian(before);
+  effect.median_after = CalcMedian(after);
+  const auto ratio = [&](const std::vector<size_t>& members) {
+    std::vector<double> drawn_before, drawn_after;
+    for (size_t member : members) {
+      drawn_before.push_back(before[member]);
+      drawn_after.push_back(after[member]);
+    }
+    const double median = CalcMedian(drawn_before);
+    return median > 0.0 ? CalcMedian(drawn_after) / median : kMissing;
+  };
+  effect.ratio = CalcBootstrap(before.size(), ratio, std::string(measure.name) + hand + NameOf(b));
+  return effect;
+}
+
+std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
+                                                         Variant a, Variant b) {
+  constexpr double kSignificance = 0.05;
+  std::vector<const SceneVariants*> lower;
+  for (const SceneVariants& scene : scenes) {
+    if (!scene.IsComplete()) continue;
+    const Tally& before = scene.cell(a).tally;
+    const Tally& after = scene.cell(b).tally;
+    const double p = CalcFisherExactTwoSided(before.successes(), before.finished, after.successes(),
+                                             after.finished);
+    const bool is_lower = after.successes() * before.finished < before.successes() * after.finished;
+    if (is_lower && p < kSignificance) lower.push_back(&scene);
+  }
+  return lower;
+}
+
+std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSummary& benchmark) {
+  std::vector<SceneVariants> scenes;
+  for (const SceneRecord& record : campaign.scenes) {
+    SceneVariants scene;
+    scene.scene = &record;
+    scene.hand = record.config.hand;
+    scene.object = record.config.object;
+    scene.grasp = record.config.grasp;
+    scene.anchor = MakeAnchor({scene.hand, scene.object});
+    const std::array<std::string, kNumVariants> grasps = {scene.grasp, "new-pregrasp",
+                                                          "new-target"};
+    for (int variant = 0; variant < kNumVariants; ++variant) {
+      scene.cells[variant] = benchmark.FindCell(scene.hand, scene.object, grasps[variant]);
+    }
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+std::vector<MethodCurve> ListMethodCurves(const Campaign& campaign) {
+  std::vector<MethodCurve> curves;
+  std::map<std::vector<std::string>, std::vector<const ComparisonRun*>> groups;
+  std::vector<std::vector<std::string>> order;
+  for (const ComparisonRun& run : campaign.comparison) {
+    const std::vector<std::string> key = {run.hand, run.object, run.method};
+    if (groups[key].empty()) order.push_back(key);
+    groups[key].push_back(&run);
+  }
+  for (const auto& key : order) {
+    const std::vector<const ComparisonRun*>& runs = groups[key];
+    MethodCurve curve;
+    curve.hand = key[0];
+    curve.object = key[1];
+    curve.method = key[2];
+    curve.num_seeds = static_cast<int>(runs.size());
+    size_t length = runs.front()->fitness.size();
+    for (const ComparisonRun* run : runs) length = std::min(length, run->fitness.size());
+    std::vector<double> best(runs.size(), -std::numeric_limits<double>::infinity());
+    for (size_t i = 0; i < length; ++i) {
+      for (size_t r = 0; r < runs.size(); ++r) best[r] = std::max(best[r], runs[r]->fitness[i]);
+      std::vector<double> sorted = best;
+      std::sort(sorted.begin(), sorted.end());
+      curve.evaluations.push_back(static_cast<double>(i + 1));
+      curve.low.push_back(CalcSortedQuantile(sorted, 0.25));
+      curve.median.push_back(CalcSortedQuantile(sorted, 0.5));
+      curve.high.push_back(CalcSortedQuantile(sorted, 0.75));
+    }
+    curve.final_median = length > 0 ? curve.median.back() : kMissing;
+    // Never counts as infinitely many.
+    std::vector<double> to_90;
+    for (const ComparisonRun* run : runs) {
+      to_90.push_back(run->evaluations_to_90 > 0 ? run->evaluations_to_90
+                                                 : std::numeric_limits<double>::max());
+    }
+    const double median = CalcMedian(to_90);
+    curve.median_evaluations_to_90 = median < 1e9 ? median : kMissing;
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
+}  // namespace graspbench

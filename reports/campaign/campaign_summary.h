@@ -1,0 +1,87 @@
+#pragma once
+/** @file
+What the sections of a campaign's report show, counted once from its stored results: three variants
+of every scene's grasp, tried on the same trial poses, so that trials of the same number are pairs.
+
+A cell's value of a measure is the mean over its trials for what every trial has (success, sigma)
+and the median over the trials that have it for the others. */
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/statistics/bootstrap.h"
+#include "datasets/campaign_store.h"
+#include "reports/session_summary.h"
+
+namespace graspbench {
+
+enum Variant { kStandardGrasp, kNewPreGrasp, kNewTarget, kNumVariants };
+/** "standard grasp", "new pre-grasp", "new target grasp": the names of the thesis. */
+const char* NameOf(Variant variant);
+
+/** A number of each trial by which variants are compared. One line in ListVariantMeasures. */
+struct VariantMeasure {
+  const char* name;     ///< with unit: "GFT% [%]"
+  const char* meaning;  ///< one sentence
+  double unit;          ///< what is shown = unit * value
+  int decimals;
+  bool is_larger_better;
+  bool is_mean;  ///< every trial has it; else the median of those that have
+  std::function<double(const TrialRecord&)> value;  ///< NaN: this trial has none
+};
+const std::vector<VariantMeasure>& ListVariantMeasures();
+/** By name up to the unit: "sigma". @pre there is one. */
+const VariantMeasure& FindVariantMeasure(const std::string& name);
+
+struct SceneVariants {
+  const SceneRecord* scene = nullptr;
+  std::string hand, object, grasp;  ///< ids; the grasp is the standard one
+  std::string anchor;
+  std::array<const CellSummary*, kNumVariants> cells{};  ///< null: not tried
+  const CellSummary& cell(Variant variant) const { return *cells[variant]; }
+  bool IsComplete() const;  ///< all variants have a finished trial
+};
+
+/** NaN when no trial has it. */
+double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell);
+
+/** Differences b - a of the trials that have the measure under both variants. */
+std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const SceneVariants& scene,
+                                          Variant a, Variant b);
+/** Their mean with its interval. */
+Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
+                                               const SceneVariants& scene, Variant a, Variant b);
+
+/** What a step does to the cells' values of a measure. */
+struct StepEffect {
+  int num_scenes = 0;
+  double median_before = 0.0, median_after = 0.0;
+  Answer<BootstrapInterval> ratio;          ///< of the medians, after / before
+  std::vector<const SceneVariants*> worse;  ///< the cell's value is worse after than before
+};
+/** Over the scenes in which both variants have a value; an empty hand means all hands. */
+StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
+                          Variant a, Variant b, const std::string& hand = {});
+
+/** Scenes in which `b` succeeds less often than `a` with p < 0.05 (Fisher's exact test). */
+std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
+                                                         Variant a, Variant b);
+
+/** All scenes of the campaign in its order. The result points into its arguments. */
+std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSummary& benchmark);
+
+/** One method of the comparison on one scene, over its seeds. */
+struct MethodCurve {
+  std::string hand, object, method;
+  int num_seeds = 0;
+  std::vector<double> evaluations;        ///< 1, 2, ...
+  std::vector<double> low, median, high;  ///< quartiles of the best fitness so far
+  double final_median = 0.0;
+  double median_evaluations_to_90 = 0.0;  ///< NaN: most seeds never got there
+};
+/** In the order of scenes and methods of the stored runs. */
+std::vector<MethodCurve> ListMethodCurves(const Campaign& campaign);
+
+}  // namespace graspbench

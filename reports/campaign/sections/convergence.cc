@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+
+#include "reports/campaign/campaign_section.h"
+#include "reports/format.h"
+#include "reports/line_plot.h"
+
+namespace graspbench {
+namespace {
+
+Html DrawScene(const std::vector<const MethodCurve*>& curves, const std::string& name) {
+  LinePlot plot;
+  plot.text.title = "Best fitness so far, " + name;
+  plot.text.description = "Median over seeds with quartiles, one curve per method.";
+  plot.x_axis = "evaluations";
+  plot.y_axis = "best fitness so far";
+  for (const MethodCurve* curve : curves) {
+    plot.series.push_back(
+        {curve->method, curve->evaluations, curve->median, curve->low, curve->high});
+  }
+  return MakeFigure(plot.text.title + ", median and quartiles over seeds.",
+                    "curves that rise early and end high; bands that do not overlap.",
+                    MakeScroll(plot.text.title, DrawLinePlot(plot)));
+}
+
+double FindFinal(const std::vector<const MethodCurve*>& curves, const std::string& method) {
+  for (const MethodCurve* curve : curves) {
+    if (curve->method == method) return curve->final_median;
+  }
+  return std::nan("");
+}
+
+Html Draw(const CampaignData& data) {
+  const std::vector<MethodCurve> curves = ListMethodCurves(data.campaign);
+  if (curves.empty()) {
+    return MakeParagraph(
+        "No comparison of search methods is stored; graspbench campaign --compare makes one.");
+  }
+  const Align number = Align::kNumber;
+  Table table("Search methods at the same number of evaluations from the same start.",
+              {{"Scene"},
+               {"Method"},
+               {"Seeds", number},
+               {"Evaluations", number},
+               {"Best fitness", number, "median over seeds"},
+               {"Quartiles", number},
+               {"To 90 %", number,
+                "median number of evaluations until 90 % of the way from the start to the best "
+                "fitness that any run of the scene found"}});
+  Html figures;
+  int num_scenes = 0, num_won = 0;
+  for (size_t first = 0, last; first < curves.size(); first = last) {
+    std::vector<const MethodCurve*> scene;
+    for (last = first; last < curves.size() && curves[last].hand == curves[first].hand &&
+                       curves[last].object == curves[first].object;
+         ++last) {
+      scene.push_back(&curves[last]);
+    }
+    const std::string name = data.models.NameOfHand(curves[first].hand) + ", " +
+                             data.models.NameOfObject(curves[first].object);
+    for (const MethodCurve* curve : scene) {
+      if (curve->evaluations.empty()) continue;
+      table.AddRow(
+          {Text(name), Text(curve->method), Text(std::to_string(curve->num_seeds)),
+           Text(FormatFixed(curve->evaluations.back(), 0)),
+           Text(FormatFixed(curve->final_median, 3)),
+           Text(FormatFixed(curve->low.back(), 3) + " to " + FormatFixed(curve->high.back(), 3)),
+           Text(std::isfinite(curve->median_evaluations_to_90)
+                    ? FormatFixed(curve->median_evaluations_to_90, 0)
+                    : std::string("never"))});
+    }
+    const double evolved = FindFinal(scene, "es"), random = FindFinal(scene, "random");
+    if (std::isfinite(evolved) && std::isfinite(random)) {
+      ++num_scenes;
+      num_won += evolved > random ? 1 : 0;
+    }
+    figures += DrawScene(scene, name);
+  }
+  Html html;
+  if (num_scenes > 0) {
+    html += MakeParagraph(
+        "In the median over seeds the evolution strategy ends above random search "
+        "in " +
+        std::to_string(num_won) + " of " + FormatCount(num_scenes, "scene") + " (" +
+        FormatPercent(static_cast<double>(num_won) / num_scenes) + ").");
+  }
+  return html + MakeScroll("Search methods", table.ToHtml()) + figures;
+}
+
+}  // namespace
+
+CampaignSection convergence_campaign_section() {
+  return {"convergence", "Convergence of the evolution", Draw};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "reports/campaign/campaign_section.h"
+#include "reports/format.h"
+#include "reports/line_plot.h"
+
+namespace graspbench {
+namespace {
+
+Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Variant before,
+                     Variant after, const std::string& look_for) {
+  IntervalPlot plot;
+  plot.text.title = std::string(measure.name) + ": " + NameOf(after) + " minus " + NameOf(before);
+  plot.text.description =
+      "One row per scene: the mean difference of trials on the same pose, with its 95 % interval; "
+      "the numbers stand beside the rows.";
+  plot.axis = "difference of " + std::string(measure.name);
+  const double unit = measure.unit;
+  for (const std::string& hand : data.benchmark.hands) {
+    IntervalPlot::Row heading;
+    heading.label = data.models.NameOfHand(hand);
+    heading.is_heading = true;
+    plot.rows.push_back(heading);
+    for (const SceneVariants& scene : data.scenes) {
+      if (scene.hand != hand) continue;
+      IntervalPlot::Row row;
+      row.label = data.models.NameOfObject(scene.object);
+      row.anchor = scene.anchor;
+      row.series = hand == data.benchmark.hands.front() ? 0 : 1;
+      const std::vector<double> pairs = ListPairedDifferences(measure, scene, before, after);
+      const auto difference = CalcPairedDifference(measure, scene, before, after);
+      if (difference) {
+        row.value = unit * difference->estimate;
+        row.low = unit * difference->interval.low;
+        row.high = unit * difference->interval.high;
+        row.text = FormatFixed(row.value, measure.decimals) + " (" +
+                   FormatFixed(row.low, measure.decimals) + " to " +
+                   FormatFixed(row.high, measure.decimals) + "), " +
+                   FormatCount(static_cast<int>(pairs.size()), "pair");
+      } else {
+        row.value = row.low = row.high = std::nan("");
+        double sum = 0.0;
+        for (double pair : pairs) sum += pair;
+        if (!pairs.empty()) row.value = unit * sum / static_cast<double>(pairs.size());
+        row.text =
+            FormatFixed(row.value, measure.decimals) + ", no interval: " + difference.reason();
+      }
+      plot.rows.push_back(row);
+    }
+  }
+  return MakeFigure(plot.text.title + ", paired by trial pose.", look_for,
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html Draw(const CampaignData& data) {
+  if (data.benchmark.hands.empty()) return MakeParagraph("There is nothing to compare.");
+  const VariantMeasure& gft = FindVariantMeasure("GFT%");
+  const VariantMeasure& sigma = FindVariantMeasure("sigma");
+  return DrawDifferences(data, gft, kStandardGrasp, kNewPreGrasp,
+                         "rows left of zero: there step 1 made the contacts more simultaneous.") +
+         DrawDifferences(data, sigma, kStandardGrasp, kNewPreGrasp,
+                         "rows right of zero: simultaneous contacts made the grasp firmer.") +
+         DrawDifferences(data, sigma, kNewPreGrasp, kNewTarget,
+                         "rows right of zero: there the evolved thumb made the grasp firmer, also "
+                         "on poses that the evolution had not seen.");
+}
+
+}  // namespace
+
+CampaignSection differences_campaign_section() {
+  return {"differences", "Paired differences", Draw};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,102 @@
+#include <cmath>
+
+#include "reports/campaign/campaign_section.h"
+#include "reports/format.h"
+
+namespace graspbench {
+namespace {
+
+struct Step {
+  const char* name;
+  Variant before, after;
+};
+constexpr Step kSteps[] = {{"Step 1, new pre-grasp", kStandardGrasp, kNewPreGrasp},
+                           {"Step 2, new target grasp", kNewPreGrasp, kNewTarget},
+                           {"Both steps", kStandardGrasp, kNewTarget}};
+
+std::string FormatValue(const VariantMeasure& measure, double value) {
+  return FormatFixed(measure.unit * value, measure.decimals);
+}
+
+std::string FormatRatio(const StepEffect& effect) {
+  if (!effect.ratio) return "n/a (" + effect.ratio.reason() + ")";
+  return FormatFixed(effect.ratio->estimate, 2) + " (" +
+         FormatFixed(effect.ratio->interval.low, 2) + " to " +
+         FormatFixed(effect.ratio->interval.high, 2) + ")";
+}
+
+Html DrawEffects(const CampaignData& data, const std::string& hand, const std::string& name) {
+  const Align number = Align::kNumber;
+  Table table(
+      name + ": medians over the scenes, before and after.",
+      {{"Step"},
+       {"Measure"},
+       {"Scenes", number, "in which both variants have a value"},
+       {"Before", number},
+       {"After", number},
+       {"After / before", number, "ratio of the medians, 95 % bootstrap interval over scenes"},
+       {"Worse", number, "scenes whose value is worse after the step"}});
+  for (const Step& step : kSteps) {
+    for (const VariantMeasure& measure : ListVariantMeasures()) {
+      const StepEffect effect = CalcStepEffect(measure, data.scenes, step.before, step.after, hand);
+      if (effect.num_scenes == 0) continue;
+      table.AddRow(
+          {Text(step.name), Text(measure.name), Text(std::to_string(effect.num_scenes)),
+           Text(FormatValue(measure, effect.median_before)),
+           Text(FormatValue(measure, effect.median_after)), Text(FormatRatio(effect)),
+           Text(std::to_string(effect.worse.size()) + " (" +
+                FormatPercent(static_cast<double>(effect.worse.size()) / effect.num_scenes) +
+                ")")});
+    }
+  }
+  return MakeScroll(name, table.ToHtml());
+}
+
+std::string DescribeLower(const CampaignData& data, const Step& step) {
+  const auto lower = ListSignificantlyLower(data.scenes, step.before, step.after);
+  std::string text = std::string(step.name) + ": success is significantly lower in " +
+                     FormatCount(static_cast<int>(lower.size()), "scene");
+  for (size_t i = 0; i < lower.size(); ++i) {
+    const SceneVariants& scene = *lower[i];
+    const Tally& before = scene.cell(step.before).tally;
+    const Tally& after = scene.cell(step.after).tally;
+    text += (i == 0 ? ": " : "; ") + data.NameOfScene(scene) + " (" +
+            std::to_string(before.successes()) + " of " + std::to_string(before.finished) +
+            " before, " + std::to_string(after.successes()) + " of " +
+            std::to_string(after.finished) + " after)";
+  }
+  return text + ".";
+}
+
+Html Draw(const CampaignData& data) {
+  const int num_complete =
+      CalcStepEffect(FindVariantMeasure("success"), data.scenes, kStandardGrasp, kNewTarget)
+          .num_scenes;
+  if (num_complete == 0) return MakeParagraph("No scene has trials of all three variants yet.");
+  Html html = MakeParagraph(
+      "Each grasp was made specific to its object in two steps in simulation: step 1 learns a "
+      "pre-grasp from which the fingers touch at the same time, step 2 evolves the thumb's target "
+      "posture for stability. Then all three variants were tried on the same " +
+      FormatCount(data.campaign.config.session.trials, "trial pose") +
+      ", none of which the optimisation had seen.");
+  html += DrawEffects(data, {}, "All hands");
+  if (data.benchmark.hands.size() > 1) {
+    for (const std::string& hand : data.benchmark.hands) {
+      html += MakeDetails(data.models.NameOfHand(hand) + " alone",
+                          DrawEffects(data, hand, data.models.NameOfHand(hand)));
+    }
+  }
+  std::vector<std::string> lines;
+  for (const Step& step : kSteps) lines.push_back(DescribeLower(data, step));
+  return html +
+         MakeParagraph(
+             "Fisher's exact test of every scene, p < 0.05, not corrected for "
+             "their number:") +
+         MakeList(lines);
+}
+
+}  // namespace
+
+CampaignSection effects_campaign_section() { return {"effects", "What the steps did", Draw}; }
+
+}  // namespace graspbench

@@ -1,0 +1,33 @@
+#include "reports/campaign/campaign_section.h"
+#include "reports/format.h"
+
+namespace graspbench {
+namespace {
+
+Html Draw(const CampaignData& data) {
+  std::vector<std::string> findings;
+  for (const SceneVariants& scene : data.scenes) {
+    if (scene.scene->result.is_null()) {
+      findings.push_back(data.NameOfScene(scene) + ": not finished");
+    } else if (!scene.IsComplete()) {
+      findings.push_back(data.NameOfScene(scene) + ": not all variants were tried");
+    }
+    for (const Diagnostic& finding : scene.scene->findings.entries()) {
+      findings.push_back(data.NameOfScene(scene) + ": " + finding.text);
+    }
+  }
+  findings.insert(findings.end(), data.models.problems.begin(), data.models.problems.end());
+  findings.insert(findings.end(), data.pictures.problems.begin(), data.pictures.problems.end());
+  const int numerical = data.benchmark.total.CountOf(Outcome::kNumericalFailure);
+  if (numerical > 0) {
+    findings.push_back(FormatCount(numerical, "benchmark trial") + " failed numerically");
+  }
+  if (findings.empty()) return MakeParagraph("None.");
+  return MakeList(findings);
+}
+
+}  // namespace
+
+CampaignSection findings_campaign_section() { return {"findings", "Errors and warnings", Draw}; }
+
+}  // namespace graspbench

@@ -1,0 +1,43 @@
+#include "core/base/units.h"
+#include "core/base/version.h"
+#include "reports/campaign/campaign_section.h"
+#include "reports/format.h"
+
+namespace graspbench {
+namespace {
+
+Html Draw(const CampaignData& data) {
+  const OptimiseConfig& optimise = data.campaign.config.optimise;
+  const SessionConfig& session = data.campaign.config.session;
+  Html html = MakeParagraph(
+      "Step 1 records at which share of the closing law each digit first touches the object, and "
+      "moves the pre-grasp so that all of them would do so at one common share, as wide as joint "
+      "limits and an opening of 20 mm more than the object allow. It is done once and again from "
+      "its own result; of the standard pre-grasp and the two new ones that is kept which succeeds "
+      "at least as often and has the lowest median GFT% in " +
+      FormatCount(optimise.check_trials, "check trial") + ".");
+  html += MakeParagraph(
+      "Step 2 searches the target angles of the thumb within the joint limits and 25 degrees by "
+      "the method \"" +
+      optimise.method + "\" with " + FormatCount(optimise.evaluations, "evaluation") + " of " +
+      FormatCount(optimise.fitness_trials, "trial") +
+      " each. The fitness is the stability sigma; where the thumb never touches, minus its "
+      "smallest distance to the object. The best individual is kept when it succeeds at least as "
+      "often and has a higher mean sigma in check trials that the search had not seen.");
+  html += MakeParagraph(
+      "The benchmark tries all variants on the same " + FormatCount(session.trials, "trial pose") +
+      ": object moved by up to " + FormatFixed(MmFromM(session.variation.offset), 1) +
+      " mm and turned by up to " + FormatFixed(DegFromRad(session.variation.yaw), 1) +
+      " degrees, an error of the hand's joint accuracy in every drive. Its draws, those of the "
+      "search and those of the checks come from different random streams. Intervals are 95 % "
+      "bootstrap intervals (BCa). Steps and measures are named by F. Röthling's thesis (Bielefeld, "
+      "2007); the rules of step 1, the search and the formula of sigma are graspbench's.");
+  return html + MakeParagraph(std::string("graspbench ") + program_version() + ", seed " +
+                              std::to_string(optimise.seed) + ".");
+}
+
+}  // namespace
+
+CampaignSection methods_campaign_section() { return {"methods", "Methods", Draw}; }
+
+}  // namespace graspbench

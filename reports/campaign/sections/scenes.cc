@@ -1,0 +1,82 @@
+#include <cmath>
+
+#include "core/base/units.h"
+#include "reports/campaign/campaign_section.h"
+#include "reports/format.h"
+
+namespace graspbench {
+namespace {
+
+Html DrawPictures(const SceneVariants& scene, const CampaignData& data) {
+  const auto found = data.pictures.by_scene.find(scene.anchor);
+  if (found == data.pictures.by_scene.end()) {
+    return Element("p", {{"class", "missing"}}, "No pictures of this scene.");
+  }
+  Html frames;
+  for (int v = 0; v < kNumVariants; ++v) {
+    const Picture& picture = found->second[v];
+    const std::string name = NameOf(static_cast<Variant>(v));
+    const Html image =
+        picture.webp.empty()
+            ? Element("p", {{"class", "missing"}}, "no picture")
+            : Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
+                              {"width", std::to_string(kPictureWidth)},
+                              {"height", std::to_string(kPictureHeight)},
+                              {"alt", data.NameOfScene(scene) + ", closed: " + name}});
+    frames += Element("figure", {}, image + Element("figcaption", {}, name));
+  }
+  return Element("div", {{"class", "film"}}, frames);
+}
+
+Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData& data) {
+  const Align number = Align::kNumber;
+  Table table("Target angles of the thumb.", {{"Joint"},
+                                              {"Before [deg]", number},
+                                              {"Evolved [deg]", number},
+                                              {"Change [deg]", number},
+                                              {"Bounds [deg]", number}});
+  const auto angle = [&](const char* key, size_t i) {
+    return DegFromRad(step.at(key).at(i).get<double>());
+  };
+  for (size_t i = 0; i < step.at("joints").size(); ++i) {
+    const double before = angle("start_rad", i), after = angle("best_rad", i);
+    table.AddRow({Text(step.at("joints").at(i).get<std::string>()), Text(FormatFixed(before, 1)),
+                  Text(FormatFixed(after, 1)), Text(FormatFixed(after - before, 1)),
+                  Text(FormatFixed(angle("lower_rad", i), 1) + " to " +
+                       FormatFixed(angle("upper_rad", i), 1))});
+  }
+  return MakeScroll("Thumb of " + data.NameOfScene(scene), table.ToHtml());
+}
+
+Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
+  Html content = Element("h4", {}, data.NameOfScene(scene) + ", " + NameOfGrasp(scene.grasp));
+  const Json& result = scene.scene->result;
+  if (result.is_null()) {
+    content += MakeParagraph("Not finished.");
+  } else {
+    content += DrawPictures(scene, data);
+    if (const auto step = result.find("pregrasp_step"); step != result.end()) {
+      content += MakeParagraph("Step 1: " + step->at("verdict").get<std::string>());
+    }
+    if (const auto step = result.find("target_step"); step != result.end()) {
+      content += MakeParagraph("Step 2: " + step->at("verdict").get<std::string>());
+      content += DrawThumb(*step, scene, data);
+    }
+  }
+  return Element("section", {{"id", scene.anchor}, {"class", "cell"}}, content);
+}
+
+Html Draw(const CampaignData& data) {
+  if (data.scenes.empty()) return MakeParagraph("There is nothing to show.");
+  Html html = MakeParagraph(
+      "The closed hand of one benchmark trial of each variant, the first successful one where "
+      "there is any, seen by one camera; below it what each step decided and why.");
+  for (const SceneVariants& scene : data.scenes) html += DrawScene(scene, data);
+  return html;
+}
+
+}  // namespace
+
+CampaignSection scenes_campaign_section() { return {"scenes", "Pictures and decisions", Draw}; }
+
+}  // namespace graspbench

@@ -1,0 +1,53 @@
+#include "reports/campaign/variant_pictures.h"
+
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/render/scene.h"
+
+namespace graspbench {
+namespace {
+
+const SceneSnapshot* FindClosed(const TrialRecord* record) {
+  if (record == nullptr) return nullptr;
+  for (const SceneSnapshot& snapshot : record->result.snapshots) {
+    if (snapshot.name == "closed") return &snapshot;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+VariantPictures RenderVariantPictures(const std::vector<SceneVariants>& scenes,
+                                      const SessionModels& models) {
+  VariantPictures pictures;
+  std::unique_ptr<Renderer> renderer;
+  for (const SceneVariants& scene : scenes) {
+    const auto hand = models.FindHand(scene.hand);
+    const auto object = models.FindObject(scene.object);
+    if (!hand || !object) continue;
+    std::vector<SceneSnapshot> snapshots;
+    std::vector<int> variants;
+    for (int variant = 0; variant < kNumVariants; ++variant) {
+      const CellSummary* cell = scene.cells[variant];
+      const SceneSnapshot* closed = cell ? FindClosed(ChooseTrial(*cell, *hand)) : nullptr;
+      if (closed == nullptr) continue;
+      snapshots.push_back(*closed);
+      variants.push_back(variant);
+    }
+    if (snapshots.empty()) continue;
+    try {
+      if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
+      const std::vector<Picture> drawn = RenderSnapshots(snapshots, hand, object, *renderer);
+      for (size_t i = 0; i < drawn.size(); ++i) {
+        pictures.by_scene[scene.anchor][variants[i]] = drawn[i];
+      }
+    } catch (const Error& e) {
+      pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());
+      return pictures;
+    }
+  }
+  return pictures;
+}
+
+}  // namespace graspbench
