@@ -7,6 +7,7 @@ One JSON object as one line of text, safe against torn and damaged bytes.
 The last member is the checksum: XXH64 of all bytes of the line before `,"xxh64"`. So a journal is
 JSON Lines to every other program, and a flipped bit is found before the line is parsed. */
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -20,5 +21,19 @@ std::string FormatCheckedLine(const Json& record);
 /** @returns the object, its checksum included.
 @throws Error(kFormat) saying what is wrong with the line: cut off, or its checksum. */
 Json ParseCheckedLine(std::string_view line);
+
+/** Calls `take(line, number, is_whole)` for every non-empty line; the last one is whole only when
+it ends in a line break. */
+template <class Take>
+void ForEachLine(const std::string& text, Take&& take) {
+  int number = 1;
+  for (size_t start = 0; start < text.size(); ++number) {
+    const size_t end = std::min(text.find('\n', start), text.size());
+    if (end > start) {
+      take(std::string_view(text).substr(start, end - start), number, end < text.size());
+    }
+    start = end + 1;
+  }
+}
 
 }  // namespace graspbench

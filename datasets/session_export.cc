@@ -16,6 +16,10 @@ void ExportSession(const std::filesystem::path& folder, const Session& session) 
   WriteFileAtomically(exports / "trials.schema.json",
                       FormatJson(MakeTableSchema(columns, "trial_id"), 2) + "\n");
   WriteFileAtomically(exports / "records.jsonl", lines);
+  WriteFileAtomically(exports / "events.csv",
+                      FormatCsv(ListEventColumns(), ListEvents(session.records)));
+  WriteFileAtomically(exports / "events.schema.json",
+                      FormatJson(MakeTableSchema(ListEventColumns(), ""), 2) + "\n");
   WriteFileAtomically(folder / "index.sqlite", MakeSessionIndex(session, columns));
 }
 

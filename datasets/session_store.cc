@@ -8,25 +8,13 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/version.h"
+#include "datasets/checked_line.h"
+#include "datasets/judgement_store.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-/** Calls `take(line, number, is_whole)` for every non-empty line; the last one is whole only when
-it ends in a line break. */
-template <class Take>
-void ForEachLine(const std::string& text, Take&& take) {
-  int number = 1;
-  for (size_t start = 0; start < text.size(); ++number) {
-    const size_t end = std::min(text.find('\n', start), text.size());
-    if (end > start) {
-      take(std::string_view(text).substr(start, end - start), number, end < text.size());
-    }
-    start = end + 1;
-  }
-}
 
 Json LoadFrozen(const fs::path& folder) {
   if (!HasSession(folder)) {
@@ -73,20 +61,6 @@ std::vector<PlannedTrial> LoadPlan(const fs::path& path) {
                              "\" is damaged; it is written once and never changed, so take it "
                              "from a backup");
   return plan;
-}
-
-std::vector<fs::path> ListJournals(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  std::error_code status;
-  for (const auto& entry : fs::directory_iterator(folder / "journal", status)) {
-    if (entry.path().extension() == ".jsonl") paths.push_back(entry.path());
-  }
-  if (status && status != std::errc::no_such_file_or_directory) {
-    throw Error(ErrorKind::kIo, "cannot read folder \"" + (folder / "journal").string() +
-                                    "\": " + status.message());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
 }
 
 /** Finished trials by their place in the plan, gathered from journals in any order. */
@@ -182,6 +156,20 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
   WriteFileAtomically(folder / "session.json", FormatJson(frozen, 2) + "\n");
 }
 
+std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& subfolder) {
+  std::vector<fs::path> paths;
+  std::error_code status;
+  for (const auto& entry : fs::directory_iterator(folder / subfolder, status)) {
+    if (entry.path().extension() == ".jsonl") paths.push_back(entry.path());
+  }
+  if (status && status != std::errc::no_such_file_or_directory) {
+    throw Error(ErrorKind::kIo, "cannot read folder \"" + (folder / subfolder).string() +
+                                    "\": " + status.message());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
 Session LoadSession(const fs::path& folder) {
   const Json frozen = LoadFrozen(folder);
   Session session;
@@ -196,6 +184,7 @@ Session LoadSession(const fs::path& folder) {
     });
   }
   session.records = merger.TakeRecords();
+  LoadJudgements(folder, session);
   return session;
 }
 

@@ -6,8 +6,9 @@ A session's folder:
                           folder a session
     plan.jsonl            one planned trial a line
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
+    judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/               trials.csv, trials.schema.json, records.jsonl
+    export/               trials.csv, events.csv, their dictionaries, records.jsonl
     report/index.html
     run.json              when, where, how long: the only file with clock and host
 
@@ -29,7 +30,7 @@ the same bytes for any number of workers and any number of interruptions. */
 namespace graspbench {
 
 /** Version of the folder's layout and of the records; older and newer ones are refused. */
-inline constexpr int kSessionSchema = 2;
+inline constexpr int kSessionSchema = 3;
 
 /** True when the folder holds a session, of whatever version and state. */
 bool HasSession(const std::filesystem::path& folder);
@@ -49,6 +50,10 @@ struct Session {
 /** @throws Error(kNotFound) no session there; kVersion; kFormat for damage to session.json or
 plan.jsonl and for unequal duplicates; kIo. */
 Session LoadSession(const std::filesystem::path& folder);
+
+/** The journals in a subfolder of the session's, by name; none when there is no such folder. */
+std::vector<std::filesystem::path> ListJournals(const std::filesystem::path& folder,
+                                                const std::string& subfolder = "journal");
 
 /** What resuming has to run: the plan without the finished trials, in the plan's order. */
 std::vector<PlannedTrial> FindUnfinished(const Session& session);

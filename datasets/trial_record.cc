@@ -22,6 +22,7 @@ PlannedTrial PlannedTrialFromJson(const Json& json) {
 Json ToJson(const TrialRecord& record) {
   Json json = ToJson(record.plan);
   json["result"] = ToJson(record.result);
+  if (record.judgement) json["judgement"] = ToJson(*record.judgement);
   return json;
 }
 

@@ -2,6 +2,7 @@
 /** @file
 A finished trial as one line of a journal, with a checksum (checked_line.h). */
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,7 @@ namespace graspbench {
 struct TrialRecord {
   PlannedTrial plan;
   TrialResult result;
+  std::optional<Judgement> judgement = {};  ///< kept apart, see judgement_store.h
 };
 
 Json ToJson(const PlannedTrial& planned);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/grasp/quality_convention.h"
+#include "core/sim/verdicts.h"
+
 namespace graspbench {
 namespace {
 
@@ -25,6 +28,76 @@ Value TakePart(StabilityPart Stability::*part, double StabilityPart::*field) {
   return [part, field](const TrialRecord& record) {
     return JsonNumber(record.result.stability.*part.*field);
   };
+}
+
+/** A value of the judgement; null for a trial that was not judged. */
+template <class Take>
+Value TakeJudgement(Take take) {
+  return [take](const TrialRecord& record) {
+    return record.judgement ? Json(take(*record.judgement)) : Json();
+  };
+}
+
+std::string FindWeakestForce(const Judgement& judgement) {
+  const BreakingLoad* weakest = nullptr;
+  for (const BreakingLoad& load : judgement.loads) {
+    const bool is_force = load.direction.substr(0, 5) == "force";
+    if (is_force && (!weakest || load.load < weakest->load)) weakest = &load;
+  }
+  return weakest ? weakest->direction : "";
+}
+
+std::string ReplaceDashes(std::string text) {
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+
+void AddJudgementColumns(std::vector<TrialColumn>& columns) {
+  columns.push_back({"breaking_force_n", "number", "N",
+                     "smallest of the six pulls along the palm's axes that took the object out, on "
+                     "top of its weight; at most 100 N; missing when not judged",
+                     TakeJudgement([](const Judgement& judgement) {
+                       return JsonNumber(judgement.breaking_force);
+                     })});
+  columns.push_back({"breaking_direction", "string", "",
+                     "that pull's direction in the palm's frame", TakeJudgement(FindWeakestForce)});
+  columns.push_back({"breaking_moment_nm", "number", "N m",
+                     "smallest of the six twists about the palm's axes that turned the object out",
+                     TakeJudgement([](const Judgement& judgement) {
+                       return JsonNumber(judgement.breaking_moment);
+                     })});
+  columns.push_back(
+      {"volume", "number", "N^6", "of the wrench hull at the end of the hold, ferrari-canny",
+       TakeJudgement([](const Judgement& judgement) { return JsonNumber(judgement.volume); })});
+  for (const QualityConvention& convention : ListQualityConventions()) {
+    const std::string id = convention.id;
+    columns.push_back(
+        {"epsilon_" + ReplaceDashes(id), "number", "",
+         "at the end of the hold, convention " + id + ", 8 edges (4 with more than 8 contacts)",
+         TakeJudgement([id](const Judgement& judgement) {
+           for (const ConventionEpsilon& epsilon : judgement.epsilons) {
+             if (epsilon.convention == id) return JsonNumber(epsilon.epsilon);
+           }
+           return Json();
+         })});
+  }
+  for (const VerdictRule& rule : ListVerdictRules()) {
+    const std::string id = rule.id;
+    const auto find = [id](const Judgement& judgement) {
+      for (const Verdict& verdict : judgement.verdicts) {
+        if (verdict.rule == id) return verdict;
+      }
+      return Verdict();
+    };
+    columns.push_back({"verdict_" + id, "boolean", "", std::string(rule.name) + ": " + rule.rule,
+                       TakeJudgement([find](const Judgement& judgement) {
+                         return Json(find(judgement).passed ? 1 : 0);
+                       })});
+    columns.push_back({"score_" + id, "number", "", std::string(rule.name) + ": " + rule.score,
+                       TakeJudgement([find](const Judgement& judgement) {
+                         return JsonNumber(find(judgement).score);
+                       })});
+  }
 }
 
 std::vector<std::string> ListDigits(const std::vector<TrialRecord>& records) {
@@ -113,13 +186,20 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        TakeNumber(&TrialResult::worst_penetration)},
       {"steady_penetration_m", "number", "m", "deepest finger contact at the end of the hold",
        TakeNumber(&TrialResult::steady_penetration)},
-      {"sigma", "number", "",
-       "stability of the grasp before lift-off, larger is better; 0 when the object was lost",
+      {"sigma", "number", "N",
+       "stability: smallest pull along the palm's axes that the contacts stand in the hold, as "
+       "their forces tell; 0 when the object was lost",
        [](const TrialRecord& record) { return JsonNumber(record.result.stability.sigma); }},
-      {"sigma_lift", "number", "", "the same over lift-off",
+      {"sigma_stabilisation", "number", "N", "the same before lift-off, whatever came later",
+       TakePart(&Stability::stabilisation, &StabilityPart::sigma)},
+      {"sigma_lift", "number", "N", "the same over lift-off",
        TakePart(&Stability::lift, &StabilityPart::sigma)},
-      {"sigma_hold", "number", "", "the same over the hold",
-       TakePart(&Stability::hold, &StabilityPart::sigma)},
+      {"sigma_proposed", "number", "",
+       "the formula proposed first: epsilon times normal force by weight, less for slip and for "
+       "missing opposition, before lift-off",
+       [](const TrialRecord& record) {
+         return JsonNumber(record.result.stability.sigma_proposed);
+       }},
       {"epsilon", "number", "",
        "mean quality before lift-off, convention ferrari-canny: mixed cones of 8 edges, unit "
        "normal "
@@ -142,12 +222,44 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"simulated_time_s", "number", "s", "length of the trial",
        TakeNumber(&TrialResult::simulated_time)},
   };
+  AddJudgementColumns(columns);
   for (const std::string& digit : ListDigits(records)) {
     AddDigitColumns(digit, columns);
   }
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});
   return columns;
+}
+
+std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records) {
+  std::vector<EventRow> rows;
+  for (const TrialRecord& record : records) {
+    for (const ContactEvent& event : record.result.contact_events)
+      rows.push_back({&record, &event});
+  }
+  return rows;
+}
+
+std::vector<CsvColumn<EventRow>> ListEventColumns() {
+  const auto take_plan = [](std::string PlannedTrial::*field) {
+    return [field](const EventRow& row) { return Json(row.record->plan.*field); };
+  };
+  return {{"trial_id", "string", "", "as in trials.csv", take_plan(&PlannedTrial::id)},
+          {"hand", "string", "", "id of the hand", take_plan(&PlannedTrial::hand)},
+          {"object", "string", "", "id of the object", take_plan(&PlannedTrial::object)},
+          {"grasp", "string", "", "id of the grasp", take_plan(&PlannedTrial::grasp)},
+          {"trial", "integer", "", "number of the trial in its cell, from 0",
+           [](const EventRow& row) { return Json(row.record->plan.trial); }},
+          {"time_s", "number", "s", "since the start of closure",
+           [](const EventRow& row) { return JsonNumber(row.event->time); }},
+          {"digit", "string", "", "id of the digit; palm: none",
+           [](const EventRow& row) { return Json(row.event->digit); }},
+          {"link", "string", "", "name of the hand's link",
+           [](const EventRow& row) { return Json(row.event->link); }},
+          {"event", "string", "", "touch, lost, regained or slip",
+           [](const EventRow& row) { return Json(NameOf(row.event->kind)); }},
+          {"impulse_ns", "number", "N s", "normal impulse on the object of the touch that was lost",
+           [](const EventRow& row) { return JsonNumber(row.event->impulse); }}};
 }
 
 }  // namespace graspbench

@@ -16,4 +16,13 @@ using TrialColumn = CsvColumn<TrialRecord>;
 there, then any other digits of the records by name. */
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records);
 
+/** A contact event with the trial it belongs to. */
+struct EventRow {
+  const TrialRecord* record = nullptr;
+  const ContactEvent* event = nullptr;
+};
+/** The events of all records, and the columns of `events.csv`. */
+std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records);
+std::vector<CsvColumn<EventRow>> ListEventColumns();
+
 }  // namespace graspbench

@@ -7,6 +7,7 @@ session and writes them into its own journal. */
 #include <memory>
 
 #include "core/sim/trial.h"
+#include "datasets/judgement_store.h"
 #include "datasets/session_config.h"
 #include "datasets/session_inputs.h"
 #include "workbench/batch_runner.h"
@@ -20,8 +21,11 @@ class PlannedTrialRunner {
   PlannedTrialRunner(const SessionConfig& config, const SessionInputs& inputs)
       : config_(config), inputs_(inputs) {}
   TrialResult Run(const PlannedTrial& planned);
+  JudgedTrial Judge(const PlannedTrial& planned);
 
  private:
+  TrialRunner& FindRunner(const TrialSetup& setup);
+
   const SessionConfig& config_;
   const SessionInputs& inputs_;
   // Of the last hand and object: a plan has all trials of a pair in a row.
@@ -33,5 +37,11 @@ class PlannedTrialRunner {
 /** @pre config, inputs and folder outlive the workers, and the plan was made from them. */
 MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
                                    const std::filesystem::path& folder);
+
+/** Workers that run finished trials again, with the judge, and write what it finds.
+@pre session and inputs outlive the workers.
+@throws (in a worker) Error(kVersion) when a trial gives another result than its record. */
+MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
+                                 const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -8,7 +8,9 @@
 namespace graspbench {
 namespace {
 
-constexpr double kZero = 1e-11;  // smaller entries of the tableau are rounding
+constexpr double kZero = 1e-11;          // smaller gains are rounding
+constexpr double kSmallestPivot = 1e-9;  // smaller ones would blow rounding up
+constexpr double kRoundingGain = 1e-7;   // relative to the largest objective coefficient
 
 }  // namespace
 
@@ -29,27 +31,31 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
   std::vector<Eigen::Index> basis(num_rows);  // the variable each row stands for
   for (Eigen::Index row = 0; row < num_rows; ++row) basis[row] = num_variables + row;
 
+  const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
   LinearProgramResult result;
   for (;;) {
     // Bland's rule: the first variable that gains enters; of the tightest rows the one with the
-    // first variable leaves.
-    Eigen::Index enter = 0;
-    while (enter < num_columns && tableau(num_rows, enter) >= -kZero) ++enter;
-    if (enter == num_columns) break;
-    Eigen::Index leave = -1;
-    double tightest = 0.0;
-    for (Eigen::Index row = 0; row < num_rows; ++row) {
-      if (tableau(row, enter) <= kZero) continue;
-      const double ratio = tableau(row, num_columns) / tableau(row, enter);
-      if (leave < 0 || ratio < tightest || (ratio == tightest && basis[row] < basis[leave])) {
-        leave = row;
-        tightest = ratio;
+    // first variable leaves. A tiny gain that no row limits is rounding, not a way to infinity.
+    Eigen::Index enter = -1, leave = -1;
+    for (Eigen::Index column = 0; column < num_columns && leave < 0; ++column) {
+      const double gain = -tableau(num_rows, column);
+      if (gain <= kZero) continue;
+      enter = column;
+      double tightest = 0.0;
+      for (Eigen::Index row = 0; row < num_rows; ++row) {
+        if (tableau(row, enter) <= kSmallestPivot) continue;
+        const double ratio = tableau(row, num_columns) / tableau(row, enter);
+        if (leave < 0 || ratio < tightest || (ratio == tightest && basis[row] < basis[leave])) {
+          leave = row;
+          tightest = ratio;
+        }
+      }
+      if (leave < 0 && gain > rounding_gain) {
+        result.is_bounded = false;
+        return result;
       }
     }
-    if (leave < 0) {
-      result.is_bounded = false;
-      return result;
-    }
+    if (leave < 0) break;
     tableau.row(leave) /= tableau(leave, enter);
     for (Eigen::Index row = 0; row <= num_rows; ++row) {
       if (row != leave) tableau.row(row) -= tableau(row, enter) * tableau.row(leave);

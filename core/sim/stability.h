@@ -2,7 +2,16 @@
 /** @file
 Stability sigma: how firmly an object is held, larger is better; the fitness of the optimisation.
 
-    sigma = mean over samples of  min(10, Q F / (m g)) exp(-v / (10 mm/s)) o
+    sigma = mean over the hold of  min over d of s(d)      [N]
+
+with d the six half axes of the palm's frame and s(d) the largest pull along d that the contacts,
+with the forces they exert at that instant, stand on top of the object's weight (holding_force.h).
+So sigma is a force: the pull that would take the object out of the hand, as its contacts tell it
+beforehand. 0 when the object is lost.
+
+The formula that was proposed first is kept beside it as `sigma_proposed`,
+
+    mean of  min(10, Q F / (m g)) exp(-v / (10 mm/s)) o
 
     Q   epsilon of the contacts in the convention "ferrari-canny" (quality_convention.h): eight
         edges, unit normal force, moments about the centre of mass divided by the object's radius;
@@ -11,28 +20,29 @@ Stability sigma: how firmly an object is held, larger is better; the fitness of 
     v   speed of the object against the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]
     o   1 if the opposing digit and another digit or the palm touch the object, else 0
 
-Proposed by graspbench (the thesis names a stability without a formula). */
+because it ranks grasps worse by the force that really breaks them: see the README of this folder.
+Both are proposals of graspbench (the thesis names a stability without a formula). */
 
 #include <vector>
 
 #include "core/base/json.h"
 #include "core/base/units.h"
-#include "core/grasp/wrench_space.h"
+#include "core/grasp/holding_force.h"
 
 namespace graspbench {
 
 /** A grasp at one instant. */
 struct GraspInstant {
-  double time_in_phase = 0.0;          ///< [s]
-  std::vector<GraspContact> contacts;  ///< measured from the centre of mass, along the axes of O
-  double normal_force = 0.0;           ///< F [N]
-  double slip_speed = 0.0;             ///< v [m/s]
-  bool is_opposed = false;             ///< o
+  LoadedGrasp grasp;  ///< in the axes of O
+  Eigen::Matrix3d R_OPalm = Eigen::Matrix3d::Identity();
+  double slip_speed = 0.0;  ///< v [m/s]
+  bool is_opposed = false;  ///< o
 };
 
 /** Means over the samples of a part of a trial; NaN where there are none. */
 struct StabilityPart {
-  double sigma = kUnset;
+  double sigma = kUnset;  ///< [N]
+  double sigma_proposed = kUnset;
   double quality = kUnset;       ///< Q
   double normal_force = kUnset;  ///< F [N]
   double slip_speed = kUnset;    ///< v [m/s]
@@ -41,17 +51,16 @@ struct StabilityPart {
 };
 
 struct Stability {
-  /** That of `stabilisation` if the object is in the hand at the end of the trial, else 0. */
+  /** That of `hold` if the object is in the hand at the end of the trial, else 0 [N]. */
   double sigma = kUnset;
-  StabilityPart stabilisation;  ///< its last 0.5 s
+  double sigma_proposed = kUnset;  ///< that of `stabilisation`, under the same condition
+  StabilityPart stabilisation;     ///< its last 0.5 s
   StabilityPart lift;
   StabilityPart hold;
 };
 
-/** @param weight  m g [N]  @param object_radius  largest distance of the surface from the centre of
-mass [m]; both > 0. Cost: some 0.15 ms for a sample of ten contacts. */
-StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples, double weight,
-                                double object_radius);
+/** Cost: some 0.3 ms for a sample of ten contacts. */
+StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples);
 
 Json ToJson(const Stability& stability);
 Stability StabilityFromJson(const Json& json);

@@ -27,7 +27,6 @@ StabilityMeter::StabilityMeter(const TrialSetup& setup)
     : hand_(setup.hand.get()),
       opposing_digit_(FindOpposingDigit(*setup.hand, setup.grasp)),
       step_(setup.sim.step),
-      weight_(setup.object->mass_properties.mass * kStandardGravity),
       object_radius_(CalcObjectRadius(*setup.object)) {}
 
 void StabilityMeter::Observe(const World& world, Phase phase, double time_in_phase) {
@@ -54,23 +53,29 @@ void StabilityMeter::Observe(const World& world, Phase phase, double time_in_pha
   }
   const long number = std::lround(time_in_phase / step_);
   const long every = std::max(1L, std::lround(interval / step_));
-  if (number % every == 0) samples->push_back(MakeInstant(world, time_in_phase));
+  if (number % every == 0) samples->push_back(MakeInstant(world));
 }
 
-GraspInstant StabilityMeter::MakeInstant(const World& world, double time_in_phase) const {
+GraspInstant StabilityMeter::MakeInstant(const World& world) const {
   const WorldState& state = world.state();
+  const Eigen::Matrix3d R_OW = state.R_WO.transpose();
   GraspInstant instant;
-  instant.time_in_phase = time_in_phase;
+  LoadedGrasp& grasp = instant.grasp;
+  grasp.weight = world.mass_properties().mass * (R_OW * state.gravity_W);
+  grasp.radius = object_radius_;
+  instant.R_OPalm = R_OW * CalcPalmPose(*hand_, state).linear();
   instant.slip_speed = (state.v_WOcm - state.v_WH).norm() + object_radius_ * state.w_WO.norm();
   bool opposing_touches = false, other_touches = false;
-  world.FindHandContacts(contacts_);
-  for (const HandContact& contact : contacts_) {
-    instant.normal_force += contact.normal_force;
-    (hand_->FindDigitOfLink(contact.link) == opposing_digit_ ? opposing_touches : other_touches) =
-        true;
-    instant.contacts.push_back({state.R_WO.transpose() * (contact.p_WC - state.p_WOcm),
-                                (state.R_WO.transpose() * contact.nhat_W).normalized(), contact.mu,
-                                contact.mu * contact.torsion_radius, std::nullopt});
+  std::vector<HandContact> contacts;
+  world.FindHandContacts(contacts);
+  for (const HandContact& contact : contacts) {
+    const int digit = hand_->FindDigitOfLink(contact.link);
+    (digit == opposing_digit_ ? opposing_touches : other_touches) = true;
+    grasp.contacts.push_back({R_OW * (contact.p_WC - state.p_WOcm),
+                              (R_OW * contact.nhat_W).normalized(), contact.mu,
+                              contact.mu * contact.torsion_radius, std::nullopt});
+    grasp.normal_forces.push_back(contact.normal_force);
+    grasp.digits.push_back(digit);
   }
   instant.is_opposed = opposing_touches && other_touches;
   return instant;
@@ -82,9 +87,9 @@ Stability StabilityMeter::Calc() const {
       std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(stabilisation_.size()),
                                std::lround(kStabilisationWindow / kStabilisationInterval));
   const std::vector<GraspInstant> last(stabilisation_.end() - num_last, stabilisation_.end());
-  stability.stabilisation = CalcStabilityPart(last, weight_, object_radius_);
-  stability.lift = CalcStabilityPart(lift_, weight_, object_radius_);
-  stability.hold = CalcStabilityPart(hold_, weight_, object_radius_);
+  stability.stabilisation = CalcStabilityPart(last);
+  stability.lift = CalcStabilityPart(lift_);
+  stability.hold = CalcStabilityPart(hold_);
   return stability;
 }
 

@@ -23,16 +23,15 @@ class StabilityMeter {
   void Observe(const World& world, Phase phase, double time_in_phase);
 
   /** The grasp now. */
-  GraspInstant MakeInstant(const World& world, double time_in_phase) const;
+  GraspInstant MakeInstant(const World& world) const;
 
-  /** All but the sum of it: Stability::sigma stays unset. */
+  /** The parts; what holds for the whole trial stays unset. */
   Stability Calc() const;
 
  private:
   const Hand* hand_;
   int opposing_digit_;
-  double step_, weight_, object_radius_;
-  mutable std::vector<HandContact> contacts_;
+  double step_, object_radius_;
   std::vector<GraspInstant> stabilisation_, lift_, hold_;
 };
 

@@ -5,6 +5,7 @@ in physics, then a hold, after which the outcome is given. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ in physics, then a hold, after which the outcome is given. */
 #include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
+#include "core/sim/contact_events.h"
+#include "core/sim/judgement.h"
 #include "core/sim/stability.h"
 
 namespace graspbench {
@@ -95,6 +98,11 @@ struct DigitTouch {
                                  ///< closure
 };
 
+struct PhaseStart {
+  std::string name;   ///< "placing", "closure", ...
+  double time = 0.0;  ///< since the start of closure [s]
+};
+
 struct TrialResult {
   Outcome outcome = Outcome::kNotRun;
   std::string reason;                  ///< one sentence for a person; empty for a success
@@ -111,7 +119,9 @@ struct TrialResult {
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
   double steady_penetration = kUnset;  ///< deepest finger contact at the end of the hold [m]
   Stability stability;
-  double energy_residual = 0.0;  ///< unexplained energy of the whole trial [J]
+  std::vector<PhaseStart> phases;            ///< those reached, in order
+  std::vector<ContactEvent> contact_events;  ///< times since the start of closure
+  double energy_residual = 0.0;              ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
@@ -120,6 +130,11 @@ struct TrialResult {
 
 Json ToJson(const TrialResult& result);
 TrialResult TrialResultFromJson(const Json& json);
+
+struct JudgedTrial {
+  TrialResult result;
+  std::optional<Judgement> judgement;  ///< unset: nothing was in the hand at the end of the hold
+};
 
 /** Runs trials of one hand and object; builds the Simbody system once and resets it.
 Not to be shared between threads. Never throws for what happens inside a trial. */
@@ -130,6 +145,8 @@ class TrialRunner {
   ~TrialRunner();
   /** @pre setup.hand and setup.object are those of the constructor. */
   TrialResult Run(const TrialSetup& setup);
+  /** The same trial, and then the judge of what it holds (judge.h); some five times the cost. */
+  JudgedTrial Judge(const TrialSetup& setup);
 
  private:
   struct Impl;

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/hand/coupling.h"
+#include "core/sim/judge.h"
 
 namespace graspbench {
 namespace {
@@ -29,7 +30,8 @@ TrialCourse::TrialCourse(World& world, const TrialSetup& setup)
       placement_(CalcPlacement(hand_, setup.grasp, setup.object->size,
                                setup.object->mass_properties.p_OOcm)),
       strategy_(setup.strategy, setup.grasp.approach_distance),
-      stability_(setup) {
+      stability_(setup),
+      events_(hand_, setup.sim.step) {
   for (const std::string& id : setup.grasp.digits) {
     for (size_t d = 0; d < hand_.digits.size(); ++d) {
       if (hand_.digits[d].id != id) continue;
@@ -115,8 +117,7 @@ double TrialCourse::CalcGap(int digit) const {
 
 Pose TrialCourse::CalcObjectInPalm() const {
   const WorldState& state = world_.state();
-  const Pose X_WPalm = state.X_WH * CalcLinkPoses(hand_, state.q)[hand_.palm_link];
-  return X_WPalm.inverse() * MakePose(state.R_WO, state.p_WOcm);
+  return CalcPalmPose(hand_, state).inverse() * MakePose(state.R_WO, state.p_WOcm);
 }
 
 void TrialCourse::Observe(const StepReport& report, double closing) {
@@ -132,6 +133,8 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
   result_.worst_penetration = std::max(result_.worst_penetration, report.worst_penetration);
   if (report.grip_force > 0.0) last_touch_ = time_;
   ObserveTouches(closing);
+  world_.FindHandContacts(hand_contacts_);
+  events_.Observe(time_, hand_contacts_);
   stability_.Observe(world_, strategy_.phase(), strategy_.time_in_phase());
   if (strategy_.phase() == Phase::kHold && !settled_at_ &&
       strategy_.time_in_phase() >= kSettlingTime) {
@@ -155,6 +158,7 @@ void TrialCourse::ObserveTouches(double closing) {
 }
 
 void TrialCourse::EnterPhase(Phase phase) {
+  result_.phases.push_back({NameOf(phase), time_});
   switch (phase) {
     case Phase::kClosure:
       closure_start_ = time_;
@@ -236,10 +240,16 @@ void TrialCourse::Finish() {
     }
   }
   result_.stability = stability_.Calc();
-  result_.stability.sigma = IsHeld(facts) ? result_.stability.stabilisation.sigma : 0.0;
+  is_held_ = facts.phase == Phase::kDone && IsHeld(facts);
+  Stability& stability = result_.stability;
+  stability.sigma = is_held_ ? stability.hold.sigma : 0.0;
+  stability.sigma_proposed = is_held_ ? stability.stabilisation.sigma_proposed : 0.0;
   result_.simulated_time = time_;
   result_.energy_residual = world_.CalcEnergyResidual();
   for (DigitContact& contact : result_.contacts) contact.time -= closure_start_;
+  for (PhaseStart& phase : result_.phases) phase.time -= closure_start_;
+  result_.contact_events = events_.MakeEvents();
+  for (ContactEvent& event : result_.contact_events) event.time -= closure_start_;
   result_.timing = CalcContactTiming(result_.contacts, 0.0);
 }
 
@@ -264,6 +274,11 @@ TrialResult TrialCourse::Run() {
   }
   Finish();
   return result_;
+}
+
+Judgement TrialCourse::Judge() const {
+  return JudgeGrasp(HeldObject(world_, command_, setup_),
+                    stability_.MakeInstant(world_).grasp.contacts);
 }
 
 }  // namespace graspbench

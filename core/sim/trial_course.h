@@ -22,8 +22,10 @@ class TrialCourse {
   /** To be called once. @throws Error(kRange) when the start is not finite. */
   TrialResult Run();
 
-  /** What the hand was last asked for, to go on from there. */
-  const WorldCommand& last_command() const { return command_; }
+  /** After Run: the object hangs in the hand, so that there is something to judge. */
+  bool is_held() const { return is_held_; }
+  /** @pre is_held() */
+  Judgement Judge() const;
 
  private:
   void Start();
@@ -46,9 +48,12 @@ class TrialCourse {
   Placement placement_;
   GraspStrategy strategy_;
   StabilityMeter stability_;
+  ContactEventRecorder events_;
+  std::vector<HandContact> hand_contacts_;  // of the last step
   TrialResult result_;
   std::vector<int> digits_;  // grasping digits, indices into hand_.digits
 
+  bool is_held_ = false;
   WorldCommand command_;
   StepReport report_;
   double time_ = 0.0;

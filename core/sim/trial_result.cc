@@ -95,6 +95,11 @@ Json ToJson(const TrialResult& result) {
                         {"q_rad", JsonVectorX(touch.q)},
                         {"smallest_gap_m", JsonNumber(touch.smallest_gap)}});
   }
+  Json phases = Json::array(), events = Json::array();
+  for (const PhaseStart& phase : result.phases) {
+    phases.push_back({{"name", phase.name}, {"time_s", JsonNumber(phase.time)}});
+  }
+  for (const ContactEvent& event : result.contact_events) events.push_back(ToJson(event));
   Json snapshots = Json::array();
   for (const SceneSnapshot& snapshot : result.snapshots) snapshots.push_back(ToJson(snapshot));
   return Json{{"outcome", NameOf(result.outcome)},
@@ -108,6 +113,8 @@ Json ToJson(const TrialResult& result) {
               {"worst_penetration_m", JsonNumber(result.worst_penetration)},
               {"steady_penetration_m", JsonNumber(result.steady_penetration)},
               {"stability", ToJson(result.stability)},
+              {"phases", phases},
+              {"contact_events", events},
               {"energy_residual_j", JsonNumber(result.energy_residual)},
               {"num_steps", result.num_steps},
               {"num_unconverged", result.num_unconverged},
@@ -139,6 +146,12 @@ TrialResult TrialResultFromJson(const Json& json) {
   result.worst_penetration = NumberFrom(json.at("worst_penetration_m"));
   result.steady_penetration = NumberFrom(json.at("steady_penetration_m"));
   result.stability = StabilityFromJson(json.at("stability"));
+  for (const Json& phase : json.at("phases")) {
+    result.phases.push_back({phase.at("name").get<std::string>(), NumberFrom(phase.at("time_s"))});
+  }
+  for (const Json& event : json.at("contact_events")) {
+    result.contact_events.push_back(ContactEventFromJson(event));
+  }
   result.energy_residual = NumberFrom(json.at("energy_residual_j"));
   result.num_steps = IntFrom(json.at("num_steps"));
   result.num_unconverged = IntFrom(json.at("num_unconverged"));

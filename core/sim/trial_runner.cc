@@ -46,6 +46,7 @@ struct TrialRunner::Impl {
         object(std::move(the_object)),
         simbody(*hand, object->mass_properties) {}
 
+  JudgedTrial Run(const TrialSetup& setup, bool is_judged);
   World& FindWorld(const SimConfig& config);
   double CalcSimbodyDifference();
 };
@@ -102,26 +103,32 @@ TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
 
 TrialRunner::~TrialRunner() = default;
 
-TrialResult TrialRunner::Run(const TrialSetup& setup) {
-  GRASPBENCH_DEMAND(setup.hand == impl_->hand && setup.object == impl_->object,
+TrialResult TrialRunner::Run(const TrialSetup& setup) { return impl_->Run(setup, false).result; }
+
+JudgedTrial TrialRunner::Judge(const TrialSetup& setup) { return impl_->Run(setup, true); }
+
+JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged) {
+  GRASPBENCH_DEMAND(setup.hand == hand && setup.object == object,
                     "a runner serves one hand and one object");
-  TrialResult result;
+  JudgedTrial trial;
+  TrialResult& result = trial.result;
   try {
-    World& world = impl_->FindWorld(setup.sim);
-    result = TrialCourse(world, setup).Run();
-    if (result.outcome == Outcome::kNumericalFailure) return result;
-    if (const double difference = impl_->CalcSimbodyDifference();
-        !(difference < kSimbodyTolerance)) {
+    TrialCourse course(FindWorld(setup.sim), setup);
+    result = course.Run();
+    if (result.outcome == Outcome::kNumericalFailure) return trial;
+    if (const double difference = CalcSimbodyDifference(); !(difference < kSimbodyTolerance)) {
       result.outcome = Outcome::kNumericalFailure;
       result.reason = Format("mass matrix or bias differs from Simbody's by %.1e", difference);
+      return trial;
     }
+    if (is_judged && course.is_held()) trial.judgement = course.Judge();
   } catch (const std::exception& e) {
     // Simbody reports impossible states this way.
-    result = TrialResult();
+    trial = JudgedTrial();
     result.outcome = Outcome::kNumericalFailure;
     result.reason = e.what();
   }
-  return result;
+  return trial;
 }
 
 }  // namespace graspbench

@@ -31,6 +31,10 @@ Matrix3d Orthonormalize(const Matrix3d& R) {
 
 }  // namespace
 
+Pose CalcPalmPose(const Hand& hand, const WorldState& state) {
+  return state.X_WH * CalcLinkPoses(hand, state.q)[static_cast<size_t>(hand.palm_link)];
+}
+
 World::World(const Hand& hand, const GraspObject& object, const SimConfig& config)
     : hand_(&hand),
       mass_(object.mass_properties),

@@ -42,6 +42,9 @@ struct WorldState {
   Eigen::Vector3d gravity_W = Eigen::Vector3d(0.0, 0.0, -kStandardGravity);  ///< [m/s^2]
 };
 
+/** X_W<palm>: the palm's, which a wrist may turn against H. */
+Pose CalcPalmPose(const Hand& hand, const WorldState& state);
+
 /** What the hand is asked for at the end of a step. */
 struct WorldCommand {
   Eigen::VectorXd q;             ///< drive commands (num_joints) [rad]
@@ -114,6 +117,7 @@ class World {
   const EnergyAccount& energy() const { return energy_; }
   double CalcKineticEnergy();           ///< relative to the moving root [J]
   virtual double CalcEnergyResidual();  ///< [J]
+  const MassProperties& mass_properties() const { return mass_; }  ///< of the object
   const Collider& collider() const { return collider_; }
   HandDynamics& dynamics() { return dynamics_; }
 

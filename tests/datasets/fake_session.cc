@@ -79,7 +79,12 @@ TrialRecord MakeFakeRecord(const PlannedTrial& planned) {
   result.steady_penetration = random.NextUnit() * 1e-3;
   result.hold_creep = result.outcome == Outcome::kSuccess ? random.NextUnit() * 1e-9 : kMissing;
   result.stability.sigma = random.NextUnit();
-  result.stability.stabilisation = {random.NextUnit(), random.NextUnit(), 4.0, 1e-3, 0.5, 20};
+  result.stability.stabilisation = {
+      random.NextUnit(), random.NextUnit(), random.NextUnit(), 4.0, 1e-3, 0.5, 20};
+  result.phases = {{"closure", 0.0}, {"stabilisation", random.NextUnit()}};
+  result.contact_events = {
+      {random.NextUnit(), ContactEventKind::kTouch, "TH", "distal", kUnset},
+      {1.0 + random.NextUnit(), ContactEventKind::kLost, "TH", "distal", random.NextUnit()}};
   result.energy_residual = random.NextNormal() * 1e-5;
   result.num_steps = random.NextIndex(3000);
   result.num_unconverged = random.NextIndex(3);

@@ -59,8 +59,9 @@ Json JsonOfFakes(const std::vector<PlannedTrial>& plan) {
 /** Names and bytes of everything that must not depend on workers and interruptions. */
 std::map<std::string, std::string> ReadResults(const fs::path& folder) {
   std::map<std::string, std::string> content;
-  for (const char* name : {"session.json", "plan.jsonl", "index.sqlite", "export/trials.csv",
-                           "export/trials.schema.json", "export/records.jsonl"}) {
+  for (const char* name :
+       {"session.json", "plan.jsonl", "index.sqlite", "export/trials.csv",
+        "export/trials.schema.json", "export/events.csv", "export/records.jsonl"}) {
     content[name] = ReadFile(folder / name);
   }
   return content;
@@ -278,7 +279,7 @@ TEST_F(SessionStore, RefusesAnotherSchema) {
   const auto [kind, text] = FindError([&] { LoadSession(folder()); });
   EXPECT_EQ(kind, ErrorKind::kVersion);
   ExpectHas(text, "has schema 7, this program (");
-  ExpectHas(text, "reads schema 2; use graspbench 9.9.9 for it, or run the session anew");
+  ExpectHas(text, "reads schema 3; use graspbench 9.9.9 for it, or run the session anew");
 }
 
 TEST_F(SessionStore, TellsOfADamagedConfigurationOrPlan) {

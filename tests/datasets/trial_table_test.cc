@@ -63,8 +63,9 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "worst_penetration_m",
                                              "steady_penetration_m",
                                              "sigma",
+                                             "sigma_stabilisation",
                                              "sigma_lift",
-                                             "sigma_hold",
+                                             "sigma_proposed",
                                              "epsilon",
                                              "epsilon_hold",
                                              "normal_force_n",
@@ -74,6 +75,26 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "num_steps",
                                              "num_unconverged",
                                              "simulated_time_s",
+                                             "breaking_force_n",
+                                             "breaking_direction",
+                                             "breaking_moment_nm",
+                                             "volume",
+                                             "epsilon_ferrari_canny",
+                                             "epsilon_graspit",
+                                             "epsilon_simox",
+                                             "epsilon_dexgraspbench",
+                                             "epsilon_dex_net",
+                                             "epsilon_frogger",
+                                             "verdict_lift_off",
+                                             "score_lift_off",
+                                             "verdict_dexgraspbench",
+                                             "score_dexgraspbench",
+                                             "verdict_graspa",
+                                             "score_graspa",
+                                             "verdict_multigrippergrasp",
+                                             "score_multigrippergrasp",
+                                             "verdict_nist_pull",
+                                             "score_nist_pull",
                                              "t_TH_s",
                                              "closing_TH",
                                              "gap_TH_m",
@@ -133,6 +154,40 @@ TEST(TrialTable, CsvReadsBackAsTheRecords) {
     EXPECT_EQ(cell(i, "hold_slip_m").empty(), result.outcome != Outcome::kSuccess);
   }
   EXPECT_GE(seen.size(), 6u);
+}
+
+TEST(TrialTable, JudgedTrialsHaveTheJudgesColumns) {
+  auto records = MakeFakeRecords(2);
+  Judgement judgement;
+  judgement.loads = {{"force +x", 3.0, true}, {"force -y", 2.0, true}, {"moment +x", 0.1, true}};
+  judgement.breaking_force = 2.0;
+  judgement.epsilons = {{"dex-net", 0.25}};
+  judgement.verdicts = {{"graspa", true, 4.0}};
+  records[1].judgement = judgement;
+  for (const TrialColumn& column : ListTrialColumns(records)) {
+    if (column.name == "breaking_force_n") {
+      EXPECT_TRUE(column.value(records[0]).is_null());
+      EXPECT_EQ(column.value(records[1]), 2.0);
+    }
+    if (column.name == "breaking_direction") EXPECT_EQ(column.value(records[1]), "force -y");
+    if (column.name == "epsilon_dex_net") EXPECT_EQ(column.value(records[1]), 0.25);
+    if (column.name == "epsilon_simox") EXPECT_TRUE(column.value(records[1]).is_null());
+    if (column.name == "verdict_graspa") EXPECT_EQ(column.value(records[1]), 1);
+    if (column.name == "verdict_lift_off") EXPECT_EQ(column.value(records[1]), 0);
+  }
+}
+
+TEST(TrialTable, EventsAreATableOfTheirOwn) {
+  const auto records = MakeFakeRecords(3);
+  const auto rows = ParseCsv(FormatCsv(ListEventColumns(), ListEvents(records)));
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"trial_id", "hand", "object", "grasp", "trial",
+                                               "time_s", "digit", "link", "event", "impulse_ns"}));
+  EXPECT_EQ(rows[3][4], "1");
+  EXPECT_EQ(rows[3][8], "touch");
+  EXPECT_EQ(rows[3][9], "");
+  EXPECT_EQ(rows[4][8], "lost");
+  EXPECT_EQ(std::stod(rows[4][9]), records[1].result.contact_events[1].impulse);
 }
 
 TEST(TrialTable, OtherDigitsGetColumnsByName) {

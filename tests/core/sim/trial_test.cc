@@ -51,16 +51,39 @@ TEST_P(TrialTest, ATouchIsKeptWithTheHandAsItWas) {
   }
 }
 
+// The record of events and the times of first contact are kept apart and must agree.
+TEST_P(TrialTest, EventsBeginWithTheFirstTouches) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  for (const DigitContact& contact : result.contacts) {
+    double first = kUnset;
+    for (const ContactEvent& event : result.contact_events) {
+      if (event.digit == contact.digit) first = std::fmin(first, event.time);
+    }
+    // A graze shorter than 10 ms is a first contact, but no event.
+    EXPECT_GE(first, contact.time - 1e-9) << contact.digit;
+    EXPECT_LT(first, contact.time + 0.2) << contact.digit;
+  }
+  std::vector<std::string> phases;
+  for (const PhaseStart& phase : result.phases) phases.push_back(phase.name);
+  EXPECT_EQ(phases,
+            (std::vector<std::string>{"closure", "stabilisation", "lift-off", "hold", "done"}));
+  EXPECT_EQ(result.phases[0].time, 0.0);
+}
+
 TEST_P(TrialTest, StabilityIsThatOfAHeldCube) {
   const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
   const Stability stability = TrialRunner(setup.hand, setup.object).Run(setup).stability;
-  EXPECT_EQ(stability.sigma, stability.stabilisation.sigma);
+  EXPECT_EQ(stability.sigma, stability.hold.sigma);
+  EXPECT_EQ(stability.sigma_proposed, stability.stabilisation.sigma_proposed);
   EXPECT_EQ(stability.stabilisation.num_samples, 20);
   EXPECT_EQ(stability.lift.num_samples, 10);
   EXPECT_EQ(stability.hold.num_samples, 10);
   for (const StabilityPart& part : {stability.stabilisation, stability.lift, stability.hold}) {
     EXPECT_GT(part.sigma, 0.0);
-    EXPECT_LE(part.sigma, 10.0);
+    EXPECT_LT(part.sigma, part.normal_force);
+    EXPECT_GT(part.sigma_proposed, 0.0);
+    EXPECT_LE(part.sigma_proposed, 10.0);
     EXPECT_GT(part.quality, 0.0);
     EXPECT_NEAR(part.opposition, 1.0, 1e-12);
   }

@@ -1,0 +1,67 @@
+#pragma once
+/** @file
+What the links of the hand did to the object, as events of a trial:
+
+    touch     a link touches for the first time
+    lost      it has let go; with the normal impulse of the touch that ended
+    regained  it touches again
+    slip      all of its contacts have begun to slide, faster than 1 mm/s
+
+An event counts when its state lasts for 10 ms, and is dated back to its beginning: shorter
+interruptions are the chatter of points that roll over edges. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/base/units.h"
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+struct HandContact;
+
+enum class ContactEventKind { kTouch, kLost, kRegained, kSlip };
+const char* NameOf(ContactEventKind kind);  ///< "touch", "lost", "regained", "slip"
+
+struct ContactEvent {
+  double time = 0.0;  ///< [s]
+  ContactEventKind kind = ContactEventKind::kTouch;
+  std::string digit;        ///< id; "palm" for links of none
+  std::string link;         ///< name
+  double impulse = kUnset;  ///< normal impulse on the object, of "lost" [N s]
+};
+
+/** Watches a trial. */
+class ContactEventRecorder {
+ public:
+  /** @param step  of the physics [s] */
+  ContactEventRecorder(const Hand& hand, double step);
+
+  /** To be called after every step with the contacts of that step. */
+  void Observe(double time, const std::vector<HandContact>& contacts);
+
+  /** In the order of their times, links in the hand's order. */
+  std::vector<ContactEvent> MakeEvents() const;
+
+ private:
+  struct LinkState {
+    bool is_touching = false, is_sliding = false;  // as told by the last event
+    double changed_since = kUnset;                 // the contact contradicts it; NaN: it does not
+    double slides_since = kUnset;
+    double impulse = 0.0;  // of the current touch [N s]
+    bool has_touched = false;
+  };
+  void AddEvent(double time, ContactEventKind kind, size_t link, double impulse = kUnset);
+
+  const Hand* hand_;
+  double step_;
+  std::vector<LinkState> links_;
+  std::vector<ContactEvent> events_;
+};
+
+Json ToJson(const ContactEvent& event);
+/** @throws Json::exception or Error(kFormat). */
+ContactEvent ContactEventFromJson(const Json& json);
+
+}  // namespace graspbench

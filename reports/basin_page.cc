@@ -1,0 +1,122 @@
+#include "reports/basin_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/csv.h"
+#include "reports/format.h"
+#include "reports/layout.h"
+#include "reports/svg_parts.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kNumSlices = 3;
+constexpr double kPanel = 210.0, kGap = 26.0, kTop = 24.0, kBottom = 44.0;
+constexpr double kSmallDot = 1.5, kLargeDot = 7.0;
+
+int FindSlice(const BasinSample& sample) {
+  const double share = 0.5 * (sample.yaw / kBasinYaw + 1.0);
+  return std::clamp(static_cast<int>(kNumSlices * share), 0, kNumSlices - 1);
+}
+
+std::string DescribeSample(const BasinSample& sample) {
+  return FormatFixed(MmFromM(sample.offset_x), 1) + ", " +
+         FormatFixed(MmFromM(sample.offset_y), 1) + " mm, " +
+         FormatFixed(DegFromRad(sample.yaw), 1) + " deg: " + NameOf(sample.outcome) +
+         (sample.outcome == Outcome::kSuccess ? ", sigma " + FormatFixed(sample.sigma, 2) + " N"
+                                              : "");
+}
+
+/** Successes are discs whose area grows with sigma, failures crosses. */
+Html DrawSample(const BasinSample& sample, double left, double most_sigma) {
+  const double x = left + 0.5 * kPanel * (1.0 + sample.offset_x / kBasinOffset);
+  const double y = kTop + 0.5 * kPanel * (1.0 - sample.offset_y / kBasinOffset);
+  const Html hint = Hint(DescribeSample(sample));
+  if (sample.outcome != Outcome::kSuccess) {
+    return Element("path",
+                   {{"class", "cross"},
+                    {"d", "M" + Px(x - 3.2) + " " + Px(y - 3.2) + "l6.4 6.4m0 -6.4l-6.4 6.4"}},
+                   hint);
+  }
+  const double share = most_sigma > 0.0 ? sample.sigma / most_sigma : 0.0;
+  const double r = std::max(kSmallDot, kLargeDot * std::sqrt(share));
+  return Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(r)}}, hint);
+}
+
+Html DrawMap(const std::vector<BasinSample>& samples) {
+  double most_sigma = 0.0;
+  for (const BasinSample& sample : samples) most_sigma = std::fmax(most_sigma, sample.sigma);
+  Html content;
+  for (int slice = 0; slice < kNumSlices; ++slice) {
+    const double left = 40.0 + slice * (kPanel + kGap);
+    const double edge = DegFromRad(kBasinYaw), width = 2.0 * edge / kNumSlices;
+    content += Label("middle", left + 0.5 * kPanel, 0.5 * kTop,
+                     "yaw " + FormatFixed(-edge + slice * width, 0) + " to " +
+                         FormatFixed(-edge + (slice + 1) * width, 0) + " deg");
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const double place = share * kPanel;
+      content += Line("grid", left + place, kTop, left + place, kTop + kPanel);
+      content += Line("grid", left, kTop + place, left + kPanel, kTop + place);
+      const double value = MmFromM(kBasinOffset) * (2.0 * share - 1.0);
+      content += Label("middle small", left + place, kTop + kPanel + 11.0, FormatFixed(value, 0));
+      if (slice == 0) {
+        content +=
+            Label("end small", left - kPlotGap, kTop + kPanel - place, FormatFixed(value, 0));
+      }
+    }
+    content += Label("middle small", left + 0.5 * kPanel, kTop + kPanel + 29.0, "x [mm]");
+    for (const BasinSample& sample : samples) {
+      if (FindSlice(sample) == slice) content += DrawSample(sample, left, most_sigma);
+    }
+  }
+  const PlotText text = {"Success by the object's offset",
+                         "Offsets in x and y in three slices of yaw; discs are successes, crosses "
+                         "failures."};
+  return Svg("img", 40.0 + kNumSlices * (kPanel + kGap), kTop + kPanel + kBottom, text, content);
+}
+
+}  // namespace
+
+std::string MakeBasinPage(const std::string& title, const std::vector<BasinSample>& samples) {
+  const auto num_successes =
+      static_cast<int>(std::count_if(samples.begin(), samples.end(), [](const BasinSample& sample) {
+        return sample.outcome == Outcome::kSuccess;
+      }));
+  const double radius = CalcBasinRadius(samples);
+  const Html body =
+      MakeParagraph(
+          "Basin radius " + FormatFixed(radius, 2) + ": all offsets nearer than " +
+          FormatFixed(MmFromM(radius * kBasinOffset), 1) + " mm or " +
+          FormatFixed(DegFromRad(radius * kBasinYaw), 1) +
+          " degrees (combined as an ellipsoid) have succeeded. An upper bound from the " +
+          "samples tried: " + FormatRate(num_successes, static_cast<int>(samples.size())) + ".") +
+      MakeFigure(
+          "The object's offset from where the hand expects it, joints without error; y "
+          "upwards [mm].",
+          "a gap of crosses near the middle, or crosses on one side only: the hand should "
+          "stand farther to that side. Large discs hold firmly (sigma).",
+          MakeScroll("Success by the object's offset", DrawMap(samples)));
+  return MakePage("Robustness basin", title, {}, body);
+}
+
+std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
+  const auto number = [](auto take) {
+    return [take](const BasinSample& sample) { return JsonNumber(take(sample)); };
+  };
+  const std::vector<CsvColumn<BasinSample>> columns = {
+      {"offset_x_m", "number", "m", "of the object",
+       number([](const BasinSample& sample) { return sample.offset_x; })},
+      {"offset_y_m", "number", "m", "of the object",
+       number([](const BasinSample& sample) { return sample.offset_y; })},
+      {"yaw_rad", "number", "rad", "of the object",
+       number([](const BasinSample& sample) { return sample.yaw; })},
+      {"distance", "number", "", "1 at the edge of the range", number(CalcBasinDistance)},
+      {"outcome", "string", "", "how the trial ended",
+       [](const BasinSample& sample) { return Json(NameOf(sample.outcome)); }},
+      {"sigma", "number", "N", "stability",
+       number([](const BasinSample& sample) { return sample.sigma; })}};
+  return FormatCsv(columns, samples);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,18 @@
+#pragma once
+/** @file
+The robustness basin of one grasp as a page: a map of offsets in slices of yaw, and its radius. */
+
+#include <string>
+#include <vector>
+
+#include "core/sim/basin.h"
+
+namespace graspbench {
+
+/** A self-contained page like the session's report. `title` names hand, object and grasp. */
+std::string MakeBasinPage(const std::string& title, const std::vector<BasinSample>& samples);
+
+/** One row per sample: offset_x_m, offset_y_m, yaw_rad, distance, outcome, sigma. */
+std::string FormatBasinCsv(const std::vector<BasinSample>& samples);
+
+}  // namespace graspbench

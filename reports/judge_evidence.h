@@ -1,0 +1,44 @@
+#pragma once
+/** @file
+How well measures of a grasp tell what the judge found: rank correlation with the smallest breaking
+force over all judged grasps, and how well measures taken before lift-off tell success. Intervals
+come from drawing cells (hand, object, grasp), because trials of one cell are alike. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/statistics/bootstrap.h"
+#include "datasets/trial_record.h"
+
+namespace graspbench {
+
+struct RankEvidence {
+  std::string measure;  ///< column of trials.csv
+  Answer<BootstrapInterval> correlation;
+};
+
+struct RocEvidence {
+  std::string measure;             ///< column of trials.csv
+  Answer<BootstrapInterval> area;  ///< under the curve; 0.5 is chance
+};
+
+/** How often two rules agree about a judged grasp. */
+struct Agreement {
+  int num_both = 0, num_neither = 0;
+  int num_first = 0, num_second = 0;  ///< passed by one of them alone
+};
+
+struct JudgeEvidence {
+  int num_judged = 0;
+  int num_cells = 0;                ///< with a judged grasp
+  std::vector<RankEvidence> ranks;  ///< larger is better, also for conventions that count down
+  std::vector<RocEvidence> roc;     ///< over all finished trials; missing values count as 0
+  std::vector<std::string> rules;   ///< names
+  std::vector<std::vector<Agreement>> agreements;  ///< (rules x rules)
+};
+
+JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records);
+Json ToJson(const JudgeEvidence& evidence);
+
+}  // namespace graspbench

@@ -1,0 +1,134 @@
+#include <algorithm>
+
+#include "core/base/units.h"
+#include "core/sim/verdicts.h"
+#include "reports/format.h"
+#include "reports/judge_evidence.h"
+#include "reports/layout.h"
+#include "reports/line_plot.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatInterval(const BootstrapInterval& value) {
+  return FormatFixed(value.estimate, 2) + " (" + FormatFixed(value.interval.low, 2) + " to " +
+         FormatFixed(value.interval.high, 2) + ")";
+}
+
+IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterval>& answer) {
+  IntervalPlot::Row row;
+  row.label = label;
+  if (answer) {
+    row.value = answer->estimate;
+    row.low = answer->interval.low;
+    row.high = answer->interval.high;
+    row.text = FormatInterval(*answer);
+  } else {
+    row.value = row.low = row.high = kUnset;
+    row.text = answer.reason();
+  }
+  return row;
+}
+
+Html DrawRanks(const JudgeEvidence& evidence) {
+  IntervalPlot plot;
+  plot.text.title = "How measures rank grasps against the force that breaks them";
+  plot.text.description = "Rank correlations with 95 % intervals, one row per measure.";
+  plot.axis = "Spearman's rank correlation with the smallest breaking force";
+  for (const RankEvidence& rank : evidence.ranks) {
+    plot.rows.push_back(MakeRow(rank.measure, rank.correlation));
+  }
+  return MakeFigure(
+      "Rank correlation of each measure (a column of trials.csv) with the smallest breaking "
+      "force, " +
+          FormatCount(evidence.num_judged, "judged grasp") + " of " +
+          FormatCount(evidence.num_cells, "cell") +
+          "; intervals at 95 % from drawing cells with replacement.",
+      "1 ranks as the judge does, 0 knows nothing of it. Names of epsilons are conventions; "
+      "dexgraspbench counts down and is taken with its sign turned.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawRoc(const JudgeEvidence& evidence) {
+  IntervalPlot plot;
+  plot.text.title = "How measures before lift-off tell success";
+  plot.text.description = "Areas under the ROC curve with 95 % intervals, one row per measure.";
+  plot.axis = "area under the ROC curve";
+  for (const RocEvidence& roc : evidence.roc) plot.rows.push_back(MakeRow(roc.measure, roc.area));
+  return MakeFigure(
+      "Area under the ROC curve for success, over all finished trials; a grasp that was never "
+      "closed counts as 0.",
+      "0.5 is chance, 1 tells every success from every failure before the lift.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawAgreement(const JudgeEvidence& evidence) {
+  std::vector<Column> columns = {{"Rule"}, {"passed", Align::kNumber, "judged grasps that pass"}};
+  for (const std::string& rule : evidence.rules) {
+    columns.push_back({rule, Align::kNumber, "share of judged grasps on which both rules agree"});
+  }
+  Table table("Share [%] of judged grasps on which two published rules agree.", columns);
+  for (size_t a = 0; a < evidence.rules.size(); ++a) {
+    std::vector<Html> row = {Text(evidence.rules[a]),
+                             Text(std::to_string(evidence.agreements[a][a].num_both) + " of " +
+                                  std::to_string(evidence.num_judged))};
+    for (const Agreement& agreement : evidence.agreements[a]) {
+      row.push_back(Text(FormatFixed(
+          100.0 * (agreement.num_both + agreement.num_neither) / evidence.num_judged, 1)));
+    }
+    table.AddRow(row);
+  }
+  std::vector<std::string> rules;
+  for (const VerdictRule& rule : ListVerdictRules()) {
+    rules.push_back(std::string(rule.name) + ": " + rule.rule + ".");
+  }
+  return table.ToHtml() + MakeDetails("The rules", MakeList(rules));
+}
+
+Html DrawCells(const ReportData& data) {
+  const Align number = Align::kNumber;
+  Table table("Held grasps by cell, medians.",
+              {{"Cell"},
+               {"Judged", number},
+               {"Breaking force [N]", number, "smallest of six pulls, on top of the weight"},
+               {"Lowest [N]", number},
+               {"Breaking moment [N mm]", number, "smallest of six twists"},
+               {"sigma [N]", number, "what the contacts' forces foretell"},
+               {"epsilon", number, "ferrari-canny, before lift-off"}});
+  for (const CellSummary& cell : data.summary.cells) {
+    std::vector<double> force, moment, sigma, epsilon;
+    for (const TrialRecord* record : cell.records) {
+      if (!record->judgement) continue;
+      force.push_back(record->judgement->breaking_force);
+      moment.push_back(MmFromM(record->judgement->breaking_moment));
+      sigma.push_back(record->result.stability.sigma);
+      epsilon.push_back(record->result.stability.stabilisation.quality);
+    }
+    if (force.empty()) continue;
+    const Spread force_spread = CalcSpread(force);
+    table.AddRow({LinkTo(cell.anchor, NameOfCell(cell, data.models)),
+                  Text(std::to_string(force.size())), Text(FormatFixed(force_spread.median, 2)),
+                  Text(FormatFixed(force_spread.lowest, 2)),
+                  Text(FormatFixed(CalcSpread(moment).median, 1)),
+                  Text(FormatFixed(CalcSpread(sigma).median, 2)),
+                  Text(FormatFixed(CalcSpread(epsilon).median, 3))});
+  }
+  return MakeDetails("Breaking loads of every cell", table.ToHtml());
+}
+
+Html Draw(const ReportData& data) {
+  const JudgeEvidence evidence = CalcJudgeEvidence(data.session.records);
+  if (evidence.num_judged == 0) {
+    return MakeParagraph(
+        "No grasp of this session has been judged. `graspbench judge` with the session's folder "
+        "pulls every held object until it leaves the hand, and adds what it finds here.");
+  }
+  return DrawRanks(evidence) + DrawRoc(evidence) + DrawAgreement(evidence) + DrawCells(data);
+}
+
+}  // namespace
+
+Section grasp_quality_section() { return {"quality", "Grasp quality", Draw}; }
+
+}  // namespace graspbench
