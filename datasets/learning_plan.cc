@@ -8,6 +8,13 @@
 
 namespace graspbench {
 
+namespace {
+
+/** Length of the hold from which a search takes its fitness [s]. */
+constexpr double kFitnessHoldTime = 0.5;
+
+}  // namespace
+
 std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   std::vector<ConfigProblem> problems;
   const auto check_range = [&](const char* key, int value, int low, int high) {
@@ -39,7 +46,9 @@ TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& input
   setup.object = inputs.object;
   setup.grasp = request.grasp;
   setup.strategy = config.strategy;
-  if (!request.hold) setup.strategy.hold_time = 0.0;
+  if (!request.full_hold) {
+    setup.strategy.hold_time = std::min(setup.strategy.hold_time, kFitnessHoldTime);
+  }
   setup.sim = config.sim;
   if (draw == 0) {
     setup.draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
@@ -61,7 +70,7 @@ std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& in
                         {"grasp", ToJson(request.grasp)},
                         {"variation", ConfigToJson(config.variation)},
                         {"strategy", ConfigToJson(config.strategy)},
-                        {"hold", request.hold},
+                        {"full_hold", request.full_hold},
                         {"sim", ConfigToJson(config.sim)},
                         {"seed", config.optimise.seed},
                         {"learning_draw", draw}};

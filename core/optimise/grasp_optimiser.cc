@@ -138,7 +138,7 @@ LearningRequest MakeRequest(const Hand& hand, const StandardGrasp& start, const 
   request.stage = stage;
   request.grasp = MakeGrasp(hand, start, step.joints, individual.genome);
   request.draws = draws;
-  request.hold = false;
+  request.full_hold = false;
   request.individual = individual;
   return request;
 }

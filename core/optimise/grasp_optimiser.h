@@ -61,7 +61,7 @@ struct LearningRequest {
   std::string stage;
   StandardGrasp grasp;
   std::vector<int> draws;  ///< 0: without variation
-  bool hold = true;        ///< with the hold after lift-off; the fitness does not need it
+  bool full_hold = true;   ///< else a hold of 0.5 s: enough to take the fitness from
   Individual individual;   ///< of the stages "search" and "finalist"
 };
 /** The trials of each request, in the order of the requests. */

@@ -17,7 +17,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result) {
   trial.draw = draw;
   trial.outcome = result.outcome;
   trial.sigma = std::isfinite(result.stability.sigma) ? result.stability.sigma : 0.0;
-  trial.stability = result.stability.stabilisation;
+  trial.stability = result.stability.hold;
   trial.contacts = result.contacts;
   trial.timing = result.timing;
   trial.opposing_gap = kFarAway;

@@ -19,7 +19,7 @@ struct LearningTrial {
   int draw = 0;  ///< number of the learning draw: 0 without any variation
   Outcome outcome = Outcome::kNotRun;
   double sigma = 0.0;
-  StabilityPart stability;             ///< of stabilisation: the factors of sigma
+  StabilityPart stability;             ///< of the hold, from which sigma comes
   std::vector<DigitContact> contacts;  ///< of the grasping digits
   std::vector<double> closings;        ///< s at their first touch; NaN: never
   double opposing_gap = 0.0;           ///< smallest distance of the opposing digit [m]

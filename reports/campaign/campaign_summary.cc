@@ -44,6 +44,13 @@ const std::vector<VariantMeasure>& ListVariantMeasures() {
          const double sigma = r.result.stability.sigma;
          return std::isfinite(sigma) ? sigma : 0.0;
        }},
+      {"breaking force [N]",
+       "smallest pull in six directions that breaks the grasp; 0 when the object was lost", 1.0, 2,
+       true, true,
+       [](const TrialRecord& r) {
+         if (r.judgement) return r.judgement->breaking_force;
+         return r.result.outcome == Outcome::kSuccess ? kMissing : 0.0;
+       }},
       {"GFT% [%]", "grasp forming time over grasp closure time", 100.0, 1, false, false,
        [](const TrialRecord& r) { return r.result.timing.gft_ratio; }},
       {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false, false,

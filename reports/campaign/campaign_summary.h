@@ -3,8 +3,8 @@
 What the sections of a campaign's report show, counted once from its stored results: three variants
 of every scene's grasp, tried on the same trial poses, so that trials of the same number are pairs.
 
-A cell's value of a measure is the mean over its trials for what every trial has (success, sigma)
-and the median over the trials that have it for the others. */
+A cell's value of a measure is the mean over its trials for what every trial has (success, sigma,
+breaking force) and the median over the trials that have it for the others. */
 
 #include <array>
 #include <functional>

@@ -13,6 +13,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "datasets/campaign_store.h"
+#include "datasets/judgement_store.h"
 #include "reports/campaign/campaign_report.h"
 #include "reports/format.h"
 #include "workbench/batch_runner.h"
@@ -143,7 +144,30 @@ class CampaignRun {
       progress.Finish();
       CheckComplete(is_complete);
     }
+    Judge(inputs);
     ExportSession(folder, LoadSession(folder));
+  }
+
+  /** Breaks what the benchmark held. */
+  void Judge(const SessionInputs& inputs) {
+    const fs::path folder = folder_ / "benchmark";
+    const Session session = LoadSession(folder);
+    const std::vector<PlannedTrial> trials = FindUnjudged(session);
+    std::cerr << "judge: " << FormatCount(static_cast<int>(trials.size()), "held grasp")
+              << " to break\n";
+    if (trials.empty()) return;
+    Progress progress(stderr, static_cast<int>(trials.size()), {});
+    const bool is_complete = Record([&](RunRecord& record, const auto& seconds) {
+      return RunBatch(
+          trials, num_workers_, MakeJudgeWorkers(session, inputs, folder),
+          [&](const BatchStatus& status) {
+            record.num_trials = status.num_done;
+            progress.Show(status, seconds());
+          },
+          stop_);
+    });
+    progress.Finish();
+    CheckComplete(is_complete);
   }
 
   /** Runs `work(record, seconds since its start)` and adds it to run.json. */

@@ -56,13 +56,16 @@ Html Draw(const CampaignData& data) {
   if (data.benchmark.hands.empty()) return MakeParagraph("There is nothing to compare.");
   const VariantMeasure& gft = FindVariantMeasure("GFT%");
   const VariantMeasure& sigma = FindVariantMeasure("sigma");
+  const VariantMeasure& breaking = FindVariantMeasure("breaking");
   return DrawDifferences(data, gft, kStandardGrasp, kNewPreGrasp,
                          "rows left of zero: there step 1 made the contacts more simultaneous.") +
          DrawDifferences(data, sigma, kStandardGrasp, kNewPreGrasp,
                          "rows right of zero: simultaneous contacts made the grasp firmer.") +
          DrawDifferences(data, sigma, kNewPreGrasp, kNewTarget,
                          "rows right of zero: there the evolved thumb made the grasp firmer, also "
-                         "on poses that the evolution had not seen.");
+                         "on poses that the evolution had not seen.") +
+         DrawDifferences(data, breaking, kNewPreGrasp, kNewTarget,
+                         "rows right of zero: what is firmer by sigma also stands a harder pull.");
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ Html Draw(const CampaignData& data) {
       "The benchmark tries all variants on the same " + FormatCount(session.trials, "trial pose") +
       ": object moved by up to " + FormatFixed(MmFromM(session.variation.offset), 1) +
       " mm and turned by up to " + FormatFixed(DegFromRad(session.variation.yaw), 1) +
-      " degrees, an error of the hand's joint accuracy in every drive. Its draws, those of the "
+      " degrees, an error of the hand's joint accuracy in every drive. What is held at the end is "
+      "pulled in six directions until it leaves the hand: the breaking force. The draws, those of "
+      "the "
       "search and those of the checks come from different random streams. Intervals are 95 % "
       "bootstrap intervals (BCa). Steps and measures are named by F. Röthling's thesis (Bielefeld, "
       "2007); the rules of step 1, the search and the formula of sigma are graspbench's.");

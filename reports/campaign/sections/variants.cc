@@ -23,8 +23,8 @@ Html Draw(const CampaignData& data) {
     columns.push_back({measure.name, Align::kNumber, measure.meaning});
   }
   Table table(
-      "Standard grasp / new pre-grasp / new target grasp. Success and sigma are means over the "
-      "trials, the others medians over the trials that have them.",
+      "Standard grasp / new pre-grasp / new target grasp. Success, sigma and breaking force "
+      "are means over the trials, the others medians over the trials that have them.",
       columns);
   for (const SceneVariants& scene : data.scenes) {
     std::vector<Html> row = {LinkTo(scene.anchor, data.NameOfScene(scene)),
