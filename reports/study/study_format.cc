@@ -32,16 +32,12 @@ std::string FormatWithUnit(double value, const std::string& si_unit) {
 
 std::string FormatP(double p) { return p < 0.001 ? "< 0.001" : FormatFixed(p, 3); }
 
-std::string FormatTest(const WithinEffect& effect, const WithinTest& test) {
-  const CorrectedF& corrected = test.greenhouse_geisser;
-  const bool is_corrected = effect.df_effect > 1.0;
-  return "F(" + FormatSignificant(corrected.df_effect, 3) + ", " +
-         FormatSignificant(corrected.df_error, 3) + ") = " + FormatFixed(test.f, 2) + ", p " +
-         (corrected.p < 0.001 ? "" : "= ") + FormatP(corrected.p) +
-         (is_corrected ? " (Greenhouse-Geisser)" : "") + ", generalised eta squared " +
-         FormatFixed(test.generalised_eta_squared, 2);
-}
-
 std::string NameOfCell(const std::string& cell) { return cell.empty() ? "all trials" : cell; }
+
+std::string DescribeFactors(const std::vector<Factor>& factors) {
+  std::string text;
+  for (const Factor& factor : factors) text += (text.empty() ? " by " : ", ") + factor.name;
+  return text;
+}
 
 }  // namespace graspbench

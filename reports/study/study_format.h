@@ -4,6 +4,7 @@ How the numbers of a study are printed: times in milliseconds, lengths in millim
 cent; heads carry the unit, cells the number alone. */
 
 #include <string>
+#include <vector>
 
 #include "human_study/measures/trial_analysis.h"
 #include "human_study/study/study_statistics.h"
@@ -28,10 +29,9 @@ std::string FormatWithUnit(double value, const std::string& si_unit);
 
 /** "0.034", "< 0.001". */
 std::string FormatP(double p);
-/** "F(2.1, 14.7) = 12.34, p = 0.002 (Greenhouse-Geisser), generalised eta squared 0.31". */
-std::string FormatTest(const WithinEffect& effect, const WithinTest& test);
-
 /** "30, left"; "all trials" for a study without factors. */
 std::string NameOfCell(const std::string& cell);
+/** " by diameter_m, side" for captions; empty for a study without factors. */
+std::string DescribeFactors(const std::vector<Factor>& factors);
 
 }  // namespace graspbench

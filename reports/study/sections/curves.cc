@@ -45,8 +45,9 @@ Html Draw(const StudyPageData& data) {
                           std::to_string(kMaxCurves) + " are drawn.");
   }
   return html +
-         MakeFigure("Mean opening of each condition (" + std::string(opening.id) +
-                        ") from the onset of the movement to the last contact; bands are one "
+         MakeFigure("Mean opening of each condition (" + std::string(opening.id) + ")" +
+                        DescribeFactors(data.result.study.factors) +
+                        ", from the onset of the movement to the last contact; bands are one "
                         "standard deviation over trials.",
                     "a rise to the widest opening at 60 to 80 % and a fall to the object's size; "
                     "curves of larger objects lie higher.",

@@ -10,8 +10,7 @@ namespace graspbench {
 namespace {
 
 std::string NameRow(const Universe& universe) {
-  return universe.onset + " \u00B7 " + universe.opening + " \u00B7 " +
-         FormatSignificant(universe.cutoff, 3) + " Hz";
+  return universe.opening + ", " + FormatSignificant(universe.cutoff, 3) + " Hz";
 }
 
 size_t FindPlace(std::vector<std::string>& names, const std::string& name) {
@@ -70,39 +69,51 @@ std::string DescribeVerdicts(const std::vector<Universe>& universes) {
   return text;
 }
 
-Html Draw(const StudyPageData& data) {
-  const StudyResult& result = data.result;
-  if (result.universes.empty()) return MakeParagraph("No trial counts.");
-  const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
+/** The universes of one onset rule: opening and cut-off down, detectors across. */
+Html DrawMap(const StudyResult& result, const std::string& onset, const TrialMeasure& measure) {
   HeatMap map;
-  map.text.title = "The main test under every choice";
-  map.text.description =
-      std::string(measure.name) + " by onset rule, opening, cut-off and detector.";
+  map.text.title = "The main test under every choice, onset by " + onset;
+  map.text.description = std::string(measure.name) + " by opening, cut-off and detector.";
   for (const Universe& universe : result.universes) {
     FindPlace(map.rows, NameRow(universe));
     FindPlace(map.columns, universe.detector);
   }
   map.cells.resize(map.rows.size() * map.columns.size());
-  bool has_test = false;
   for (const Universe& universe : result.universes) {
+    if (universe.onset != onset) continue;
     const size_t row = FindPlace(map.rows, NameRow(universe));
     const size_t column = FindPlace(map.columns, universe.detector);
     map.cells[row * map.columns.size() + column] = MakeCell(universe, measure.unit);
-    has_test |= universe.test.has_value();
   }
+  return MakeParagraph("Onset by " + onset + ":") + MakeScroll(map.text.title, DrawHeatMap(map));
+}
+
+Html Draw(const StudyPageData& data) {
+  const StudyResult& result = data.result;
+  if (result.universes.empty()) return MakeParagraph("No trial counts.");
+  const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
+  const bool has_test = std::any_of(result.universes.begin(), result.universes.end(),
+                                    [](const Universe& u) { return u.test.has_value(); });
   const std::string what =
       has_test
           ? "p of the effect of " + result.study.factors.front().name +
                 " (Greenhouse-Geisser); the shade is partial eta squared."
           : "Medians, because there is no test: " + result.universes.front().test.reason() + ".";
+  std::vector<std::string> onsets;
+  Html maps;
+  for (const Universe& universe : result.universes) {
+    const size_t num_known = onsets.size();
+    if (FindPlace(onsets, universe.onset) == num_known) {
+      maps += DrawMap(result, universe.onset, measure);
+    }
+  }
   return MakeParagraph("Every threshold is a choice. The main measure, " +
                        std::string(measure.name) +
                        ", under each combination of onset rule, measure of opening, cut-off of the "
                        "contact detectors (rows) and detector (columns). " +
                        DescribeVerdicts(result.universes)) +
          MakeFigure(what + " \u25B6 marks the study's own choices.",
-                    "whether the answer hangs on one choice.",
-                    MakeScroll(map.text.title, DrawHeatMap(map)));
+                    "whether the answer hangs on one choice.", maps);
 }
 
 }  // namespace

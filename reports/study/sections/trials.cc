@@ -56,6 +56,11 @@ Html DrawOpening(const StudyTrial& trial) {
   return MakeScroll(plot.text.title, DrawLinePlot(plot));
 }
 
+/** Two letters, as many as tell them apart. */
+std::string CodeOf(const ContactDetector& detector) {
+  return std::string(detector.id).substr(0, 2);
+}
+
 /** One row a digit: a mark a detector, a span of the believed one's 95 %. */
 Html DrawContacts(const StudyTrial& trial) {
   const std::vector<ContactDetector>& detectors = ContactDetectorList();
@@ -75,7 +80,7 @@ Html DrawContacts(const StudyTrial& trial) {
     for (size_t i = 0; i < detectors.size(); ++i) {
       const EventTime& event = digit.by_detector[i];
       if (!event.IsFound()) continue;
-      row.marks.push_back({event.time, std::string(1, detectors[i].id[0]),
+      row.marks.push_back({event.time, CodeOf(detectors[i]),
                            std::string(detectors[i].id) + ": " + FormatValue(event.time, "s") +
                                " ms" + (event.is_in_gap ? ", in a gap" : "") +
                                (event.is_filled ? ", filled" : "")});
@@ -101,7 +106,7 @@ Html Draw(const StudyPageData& data) {
   if (trials.empty()) return MakeParagraph("No trial could be analysed.");
   std::string legend;
   for (const ContactDetector& detector : ContactDetectorList()) {
-    legend += (legend.empty() ? "" : ", ") + std::string(1, detector.id[0]) + " " + detector.id;
+    legend += (legend.empty() ? "" : ", ") + CodeOf(detector) + " " + detector.id;
   }
   std::string text = "Detectors: " + legend + ". All events of all trials stand in events.csv.";
   if (trials.size() == kMaxDrawn && data.result.trials.size() > kMaxDrawn) {
