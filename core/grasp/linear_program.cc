@@ -1,5 +1,6 @@
 #include "core/grasp/linear_program.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,11 @@
 namespace graspbench {
 namespace {
 
-constexpr double kZero = 1e-11;          // smaller gains are rounding
-constexpr double kSmallestPivot = 1e-9;  // smaller ones would blow rounding up
-constexpr double kRoundingGain = 1e-7;   // relative to the largest objective coefficient
+constexpr double kZero = 1e-11;            // smaller gains are rounding
+constexpr double kSmallestPivot = 1e-9;    // smaller ones would blow rounding up
+constexpr double kTie = 1e-12;             // ratios that differ by less are equal but for rounding
+constexpr Eigen::Index kStableSteps = 20;  // per row and column, before Bland's rule
+constexpr double kRoundingGain = 1e-7;     // relative to the largest objective coefficient
 
 }  // namespace
 
@@ -33,9 +36,13 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
 
   const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
   LinearProgramResult result;
-  for (;;) {
-    // Bland's rule: the first variable that gains enters; of the tightest rows the one with the
-    // first variable leaves. A tiny gain that no row limits is rounding, not a way to infinity.
+  const Eigen::Index num_stable_steps = kStableSteps * (num_rows + num_columns);
+  for (Eigen::Index step = 0;; ++step) {
+    // The first variable that gains enters. Of the tightest rows the one with the largest pivot
+    // leaves, which keeps rounding small; should that go on for too long, it might cycle, and the
+    // one with the first variable leaves instead (Bland's rule). A tiny gain that no row limits is
+    // rounding, not a way to infinity.
+    const bool is_stable = step < num_stable_steps;
     Eigen::Index enter = -1, leave = -1;
     for (Eigen::Index column = 0; column < num_columns && leave < 0; ++column) {
       const double gain = -tableau(num_rows, column);
@@ -45,7 +52,11 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
       for (Eigen::Index row = 0; row < num_rows; ++row) {
         if (tableau(row, enter) <= kSmallestPivot) continue;
         const double ratio = tableau(row, num_columns) / tableau(row, enter);
-        if (leave < 0 || ratio < tightest || (ratio == tightest && basis[row] < basis[leave])) {
+        const bool is_tie = leave >= 0 && std::abs(ratio - tightest) <= kTie;
+        const bool wins_tie =
+            is_tie && (is_stable ? tableau(row, enter) > tableau(leave, enter)
+                                 : ratio == tightest && basis[row] < basis[leave]);
+        if (leave < 0 || wins_tie || (ratio < tightest && (!is_tie || !is_stable))) {
           leave = row;
           tightest = ratio;
         }

@@ -5,9 +5,9 @@ A small dense linear program:
     maximise c.x   subject to   A x <= b,  x >= 0,      with b >= 0
 
 so that x = 0 is feasible and no first phase is needed. An equality is two inequalities. Simplex
-method on a full tableau with Bland's rule (R. G. Bland, Math. Oper. Res. 2, 1977), which cannot
-cycle; our programs are degenerate throughout (b = 0 in every row of the force balance), where
-faster rules can.
+method on a full tableau. Our programs are degenerate throughout (b = 0 in every row of the force
+balance): of the rows that tie the largest pivot is taken, so that rounding stays small, and if that
+takes too long Bland's rule, which cannot cycle (R. G. Bland, Math. Oper. Res. 2, 1977).
 
 Meant for what this folder needs: up to a few dozen rows and a few hundred variables of similar
 size, the same bits on every run, from any thread, and no package for it. For anything larger take a

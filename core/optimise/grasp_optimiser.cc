@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -53,6 +54,29 @@ bool IsOutOfReach(Outcome outcome) {
   return outcome == Outcome::kPushedAway || outcome == Outcome::kKnockedOver;
 }
 
+/** A change that is too much at once is tried in parts. */
+struct ChangePart {
+  const char* suffix;
+  double share;
+};
+constexpr ChangePart kChangeParts[] = {{"", 1.0}, {", half", 0.5}, {", quarter", 0.25}};
+
+LearnedPreGrasp TakePart(const Hand& hand, const StandardGrasp& grasp, LearnedPreGrasp learned,
+                         double share) {
+  learned.q_pre = grasp.q_pre + share * (learned.q_pre - grasp.q_pre);
+  ApplyCoupling(hand, learned.q_pre);
+  learned.share *= share;
+  learned.opening = CalcOpening(hand, grasp, learned.q_pre);
+  return learned;
+}
+
+/** At least as often successful, and more simultaneous. */
+bool IsBetter(const std::vector<LearningTrial>& trials,
+              const std::vector<LearningTrial>& standard) {
+  return CountSuccesses(trials) >= CountSuccesses(standard) &&
+         CalcMedianGftRatio(trials) < CalcMedianGftRatio(standard);
+}
+
 /** Chooses among the shots, or says why none of them is taken. */
 void Choose(PreGraspStep& step) {
   double lowest = CalcMedianGftRatio(step.standard_trials);
@@ -86,18 +110,27 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const StandardGrasp& start,
   StandardGrasp grasp = start;
   LearningTrial lesson = step.standard_trials.front();
   for (const char* name : {"one-shot", "two-shot"}) {
-    PreGraspShot shot;
-    shot.name = name;
     if (lesson.closings.empty()) break;  // the simulation gave up
-    shot.learned = LearnPreGrasp(hand, grasp, lesson.closings);
-    if (shot.learned.share == 0.0) break;
-    shot.was_pushed_away = IsOutOfReach(lesson.outcome);
-    grasp.q_pre = shot.learned.q_pre;
-    grasp = RoundAngles(hand, grasp, made_from);
-    shot.grasp = grasp;
-    shot.trials = RunOne(run, name, grasp, draws);
-    lesson = shot.trials.front();
-    step.shots.push_back(shot);
+    const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, lesson.closings);
+    if (learned.share == 0.0) break;
+    const size_t first = step.shots.size();
+    for (const ChangePart& part : kChangeParts) {
+      PreGraspShot shot;
+      shot.name = std::string(name) + part.suffix;
+      shot.learned = TakePart(hand, grasp, learned, part.share);
+      shot.was_pushed_away = IsOutOfReach(lesson.outcome);
+      shot.grasp = grasp;
+      shot.grasp.q_pre = shot.learned.q_pre;
+      shot.grasp = RoundAngles(hand, shot.grasp, made_from);
+      shot.trials = RunOne(run, name, shot.grasp, draws);
+      step.shots.push_back(shot);
+      if (IsBetter(shot.trials, step.standard_trials)) break;
+    }
+    // The next shot learns from what was good, or else from the whole change.
+    const bool is_good = IsBetter(step.shots.back().trials, step.standard_trials);
+    const PreGraspShot& base = is_good ? step.shots.back() : step.shots[first];
+    grasp = base.grasp;
+    lesson = base.trials.front();
   }
   Choose(step);
   return step;
@@ -206,7 +239,9 @@ double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
 }
 
 int CountLearningTrials(const OptimiseConfig& config) {
-  const int step1 = config.step == "2" ? 0 : 3 * config.check_trials;
+  const int step1 = config.step == "2"
+                        ? 0
+                        : (1 + 2 * static_cast<int>(std::size(kChangeParts))) * config.check_trials;
   const int step2 = config.step == "1"
                         ? 0
                         : config.evaluations * config.fitness_trials +

@@ -4,7 +4,8 @@ Makes a standard grasp object-specific in simulation, in two steps (Roethling 20
 
 1. the new pre-grasp, learned in one or two shots (pregrasp_learning.h): shot 1 learns from the
    standard grasp's trial without variation, shot 2 from that of shot 1, because early contacts had
-   moved the object;
+   moved the object; where the whole change does not pass the check, half and a quarter of it are
+   tried;
 2. the new target grasp: the opposing digit's (the thumb's) target angles, evolved from there within
    the joint limits and +-25 deg; fitness sigma (learning_trial.h).
 
@@ -69,7 +70,7 @@ using RunLearningTrials =
     std::function<std::vector<std::vector<LearningTrial>>(const std::vector<LearningRequest>&)>;
 
 struct PreGraspShot {
-  std::string name;  ///< "one-shot", "two-shot"
+  std::string name;  ///< "one-shot", "two-shot", also with ", half" or ", quarter"
   LearnedPreGrasp learned;
   bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
   StandardGrasp grasp;           ///< with the new pre-grasp

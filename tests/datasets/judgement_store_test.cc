@@ -53,7 +53,9 @@ TEST_F(JudgementStore, HeldTrialsAreJudgedOnce) {
   unjudged.erase(unjudged.begin());
   EXPECT_EQ(FindUnjudged(session).size(), unjudged.size());
   for (const TrialRecord& record : session.records) {
-    if (record.judgement) EXPECT_EQ(ToJson(*record.judgement), ToJson(MakeJudgement(2.5)));
+    if (record.judgement) {
+      EXPECT_EQ(ToJson(*record.judgement), ToJson(MakeJudgement(2.5)));
+    }
   }
 }
 

@@ -169,11 +169,21 @@ TEST(TrialTable, JudgedTrialsHaveTheJudgesColumns) {
       EXPECT_TRUE(column.value(records[0]).is_null());
       EXPECT_EQ(column.value(records[1]), 2.0);
     }
-    if (column.name == "breaking_direction") EXPECT_EQ(column.value(records[1]), "force -y");
-    if (column.name == "epsilon_dex_net") EXPECT_EQ(column.value(records[1]), 0.25);
-    if (column.name == "epsilon_simox") EXPECT_TRUE(column.value(records[1]).is_null());
-    if (column.name == "verdict_graspa") EXPECT_EQ(column.value(records[1]), 1);
-    if (column.name == "verdict_lift_off") EXPECT_EQ(column.value(records[1]), 0);
+    if (column.name == "breaking_direction") {
+      EXPECT_EQ(column.value(records[1]), "force -y");
+    }
+    if (column.name == "epsilon_dex_net") {
+      EXPECT_EQ(column.value(records[1]), 0.25);
+    }
+    if (column.name == "epsilon_simox") {
+      EXPECT_TRUE(column.value(records[1]).is_null());
+    }
+    if (column.name == "verdict_graspa") {
+      EXPECT_EQ(column.value(records[1]), 1);
+    }
+    if (column.name == "verdict_lift_off") {
+      EXPECT_EQ(column.value(records[1]), 0);
+    }
   }
 }
 

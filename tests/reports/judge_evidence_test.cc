@@ -31,7 +31,9 @@ TEST(JudgeEvidence, RanksMeasuresAgainstTheBreakingForce) {
   EXPECT_EQ(evidence.num_cells, 12);
   for (const RankEvidence& rank : evidence.ranks) {
     // The intervals of perfect order are no intervals; then the reason stands in their place.
-    if (rank.measure == "volume") EXPECT_FALSE(rank.correlation);
+    if (rank.measure == "volume") {
+      EXPECT_FALSE(rank.correlation);
+    }
     if (rank.measure == "sigma" && rank.correlation) {
       EXPECT_DOUBLE_EQ(rank.correlation->estimate, 1.0);
     }

@@ -229,8 +229,7 @@ std::vector<KnownAnswer> CheckCouplingRules() {
   }
   answers.push_back({"rule middle-first: motion of J2 while J1 opens", "rad", 0.0, moved, 1e-12});
   answers.push_back(
-      {"rule middle-first: J1 at its stop", "deg", 0.0,
-                     DegFromRad(world.state().q[distal]), 0.2});
+      {"rule middle-first: J1 at its stop", "deg", 0.0, DegFromRad(world.state().q[distal]), 0.2});
   return answers;
 }
 

@@ -124,7 +124,8 @@ TEST(OptimiseGrasp, KeepsTheStandardPreGraspWhenTheNewOneSucceedsLessOften) {
       OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
   EXPECT_EQ(result.pregrasp_step.chosen, -1);
   EXPECT_EQ(result.pregrasp_step.verdict, "standard kept: the new pre-grasp succeeded less often");
-  EXPECT_TRUE(result.pregrasp_step.shots[1].was_pushed_away);
+  ASSERT_EQ(result.pregrasp_step.shots.size(), 6u);  // the whole change, half and a quarter, twice
+  EXPECT_TRUE(result.pregrasp_step.shots.back().was_pushed_away);
   EXPECT_EQ(result.new_pregrasp.q_pre, fake.first_q_pre);
 }
 
