@@ -26,6 +26,8 @@ class TrialCourse {
   bool is_held() const { return is_held_; }
   /** @pre is_held() */
   Judgement Judge() const;
+  /** What the hand was last asked for, to go on from there. */
+  const WorldCommand& last_command() const { return command_; }
 
  private:
   void Start();
