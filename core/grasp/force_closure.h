@@ -31,7 +31,7 @@ enum class ForceLimit {
 
 with the weights lambda_j in newtons of normal force (of total force where the generators have unit
 total force). With kSum, the distance from the origin to the hull along the direction, thus never
-below epsilon. 0 if the direction cannot be served at all.
+below epsilon. 0 if the direction cannot be served at all; NaN should rounding defeat the program.
 
 Source: Haschke, Steil, Steuwer, Ritter, "Task-oriented quality measures for dextrous grasping",
 CIRA 2005, with its conic constraints replaced by the pyramids of wrench_space.h (a linear program).

@@ -39,7 +39,7 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
     return DegFromRad(step.at(key).at(i).get<double>());
   };
   for (size_t i = 0; i < step.at("joints").size(); ++i) {
-    const double before = angle("start_rad", i), after = angle("best_rad", i);
+    const double before = angle("start_rad", i), after = angle("found_rad", i);
     table.AddRow({Text(step.at("joints").at(i).get<std::string>()), Text(FormatFixed(before, 1)),
                   Text(FormatFixed(after, 1)), Text(FormatFixed(after - before, 1)),
                   Text(FormatFixed(angle("lower_rad", i), 1) + " to " +
@@ -49,7 +49,7 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
 }
 
 Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
-  Html content = Element("h4", {}, data.NameOfScene(scene) + ", " + NameOfGrasp(scene.grasp));
+  Html content = Element("h3", {}, data.NameOfScene(scene) + ", " + NameOfGrasp(scene.grasp));
   const Json& result = scene.scene->result;
   if (result.is_null()) {
     content += MakeParagraph("Not finished.");

@@ -25,7 +25,7 @@ Campaign MakeCampaign() {
                      {{"verdict", "taken"},
                       {"joints", {"THJ1"}},
                       {"start_rad", {0.5}},
-                      {"best_rad", {0.25}},
+                      {"found_rad", {0.25}},
                       {"lower_rad", {0.1}},
                       {"upper_rad", {0.9}}}}};
     campaign.scenes.push_back(scene);
