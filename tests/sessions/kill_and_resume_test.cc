@@ -135,7 +135,9 @@ std::vector<fs::path> ListResults(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path path = entry.path().lexically_relative(folder);
-    const bool is_worker_journal = path.parent_path() == fs::path("benchmark") / "journal";
+    const fs::path benchmark = "benchmark";
+    const bool is_worker_journal =
+        path.parent_path() == benchmark / "journal" || path.parent_path() == benchmark / "judge";
     if (entry.is_regular_file() && path.filename() != "run.json" && !is_worker_journal) {
       files.push_back(path);
     }
