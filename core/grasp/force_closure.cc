@@ -29,9 +29,9 @@ double CalcTaskForce(const ConeWrenches& cones, const Eigen::Matrix<double, 6, 1
   if (cones.contact_indices.empty()) return 0.0;
   const Eigen::Index num_generators = cones.wrenches.cols();
   const int num_limits = limit == ForceLimit::kSum ? 1 : cones.contact_indices.back() + 1;
-  // Variables: the weights, then s. Rows: W lambda - s d <= 0, the same >= 0, the limits, and a bound
-  // on s that it cannot reach, so that rounding never looks like a way to infinity. Dividing by the
-  // largest wrench makes all entries at most one, so |W lambda| <= sqrt(6) num_limits.
+  // Variables: the weights, then s. Rows: W lambda - s d <= 0, the same >= 0, the limits, and a
+  // bound on s that it cannot reach, so that rounding never looks like a way to infinity. Dividing
+  // by the largest wrench makes all entries at most one, so |W lambda| <= sqrt(6) num_limits.
   const double scale = cones.wrenches.cwiseAbs().maxCoeff();
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(13 + num_limits, num_generators + 1);
   A.topLeftCorner(6, num_generators) = cones.wrenches / scale;
