@@ -1,3 +1,4 @@
+#include "datasets/judgement_store.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/format.h"
 
@@ -21,6 +22,11 @@ Html Draw(const CampaignData& data) {
   const int numerical = data.benchmark.total.CountOf(Outcome::kNumericalFailure);
   if (numerical > 0) {
     findings.push_back(FormatCount(numerical, "benchmark trial") + " failed numerically");
+  }
+  const size_t num_unjudged = FindUnjudged(data.campaign.benchmark).size();
+  if (num_unjudged > 0) {
+    findings.push_back(FormatCount(static_cast<int>(num_unjudged), "held grasp") +
+                       " not judged yet: breaking forces are incomplete and too low");
   }
   if (findings.empty()) return MakeParagraph("None.");
   return MakeList(findings);

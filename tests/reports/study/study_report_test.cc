@@ -1,6 +1,7 @@
 #include "reports/study/study_report.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -17,7 +18,8 @@ namespace fs = std::filesystem;
 /** A small made-up study, analysed once for all tests. */
 const StudyResult& SmallStudy() {
   static const StudyResult result = [] {
-    const fs::path folder = fs::path(::testing::TempDir()) / "study_report_test";
+    const fs::path folder =
+        fs::path(::testing::TempDir()) / ("study_report_test_" + std::to_string(::getpid()));
     fs::remove_all(folder);
     SyntheticOptions options;
     options.seed = "study_report_test";
