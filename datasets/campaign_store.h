@@ -6,16 +6,16 @@ search methods are compared over several seeds. Its folder:
 
     campaign.json                       frozen configuration, schema and program version
     scenes/<hand>-<object>/             one optimised scene each, see scene_store.h
-    benchmark/                          a session (session_store.h) of all three variants; its
-grasps are the best standard one, "new-pregrasp" and "new-target"
+    benchmark/                          a session (session_store.h) of all three variants, judged;
+                                        grasps: the standard one, "new-pregrasp", "new-target"
     comparison/<hand>-<object>/<method>-<seed>.jsonl
                                         one search each, an evaluation journal; all start from the
                                         scene's new pre-grasp
     summary.csv                         one row per scene and variant, of the benchmark's trials
     comparison.csv                      one row per search: best fitness, evaluations to 90 %
 
-Same promise as for sessions: the same bytes, run.json aside, for any number of workers and
-interruptions. */
+Same promise as for sessions: the same bytes for any number of workers and interruptions, run.json
+and the benchmark's journals of each worker aside. */
 
 #include <filesystem>
 #include <string>

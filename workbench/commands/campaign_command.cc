@@ -131,18 +131,8 @@ class CampaignRun {
     if (!trials.empty()) {
       std::map<Outcome, int> before;
       for (const TrialRecord& finished : session.records) ++before[finished.result.outcome];
-      Progress progress(stderr, static_cast<int>(plan.size()), before);
-      const bool is_complete = Record([&](RunRecord& record, const auto& seconds) {
-        return RunBatch(
-            trials, num_workers_, MakeSessionWorkers(config, inputs, folder),
-            [&](const BatchStatus& status) {
-              record.num_trials = status.num_done;
-              progress.Show(status, seconds());
-            },
-            stop_);
-      });
-      progress.Finish();
-      CheckComplete(is_complete);
+      RunTrials(trials, Progress(stderr, static_cast<int>(plan.size()), before),
+                MakeSessionWorkers(config, inputs, folder));
     }
     Judge(inputs);
     ExportSession(folder, LoadSession(folder));
@@ -156,10 +146,15 @@ class CampaignRun {
     std::cerr << "judge: " << FormatCount(static_cast<int>(trials.size()), "held grasp")
               << " to break\n";
     if (trials.empty()) return;
-    Progress progress(stderr, static_cast<int>(trials.size()), {});
+    RunTrials(trials, Progress(stderr, static_cast<int>(trials.size()), {}),
+              MakeJudgeWorkers(session, inputs, folder));
+  }
+
+  void RunTrials(const std::vector<PlannedTrial>& trials, Progress progress,
+                 const MakeBatchWorker& make_worker) {
     const bool is_complete = Record([&](RunRecord& record, const auto& seconds) {
       return RunBatch(
-          trials, num_workers_, MakeJudgeWorkers(session, inputs, folder),
+          trials, num_workers_, make_worker,
           [&](const BatchStatus& status) {
             record.num_trials = status.num_done;
             progress.Show(status, seconds());

@@ -12,8 +12,9 @@ Html Draw(const CampaignData& data) {
   Html html = MakeParagraph(
       "Step 1 records at which share of the closing law each digit first touches the object, and "
       "moves the pre-grasp so that all of them would do so at one common share, as wide as joint "
-      "limits and an opening of 20 mm more than the object allow. It is done once and again from "
-      "its own result; of the standard pre-grasp and the two new ones that is kept which succeeds "
+      "limits and an opening of 20 mm more than the object allow. Where the whole change does not "
+      "pass the check, half and a quarter of it are tried. It is done once and again from its own "
+      "result; of the standard pre-grasp and the new ones that is kept which succeeds "
       "at least as often and has the lowest median GFT% in " +
       FormatCount(optimise.check_trials, "check trial") + ".");
   html += MakeParagraph(
@@ -22,8 +23,10 @@ Html Draw(const CampaignData& data) {
       optimise.method + "\" with " + FormatCount(optimise.evaluations, "evaluation") + " of " +
       FormatCount(optimise.fitness_trials, "trial") +
       " each. The fitness is the stability sigma; where the thumb never touches, minus its "
-      "smallest distance to the object. The best individual is kept when it succeeds at least as "
-      "often and has a higher mean sigma in check trials that the search had not seen.");
+      "smallest distance to the object. The ten fittest individuals that differ clearly are tried "
+      "again on drawn trials; the one with the highest mean sigma is kept when in further trials, "
+      "seen by none of this, it succeeds at least as often and has a higher mean sigma than "
+      "before.");
   html += MakeParagraph(
       "The benchmark tries all variants on the same " + FormatCount(session.trials, "trial pose") +
       ": object moved by up to " + FormatFixed(MmFromM(session.variation.offset), 1) +

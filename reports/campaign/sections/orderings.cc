@@ -102,7 +102,7 @@ Html DrawTape(const SceneVariants& scene) {
 }
 
 Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObject& object) {
-  constexpr double kClearTurn_deg = 5.0;
+  constexpr double kClearTurnDeg = 5.0;
   constexpr double kCubeHeight = 0.031;  ///< the blades lie on the cube [m]
   Table table("Toy propeller, TUM Hand.", MakeColumns());
   std::array<ThumbPlace, kNumVariants> places;
@@ -117,7 +117,7 @@ Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObje
          describe(places[kStandardGrasp]), places[kStandardGrasp].height > kCubeHeight);
   AddRow(
       table, "After step 1 the contacts are between the blades.", describe(places[kNewPreGrasp]),
-      places[kNewPreGrasp].from_blade_deg > places[kStandardGrasp].from_blade_deg + kClearTurn_deg);
+      places[kNewPreGrasp].from_blade_deg > places[kStandardGrasp].from_blade_deg + kClearTurnDeg);
   AddRow(table, "After step 2 the contacts are on the cube below them.",
          describe(places[kNewTarget]), places[kNewTarget].height < kCubeHeight);
   return table.ToHtml();
