@@ -13,36 +13,6 @@ namespace {
 
 using Column = Eigen::Index;
 
-/** Tip in the object's frame; the laboratory's when the object was not recorded. */
-Trajectory ExpressInObject(const Trajectory& tip, const ObjectTrack& object) {
-  if (!object.IsRecorded()) return tip;
-  Trajectory p_O = tip;
-  for (size_t i = 0; i < tip.size(); ++i) {
-    const auto column = static_cast<Column>(i);
-    p_O.states[i] = CombineStates(tip.states[i], object.states[i]);
-    p_O.p.col(column) = p_O.IsValid(i)
-                            ? Eigen::Vector3d(object.X_LO[i].inverse() * tip.p.col(column))
-                            : Eigen::Vector3d::Constant(std::nan(""));
-  }
-  return p_O;
-}
-
-template <class Measure>
-ScalarCurve MakeCurve(const SmoothPath& smooth, const Measure& measure) {
-  ScalarCurve curve;
-  curve.times = smooth.path.times;
-  curve.states = smooth.path.states;
-  curve.values.resize(smooth.path.p.cols());
-  for (Column i = 0; i < smooth.path.p.cols(); ++i) {
-    curve.values[i] =
-        smooth.path.IsValid(static_cast<size_t>(i)) ? measure(smooth.path.p.col(i)) : std::nan("");
-  }
-  curve.noise = smooth.smooth_noise;
-  curve.rate_noise = smooth.speed_noise;
-  curve.reach = smooth.reach;
-  return curve;
-}
-
 /** Valid samples about the hold. */
 std::vector<Column> FindHoldSamples(const ScalarCurve& curve, double hold) {
   const SampleRun window = FindSamples(curve.times, hold - 0.05, hold + 0.1);
@@ -72,7 +42,7 @@ Eigen::Vector3d CalcHoldPlace(const SmoothPath& smooth, const ScalarCurve& speed
 
 }  // namespace
 
-ContactEvidence MakeContactEvidence(const ReachTrial& trial, const ScalarCurve& opening,
+ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& opening,
                                     const ScalarCurve& object_displacement, double begin,
                                     double hold, const ContactOptions& options) {
   ContactEvidence evidence;
@@ -80,21 +50,19 @@ ContactEvidence MakeContactEvidence(const ReachTrial& trial, const ScalarCurve& 
   evidence.hold = hold;
   evidence.opening = opening;
   evidence.object_displacement = object_displacement;
-  const ObjectTrack object =
-      trial.object.IsRecorded() ? SmoothObject(trial, options.object_cutoff) : ObjectTrack();
-  for (const DigitTrack& track : trial.digits) {
+  const std::vector<TipAgainstObject>& tips =
+      trial.FilterTipsAgainstObject(options.cutoff, options.object_cutoff);
+  for (size_t i = 0; i < tips.size(); ++i) {
+    const TipAgainstObject& tip = tips[i];
     DigitEvidence digit;
-    digit.track = &track;
-    digit.p_O = ExpressInObject(track.tip, object);
-    const SmoothPath smooth = Smooth(digit.p_O, options.cutoff);
-    digit.speed = CalcSpeed(smooth);
-    const Eigen::Vector3d place = CalcHoldPlace(smooth, digit.speed, hold);
+    digit.track = &trial.trial().digits[i];
+    digit.p_O = tip.p_O;
+    digit.speed = tip.speed;
+    const Eigen::Vector3d place = CalcHoldPlace(tip.smooth, digit.speed, hold);
     digit.departure =
-        MakeCurve(smooth, [&](const Eigen::Vector3d& p_O) { return (p_O - place).norm(); });
-    if (trial.object.IsRecorded() && trial.object.distance) {
-      digit.distance = MakeCurve(smooth, trial.object.distance);
-      digit.hold_distance = CalcHoldMedian(digit.distance, hold);
-    }
+        CalcCurve(tip.smooth, [&](const Eigen::Vector3d& p_O) { return (p_O - place).norm(); });
+    digit.distance = tip.distance;
+    if (digit.distance.size() > 0) digit.hold_distance = CalcHoldMedian(digit.distance, hold);
     evidence.digits.push_back(std::move(digit));
   }
   return evidence;

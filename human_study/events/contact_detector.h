@@ -15,7 +15,7 @@ is the lift-off; without one it is when, after the end of the movement, all tips
 #include <vector>
 
 #include "human_study/events/event_time.h"
-#include "human_study/events/reach_trial.h"
+#include "human_study/events/filtered_trial.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
@@ -65,8 +65,8 @@ struct ContactEvidence {
 
 /** @param opening  the hand's opening, filtered.
 @param object_displacement  see ContactEvidence.
-@pre CheckTrial passed. The evidence refers to `trial`. */
-ContactEvidence MakeContactEvidence(const ReachTrial& trial, const ScalarCurve& opening,
+The evidence refers to the reach behind `trial`. */
+ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& opening,
                                     const ScalarCurve& object_displacement, double begin,
                                     double hold, const ContactOptions& options);
 

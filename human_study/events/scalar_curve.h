@@ -4,6 +4,7 @@ A number over time with the state of every sample (speed, distance, hand opening
 questions that rules ask of one. */
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "human_study/cleaning/trajectory.h"
@@ -43,6 +44,23 @@ count), taken to be white: the filter's impulse response then says how much of i
 and is in the derivative.
 @throws Error(kRange) when the cut-off does not fit the rate. */
 SmoothPath Smooth(const Trajectory& trajectory, double cutoff);
+
+/** A number of every valid place of the path, with the path's noise and reach. */
+template <class Measure>
+ScalarCurve CalcCurve(const SmoothPath& smooth, const Measure& measure) {
+  ScalarCurve curve;
+  curve.times = smooth.path.times;
+  curve.states = smooth.path.states;
+  curve.values.resize(smooth.path.p.cols());
+  for (Eigen::Index i = 0; i < smooth.path.p.cols(); ++i) {
+    curve.values[i] =
+        smooth.path.IsValid(static_cast<size_t>(i)) ? measure(smooth.path.p.col(i)) : std::nan("");
+  }
+  curve.noise = smooth.smooth_noise;
+  curve.rate_noise = smooth.speed_noise;
+  curve.reach = smooth.reach;
+  return curve;
+}
 
 /** Speed by central differences [m/s]. Beside a gap the filter has samples on one side only and
 leans on the noise of the last of them, so values within its reach of a gap are invalid. */

@@ -85,37 +85,38 @@ const HandOpening& FindHandOpening(const std::string& id) {
   throw Error(ErrorKind::kNotFound, "no hand opening \"" + id + "\"" + SuggestNames(id, known));
 }
 
-ScalarCurve CalcOpeningCurve(const ReachTrial& trial, const HandOpening& opening, double cutoff,
+ScalarCurve CalcOpeningCurve(FilteredTrial& trial, const HandOpening& opening, double cutoff,
                              const std::string& left_out) {
-  std::vector<SmoothPath> tips;
-  for (const DigitTrack& digit : trial.digits) {
-    if (digit.digit != left_out) tips.push_back(Smooth(digit.tip, cutoff));
+  const std::vector<DigitTrack>& digits = trial.trial().digits;
+  const std::vector<SmoothPath>& all_tips = trial.FilterTips(cutoff);
+  std::vector<const SmoothPath*> tips;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (digits[i].digit != left_out) tips.push_back(&all_tips[i]);
   }
   ScalarCurve curve;
-  curve.times = trial.times;
-  curve.states.assign(trial.times.size(), SampleState::kMeasured);
-  curve.values =
-      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(trial.times.size()), std::nan(""));
+  curve.times = trial.trial().times;
+  curve.states.assign(curve.size(), SampleState::kMeasured);
+  curve.values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(curve.size()), std::nan(""));
   if (tips.size() < static_cast<size_t>(opening.min_digits)) {
-    curve.states.assign(trial.times.size(), SampleState::kInvalid);
+    curve.states.assign(curve.size(), SampleState::kInvalid);
     return curve;
   }
   double square_noise = 0.0, square_rate_noise = 0.0;
-  for (const SmoothPath& tip : tips) {
-    square_noise += tip.smooth_noise * tip.smooth_noise;
-    square_rate_noise += tip.speed_noise * tip.speed_noise;
+  for (const SmoothPath* tip : tips) {
+    square_noise += tip->smooth_noise * tip->smooth_noise;
+    square_rate_noise += tip->speed_noise * tip->speed_noise;
   }
   // A distance of two tips, the pattern of all these measures, has the noise of two coordinates.
   const double share = 2.0 / static_cast<double>(tips.size());
   curve.noise = std::sqrt(share * square_noise);
   curve.rate_noise = std::sqrt(share * square_rate_noise);
-  curve.reach = tips[0].reach;
+  curve.reach = tips[0]->reach;
 
   Tips at(3, static_cast<Eigen::Index>(tips.size()));
   for (size_t i = 0; i < curve.size(); ++i) {
     for (size_t d = 0; d < tips.size(); ++d) {
-      curve.states[i] = CombineStates(curve.states[i], tips[d].path.states[i]);
-      at.col(static_cast<Eigen::Index>(d)) = tips[d].path.p.col(static_cast<Eigen::Index>(i));
+      curve.states[i] = CombineStates(curve.states[i], tips[d]->path.states[i]);
+      at.col(static_cast<Eigen::Index>(d)) = tips[d]->path.p.col(static_cast<Eigen::Index>(i));
     }
     if (curve.IsValid(i)) curve.values[static_cast<Eigen::Index>(i)] = opening.calc(at);
   }

@@ -19,7 +19,7 @@ the digits given, so compare only like with like. */
 #include <string>
 #include <vector>
 
-#include "human_study/events/reach_trial.h"
+#include "human_study/events/filtered_trial.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
@@ -41,7 +41,7 @@ const HandOpening& FindHandOpening(const std::string& id);
 /** Over a trial, with the tips filtered at `cutoff` [Hz]. A sample without one of the digits is
 invalid: leaving it out would change what is measured.
 @param left_out  a digit to leave out ("RF"), for leave-one-digit-out reliability; empty: none. */
-ScalarCurve CalcOpeningCurve(const ReachTrial& trial, const HandOpening& opening, double cutoff,
+ScalarCurve CalcOpeningCurve(FilteredTrial& trial, const HandOpening& opening, double cutoff,
                              const std::string& left_out = "");
 
 }  // namespace graspbench

@@ -45,14 +45,13 @@ Trajectory FindTransport(const ReachTrial& trial) {
 /** When the hand holds without a recorded object to tell: the first instant after the end of the
 movement from which no visible tip is faster than the threshold for 0.1 s. Tips that close towards
 each other can be fast while their centroid rests. */
-double FindRestOfTips(const ReachTrial& trial, double end, const MovementOptions& options) {
+double FindRestOfTips(FilteredTrial& trial, double end, const MovementOptions& options) {
   constexpr double kDuration = 0.1;
   std::vector<ScalarCurve> speeds;
-  for (const DigitTrack& digit : trial.digits) {
-    speeds.push_back(CalcSpeed(Smooth(digit.tip, options.cutoff)));
-  }
+  for (const SmoothPath& tip : trial.FilterTips(options.cutoff)) speeds.push_back(CalcSpeed(tip));
+  const std::vector<double>& times = trial.trial().times;
   double rest_begin = std::nan("");
-  const SampleRun samples = FindSamples(trial.times, end, trial.times.back());
+  const SampleRun samples = FindSamples(times, end, times.back());
   for (size_t i = samples.first; i < samples.last; ++i) {
     const bool is_moving = std::any_of(speeds.begin(), speeds.end(), [&](const ScalarCurve& speed) {
       return speed.values[static_cast<Column>(i)] > options.speed_threshold;
@@ -60,8 +59,8 @@ double FindRestOfTips(const ReachTrial& trial, double end, const MovementOptions
     if (is_moving) {
       rest_begin = std::nan("");
     } else if (std::isnan(rest_begin)) {
-      rest_begin = trial.times[i];
-    } else if (trial.times[i] - rest_begin >= kDuration) {
+      rest_begin = times[i];
+    } else if (times[i] - rest_begin >= kDuration) {
       return rest_begin;
     }
   }
@@ -93,20 +92,20 @@ void CalcUncertainties(TrialAnalysis& analysis) {
       first_finger = &contact;
     }
   }
-  const auto combine = [](const EventTime* a, const EventTime* b) {
-    return a && b ? std::hypot(a->uncertainty, b->uncertainty) : std::nan("");
+  /** Of a time that rests on two instants; NaN when the time is missing. */
+  const auto combine = [](double time, const EventTime* a, const EventTime* b) {
+    return a && b && !std::isnan(time) ? std::hypot(a->uncertainty, b->uncertainty) : std::nan("");
   };
-  if (!std::isnan(analysis.timing.gft)) analysis.gft_uncertainty = combine(first, last);
-  if (!std::isnan(analysis.timing.got)) analysis.got_uncertainty = combine(thumb, first_finger);
-  if (!std::isnan(analysis.timing.gct)) {
-    analysis.gct_uncertainty = combine(&analysis.closure_start, last);
-  }
+  analysis.gft_uncertainty = combine(analysis.timing.gft, first, last);
+  analysis.got_uncertainty = combine(analysis.timing.got, thumb, first_finger);
+  analysis.gct_uncertainty = combine(analysis.timing.gct, &analysis.closure_start, last);
 }
 
 void NoteWeakEvents(TrialAnalysis& analysis) {
   std::vector<const EventTime*> used = {&analysis.movement.onset, &analysis.movement.end,
                                         &analysis.closure_start, &analysis.object.lift_off};
   for (const DigitContactEvents& digit : analysis.contacts) used.push_back(&digit.contact);
+  analysis.used_filled = analysis.used_gap = false;
   for (const EventTime* event : used) {
     analysis.used_filled |= event->IsFound() && event->is_filled;
     analysis.used_gap |= event->IsFound() && event->is_in_gap;
@@ -119,6 +118,34 @@ double FindFirstContact(const std::vector<DigitContactEvents>& contacts) {
     if (digit.contact.IsFound() && !(digit.contact.time >= first)) first = digit.contact.time;
   }
   return first;
+}
+
+/** From when on contacts are looked for. */
+double FindBegin(const TrialAnalysis& analysis) {
+  const EventTime& onset = analysis.movement.onset;
+  return onset.IsFound() ? onset.time : analysis.opening.times.front();
+}
+
+/** What follows from the contacts that are believed. */
+void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
+  analysis.peak_opening =
+      FindPeakOpening(analysis.opening, FindBegin(analysis), FindFirstContact(analysis.contacts),
+                      std::isnan(analysis.hold) ? analysis.opening.times.back() : analysis.hold,
+                      options.opening.min_prominence);
+  const bool is_largest = options.opening.maximum == "largest";
+  const PeakOpening& peak = analysis.peak_opening;
+  analysis.closure_start = is_largest ? peak.largest : peak.last;
+  analysis.closure_start_value = is_largest ? peak.largest_value : peak.last_value;
+
+  analysis.order = FindContactOrder(analysis.contacts);
+  analysis.num_touching = static_cast<int>(
+      std::count_if(analysis.contacts.begin(), analysis.contacts.end(),
+                    [](const DigitContactEvents& digit) { return digit.contact.IsFound(); }));
+  analysis.final_opening = ValueNear(analysis.opening, FindLastContact(analysis.contacts));
+  analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
+  analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
+  CalcUncertainties(analysis);
+  NoteWeakEvents(analysis);
 }
 
 /** Found instants' difference; NaN when one is missing, as its time is NaN. */
@@ -170,9 +197,9 @@ double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
   return last;
 }
 
-TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options) {
+TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& options) {
   CheckOptions(options);
-  CheckTrial(trial);
+  const ReachTrial& trial = filtered.trial();
   const double rate =
       static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
   CheckCutoff("movement.cutoff_hz", options.movement.cutoff, rate);
@@ -191,22 +218,22 @@ TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& optio
   }
   const EventTime& lift_off = analysis.object.lift_off;
 
-  const double trial_begin = trial.times.front(), trial_end = trial.times.back();
   analysis.speed = CalcSpeed(Smooth(FindTransport(trial), options.movement.cutoff));
   analysis.movement =
-      FindMovement(analysis.speed, trial_begin, lift_off.IsFound() ? lift_off.time : trial_end,
-                   options.movement);
-  const EventTime &onset = analysis.movement.onset, &end = analysis.movement.end;
+      FindMovement(analysis.speed, trial.times.front(),
+                   lift_off.IsFound() ? lift_off.time : trial.times.back(), options.movement);
 
   analysis.opening =
-      CalcOpeningCurve(trial, FindHandOpening(options.opening.measure), options.opening.cutoff);
-  double hold = lift_off.time;
-  if (!lift_off.IsFound() && end.IsFound())
-    hold = FindRestOfTips(trial, end.time, options.movement);
-  const double begin = onset.IsFound() ? onset.time : trial_begin;
-  if (!std::isnan(hold)) {
-    const ContactEvidence evidence = MakeContactEvidence(
-        trial, analysis.opening, travel.displacement, begin, hold, options.contact);
+      CalcOpeningCurve(filtered, FindHandOpening(options.opening.measure), options.opening.cutoff);
+  const EventTime& end = analysis.movement.end;
+  analysis.hold = lift_off.time;
+  if (!lift_off.IsFound() && end.IsFound()) {
+    analysis.hold = FindRestOfTips(filtered, end.time, options.movement);
+  }
+  if (!std::isnan(analysis.hold)) {
+    const ContactEvidence evidence =
+        MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
+                            analysis.hold, options.contact);
     analysis.contacts = FindContacts(evidence, options.contact);
   } else {
     for (const DigitTrack& digit : trial.digits) {
@@ -217,25 +244,20 @@ TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& optio
                                    missing});
     }
   }
-
-  analysis.peak_opening =
-      FindPeakOpening(analysis.opening, begin, FindFirstContact(analysis.contacts),
-                      std::isnan(hold) ? trial_end : hold, options.opening.min_prominence);
-  const bool is_largest = options.opening.maximum == "largest";
-  const PeakOpening& peak = analysis.peak_opening;
-  analysis.closure_start = is_largest ? peak.largest : peak.last;
-  analysis.closure_start_value = is_largest ? peak.largest_value : peak.last_value;
-
-  analysis.order = FindContactOrder(analysis.contacts);
-  for (const DigitContactEvents& digit : analysis.contacts) {
-    analysis.num_touching += digit.contact.IsFound();
-  }
-  analysis.final_opening = ValueNear(analysis.opening, FindLastContact(analysis.contacts));
-  analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
-  analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
-  CalcUncertainties(analysis);
-  NoteWeakEvents(analysis);
+  CalcMeasures(options, analysis);
   return analysis;
+}
+
+TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options) {
+  FilteredTrial filtered(trial);
+  return AnalyseTrial(filtered, options);
+}
+
+void BelieveDetector(const std::string& detector, const AnalysisOptions& options,
+                     TrialAnalysis& analysis) {
+  const size_t believed = FindContactDetector(detector);
+  for (DigitContactEvents& digit : analysis.contacts) digit.contact = digit.by_detector[believed];
+  CalcMeasures(options, analysis);
 }
 
 const std::vector<TrialMeasure>& TrialMeasureList() {

@@ -61,6 +61,8 @@ struct TrialAnalysis {
   ScalarCurve speed;    ///< of the wrist, filtered [m/s]
   ScalarCurve opening;  ///< the chosen measure, filtered [m]
   PeakOpening peak_opening;
+  /** From when on the hand holds; contacts are looked for before it [s]. NaN: not found. */
+  double hold = std::numeric_limits<double>::quiet_NaN();
   EventTime closure_start;  ///< the chosen maximum: t0 of the contact timing
   double closure_start_value = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double final_opening = std::numeric_limits<double>::quiet_NaN();  ///< at the last contact [m]
@@ -77,9 +79,17 @@ struct TrialAnalysis {
   bool used_gap = false;     ///< .. or fell into a gap
 };
 
-/** @throws Error as CheckTrial and CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate.
-What a trial does not show is missing in the result, with the reason, never an error. */
+/** @throws Error as CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate. What a trial
+does not show is missing in the result, with the reason, never an error. */
+TrialAnalysis AnalyseTrial(FilteredTrial& trial, const AnalysisOptions& options);
+/** For a trial that is analysed once. @throws Error as CheckTrial, too. */
 TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options);
+
+/** Takes the contacts from another detector, as AnalyseTrial with that detector would have, without
+a second search.
+@param options  those of the analysis, but for the detector. @throws Error as CheckOptions. */
+void BelieveDetector(const std::string& detector, const AnalysisOptions& options,
+                     TrialAnalysis& analysis);
 
 /** Latest of the first contacts [s]; NaN without any. */
 double FindLastContact(const std::vector<DigitContactEvents>& contacts);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include "core/statistics/summary.h"
 
@@ -19,16 +22,33 @@ double CalcSd(const std::vector<double>& values) {
   return std::sqrt(CalcMoments(values).sum_of_squares / static_cast<double>(values.size() - 1));
 }
 
-}  // namespace
+/** Trials as recorded and as analysed; what several rows share. */
+class BiasTrials {
+ public:
+  explicit BiasTrials(std::vector<SyntheticTrial> trials) : trials_(std::move(trials)) {
+    for (const SyntheticTrial& trial : trials_) reaches_.push_back(MakeReachTrial(trial));
+    for (const ReachTrial& reach : reaches_) filtered_.emplace_back(reach);
+  }
 
-BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options) {
+  BiasTrials(const BiasTrials&) = delete;  // the filtered trials refer to the others
+  BiasTrials& operator=(const BiasTrials&) = delete;
+
+  BiasRow CalcRow(const AnalysisOptions& options);
+
+ private:
+  std::vector<SyntheticTrial> trials_;
+  std::vector<ReachTrial> reaches_;
+  std::vector<FilteredTrial> filtered_;
+};
+
+BiasRow BiasTrials::CalcRow(const AnalysisOptions& options) {
   BiasRow row;
   std::vector<double> gfts, true_gfts, errors;
   int num_covered = 0;
-  for (const SyntheticTrial& trial : trials) {
-    const TrialAnalysis analysis = AnalyseTrial(MakeReachTrial(trial), options);
+  for (size_t i = 0; i < trials_.size(); ++i) {
+    const TrialAnalysis analysis = AnalyseTrial(filtered_[i], options);
     ++row.num_trials;
-    const std::vector<double>& truth = trial.truth.contacts;
+    const std::vector<double>& truth = trials_[i].truth.contacts;
     true_gfts.push_back(*std::max_element(truth.begin(), truth.end()) -
                         *std::min_element(truth.begin(), truth.end()));
     if (std::isnan(analysis.timing_all.gft)) {
@@ -52,23 +72,44 @@ BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOpt
   return row;
 }
 
+SyntheticOptions MakeSyntheticOptions(const BiasCase& bias_case, double true_gft, int num_trials,
+                                      const std::string& seed) {
+  SyntheticOptions synthetic;
+  synthetic.seed = seed;
+  synthetic.num_people = kNumPeople;
+  const int trials_per_round = kNumPeople * static_cast<int>(synthetic.diameters.size());
+  synthetic.trials_per_size = (num_trials + trials_per_round - 1) / trials_per_round;
+  synthetic.rate = bias_case.rate;
+  synthetic.noise = bias_case.noise;
+  synthetic.forming_time = true_gft;
+  synthetic.has_force = bias_case.options.contact.detector == "force";
+  return synthetic;
+}
+
+}  // namespace
+
+BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options) {
+  return BiasTrials(trials).CalcRow(options);
+}
+
 std::vector<BiasRow> CalcBiasCard(const std::vector<BiasCase>& cases,
                                   const std::vector<double>& true_gfts, int num_trials,
                                   const std::string& seed) {
-  std::vector<BiasRow> rows;
-  for (const BiasCase& bias_case : cases) {
-    for (const double true_gft : true_gfts) {
-      SyntheticOptions synthetic;
-      synthetic.seed = seed;
-      synthetic.num_people = kNumPeople;
-      const int trials_per_round = kNumPeople * static_cast<int>(synthetic.diameters.size());
-      synthetic.trials_per_size = (num_trials + trials_per_round - 1) / trials_per_round;
-      synthetic.rate = bias_case.rate;
-      synthetic.noise = bias_case.noise;
-      synthetic.forming_time = true_gft;
-      synthetic.has_force = bias_case.options.contact.detector == "force";
-      rows.push_back(CalcBiasRow(MakeSyntheticStudy(synthetic), bias_case.options));
-      rows.back().text = bias_case.text;
+  std::vector<BiasRow> rows(cases.size() * true_gfts.size());
+  for (size_t g = 0; g < true_gfts.size(); ++g) {
+    // Cases that were recorded alike see the same trials: rate, noise, whether there is a force.
+    std::map<std::tuple<double, double, bool>, BiasTrials> recorded;
+    for (size_t c = 0; c < cases.size(); ++c) {
+      const SyntheticOptions synthetic =
+          MakeSyntheticOptions(cases[c], true_gfts[g], num_trials, seed);
+      const auto key = std::make_tuple(synthetic.rate, synthetic.noise, synthetic.has_force);
+      auto trials = recorded.find(key);
+      if (trials == recorded.end()) {
+        trials = recorded.try_emplace(key, MakeSyntheticStudy(synthetic)).first;
+      }
+      BiasRow& row = rows[c * true_gfts.size() + g];
+      row = trials->second.CalcRow(cases[c].options);
+      row.text = cases[c].text;
     }
   }
   return rows;

@@ -77,18 +77,21 @@ TEST(OpeningCurve, ASampleWithoutOneDigitIsMissingAndOneWithAFilledDigitSaysSo) 
   ReachTrial trial = MakeTrial(3);
   HideSamples(trial.digits[1].tip, 0.295, 0.405);
   trial.digits[2].tip.states[80] = SampleState::kFilled;
-  const ScalarCurve curve = CalcOpeningCurve(trial, FindHandOpening("virtual_finger"), 10.0);
+  FilteredTrial filtered(trial);
+  const ScalarCurve curve = CalcOpeningCurve(filtered, FindHandOpening("virtual_finger"), 10.0);
   EXPECT_FALSE(curve.IsValid(35));
   EXPECT_TRUE(std::isnan(curve.values[35]));
   EXPECT_EQ(curve.states[80], SampleState::kFilled);
   EXPECT_NEAR(curve.values[10], 0.03, 1e-9);
   const ScalarCurve without =
-      CalcOpeningCurve(trial, FindHandOpening("virtual_finger"), 10.0, "D1");
+      CalcOpeningCurve(filtered, FindHandOpening("virtual_finger"), 10.0, "D1");
   EXPECT_NEAR(without.values[35], 0.04, 1e-9);
 }
 
 TEST(OpeningCurve, AFanNeedsThreeDigits) {
-  const ScalarCurve curve = CalcOpeningCurve(MakeTrial(2), FindHandOpening("fan"), 10.0);
+  const ReachTrial trial = MakeTrial(2);
+  FilteredTrial filtered(trial);
+  const ScalarCurve curve = CalcOpeningCurve(filtered, FindHandOpening("fan"), 10.0);
   EXPECT_FALSE(curve.IsValid(0));
 }
 

@@ -53,6 +53,47 @@ TEST(AnalyseTrial, FindsWhatTheTruthSays) {
   EXPECT_FALSE(analysis.used_gap);
 }
 
+/** Every measure and what the tables print beside them, with the same bits. */
+void ExpectEqual(const TrialAnalysis& a, const TrialAnalysis& b, const std::string& what) {
+  const auto is_same = [](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  };
+  for (const TrialMeasure& measure : TrialMeasureList()) {
+    EXPECT_TRUE(is_same(measure.value(a), measure.value(b))) << what << ", " << measure.id;
+  }
+  EXPECT_TRUE(is_same(a.gft_uncertainty, b.gft_uncertainty)) << what;
+  EXPECT_TRUE(is_same(a.got_uncertainty, b.got_uncertainty)) << what;
+  EXPECT_TRUE(is_same(a.gct_uncertainty, b.gct_uncertainty)) << what;
+  EXPECT_EQ(a.order.Format(), b.order.Format()) << what;
+  EXPECT_EQ(a.used_filled, b.used_filled) << what;
+  EXPECT_EQ(a.used_gap, b.used_gap) << what;
+}
+
+TEST(AnalyseTrial, ManyOptionsOfOneTrialGiveWhatEachAloneWould) {
+  SyntheticOptions synthetic;
+  synthetic.seed = "shared";
+  synthetic.num_people = 1;
+  synthetic.trials_per_size = 1;
+  synthetic.dropouts_per_second = 2.0;
+  for (const SyntheticTrial& made : MakeSyntheticStudy(synthetic)) {
+    const ReachTrial trial = MakeReachTrial(made);
+    FilteredTrial filtered(trial);
+    for (const double cutoff : {20.0, 10.0}) {
+      for (const char* opening : {"virtual_finger", "aperture"}) {
+        AnalysisOptions options;
+        options.contact.cutoff = cutoff;
+        options.opening.measure = opening;
+        TrialAnalysis shared = AnalyseTrial(filtered, options);
+        for (const ContactDetector& detector : ContactDetectorList()) {
+          options.contact.detector = detector.id;
+          BelieveDetector(detector.id, options, shared);
+          ExpectEqual(shared, AnalyseTrial(trial, options), detector.id);
+        }
+      }
+    }
+  }
+}
+
 TEST(AnalyseTrial, AShiftInTimeShiftsEventsAndLeavesMeasures) {
   const ReachTrial trial = MakeReachTrial(MakeOne());
   ReachTrial shifted = trial;
