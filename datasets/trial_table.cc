@@ -171,6 +171,10 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        TakeTiming(&ContactTiming::got)},
       {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
       {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
+      {"contact_order", "string", "",
+       "grasping digits by first contact: < before, = in the same step of the physics; digits that "
+       "never touched are left out",
+       [](const TrialRecord& record) { return Json(FindContactOrder(record.result).Format()); }},
       {"lift_height_m", "number", "m", "height of the object's centre above rest at the end",
        TakeNumber(&TrialResult::lift_height)},
       {"hold_slip_m", "number", "m", "motion of the object relative to the palm while held",
@@ -234,8 +238,13 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
 std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records) {
   std::vector<EventRow> rows;
   for (const TrialRecord& record : records) {
-    for (const ContactEvent& event : record.result.contact_events)
-      rows.push_back({&record, &event});
+    const ContactOrder order = FindContactOrder(record.result);
+    std::set<std::string> touched;
+    for (const ContactEvent& event : record.result.contact_events) {
+      const bool is_first =
+          event.kind == ContactEventKind::kTouch && touched.insert(event.digit).second;
+      rows.push_back({&record, &event, is_first ? order.FindRank(event.digit) : 0});
+    }
   }
   return rows;
 }
@@ -259,7 +268,11 @@ std::vector<CsvColumn<EventRow>> ListEventColumns() {
           {"event", "string", "", "touch, lost, regained or slip",
            [](const EventRow& row) { return Json(NameOf(row.event->kind)); }},
           {"impulse_ns", "number", "N s", "normal impulse on the object of the touch that was lost",
-           [](const EventRow& row) { return JsonNumber(row.event->impulse); }}};
+           [](const EventRow& row) { return JsonNumber(row.event->impulse); }},
+          {"contact_rank", "integer", "",
+           "on the first touch of a grasping digit: its place in contact_order, 1 first, tied "
+           "digits alike",
+           [](const EventRow& row) { return row.rank > 0 ? Json(row.rank) : Json(); }}};
 }
 
 }  // namespace graspbench

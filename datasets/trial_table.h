@@ -20,6 +20,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
 struct EventRow {
   const TrialRecord* record = nullptr;
   const ContactEvent* event = nullptr;
+  int rank = 0;  ///< in the order of contact, on a grasping digit's first touch; else 0
 };
 /** The events of all records, and the columns of `events.csv`. */
 std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records);

@@ -46,6 +46,7 @@ void AddUnknown(const std::string& name, std::vector<std::string>& names) {
 
 void FinishCell(CellSummary& cell) {
   std::vector<double> gct, gft, got, gft_ratio, got_ratio;
+  std::map<std::string, int> orders;
   for (const TrialRecord* record : cell.records) {
     const TrialResult& result = record->result;
     ++cell.tally.finished;
@@ -61,12 +62,18 @@ void FinishCell(CellSummary& cell) {
     got.push_back(result.timing.got);
     gft_ratio.push_back(result.timing.gft_ratio);
     got_ratio.push_back(result.timing.got_ratio);
+    if (const std::string order = FindContactOrder(result).Format(); !order.empty()) {
+      ++orders[order];
+    }
   }
   cell.gct = CalcSpread(gct);
   cell.gft = CalcSpread(gft);
   cell.got = CalcSpread(got);
   cell.gft_ratio = CalcSpread(gft_ratio);
   cell.got_ratio = CalcSpread(got_ratio);
+  cell.orders.assign(orders.begin(), orders.end());
+  std::stable_sort(cell.orders.begin(), cell.orders.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ count as not successful and are left out of every other figure. */
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "datasets/session_store.h"
@@ -53,6 +54,8 @@ struct CellSummary {
   Spread gct, gft, got;         ///< [s]
   Spread gft_ratio, got_ratio;  ///< of GCT
   int num_early = 0;            ///< trials with a contact before the start of closure
+  /** Orders of contact with their number of trials, most frequent first. */
+  std::vector<std::pair<std::string, int>> orders;
 };
 
 struct SessionSummary {

@@ -12,7 +12,7 @@ in physics, then a hold, after which the outcome is given. */
 #include "core/base/json.h"
 #include "core/base/pose.h"
 #include "core/base/units.h"
-#include "core/grasp/contact_timing.h"
+#include "core/grasp/contact_order.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/grasp/strategy.h"
 #include "core/hand/hand.h"
@@ -127,6 +127,10 @@ struct TrialResult {
   double simulated_time = 0.0;  ///< [s]
   std::vector<SceneSnapshot> snapshots;
 };
+
+/** A first contact is known to the step of the physics in which it was seen: digits that touched in
+the same step are tied. */
+ContactOrder FindContactOrder(const TrialResult& result);
 
 Json ToJson(const TrialResult& result);
 TrialResult TrialResultFromJson(const Json& json);

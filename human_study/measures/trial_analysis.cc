@@ -79,6 +79,16 @@ ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double
   return CalcContactTiming(times, t0);
 }
 
+ContactOrder FindOrder(const std::vector<DigitContactEvents>& contacts) {
+  std::vector<DigitContact> times;
+  std::vector<double> uncertainties;
+  for (const DigitContactEvents& contact : contacts) {
+    times.push_back({contact.digit, contact.is_thumb, contact.contact.time});
+    uncertainties.push_back(contact.contact.uncertainty);
+  }
+  return FindContactOrder(times, uncertainties);
+}
+
 void CalcUncertainties(TrialAnalysis& analysis) {
   const EventTime *first = nullptr, *last = nullptr, *thumb = nullptr, *first_finger = nullptr;
   for (const DigitContactEvents& digit : analysis.contacts) {
@@ -137,7 +147,7 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   analysis.closure_start = is_largest ? peak.largest : peak.last;
   analysis.closure_start_value = is_largest ? peak.largest_value : peak.last_value;
 
-  analysis.order = FindContactOrder(analysis.contacts);
+  analysis.order = FindOrder(analysis.contacts);
   analysis.num_touching = static_cast<int>(
       std::count_if(analysis.contacts.begin(), analysis.contacts.end(),
                     [](const DigitContactEvents& digit) { return digit.contact.IsFound(); }));

@@ -10,13 +10,12 @@ contacts (between onset and hold) -> measures. */
 #include <string>
 #include <vector>
 
-#include "core/grasp/contact_timing.h"
+#include "core/grasp/contact_order.h"
 #include "human_study/events/contact_detector.h"
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
 #include "human_study/events/peak_opening.h"
 #include "human_study/events/reach_trial.h"
-#include "human_study/measures/contact_order.h"
 #include "human_study/measures/hand_opening.h"
 
 namespace graspbench {

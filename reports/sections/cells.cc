@@ -102,6 +102,27 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
   return MakeScroll(plot.text.title, DrawDotStrips(plot));
 }
 
+Html MakeSmall(const std::string& text) { return Element("p", {{"class", "small"}}, text); }
+
+/** "Order of contact: TH<FF in 7 trials, FF<TH in 2; in 1 another." */
+Html DescribeOrders(const CellSummary& cell) {
+  constexpr size_t kNumShown = 3;
+  Html text = Text("Order of contact: ");
+  int num_others = 0;
+  for (size_t i = 0; i < cell.orders.size(); ++i) {
+    const auto& [order, count] = cell.orders[i];
+    if (i >= kNumShown) {
+      num_others += count;
+      continue;
+    }
+    text += Text(i == 0 ? "" : ", ") + Element("code", {}, order) +
+            Text(" in " + (i == 0 ? FormatCount(count, "trial") : std::to_string(count)));
+  }
+  if (cell.orders.empty()) text += Text("no digit touched");
+  if (num_others > 0) text += Text("; in " + std::to_string(num_others) + " another");
+  return Element("p", {{"class", "small"}}, text + Text("."));
+}
+
 Html DrawTiming(const CellSummary& cell) {
   const Align number = Align::kNumber;
   Table table("Contact simultaneity.", {{"Measure"},
@@ -120,10 +141,12 @@ Html DrawTiming(const CellSummary& cell) {
   add("GOT [s]", cell.got, 1.0, 3);
   add("GFT% [%]", cell.gft_ratio, 100.0, 1);
   add("GOT% [%]", cell.got_ratio, 100.0, 1);
-  if (cell.num_early == 0) return table.ToHtml();
-  const std::string note = "In " + FormatCount(cell.num_early, "trial") +
-                           " a digit touched before the start of closure; GFT may exceed GCT.";
-  return Element("div", {}, table.ToHtml() + Element("p", {{"class", "small"}}, note));
+  Html html = table.ToHtml() + DescribeOrders(cell);
+  if (cell.num_early > 0) {
+    html += MakeSmall("In " + FormatCount(cell.num_early, "trial") +
+                      " a digit touched before the start of closure; GFT may exceed GCT.");
+  }
+  return Element("div", {}, html);
 }
 
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
@@ -137,6 +160,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
   for (const char* head : {"GCT [s]", "GFT [s]", "GOT [s]", "GFT% [%]", "GOT% [%]"}) {
     columns.push_back({head, number, {}});
   }
+  columns.push_back({"Order", Align::kText, "of first contacts; = in the same step"});
   columns.push_back({"Grip [N]", number, "sum of normal forces before lift-off"});
   columns.push_back({"Lift [mm]", number, "of the object's centre at the end"});
   columns.push_back({"Slip [mm]", number, "motion relative to the palm while held"});
@@ -162,6 +186,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
     for (double ratio : {timing.gft_ratio, timing.got_ratio}) {
       row.push_back(Text(FormatFixed(100.0 * ratio, 1)));
     }
+    row.push_back(Element("code", {}, FindContactOrder(result).Format()));
     row.push_back(Text(FormatFixed(result.grip_force, 2)));
     row.push_back(Text(FormatFixed(MmFromM(result.lift_height), 1)));
     row.push_back(Text(FormatFixed(MmFromM(result.hold_slip), 1)));

@@ -55,6 +55,7 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "got_s",
                                              "gft_ratio",
                                              "got_ratio",
+                                             "contact_order",
                                              "lift_height_m",
                                              "hold_slip_m",
                                              "hold_creep_m",
@@ -191,13 +192,39 @@ TEST(TrialTable, EventsAreATableOfTheirOwn) {
   const auto records = MakeFakeRecords(3);
   const auto rows = ParseCsv(FormatCsv(ListEventColumns(), ListEvents(records)));
   ASSERT_EQ(rows.size(), 7u);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"trial_id", "hand", "object", "grasp", "trial",
-                                               "time_s", "digit", "link", "event", "impulse_ns"}));
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"trial_id", "hand", "object", "grasp", "trial", "time_s",
+                                      "digit", "link", "event", "impulse_ns", "contact_rank"}));
   EXPECT_EQ(rows[3][4], "1");
   EXPECT_EQ(rows[3][8], "touch");
   EXPECT_EQ(rows[3][9], "");
   EXPECT_EQ(rows[4][8], "lost");
   EXPECT_EQ(std::stod(rows[4][9]), records[1].result.contact_events[1].impulse);
+}
+
+TEST(TrialTable, TheOrderOfContactTiesWhatTouchedInTheSameStep) {
+  auto records = MakeFakeRecords(1);
+  TrialResult& result = records[0].result;
+  result.contacts = {{"FF", false, 0.504}, {"MF", false, 0.500}, {"TH", true, 0.500}};
+  result.touches.resize(3);
+  result.simulated_time = 2.0;
+  result.num_steps = 500;  // of 4 ms
+  const auto touch = ContactEventKind::kTouch;
+  result.contact_events = {{0.500, touch, "TH", "distal", kUnset},
+                           {0.500, touch, "palm", "palm", kUnset},
+                           {0.504, touch, "FF", "distal", kUnset},
+                           {0.508, touch, "FF", "middle", kUnset}};
+  for (const TrialColumn& column : ListTrialColumns(records)) {
+    if (column.name == "contact_order") {
+      EXPECT_EQ(column.value(records[0]), "MF=TH<FF");
+    }
+  }
+  const auto rows = ParseCsv(FormatCsv(ListEventColumns(), ListEvents(records)));
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[1].back(), "1");
+  EXPECT_EQ(rows[2].back(), "");  // the palm is no digit
+  EXPECT_EQ(rows[3].back(), "2");
+  EXPECT_EQ(rows[4].back(), "");  // the digit had touched before
 }
 
 TEST(TrialTable, OtherDigitsGetColumnsByName) {

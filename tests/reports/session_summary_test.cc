@@ -46,6 +46,15 @@ TEST(SummariseSession, MediansAndWorstValuesOfACell) {
   EXPECT_EQ(cell.tally.num_unconverged, 0 + 1 + 2);
 }
 
+TEST(SummariseSession, OrdersOfContactAreCounted) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);  // FF, TH, MF in all trials
+  TrialResult& result = session.records[0].result;
+  result.contacts[1].time = result.contacts[0].time;
+  const CellSummary cell = SummariseSession(session).cells.at(0);
+  const std::vector<std::pair<std::string, int>> expected = {{"FF<TH<MF", 2}, {"FF=MF<TH", 1}};
+  EXPECT_EQ(cell.orders, expected);
+}
+
 TEST(SummariseSession, ADigitThatNeverTouchedIsMissingNotZero) {
   Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
   TrialResult& result = session.records[0].result;

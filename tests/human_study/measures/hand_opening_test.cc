@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "human_study/measures/contact_order.h"
 #include "tests/human_study/events/trajectories.h"
 
 namespace graspbench {
@@ -93,30 +92,6 @@ TEST(OpeningCurve, AFanNeedsThreeDigits) {
   FilteredTrial filtered(trial);
   const ScalarCurve curve = CalcOpeningCurve(filtered, FindHandOpening("fan"), 10.0);
   EXPECT_FALSE(curve.IsValid(0));
-}
-
-DigitContactEvents MakeContact(const char* digit, double time, double uncertainty) {
-  DigitContactEvents contact;
-  contact.digit = digit;
-  contact.contact.time = time;
-  contact.contact.uncertainty = uncertainty;
-  if (std::isnan(time)) contact.contact = MissingEvent("hidden");
-  return contact;
-}
-
-TEST(ContactOrder, NeighboursWithinTheirUncertaintyAreTied) {
-  const ContactOrder order =
-      FindContactOrder({MakeContact("TH", 1.000, 0.004), MakeContact("FF", 0.990, 0.003),
-                        MakeContact("MF", 1.050, 0.003), MakeContact("RF", std::nan(""), 0.0),
-                        MakeContact("LF", 1.059, 0.003)});
-  // 10 ms against 1.96 * 5 ms; 9 ms against 1.96 * 4.24 ms.
-  EXPECT_EQ(order.Format(), "FF<TH<MF<LF");
-  EXPECT_EQ(order.num_ties, 0);
-  EXPECT_EQ(order.missing, std::vector<std::string>{"RF"});
-  const ContactOrder tied =
-      FindContactOrder({MakeContact("TH", 1.000, 0.006), MakeContact("FF", 0.990, 0.003)});
-  EXPECT_EQ(tied.Format(), "FF=TH");
-  EXPECT_EQ(tied.num_ties, 1);
 }
 
 }  // namespace
