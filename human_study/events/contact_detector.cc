@@ -14,8 +14,9 @@ namespace {
 using Column = Eigen::Index;
 
 /** Valid samples about the hold. */
-std::vector<Column> FindHoldSamples(const ScalarCurve& curve, double hold) {
-  const SampleRun window = FindSamples(curve.times, hold - 0.05, hold + 0.1);
+std::vector<Column> FindHoldSamples(const ScalarCurve& curve, const Hold& hold) {
+  const SampleRun window = FindSamples(curve.times, std::max(hold.begin, hold.time - 0.05),
+                                       std::min(hold.end, hold.time + 0.1));
   std::vector<Column> samples;
   for (size_t i = window.first; i < window.last; ++i) {
     if (curve.IsValid(i)) samples.push_back(static_cast<Column>(i));
@@ -26,14 +27,15 @@ std::vector<Column> FindHoldSamples(const ScalarCurve& curve, double hold) {
 }
 
 /** Median about the hold; NaN when hidden there. */
-double CalcHoldMedian(const ScalarCurve& curve, double hold) {
+double CalcHoldMedian(const ScalarCurve& curve, const Hold& hold) {
   std::vector<double> values;
   for (const Column i : FindHoldSamples(curve, hold)) values.push_back(curve.values[i]);
   return CalcMedian(std::move(values));
 }
 
 /** Mean place about the hold; NaN when hidden there. */
-Eigen::Vector3d CalcHoldPlace(const SmoothPath& smooth, const ScalarCurve& speed, double hold) {
+Eigen::Vector3d CalcHoldPlace(const SmoothPath& smooth, const ScalarCurve& speed,
+                              const Hold& hold) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const std::vector<Column> samples = FindHoldSamples(speed, hold);
   for (const Column i : samples) sum += smooth.path.p.col(i);
@@ -44,7 +46,7 @@ Eigen::Vector3d CalcHoldPlace(const SmoothPath& smooth, const ScalarCurve& speed
 
 ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& opening,
                                     const ScalarCurve& object_displacement, double begin,
-                                    double hold, const ContactOptions& options) {
+                                    const Hold& hold, const ContactOptions& options) {
   ContactEvidence evidence;
   evidence.begin = begin;
   evidence.hold = hold;
@@ -68,15 +70,17 @@ ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& ope
   return evidence;
 }
 
-int FindHoldSample(const ScalarCurve& curve, double hold) {
-  const size_t at = FindSamples(curve.times, hold, hold + 0.5).first;
-  for (size_t i = at; i < curve.size() && curve.times[i] <= hold + 0.5; ++i) {
-    if (curve.IsValid(i)) return static_cast<int>(i);
+int FindHoldSample(const ScalarCurve& curve, const Hold& hold) {
+  const SampleRun samples = FindSamples(curve.times, hold.begin, hold.end);
+  int nearest = -1;
+  for (size_t i = samples.first; i < samples.last; ++i) {
+    if (!curve.IsValid(i)) continue;
+    const bool is_nearer =
+        nearest < 0 || std::abs(curve.times[i] - hold.time) <
+                           std::abs(curve.times[static_cast<size_t>(nearest)] - hold.time);
+    if (is_nearer) nearest = static_cast<int>(i);
   }
-  for (size_t i = at; i-- > 0 && curve.times[i] >= hold - 0.1;) {
-    if (curve.IsValid(i)) return static_cast<int>(i);
-  }
-  return -1;
+  return nearest;
 }
 
 std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& digit,
@@ -104,7 +108,7 @@ EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& eviden
   constexpr double kMinClosingSpeed = 0.02;
   const int hold = FindHoldSample(distance, evidence.hold);
   if (hold < 0) return MissingEvent("the digit is hidden in the hold");
-  const size_t first = FindSamples(distance.times, evidence.begin, evidence.hold).first;
+  const size_t first = FindSamples(distance.times, evidence.begin, evidence.hold.time).first;
   EventTime event =
       TraceBack(distance, static_cast<size_t>(hold), first, tolerance, Side::kBelow, kMinApproach);
   if (!event.IsFound() || event.is_in_gap) return event;

@@ -6,9 +6,8 @@ One detector is one file detectors/<id>.cc with Make<Name>Detector() and one lin
 detectors/detector_list.inc. All are asked; one is believed (ContactOptions::detector), and the
 spread of the others is reported beside it.
 
-A grasp ends in a hold: the object is in the hand, no tip moves against it. Every detector starts
-from there and looks back, so that touching and letting go before the grasp does not count. The hold
-is the lift-off; without one it is when, after the end of the movement, all tips have come to rest.
+A grasp ends in a hold (hold.h): the object is in the hand, no tip moves against it. Every detector
+starts from there and looks back, so that touching and letting go before the grasp does not count.
 */
 
 #include <string>
@@ -16,6 +15,7 @@ is the lift-off; without one it is when, after the end of the movement, all tips
 
 #include "human_study/events/event_time.h"
 #include "human_study/events/filtered_trial.h"
+#include "human_study/events/hold.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
@@ -41,9 +41,10 @@ struct ContactOptions {
   }
 };
 
-/** What the detectors share, computed once a trial. "About the hold" is from 50 ms before to 100 ms
-after it, or the nearest sample that shows the digit (FindHoldSample). Without a recorded object,
-"against the object" means against the laboratory. */
+/** What the detectors share, computed once a trial. "About the hold" is the part of the hold from
+50 ms before to 100 ms after its instant, or the sample of the hold nearest to that instant that
+shows the digit (FindHoldSample). Without a recorded object, "against the object" means against the
+laboratory. */
 struct DigitEvidence {
   Trajectory p_O;         ///< tip in O; the tip is unfiltered, the object's pose is filtered
   ScalarCurve speed;      ///< against the object, filtered [m/s]
@@ -56,9 +57,9 @@ struct DigitEvidence {
 };
 
 struct ContactEvidence {
-  double begin = 0.0;   ///< onset of the movement [s]: no contact is looked for before it
-  double hold = 0.0;    ///< [s]
-  ScalarCurve opening;  ///< of the hand, filtered [m]
+  double begin = 0.0;  ///< onset of the movement [s]: no contact is looked for before it
+  Hold hold;
+  ScalarCurve opening;              ///< of the hand, filtered [m]
   ScalarCurve object_displacement;  ///< [m]; empty: object not recorded
   std::vector<DigitEvidence> digits;
 };
@@ -68,14 +69,13 @@ struct ContactEvidence {
 The evidence refers to the reach behind `trial`. */
 ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& opening,
                                     const ScalarCurve& object_displacement, double begin,
-                                    double hold, const ContactOptions& options);
+                                    const Hold& hold, const ContactOptions& options);
 
 /** A tip that moves against the object for less long is seen through noise, not approaching [s]. */
 inline constexpr double kMinApproach = 0.04;
 
-/** Sample that shows the digit in the hold: at the hold, else (hidden there) the first valid one up
-to 0.5 s later, else the last one up to 0.1 s earlier; -1 when there is none. */
-int FindHoldSample(const ScalarCurve& curve, double hold);
+/** The valid sample of the hold that is nearest to its instant; -1 when the digit is hidden. */
+int FindHoldSample(const ScalarCurve& curve, const Hold& hold);
 
 /** Why a digit does not take part in the grasp, as far as motion and shape can tell: hidden, moving
 against the object, or its marker too far from the surface. Empty when it may. */

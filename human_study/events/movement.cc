@@ -84,21 +84,24 @@ EventTime FindRegression(const ScalarCurve& speed, size_t peak, const MovementOp
   if (count < 5.0) return MissingEvent("fewer than five samples on the rising flank");
   const Eigen::Matrix3d inverse = normal.inverse();
   const Eigen::Vector3d c = inverse * right;
-  // The root on the way up: where the parabola, open below, has a positive slope.
+  // The root on the way up is where the parabola has a positive slope. A hand that turns without
+  // stopping has none: it turns where the parabola, open above, is lowest.
   const double discriminant = c[1] * c[1] - 4.0 * c[2] * c[0];
-  if (!(discriminant > 0.0)) return MissingEvent("the rising flank does not lead to zero");
-  const double slope = std::sqrt(discriminant);
-  const double root = c[2] != 0.0 ? (slope - c[1]) / (2.0 * c[2]) : -c[0] / c[1];
-  const Eigen::Vector3d at_root(1.0, root, root * root);
+  const bool is_turn = !(discriminant > 0.0);
+  const double slope = is_turn ? 2.0 * c[2] : std::sqrt(discriminant);
+  double at = -c[1] / slope;
+  if (!is_turn) at = c[2] != 0.0 ? (slope - c[1]) / (2.0 * c[2]) : -c[0] / c[1];
+  // How the instant follows the coefficients, but for the sign.
+  const Eigen::Vector3d change =
+      (is_turn ? Eigen::Vector3d(0.0, 1.0, 2.0 * at) : Eigen::Vector3d(1.0, at, at * at)) / slope;
   const double residual = std::max(0.0, square_sum - c.dot(right)) / (count - 3.0);
   EventTime event;
-  event.time = origin + root;
-  event.uncertainty = std::hypot(std::sqrt(residual * at_root.dot(inverse * at_root)) / slope,
+  event.time = origin + at;
+  event.uncertainty = std::hypot(std::sqrt(residual * change.dot(inverse * change)),
                                  speed.Interval() / std::sqrt(12.0));
   event.is_filled = is_filled;
-  if (!(event.time <= speed.times[first] + speed.Interval())) {
-    return MissingEvent("the rising flank does not lead to zero");
-  }
+  const double latest = is_turn ? origin : speed.times[first] + speed.Interval();
+  if (!(event.time <= latest)) return MissingEvent("the rising flank does not lead to zero");
   return event;
 }
 
@@ -129,7 +132,8 @@ const std::vector<MovementRule>& MovementRuleList() {
        FindBaseline},
       {"regression",
        "root of a parabola through the square root of speed on the rising flank, exact for "
-       "minimum-jerk movements (after Botzer and Karniel 2009)",
+       "minimum-jerk movements (after Botzer and Karniel 2009); its lowest point where the hand "
+       "turns without stopping",
        FindRegression},
       {"multiplied",
        "largest product of being slow and being late (after Schot, Brenner and Smeets 2010)",
@@ -154,7 +158,7 @@ Movement FindMovement(const ScalarCurve& whole, double begin, double end,
   const ScalarCurve speed = Cut(whole, FindSamples(whole.times, begin, end));
   const int peak = FindPeak(speed, {0, speed.size()});
   if (peak < 0 || peak == 0 || peak + 1 == static_cast<int>(speed.size())) {
-    movement.onset = movement.end = MissingEvent("no peak of speed before the lift-off");
+    movement.onset = movement.end = MissingEvent("no peak of speed between the start and the hold");
     return movement;
   }
   movement.peak_speed = speed.values[peak];

@@ -46,8 +46,8 @@ struct Movement {
 };
 
 /** @param speed  of the wrist, filtered.
-@param begin,end  only this part is looked at [s]; give the lift-off as the end, where the next
-movement starts.
+@param begin,end  only this part is looked at [s]; give the hold (hold.h) as the end: the way back
+is another movement.
 @throws Error(kNotFound) for an unknown rule. */
 Movement FindMovement(const ScalarCurve& speed, double begin, double end,
                       const MovementOptions& options);

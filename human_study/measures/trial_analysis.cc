@@ -42,29 +42,15 @@ Trajectory FindTransport(const ReachTrial& trial) {
   return centroid;
 }
 
-/** When the hand holds without a recorded object to tell: the first instant after the end of the
-movement from which no visible tip is faster than the threshold for 0.1 s. Tips that close towards
-each other can be fast while their centroid rests. */
-double FindRestOfTips(FilteredTrial& trial, double end, const MovementOptions& options) {
-  constexpr double kDuration = 0.1;
-  std::vector<ScalarCurve> speeds;
-  for (const SmoothPath& tip : trial.FilterTips(options.cutoff)) speeds.push_back(CalcSpeed(tip));
-  const std::vector<double>& times = trial.trial().times;
-  double rest_begin = std::nan("");
-  const SampleRun samples = FindSamples(times, end, times.back());
-  for (size_t i = samples.first; i < samples.last; ++i) {
-    const bool is_moving = std::any_of(speeds.begin(), speeds.end(), [&](const ScalarCurve& speed) {
-      return speed.values[static_cast<Column>(i)] > options.speed_threshold;
-    });
-    if (is_moving) {
-      rest_begin = std::nan("");
-    } else if (std::isnan(rest_begin)) {
-      rest_begin = times[i];
-    } else if (times[i] - rest_begin >= kDuration) {
-      return rest_begin;
-    }
+std::vector<DigitContactEvents> ListMissingContacts(const ReachTrial& trial,
+                                                    const std::string& reason) {
+  const EventTime missing = MissingEvent(reason);
+  std::vector<DigitContactEvents> contacts;
+  for (const DigitTrack& digit : trial.digits) {
+    contacts.push_back({digit.digit, digit.is_thumb,
+                        std::vector<EventTime>(ContactDetectorList().size(), missing), missing});
   }
-  return std::isnan(rest_begin) ? end : rest_begin;
+  return contacts;
 }
 
 ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double t0,
@@ -136,12 +122,16 @@ double FindBegin(const TrialAnalysis& analysis) {
   return onset.IsFound() ? onset.time : analysis.opening.times.front();
 }
 
+/** The way back comes after it. */
+double FindReachEnd(const TrialAnalysis& analysis) {
+  return analysis.hold.IsFound() ? analysis.hold.time : analysis.opening.times.back();
+}
+
 /** What follows from the contacts that are believed. */
 void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   analysis.peak_opening =
       FindPeakOpening(analysis.opening, FindBegin(analysis), FindFirstContact(analysis.contacts),
-                      std::isnan(analysis.hold) ? analysis.opening.times.back() : analysis.hold,
-                      options.opening.min_prominence);
+                      FindReachEnd(analysis), options.opening.min_prominence);
   const bool is_largest = options.opening.maximum == "largest";
   const PeakOpening& peak = analysis.peak_opening;
   analysis.closure_start = is_largest ? peak.largest : peak.last;
@@ -165,6 +155,7 @@ double Between(const EventTime& from, const EventTime& to) { return to.time - fr
 
 void CheckOptions(const AnalysisOptions& options) {
   FindMovementRule(options.movement.rule);
+  FindHoldRule(options.hold.rule);
   FindContactDetector(options.contact.detector);
   FindHandOpening(options.opening.measure);
   std::vector<std::string> lift_rules;
@@ -189,6 +180,8 @@ void CheckOptions(const AnalysisOptions& options) {
   CheckPositive("lift_off.displacement_m", options.lift_off.displacement);
   CheckPositive("the length of lift_off.up_x, up_y, up_z",
                 std::hypot(options.lift_off.up_x, options.lift_off.up_y, options.lift_off.up_z));
+  CheckPositive("hold.cutoff_hz", options.hold.cutoff);
+  CheckPositive("hold.speed_threshold_m_per_s", options.hold.speed_threshold);
   CheckPositive("opening.cutoff_hz", options.opening.cutoff);
   CheckPositive("opening.min_prominence_m", options.opening.min_prominence);
   CheckPositive("contact.cutoff_hz", options.contact.cutoff);
@@ -213,6 +206,7 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   const double rate =
       static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
   CheckCutoff("movement.cutoff_hz", options.movement.cutoff, rate);
+  CheckCutoff("hold.cutoff_hz", options.hold.cutoff, rate);
   CheckCutoff("opening.cutoff_hz", options.opening.cutoff, rate);
   CheckCutoff("contact.cutoff_hz", options.contact.cutoff, rate);
   CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
@@ -228,31 +222,23 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   }
   const EventTime& lift_off = analysis.object.lift_off;
 
-  analysis.speed = CalcSpeed(Smooth(FindTransport(trial), options.movement.cutoff));
-  analysis.movement =
-      FindMovement(analysis.speed, trial.times.front(),
-                   lift_off.IsFound() ? lift_off.time : trial.times.back(), options.movement);
-
+  const Trajectory transport = FindTransport(trial);
   analysis.opening =
       CalcOpeningCurve(filtered, FindHandOpening(options.opening.measure), options.opening.cutoff);
-  const EventTime& end = analysis.movement.end;
-  analysis.hold = lift_off.time;
-  if (!lift_off.IsFound() && end.IsFound()) {
-    analysis.hold = FindRestOfTips(filtered, end.time, options.movement);
-  }
-  if (!std::isnan(analysis.hold)) {
+  analysis.hold = lift_off.IsFound() ? MakeLiftedHold(lift_off.time)
+                                     : FindHold(filtered, transport, analysis.opening, options.hold,
+                                                options.contact.object_cutoff);
+
+  analysis.speed = CalcSpeed(Smooth(transport, options.movement.cutoff));
+  analysis.movement =
+      FindMovement(analysis.speed, trial.times.front(), FindReachEnd(analysis), options.movement);
+  if (analysis.hold.IsFound()) {
     const ContactEvidence evidence =
         MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
                             analysis.hold, options.contact);
     analysis.contacts = FindContacts(evidence, options.contact);
   } else {
-    for (const DigitTrack& digit : trial.digits) {
-      const EventTime missing =
-          MissingEvent("no lift-off and no end of the movement to start from");
-      analysis.contacts.push_back({digit.digit, digit.is_thumb,
-                                   std::vector<EventTime>(ContactDetectorList().size(), missing),
-                                   missing});
-    }
+    analysis.contacts = ListMissingContacts(trial, "no lift-off, and " + analysis.hold.missing);
   }
   CalcMeasures(options, analysis);
   return analysis;

@@ -3,8 +3,9 @@
 Everything about one trial: events, then measures. The same options give the same numbers for every
 trial of a study, and one multiverse is the same trials under other options.
 
-Order: object (moved, lifted) -> movement (onset, end, before the lift-off) -> widest opening ->
-contacts (between onset and hold) -> measures. */
+Order: object (moved, lifted) -> hold (the lift-off, or where the hand rests at the object) ->
+movement (onset, end, before the hold) -> contacts (between onset and hold) -> widest opening ->
+measures. */
 
 #include <limits>
 #include <string>
@@ -12,6 +13,7 @@ contacts (between onset and hold) -> measures. */
 
 #include "core/grasp/contact_order.h"
 #include "human_study/events/contact_detector.h"
+#include "human_study/events/hold.h"
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
 #include "human_study/events/peak_opening.h"
@@ -38,6 +40,7 @@ struct OpeningOptions {
 struct AnalysisOptions {
   MovementOptions movement;
   LiftOffOptions lift_off;
+  HoldOptions hold;
   OpeningOptions opening;
   ContactOptions contact;
 
@@ -45,6 +48,7 @@ struct AnalysisOptions {
   void Visit(V&& v) {
     v("movement", movement);
     v("lift_off", lift_off);
+    v("hold", hold);
     v("opening", opening);
     v("contact", contact);
   }
@@ -56,12 +60,11 @@ void CheckOptions(const AnalysisOptions& options);
 
 struct TrialAnalysis {
   ObjectEvents object;
+  Hold hold;
   Movement movement;
   ScalarCurve speed;    ///< of the wrist, filtered [m/s]
   ScalarCurve opening;  ///< the chosen measure, filtered [m]
   PeakOpening peak_opening;
-  /** From when on the hand holds; contacts are looked for before it [s]. NaN: not found. */
-  double hold = std::numeric_limits<double>::quiet_NaN();
   EventTime closure_start;  ///< the chosen maximum: t0 of the contact timing
   double closure_start_value = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double final_opening = std::numeric_limits<double>::quiet_NaN();  ///< at the last contact [m]

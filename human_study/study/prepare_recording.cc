@@ -12,8 +12,6 @@ namespace {
 
 /** A gap of the resampled clock: intervals longer than this many median ones are no neighbours. */
 constexpr double kMaxIntervals = 2.5;
-/** A hand this much farther from the object than it was is on its way back [m]. */
-constexpr double kDeparture = 0.01;
 
 std::vector<std::string> ListLabels(const Recording& recording) {
   std::vector<std::string> labels;
@@ -166,23 +164,23 @@ std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConf
   for (const Trajectory& marker : recording.object_markers) markers.push_back(&marker);
 
   std::vector<Reach> reaches;
-  bool is_at_object = false;
-  double farthest = -1.0, farthest_time = 0.0, nearest = 0.0;
+  bool is_at_object = false, is_open = false;  // open: the last reach ends farther on
+  double farthest = -1.0, farthest_time = 0.0;
   for (size_t i = 0; i < recording.times.size(); ++i) {
     const double distance = (CalcMiddle(tips, i) - CalcMiddle(markers, i)).norm();
     if (std::isnan(distance)) continue;
     const double time = recording.times[i];
-    if (distance > cut.far) is_at_object = false;
-    if (distance < cut.near) {
-      if (!is_at_object && farthest > cut.far) reaches.push_back({farthest_time, time});
-      if (!is_at_object || distance < nearest) nearest = distance;
+    if (distance < cut.near && !is_at_object) {
       is_at_object = true;
+      is_open = farthest > cut.far;
+      if (is_open) reaches.push_back({farthest_time, time});
       farthest = -1.0;
-      if (!reaches.empty() && distance < nearest + kDeparture) reaches.back().end = time;
     }
-    if (!is_at_object && distance > farthest) {
+    if (distance > cut.far) is_at_object = false;
+    if (distance > farthest) {
       farthest = distance;
       farthest_time = time;
+      if (is_open) reaches.back().end = time;
     }
   }
   return reaches;

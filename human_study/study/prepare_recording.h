@@ -41,8 +41,8 @@ struct Reach {
 
 /** Finds the reaches of a long recording. The hand is at the object from the sample where it is
 nearer than `near` until it is farther than `far`; a reach goes from where it was farthest before
-that to the last sample within 10 mm of the smallest distance, before the way back. Samples without
-the object or any fingertip are passed over. */
+that to where it is farthest after it, where the next one begins. Samples without the object or any
+fingertip are passed over. */
 std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConfig& cut);
 
 /** @param object  null: shape not known.

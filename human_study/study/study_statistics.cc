@@ -124,14 +124,20 @@ std::vector<BiasRow> CalcBias(const StudyResult& result) {
   if (!std::isfinite(result.rate) || !std::isfinite(result.noise)) return {};
   if (result.study.config.bias_trials == 0) return {};
   const AnalysisOptions& own = result.study.config.analysis;
+  BiasCase like_study;  // as many digits, lifted and with the object recorded as in the study
+  like_study.noise = result.noise;
+  like_study.num_digits = static_cast<int>(result.digits.size());
+  like_study.lifts = std::any_of(result.trials.begin(), result.trials.end(), [](const auto& trial) {
+    return trial.IsKept() && trial.analysis->object.lift_off.IsFound();
+  });
+  like_study.has_object = !result.study.config.markers.object.empty();
   std::vector<BiasCase> cases;
   const auto add = [&](std::string text, double case_rate, const AnalysisOptions& options) {
     // A filter needs its cut-off well below half the rate.
     if (options.contact.cutoff >= 0.35 * case_rate) return;
-    BiasCase bias;
+    BiasCase bias = like_study;
     bias.text = std::move(text);
     bias.rate = case_rate;
-    bias.noise = result.noise;
     bias.options = options;
     cases.push_back(bias);
   };

@@ -25,8 +25,11 @@ double CalcSd(const std::vector<double>& values) {
 /** Trials as recorded and as analysed; what several rows share. */
 class BiasTrials {
  public:
-  explicit BiasTrials(std::vector<SyntheticTrial> trials) : trials_(std::move(trials)) {
-    for (const SyntheticTrial& trial : trials_) reaches_.push_back(MakeReachTrial(trial));
+  BiasTrials(std::vector<SyntheticTrial> trials, bool has_object) : trials_(std::move(trials)) {
+    for (const SyntheticTrial& trial : trials_) {
+      reaches_.push_back(MakeReachTrial(trial));
+      if (!has_object) reaches_.back().object = ObjectTrack();
+    }
     for (const ReachTrial& reach : reaches_) filtered_.emplace_back(reach);
   }
 
@@ -82,14 +85,17 @@ SyntheticOptions MakeSyntheticOptions(const BiasCase& bias_case, double true_gft
   synthetic.rate = bias_case.rate;
   synthetic.noise = bias_case.noise;
   synthetic.forming_time = true_gft;
+  synthetic.num_digits = bias_case.num_digits;
+  synthetic.lifts = bias_case.lifts;
   synthetic.has_force = bias_case.options.contact.detector == "force";
   return synthetic;
 }
 
 }  // namespace
 
-BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options) {
-  return BiasTrials(trials).CalcRow(options);
+BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options,
+                    bool has_object) {
+  return BiasTrials(trials, has_object).CalcRow(options);
 }
 
 std::vector<BiasRow> CalcBiasCard(const std::vector<BiasCase>& cases,
@@ -97,15 +103,17 @@ std::vector<BiasRow> CalcBiasCard(const std::vector<BiasCase>& cases,
                                   const std::string& seed) {
   std::vector<BiasRow> rows(cases.size() * true_gfts.size());
   for (size_t g = 0; g < true_gfts.size(); ++g) {
-    // Cases that were recorded alike see the same trials: rate, noise, whether there is a force.
-    std::map<std::tuple<double, double, bool>, BiasTrials> recorded;
+    // Cases that were recorded alike see the same trials.
+    std::map<std::tuple<double, double, int, bool, bool, bool>, BiasTrials> recorded;
     for (size_t c = 0; c < cases.size(); ++c) {
       const SyntheticOptions synthetic =
           MakeSyntheticOptions(cases[c], true_gfts[g], num_trials, seed);
-      const auto key = std::make_tuple(synthetic.rate, synthetic.noise, synthetic.has_force);
+      const bool has_object = cases[c].has_object;
+      const auto key = std::make_tuple(synthetic.rate, synthetic.noise, synthetic.num_digits,
+                                       synthetic.lifts, synthetic.has_force, has_object);
       auto trials = recorded.find(key);
       if (trials == recorded.end()) {
-        trials = recorded.try_emplace(key, MakeSyntheticStudy(synthetic)).first;
+        trials = recorded.try_emplace(key, MakeSyntheticStudy(synthetic), has_object).first;
       }
       BiasRow& row = rows[c * true_gfts.size() + g];
       row = trials->second.CalcRow(cases[c].options);

@@ -15,6 +15,9 @@ struct BiasCase {
   std::string text;  ///< for the table: "this study", "cut-off 6 Hz"
   double rate = 200.0;
   double noise = 0.0003;
+  int num_digits = 5;
+  bool lifts = true;       ///< SyntheticOptions::lifts
+  bool has_object = true;  ///< the object was recorded
   AnalysisOptions options;
 };
 
@@ -31,8 +34,10 @@ struct BiasRow {
   double coverage = 0.0;
 };
 
-/** Analyses the trials and compares with their truth. `text` stays empty. */
-BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options);
+/** Analyses the trials and compares with their truth. `text` stays empty.
+@param has_object  false: the analysis does not see the object. */
+BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options,
+                    bool has_object = true);
 
 /** A row for every case and asynchrony. @param num_trials  rounded up to a multiple of 20: five
 people, four sizes.

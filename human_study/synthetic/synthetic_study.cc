@@ -27,9 +27,12 @@ constexpr double kLiftHeight = 0.15;          // [m]
 constexpr double kLiftDuration = 0.7;         // [s]
 constexpr double kLiftTilt = RadFromDeg(8.0);
 constexpr double kHoldDuration = 0.3;  // [s] recorded after the lift
-constexpr double kForce = 2.0;         // of each digit in the hold [N]
-constexpr double kForceTime = 0.08;    // time constant of its rise [s]
-constexpr double kForceNoise = 0.01;   // [N]
+constexpr double kLongerHold = 0.2;    // [s] of an object that is not lifted
+constexpr double kComingBack = 0.4;  // [s] recorded less before the onset when the hand never rests
+constexpr double kAfterReturn = 0.1;  // [s] recorded after the way back
+constexpr double kForce = 2.0;        // of each digit in the hold [N]
+constexpr double kForceTime = 0.08;   // time constant of its rise [s]
+constexpr double kForceNoise = 0.01;  // [N]
 constexpr size_t kForceSamplesPerFrame = 5;
 
 /** 0 to 1 with no speed and acceleration at either end (Flash and Hogan 1985). */
@@ -88,12 +91,15 @@ double CalcDeceleration(const DigitPath& path, double overshoot) {
 }
 
 struct Scene {
-  double onset, lift_off, end;
+  double onset, end;
+  double lift_off = std::numeric_limits<double>::infinity();  ///< never, as release
+  double release = std::numeric_limits<double>::infinity();
   std::vector<DigitPath> digits;
   double push_begin;
   Vector3d push = Vector3d::Zero();
   Vector3d p_LO = Vector3d(0.0, kReach, kSyntheticObjectHeight / 2);  // at rest
   double wrist_duration;
+  bool rests;
 
   Pose FindObject(double t) const {
     const double lift = MinimumJerk((t - lift_off) / kLiftDuration);
@@ -101,10 +107,19 @@ struct Scene {
                            lift * Vector3d(0.0, 0.0, kLiftHeight);
     return MakePose(MakeRotationRpy(lift * kLiftTilt, 0.0, 0.0), place);
   }
-  Vector3d FindTip(size_t digit, double t) const { return FindObject(t) * digits[digit].Find(t); }
+  /** The instant of the way out at which what arrives at `arrival` was where it is at `t`. */
+  double FindWayOut(double t, double arrival) const {
+    if (t > release) return arrival - (t - release);
+    return rests ? t : onset + std::abs(t - onset);
+  }
+  Vector3d FindTip(size_t digit, double t) const {
+    const DigitPath& path = digits[digit];
+    return FindObject(t) * path.Find(FindWayOut(t, path.contact));
+  }
   Vector3d FindWrist(double t) const {
     const Vector3d start(0.0, -0.13, 0.06), stop(0.0, kReach - 0.15, 0.12);
-    const Vector3d reach = MinimumJerk((t - onset) / wrist_duration) * (stop - start);
+    const double way_out = FindWayOut(t, onset + wrist_duration);
+    const Vector3d reach = MinimumJerk((way_out - onset) / wrist_duration) * (stop - start);
     return start + reach + FindObject(t).translation() - p_LO;
   }
 };
@@ -128,7 +143,8 @@ Scene MakeScene(const SyntheticOptions& options, const Person& person, double di
   constexpr double kAzimuths_deg[] = {kThumbAzimuth_deg, 15.0, 5.0, -5.0, -15.0};
   constexpr double kHeights[] = {0.01, 0.03, 0.01, -0.01, -0.03};  // above the object's centre [m]
   Scene scene;
-  scene.onset = random.NextUniform(0.5, 0.6);
+  scene.onset = random.NextUniform(0.5, 0.6) - (options.rests ? 0.0 : kComingBack);
+  scene.rests = options.rests;
   const double duration = std::max(0.5, person.duration + 0.04 * random.NextNormal());
   const double overshoot =
       person.overshoot + 0.003 * random.NextNormal() - 0.38 * (diameter - 0.05);
@@ -154,8 +170,14 @@ Scene MakeScene(const SyntheticOptions& options, const Person& person, double di
     scene.digits.push_back(path);
   }
   scene.wrist_duration = kWristShare * duration;
-  scene.lift_off = last_contact + std::max(0.12, 0.2 + 0.03 * random.NextNormal());
-  scene.end = scene.lift_off + kLiftDuration + kHoldDuration;
+  const double held = last_contact + std::max(0.12, 0.2 + 0.03 * random.NextNormal());
+  if (options.lifts) {
+    scene.lift_off = held;
+    scene.end = held + kLiftDuration + kHoldDuration;
+  } else {
+    scene.release = held + kLongerHold;
+    scene.end = scene.release + duration + kAfterReturn;
+  }
   return scene;
 }
 
@@ -164,7 +186,9 @@ SyntheticTruth FindTruth(const Scene& scene) {
   SyntheticTruth truth;
   truth.onset = scene.onset;
   truth.movement_end = scene.onset + scene.wrist_duration;
-  truth.lift_off = scene.lift_off;
+  const auto time_or_none = [](double t) { return std::isfinite(t) ? t : std::nan(""); };
+  truth.lift_off = time_or_none(scene.lift_off);
+  truth.release = time_or_none(scene.release);
   for (const DigitPath& path : scene.digits) truth.contacts.push_back(path.contact);
   const HandOpening &aperture = FindHandOpening("aperture"),
                     &opening = FindHandOpening(kDefaultHandOpening);
@@ -212,16 +236,18 @@ RecordedPoint RecordMarker(const std::string& label, const Recording& recording,
   return point;
 }
 
-AnalogChannel RecordForce(const std::string& digit, double contact, const Recording& recording,
-                          const std::string& trial_id) {
+AnalogChannel RecordForce(const std::string& digit, double contact, double release,
+                          const Recording& recording, const std::string& trial_id) {
   RandomStream noise(trial_id, "force " + digit);
   AnalogChannel channel;
   channel.label = "force_" + digit;
   channel.unit = "N";
   channel.rate = recording.rate * static_cast<double>(kForceSamplesPerFrame);
   for (size_t k = 0; k < kForceSamplesPerFrame * recording.num_frames; ++k) {
-    const double late = recording.start_time + static_cast<double>(k) / channel.rate - contact;
-    const double force = late > 0.0 ? kForce * (1.0 - std::exp(-late / kForceTime)) : 0.0;
+    const double t = recording.start_time + static_cast<double>(k) / channel.rate;
+    const double late = t - contact;
+    const double force =
+        late > 0.0 && t < release ? kForce * (1.0 - std::exp(-late / kForceTime)) : 0.0;
     channel.samples.push_back(static_cast<float>(force + kForceNoise * noise.NextNormal()));
   }
   return channel;
@@ -238,8 +264,8 @@ Recording Record(const Scene& scene, double diameter, const std::string& trial_i
                                             options.dropouts_per_second,
                                             [&](double t) { return scene.FindTip(d, t); }));
     if (options.has_force) {
-      recording.analog.push_back(
-          RecordForce(SyntheticDigits()[d], scene.digits[d].contact, recording, trial_id));
+      recording.analog.push_back(RecordForce(SyntheticDigits()[d], scene.digits[d].contact,
+                                             scene.release, recording, trial_id));
     }
   }
   recording.points.push_back(RecordMarker(kSyntheticWristLabel, recording, trial_id, options, 0.0,
@@ -392,7 +418,9 @@ std::string FormatTruthCsv(const std::vector<SyntheticTrial>& trials, SyntheticF
       {"peak_aperture_m", "number", "m", "largest thumb-index distance of the markers",
        [](const SyntheticTrial& t) { return Json(t.truth.peak_aperture); }},
       time("peak_aperture_s", "instant of that", &SyntheticTruth::peak_aperture_time),
-      time("lift_off_s", "the object leaves the table", &SyntheticTruth::lift_off)};
+      time("lift_off_s", "the object leaves the table", &SyntheticTruth::lift_off),
+      time("release_s", "the digits let go of an object that is not lifted",
+           &SyntheticTruth::release)};
   const size_t num_digits = trials.empty() ? 0 : trials[0].truth.contacts.size();
   for (size_t d = 0; d < num_digits; ++d) {
     columns.push_back({"contact_" + SyntheticDigits()[d] + "_s", "number", "s", "first contact",

@@ -11,6 +11,10 @@ moves with the object, which is lifted along a minimum-jerk path about 200 ms af
 (Johansson and Westling 1984). The wrist moves on a minimum-jerk path. What people do differently -
 speed, opening, pattern of contacts - is drawn per person and per trial.
 
+An object that is not lifted is held 200 ms longer; then all digits let go together and hand and
+digits go back the way they came, mirrored in time. Without a rest before it, the reach begins where
+the hand comes back from the one before: the same way, mirrored at the onset.
+
 Not modelled: curved or corrected paths, tremor, slip, coloured noise, skin motion. A detector that
 is good here may be worse on people; one that is bad here is bad. */
 
@@ -40,6 +44,8 @@ struct SyntheticOptions {
   double max_contact_speed = 0.15;
   double pad_compression = 0.0;  ///< the pad yields by this much after contact [m]
   double push = 0.001;           ///< the first digit pushes the object by this much [m]
+  bool lifts = true;             ///< else the object is held, let go, and the hand goes back
+  bool rests = true;             ///< before the reach; else the hand comes from the one before
   bool has_force = false;        ///< one force channel a digit at five times the frame rate
 };
 
@@ -51,7 +57,8 @@ struct SyntheticTruth {
   double peak_aperture = 0.0;  ///< largest thumb-index distance of the markers [m]
   double peak_aperture_time = 0.0;
   std::vector<double> contacts;  ///< one a digit, thumb first
-  double lift_off = 0.0;
+  double lift_off = 0.0;         ///< NaN: not lifted
+  double release = 0.0;          ///< the digits let go; NaN: lifted
 };
 
 struct SyntheticTrial {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/statistics/summary.h"
 #include "human_study/synthetic/bias_card.h"
 
 namespace graspbench {
@@ -40,6 +41,15 @@ void BenchMakeReachTrial(benchmark::State& state) {
 }
 BENCHMARK(BenchMakeReachTrial)->Unit(benchmark::kMillisecond);
 
+void SetCounters(const BiasRow& row, benchmark::State& state) {
+  state.counters["bias_ms"] = MsFromS(row.contact_bias);
+  state.counters["sd_ms"] = MsFromS(row.contact_sd);
+  state.counters["gft_ms"] = MsFromS(row.mean_gft);
+  state.counters["gft_sd_ms"] = MsFromS(row.sd_gft);
+  state.counters["coverage"] = row.coverage;
+  state.counters["missing"] = row.num_missing;
+}
+
 // 200 trials at 200 Hz with 0.3 mm noise on rigid objects; true GFT 30 ms.
 void BenchAccuracy(benchmark::State& state) {
   const ContactDetector& detector = ContactDetectorList()[static_cast<size_t>(state.range(0))];
@@ -55,13 +65,58 @@ void BenchAccuracy(benchmark::State& state) {
   BiasRow row;
   for (auto _ : state) row = CalcBiasRow(trials, options);
   state.SetLabel(detector.id);
-  state.counters["bias_ms"] = MsFromS(row.contact_bias);
-  state.counters["sd_ms"] = MsFromS(row.contact_sd);
-  state.counters["gft_ms"] = MsFromS(row.mean_gft);
-  state.counters["gft_sd_ms"] = MsFromS(row.sd_gft);
-  state.counters["coverage"] = row.coverage;
-  state.counters["missing"] = row.num_missing;
+  SetCounters(row, state);
 }
+// The same without a lift: the hold is found from the hand, the way back is in the recording.
+void BenchAccuracyWithoutLift(benchmark::State& state) {
+  const bool rests = state.range(0) == 1, has_object = state.range(1) == 1;
+  SyntheticOptions synthetic;
+  synthetic.seed = "bench without lift";
+  synthetic.num_people = 10;
+  synthetic.trials_per_size = 5;
+  synthetic.forming_time = 0.03;
+  synthetic.lifts = false;
+  synthetic.rests = rests;
+  const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(synthetic);
+  BiasRow row;
+  for (auto _ : state) row = CalcBiasRow(trials, AnalysisOptions(), has_object);
+  state.SetLabel(std::string(rests ? "rest before, " : "no rest before, ") +
+                 (has_object ? "object recorded" : "object not recorded"));
+  SetCounters(row, state);
+}
+BENCHMARK(BenchAccuracyWithoutLift)
+    ->ArgsProduct({{0, 1}, {0, 1}})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+// Onset of the wrist's movement where the hand comes from the reach before without resting.
+void BenchOnsetWithoutRest(benchmark::State& state) {
+  const MovementRule& rule = MovementRuleList()[static_cast<size_t>(state.range(0))];
+  SyntheticOptions synthetic;
+  synthetic.seed = "bench onset";
+  synthetic.num_people = 10;
+  synthetic.trials_per_size = 5;
+  synthetic.lifts = false;
+  synthetic.rests = false;
+  const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(synthetic);
+  AnalysisOptions options;
+  options.movement.rule = rule.id;
+  std::vector<double> errors;
+  for (auto _ : state) {
+    for (const SyntheticTrial& trial : trials) {
+      const EventTime onset = AnalyseTrial(MakeReachTrial(trial), options).movement.onset;
+      if (onset.IsFound()) errors.push_back(MsFromS(onset.time - trial.truth.onset));
+    }
+  }
+  const Moments moments = CalcMoments(errors);
+  state.SetLabel(rule.id);
+  state.counters["bias_ms"] = moments.mean;
+  state.counters["sd_ms"] =
+      std::sqrt(moments.sum_of_squares / static_cast<double>(errors.size() - 1));
+  state.counters["missing"] = static_cast<double>(trials.size() - errors.size());
+}
+BENCHMARK(BenchOnsetWithoutRest)->DenseRange(0, 5)->Iterations(1)->Unit(benchmark::kMillisecond);
+
 BENCHMARK(BenchAccuracy)->DenseRange(0, 4)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace

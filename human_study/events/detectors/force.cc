@@ -38,7 +38,7 @@ EventTime FindByForce(const ContactEvidence& evidence, const DigitEvidence& digi
   const ForceChannel& force = digit.track->force;
   if (force.times.empty()) return MissingEvent("the digit has no force sensor");
   const SampleRun baseline = FindSamples(force.times, force.times.front(), evidence.begin);
-  const SampleRun grip = FindSamples(force.times, evidence.begin, evidence.hold + kAfterHold);
+  const SampleRun grip = FindSamples(force.times, evidence.begin, evidence.hold.time + kAfterHold);
   if (baseline.size() < kMinBaseline || grip.size() < kMinBaseline) {
     return MissingEvent("too few samples of force before or after the onset");
   }

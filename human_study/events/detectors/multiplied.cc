@@ -20,7 +20,7 @@ EventTime FindByProduct(const ContactEvidence& evidence, const DigitEvidence& di
                         const ContactOptions& options) {
   const std::string no_touch = FindNoTouch(evidence, digit, options);
   if (!no_touch.empty()) return MissingEvent(no_touch);
-  const SampleRun reach = FindSamples(evidence.opening.times, evidence.begin, evidence.hold);
+  const SampleRun reach = FindSamples(evidence.opening.times, evidence.begin, evidence.hold.time);
   const int widest = FindPeak(evidence.opening, reach);
   if (widest < 0) return MissingEvent("the opening is not seen during the movement");
   const SampleRun closing{static_cast<size_t>(widest), reach.last};
@@ -33,7 +33,7 @@ EventTime FindByProduct(const ContactEvidence& evidence, const DigitEvidence& di
     const double is_slow = CalcCriterion(digit.speed.values[column], 0.5 * options.speed_threshold,
                                          1.5 * options.speed_threshold);
     const double is_near = CalcCriterion(digit.departure.values[column], kNear, kFar);
-    const double is_early = CalcCriterion(digit.speed.times[i], begin, evidence.hold);
+    const double is_early = CalcCriterion(digit.speed.times[i], begin, evidence.hold.time);
     double is_unmoved = 1.0;
     if (evidence.object_displacement.size() > 0) {
       is_unmoved = CalcCriterion(evidence.object_displacement.values[column], 0.0, kMovedFar);

@@ -7,7 +7,7 @@ EventTime FindBySpeed(const ContactEvidence& evidence, const DigitEvidence& digi
                       const ContactOptions& options) {
   const std::string no_touch = FindNoTouch(evidence, digit, options);
   if (!no_touch.empty()) return MissingEvent(no_touch);
-  const size_t first = FindSamples(digit.speed.times, evidence.begin, evidence.hold).first;
+  const size_t first = FindSamples(digit.speed.times, evidence.begin, evidence.hold.time).first;
   auto hold = static_cast<size_t>(FindHoldSample(digit.speed, evidence.hold));
   // Noise may lift one sample of a resting tip over the threshold.
   const auto is_resting = [&](size_t i) {

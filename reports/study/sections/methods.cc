@@ -50,6 +50,10 @@ std::string DescribeEvents(const StudyResult& result) {
   if (!result.study.config.markers.object.empty()) {
     text += "Lift-off: " + TextOf(LiftOffRuleList(), options.lift_off.rule) + ". ";
   }
+  text +=
+      "Contacts were looked for backwards from the hold: the lift-off, or where nothing was "
+      "lifted the " +
+      TextOf(HoldRuleList(), options.hold.rule) + ". ";
   return text +
          "Grasp forming time (GFT) is the time from the first to the last of the first contacts, "
          "grasp opposing time (GOT) that between the thumb and the earliest finger, grasp closure "

@@ -53,6 +53,9 @@ Html DrawOpening(const StudyTrial& trial) {
   mark(analysis.movement.onset, "onset");
   mark(analysis.closure_start, "widest");
   mark(analysis.object.lift_off, "lift-off");
+  if (!analysis.object.lift_off.IsFound() && analysis.hold.IsFound()) {
+    plot.marks.push_back({analysis.hold.time, "hold"});
+  }
   return MakeScroll(plot.text.title, DrawLinePlot(plot));
 }
 

@@ -136,6 +136,19 @@ TEST(Movement, RegressionFindsTheTrueOnsetOfAMinimumJerkReach) {
   EXPECT_NEAR(movement.end.time, 1.5, 1e-6);
 }
 
+TEST(Movement, RegressionFindsWhereAHandTurnsWithoutStopping) {
+  MovementOptions options;
+  options.rule = "regression";
+  // The root of speed is a parabola about 0.5 s, lowest at a fifth of its peak at 1 s.
+  const ScalarCurve curve = SampleCurve(MakeTimes(0.4, 1.5, 200), [](double t) {
+    const double late = t < 1.0 ? t - 0.5 : 1.5 - t;
+    return 0.4 * std::pow(0.2 + 3.2 * late * late, 2.0);
+  });
+  const Movement movement = FindMovement(curve, 0.4, 1.5, options);
+  EXPECT_NEAR(movement.onset.time, 0.5, 1e-6);
+  EXPECT_LT(movement.onset.uncertainty, 0.005);
+}
+
 TEST(Movement, EveryRuleFollowsAShiftAndSwapsItsEndsWhenTimeRunsBackwards) {
   for (const MovementRule& rule : MovementRuleList()) {
     MovementOptions options;

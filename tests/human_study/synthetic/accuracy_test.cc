@@ -4,6 +4,9 @@ are used nowhere else: no rule was chosen by looking at these trials. */
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/statistics/summary.h"
 #include "human_study/synthetic/bias_card.h"
 
 namespace graspbench {
@@ -33,6 +36,38 @@ TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromise) {
   }
 }
 
+// Nothing is lifted: the hold is found from the hand alone, and the way back is in the recording.
+TEST(ContactAccuracy, TheDefaultDetectorKeepsItsPromiseWithoutALift) {
+  for (const bool rests : {true, false}) {
+    SyntheticOptions options = MakeOptions(rests ? "accuracy f" : "accuracy g");
+    options.lifts = false;
+    options.rests = rests;
+    const BiasRow row = CalcBiasRow(MakeSyntheticStudy(options), AnalysisOptions());
+    EXPECT_EQ(row.num_missing, 0) << rests;
+    EXPECT_LT(std::abs(row.contact_bias), 0.005) << rests;
+    EXPECT_LT(row.contact_sd, 0.010) << rests;
+    EXPECT_NEAR(row.mean_gft, 0.03, 0.003) << rests;
+    EXPECT_GT(row.coverage, 0.85) << rests;
+  }
+}
+
+TEST(OnsetAccuracy, RegressionNeedsNoRestBeforeTheReach) {
+  SyntheticOptions options = MakeOptions("accuracy h");
+  options.lifts = false;
+  options.rests = false;
+  AnalysisOptions analysis;
+  analysis.movement.rule = "regression";
+  std::vector<double> errors;
+  for (const SyntheticTrial& trial : MakeSyntheticStudy(options)) {
+    const EventTime onset = AnalyseTrial(MakeReachTrial(trial), analysis).movement.onset;
+    ASSERT_TRUE(onset.IsFound()) << onset.missing;
+    errors.push_back(onset.time - trial.truth.onset);
+  }
+  const Moments moments = CalcMoments(errors);
+  EXPECT_NEAR(moments.mean, 0.0, 0.005);
+  EXPECT_LT(std::sqrt(moments.sum_of_squares / static_cast<double>(errors.size() - 1)), 0.015);
+}
+
 TEST(ContactAccuracy, FasterContactsAreFoundBetter) {
   SyntheticOptions options = MakeOptions("accuracy d");
   options.min_contact_speed = 0.08;
@@ -60,7 +95,11 @@ TEST(ContactAccuracy, EveryDetectorFindsContactsWhereItsEvidenceIs) {
 TEST(BiasCard, ALowCutoffIsSeenToBlurTheSpeedRule) {
   AnalysisOptions options;
   options.contact.detector = "speed";
-  BiasCase sharp{"20 Hz", 200.0, 0.0001, options}, blurred = sharp;
+  BiasCase sharp;
+  sharp.text = "20 Hz";
+  sharp.noise = 0.0001;
+  sharp.options = options;
+  BiasCase blurred = sharp;
   blurred.text = "6 Hz";
   blurred.options.contact.cutoff = 6.0;
   const std::vector<BiasRow> rows = CalcBiasCard({sharp, blurred}, {0.0, 0.03}, 20, "card");

@@ -157,13 +157,50 @@ TEST(SyntheticStudy, FilesHoldTheTrialsAndTheTruth) {
     }
   }
   const std::string truth = ReadFile(folder / "truth.csv");
-  EXPECT_EQ(truth.substr(0, truth.find('\n')),
-            "file,person,trial,diameter_m,onset_s,movement_end_s,peak_opening_s,peak_aperture_m,"
-            "peak_aperture_s,lift_off_s,contact_TH_s,contact_FF_s,contact_MF_s,contact_RF_s,"
-            "contact_LF_s");
+  EXPECT_EQ(
+      truth.substr(0, truth.find('\n')),
+      "file,person,trial,diameter_m,onset_s,movement_end_s,peak_opening_s,peak_aperture_m,"
+      "peak_aperture_s,lift_off_s,release_s,contact_TH_s,contact_FF_s,contact_MF_s,contact_RF_s,"
+      "contact_LF_s");
   EXPECT_EQ(std::count(truth.begin(), truth.end(), '\n'), 5);
   EXPECT_NE(truth.find("\nsub-01_trial-004.tsv,01,4,"), std::string::npos) << truth;
   std::filesystem::remove_all(folder);
+}
+
+TEST(SyntheticStudy, WhatIsNotLiftedIsHeldAndLeftTheWayItWasReached) {
+  SyntheticOptions options = MakeOptions();
+  options.noise = 0.0;
+  options.push = 0.0;
+  options.rate = 1000.0;
+  options.num_people = 1;
+  options.lifts = false;
+  options.has_force = true;
+  for (const bool rests : {true, false}) {
+    options.rests = rests;
+    for (const SyntheticTrial& trial : MakeSyntheticStudy(options)) {
+      const SyntheticTruth& truth = trial.truth;
+      EXPECT_TRUE(std::isnan(truth.lift_off));
+      EXPECT_GT(truth.release, Last(truth) + 0.3);
+      const ReachTrial reach = MakeReachTrial(trial);
+      const auto tip_at = [&](size_t digit, double t) {
+        return Eigen::Vector3d(
+            reach.digits[digit].tip.p.col(static_cast<Eigen::Index>(std::lround(1000.0 * t))));
+      };
+      for (size_t d = 0; d < 5; ++d) {
+        const Eigen::Vector3d held = tip_at(d, truth.release);
+        EXPECT_LT((tip_at(d, truth.contacts[d]) - held).norm(), 2e-4);
+        for (const double t : {0.1, 0.3, 0.6}) {  // a millisecond of rounding at 1 m/s
+          EXPECT_LT((tip_at(d, truth.release + t) - tip_at(d, truth.contacts[d] - t)).norm(), 2e-3);
+          EXPECT_GT((tip_at(d, truth.release + t) - held).norm(), 0.005 * t);
+        }
+        const double before = (tip_at(d, truth.onset - 0.1) - tip_at(d, truth.onset)).norm();
+        const double after = (tip_at(d, truth.onset + 0.1) - tip_at(d, truth.onset)).norm();
+        EXPECT_NEAR(before, rests ? 0.0 : after, 2e-3);
+        const ForceChannel& force = reach.digits[d].force;
+        EXPECT_LT(std::abs(force.values.back()), 0.1);
+      }
+    }
+  }
 }
 
 TEST(SyntheticStudy, ImpossibleStudiesAreRefused) {
