@@ -33,7 +33,6 @@ Json MakeShotJson(const PreGraspShot& shot, const StandardGrasp& start) {
               {"digits", cases},
               {"object_pushed_away", shot.was_pushed_away},
               {"common_closing", shot.learned.common_closing},
-              {"share", shot.learned.share},
               {"opening_m", shot.learned.opening},
               {"required_opening_m", shot.learned.required_opening},
               {"score", MakeScore(shot.trials)}};

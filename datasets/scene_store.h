@@ -23,7 +23,7 @@ any number of interruptions. */
 namespace graspbench {
 
 /** Version of the folder's layout and records; others are refused. */
-inline constexpr int kSceneSchema = 1;
+inline constexpr int kSceneSchema = 2;
 
 /** Creates the folder, or finds the same scene there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */

@@ -68,7 +68,7 @@ class JournaledTrials {
     auto result = results.begin();
     for (size_t i = first; i < requests.size(); ++i) {
       for (const int draw : requests[i].draws) {
-        records[i].trials.push_back(MakeLearningTrial(draw, *result++));
+        records[i].trials.push_back(MakeLearningTrial(draw, *result++, requests[i].keep_postures));
       }
     }
     journal_.Append({records.begin() + static_cast<std::ptrdiff_t>(first), records.end()});
@@ -160,7 +160,8 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
   EvaluationRecord again = stored;
   again.trials.clear();
   for (const TrialResult& result : pool.Run(setups)) {
-    again.trials.push_back(MakeLearningTrial(request->draws[again.trials.size()], result));
+    again.trials.push_back(
+        MakeLearningTrial(request->draws[again.trials.size()], result, request->keep_postures));
   }
   ReplayedIndividual replayed;
   replayed.grasp = request->grasp;

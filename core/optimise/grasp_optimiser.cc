@@ -24,6 +24,7 @@ constexpr int kFirstTargetCheck = 1000;
 constexpr int kFirstFitnessDraw = 2000;
 constexpr int kFirstFinalDraw = 3000;
 
+constexpr double kSameAngle = 1e-5;  ///< relative; two pre-grasps that differ by less are one
 constexpr int kNumFinalists = 10;
 constexpr double kFinalistDistance = RadFromDeg(2.0);
 /** Finalists are tried on so many times the trials of a check. */
@@ -36,11 +37,13 @@ std::vector<int> ListDraws(int first, int count) {
 }
 
 std::vector<LearningTrial> RunOne(const RunLearningTrials& run, const std::string& stage,
-                                  const StandardGrasp& grasp, const std::vector<int>& draws) {
+                                  const StandardGrasp& grasp, const std::vector<int>& draws,
+                                  bool keep_postures = false) {
   LearningRequest request;
   request.stage = stage;
   request.grasp = grasp;
   request.draws = draws;
+  request.keep_postures = keep_postures;
   return run({request}).at(0);
 }
 
@@ -54,27 +57,27 @@ bool IsOutOfReach(Outcome outcome) {
   return outcome == Outcome::kPushedAway || outcome == Outcome::kKnockedOver;
 }
 
-/** A change that is too much at once is tried in parts. */
-struct ChangePart {
-  const char* suffix;
-  double share;
+struct WidthChoice {
+  const char* name;
+  PreGraspWidth width;
 };
-constexpr ChangePart kChangeParts[] = {{"", 1.0}, {", half", 0.5}, {", quarter", 0.25}};
+constexpr WidthChoice kWidthChoices[] = {{"widest", PreGraspWidth::kWidest},
+                                         {"above the table", PreGraspWidth::kAboveTable},
+                                         {"half", PreGraspWidth::kHalf}};
 
-LearnedPreGrasp TakePart(const Hand& hand, const StandardGrasp& grasp, LearnedPreGrasp learned,
-                         double share) {
-  learned.q_pre = grasp.q_pre + share * (learned.q_pre - grasp.q_pre);
-  ApplyCoupling(hand, learned.q_pre);
-  learned.share *= share;
-  learned.opening = CalcOpening(hand, grasp, learned.q_pre);
-  return learned;
+/** More successes than `enough` do not count. */
+bool IsBetter(const std::vector<LearningTrial>& a, const std::vector<LearningTrial>& b,
+              int enough) {
+  const int successes_a = std::min(CountSuccesses(a), enough);
+  const int successes_b = std::min(CountSuccesses(b), enough);
+  if (successes_a != successes_b) return successes_a > successes_b;
+  return CalcMedianGftRatio(a) < CalcMedianGftRatio(b);
 }
 
-/** At least as often successful, and more simultaneous. */
-bool IsBetter(const std::vector<LearningTrial>& trials,
-              const std::vector<LearningTrial>& standard) {
-  return CountSuccesses(trials) >= CountSuccesses(standard) &&
-         CalcMedianGftRatio(trials) < CalcMedianGftRatio(standard);
+bool IsTried(const std::vector<PreGraspShot>& shots, const StandardGrasp& grasp) {
+  return std::any_of(shots.begin(), shots.end(), [&](const PreGraspShot& shot) {
+    return shot.grasp.q_pre.isApprox(grasp.q_pre, kSameAngle);
+  });
 }
 
 /** Chooses among the shots, or says why none of them is taken. */
@@ -101,36 +104,42 @@ void Choose(PreGraspStep& step) {
   }
 }
 
-PreGraspStep LearnInTwoShots(const Hand& hand, const StandardGrasp& start,
-                             const std::string& made_from, const OptimiseConfig& config,
-                             const RunLearningTrials& run) {
+PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
+                             const StandardGrasp& start, const std::string& made_from,
+                             const OptimiseConfig& config, const RunLearningTrials& run) {
   PreGraspStep step;
   const std::vector<int> draws = ListDraws(0, config.check_trials);
-  step.standard_trials = RunOne(run, "standard", start, draws);
+  step.standard_trials = RunOne(run, "standard", start, draws, true);
+  const int enough = CountSuccesses(step.standard_trials);
   StandardGrasp grasp = start;
   LearningTrial lesson = step.standard_trials.front();
+  std::vector<Eigen::VectorXd> expected;
   for (const char* name : {"one-shot", "two-shot"}) {
     if (lesson.closings.empty()) break;  // the simulation gave up
-    const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, lesson.closings);
-    if (learned.share == 0.0) break;
+    const std::vector<Eigen::VectorXd> seen =
+        CalcDeviations(hand, grasp, lesson.closings, lesson.touch_postures);
+    if (expected.empty()) expected = seen;
+    for (size_t d = 0; d < seen.size(); ++d) expected[d] = 0.5 * (expected[d] + seen[d]);
     const size_t first = step.shots.size();
-    for (const ChangePart& part : kChangeParts) {
+    for (const WidthChoice& choice : kWidthChoices) {
       PreGraspShot shot;
-      shot.name = std::string(name) + part.suffix;
-      shot.learned = TakePart(hand, grasp, learned, part.share);
+      shot.learned = LearnPreGrasp(hand, object, grasp, expected, choice.width);
+      if (!shot.learned.is_new) continue;
+      shot.name = std::string(name) + ", " + choice.name;
       shot.was_pushed_away = IsOutOfReach(lesson.outcome);
       shot.grasp = grasp;
       shot.grasp.q_pre = shot.learned.q_pre;
       shot.grasp = RoundAngles(hand, shot.grasp, made_from);
-      shot.trials = RunOne(run, name, shot.grasp, draws);
+      if (IsTried(step.shots, shot.grasp)) continue;
+      shot.trials = RunOne(run, name, shot.grasp, draws, true);
       step.shots.push_back(shot);
-      if (IsBetter(shot.trials, step.standard_trials)) break;
     }
-    // The next shot learns from what was good, or else from the whole change.
-    const bool is_good = IsBetter(step.shots.back().trials, step.standard_trials);
-    const PreGraspShot& base = is_good ? step.shots.back() : step.shots[first];
-    grasp = base.grasp;
-    lesson = base.trials.front();
+    if (step.shots.size() == first) break;
+    const auto best = std::min_element(
+        step.shots.begin() + static_cast<std::ptrdiff_t>(first), step.shots.end(),
+        [&](const auto& a, const auto& b) { return IsBetter(a.trials, b.trials, enough); });
+    grasp = best->grasp;
+    lesson = best->trials.front();
   }
   Choose(step);
   return step;
@@ -239,9 +248,9 @@ double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
 }
 
 int CountLearningTrials(const OptimiseConfig& config) {
-  const int step1 = config.step == "2"
-                        ? 0
-                        : (1 + 2 * static_cast<int>(std::size(kChangeParts))) * config.check_trials;
+  const int step1 = config.step == "2" ? 0
+                                       : (1 + 2 * static_cast<int>(std::size(kWidthChoices))) *
+                                             config.check_trials;
   const int step2 = config.step == "1"
                         ? 0
                         : config.evaluations * config.fitness_trials +
@@ -292,7 +301,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
   result.new_pregrasp = MakeObjectGrasp(hand, object, standard, "new-pregrasp");
   if (config.step != "2") {
     PreGraspStep& step = result.pregrasp_step;
-    step = LearnInTwoShots(hand, result.new_pregrasp, standard.id, config, run);
+    step = LearnInTwoShots(hand, object, result.new_pregrasp, standard.id, config, run);
     if (step.chosen >= 0) result.new_pregrasp = step.shots[static_cast<size_t>(step.chosen)].grasp;
   }
   result.new_target = result.new_pregrasp;

@@ -3,9 +3,9 @@
 Makes a standard grasp object-specific in simulation, in two steps (Roethling 2007):
 
 1. the new pre-grasp, learned in one or two shots (pregrasp_learning.h): shot 1 learns from the
-   standard grasp's trial without variation, shot 2 from that of shot 1, because early contacts had
-   moved the object; where the whole change does not pass the check, half and a quarter of it are
-   tried;
+   standard grasp's trial without variation, shot 2 from that of the best of shot 1, because fingers
+   hold each other back in another way when they close in another order; so it expects the mean of
+   what both lessons showed. Each shot is tried in three widths;
 2. the new target grasp: the opposing digit's (the thumb's) target angles, evolved from there within
    the joint limits and +-25 deg; fitness sigma (learning_trial.h).
 
@@ -61,16 +61,17 @@ struct LearningRequest {
   /** "standard", "one-shot", "two-shot"; "search", "finalist", "check before", "check after". */
   std::string stage;
   StandardGrasp grasp;
-  std::vector<int> draws;  ///< 0: without variation
-  bool full_hold = true;   ///< else a hold of 0.5 s: enough to take the fitness from
-  Individual individual;   ///< of the stages "search" and "finalist"
+  std::vector<int> draws;      ///< 0: without variation
+  bool full_hold = true;       ///< else a hold of 0.5 s: enough to take the fitness from
+  bool keep_postures = false;  ///< of the digits' first touches: the lesson of step 1
+  Individual individual;       ///< of the stages "search" and "finalist"
 };
 /** The trials of each request, in the order of the requests. */
 using RunLearningTrials =
     std::function<std::vector<std::vector<LearningTrial>>(const std::vector<LearningRequest>&)>;
 
 struct PreGraspShot {
-  std::string name;  ///< "one-shot", "two-shot", also with ", half" or ", quarter"
+  std::string name;  ///< "one-shot, widest", "two-shot, above the table", "one-shot, half", ...
   LearnedPreGrasp learned;
   bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
   StandardGrasp grasp;           ///< with the new pre-grasp

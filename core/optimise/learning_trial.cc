@@ -12,7 +12,7 @@ constexpr double kFarAway = 1.0;  ///< the distance of a digit that was never me
 
 }  // namespace
 
-LearningTrial MakeLearningTrial(int draw, const TrialResult& result) {
+LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_postures) {
   LearningTrial trial;
   trial.draw = draw;
   trial.outcome = result.outcome;
@@ -23,6 +23,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result) {
   trial.opposing_gap = kFarAway;
   for (size_t d = 0; d < result.touches.size(); ++d) {
     trial.closings.push_back(result.touches[d].closing);
+    if (keep_postures) trial.touch_postures.push_back(result.touches[d].q);
     const double gap = result.touches[d].smallest_gap;
     if (result.contacts[d].is_thumb && std::isfinite(gap)) trial.opposing_gap = gap;
   }
@@ -52,6 +53,9 @@ Json ToJson(const LearningTrial& trial) {
                       {"is_thumb", trial.contacts[d].is_thumb},
                       {"time_s", JsonNumber(trial.contacts[d].time)},
                       {"closing", JsonNumber(trial.closings[d])}});
+    if (trial.touch_postures.empty()) continue;
+    const Eigen::VectorXd& q = trial.touch_postures[d];
+    digits.back()["q_rad"] = std::vector<double>(q.begin(), q.end());
   }
   const StabilityPart& part = trial.stability;
   return Json{{"draw", trial.draw},
@@ -80,6 +84,11 @@ LearningTrial LearningTrialFromJson(const Json& json) {
     trial.contacts.push_back({digit.at("digit").get<std::string>(),
                               digit.at("is_thumb").get<bool>(), NumberFrom(digit.at("time_s"))});
     trial.closings.push_back(NumberFrom(digit.at("closing")));
+    if (const auto angles = digit.find("q_rad"); angles != digit.end()) {
+      const auto q = angles->get<std::vector<double>>();
+      trial.touch_postures.push_back(
+          Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())));
+    }
     num_thumbs += trial.contacts.back().is_thumb;
   }
   if (num_thumbs > 1) throw Error(ErrorKind::kFormat, "digits: more than one thumb");

@@ -8,6 +8,7 @@ What the optimisation keeps of a simulated trial, and the fitness it takes from 
 
 and for several trials their mean. Larger is better. */
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "core/base/json.h"
@@ -22,11 +23,15 @@ struct LearningTrial {
   StabilityPart stability;             ///< of the hold, from which sigma comes
   std::vector<DigitContact> contacts;  ///< of the grasping digits
   std::vector<double> closings;        ///< s at their first touch; NaN: never
-  double opposing_gap = 0.0;           ///< smallest distance of the opposing digit [m]
+  /** Joints of the whole hand at those touches (num_joints) [rad]; empty for a digit that never
+  touched. No element unless they were asked for. */
+  std::vector<Eigen::VectorXd> touch_postures;
+  double opposing_gap = 0.0;  ///< smallest distance of the opposing digit [m]
   ContactTiming timing;
 };
 
-LearningTrial MakeLearningTrial(int draw, const TrialResult& result);
+/** @param keep_postures  those of the first touches, from which step 1 learns. */
+LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_postures);
 
 double CalcFitness(const LearningTrial& trial);
 /** The mean. @pre at least one. */

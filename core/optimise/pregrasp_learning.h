@@ -3,22 +3,26 @@
 Step 1: a pre-grasp from which all digits touch at the same time (Roethling 2007 names the one- and
 two-shot learning of the pre-grasp; the rule is proposed by graspbench).
 
-Closing is linear in the commanded angles, q(s) = q_pre + s (q_target - q_pre). A trial tells at
-which s_i digit i touched first, so q_c = q(s_i). From
+Closing is linear in the commanded angles, q(s) = q_pre + s (q_target - q_pre). A digit is opened by
+l along this line beyond its old pre-grasp, and every joint goes no further than its limit:
 
-    q'_pre = (q_c - s* q_target) / (1 - s*)
+    q'_pre(l) = clip(q_pre - l (q_target - q_pre)),   l > 0 opens, l < 0 closes
 
-the new command passes q_c at the common s*, for every digit. The larger s*, the wider the new
-opening; s* is the largest for which every joint stays within its limits. Of the change so found as
-much is taken as leaves the opening (opposing pad to the mean of the other pads) 20 mm above the
-object's width, or at what the old pre-grasp had if that was less. The width is the one that matters
-here: the opening of the posture in which all digits touch.
+A lesson, one trial without variation, tells by how much the joints of each digit fell short of
+their commands when it first touched. With that, geometry tells at which s_i(l) the digit meets the
+object at rest (digit_course.h); where no joint is at its limit this is the closed form q'_pre =
+(q_c - s* q_target) / (1 - s*) with q_c the contact angles. Every l_i is chosen such that
+s_i(l_i) = s* for all digits.
 
-Cases with a name: a digit that never touched keeps its pre-grasp; one that touched before the
-closure began is opened as far as its limits allow and does not bind s*.
+The larger s*, the wider the new pre-grasp, and wide is good: the same error of the object's place
+makes GFT a smaller part of GCT. So s* is the largest that every digit can be opened to. But a
+finger that opens far can scrape along the table, or topple what it should hold: PreGraspWidth has
+three choices to be tried. The opening (opposing pad to the mean of the other pads) must stay 20 mm
+above the object's width, or at what the old pre-grasp had if that was less. The width is the one
+that matters here: the opening of the posture in which all digits touch.
 
-q_c is the commanded posture, not the measured one: the drives lag behind their command by the same
-time in every joint, so equal commands give equal times. */
+Cases with a name: a digit that never comes to the object keeps its pre-grasp; one that is at the
+object before the closure begins is opened. */
 
 #include <Eigen/Core>
 #include <string>
@@ -26,28 +30,44 @@ time in every joint, so equal commands give equal times. */
 
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
 
 namespace graspbench {
 
 enum class DigitCase { kLearned, kNeverTouched, kTouchedAtOnce };
 const char* NameOf(DigitCase digit_case);  ///< "learned", "never touched", "touched at once"
 
+/** How far the digits are opened, by the common s*. */
+enum class PreGraspWidth {
+  kWidest,      ///< the largest s*
+  kAboveTable,  ///< the largest with which no digit comes nearer to the table than 0.5 mm, or than
+                ///< it came before if that was less
+  kHalf,  ///< midway from there to the s of the digit that came first: no digit is opened more
+};
+
 struct LearnedPreGrasp {
-  Eigen::VectorXd q_pre;               ///< (num_joints) [rad]
+  Eigen::VectorXd q_pre;               ///< (num_joints) [rad]; the old one if nothing was learned
   std::vector<DigitCase> digit_cases;  ///< of grasp.digits
-  double common_closing = 0.0;         ///< s*
-  double opening = 0.0;                ///< of q_pre [m]
-  double required_opening = 0.0;       ///< [m]
-  double share = 0.0;  ///< of the change that was taken; 0: nothing to learn, 1: all of it
+  bool is_new = false;            ///< false: fewer than two digits come to the object, or no room
+  double common_closing = 0.0;    ///< s*
+  double opening = 0.0;           ///< of q_pre [m]
+  double required_opening = 0.0;  ///< [m]
 };
 
 /** s* stays below this, so that the closing keeps a course. */
 inline constexpr double kLargestCommonClosing = 0.9;
 
-/** @param closings  s_i of grasp.digits; NaN: never touched, <= 0: before the closure. Fewer than
-two digits that touched in the closure: nothing is learned. */
-LearnedPreGrasp LearnPreGrasp(const Hand& hand, const StandardGrasp& grasp,
-                              const std::vector<double>& closings);
+/** By how much each digit's joints fell short of their commands when it first touched, of
+grasp.digits (num_joints each) [rad]; 0 for the joints of other digits, and where it never touched.
+@param closings, q  s and joints of the whole hand at the first touches; NaN and empty: never. */
+std::vector<Eigen::VectorXd> CalcDeviations(const Hand& hand, const StandardGrasp& grasp,
+                                            const std::vector<double>& closings,
+                                            const std::vector<Eigen::VectorXd>& q);
+
+/** @param deviations  of grasp.digits.  @pre the grasp brings its placement. */
+LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object,
+                              const StandardGrasp& grasp,
+                              const std::vector<Eigen::VectorXd>& deviations, PreGraspWidth width);
 
 /** Distance from the opposing digit's pad to the mean of the other grasping digits' pads [m]. */
 double CalcOpening(const Hand& hand, const StandardGrasp& grasp, const Eigen::VectorXd& q);

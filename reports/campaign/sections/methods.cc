@@ -10,12 +10,13 @@ Html Draw(const CampaignData& data) {
   const OptimiseConfig& optimise = data.campaign.config.optimise;
   const SessionConfig& session = data.campaign.config.session;
   Html html = MakeParagraph(
-      "Step 1 records at which share of the closing law each digit first touches the object, and "
-      "moves the pre-grasp so that all of them would do so at one common share, as wide as joint "
-      "limits and an opening of 20 mm more than the object allow. Where the whole change does not "
-      "pass the check, half and a quarter of it are tried. It is done once and again from its own "
-      "result; of the standard pre-grasp and the new ones that is kept which succeeds "
-      "at least as often and has the lowest median GFT% in " +
+      "Step 1 watches one trial without variation and records by how much the joints of each digit "
+      "fall short of their commands when it first touches. With that, geometry tells when each "
+      "digit meets the object at rest, and the pre-grasp is moved along the closing so that all do "
+      "so at one common share: the largest that joint limits allow, the largest that keeps off "
+      "the table, or half of that way. It is done once and again from its own result; "
+      "of the standard pre-grasp and the new ones that is kept which succeeds at least as often "
+      "and has the lowest median GFT% in " +
       FormatCount(optimise.check_trials, "check trial") + ".");
   html += MakeParagraph(
       "Step 2 searches the target angles of the thumb within the joint limits and 25 degrees by "

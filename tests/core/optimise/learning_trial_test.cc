@@ -27,30 +27,37 @@ TrialResult MakeResult(double thumb_time, double sigma) {
 }
 
 TEST(Fitness, IsSigmaOrTheMissingThumbsDistance) {
-  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(0.5, 3.5))), 3.5);
-  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(kNever, 0.0))), -0.012);
-  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(0.5, kNever))), 0.0);
-  EXPECT_LT(CalcFitness(MakeLearningTrial(0, TrialResult())), -0.5);  // nothing was simulated
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(0.5, 3.5), false)), 3.5);
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(kNever, 0.0), false)), -0.012);
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(0.5, kNever), false)), 0.0);
+  EXPECT_LT(CalcFitness(MakeLearningTrial(0, TrialResult(), false)),
+            -0.5);  // nothing was simulated
   EXPECT_DOUBLE_EQ(
-      CalcFitness(std::vector<LearningTrial>{MakeLearningTrial(1, MakeResult(0.5, 3.0)),
-                                             MakeLearningTrial(2, MakeResult(0.5, 1.0))}),
+      CalcFitness(std::vector<LearningTrial>{MakeLearningTrial(1, MakeResult(0.5, 3.0), false),
+                                             MakeLearningTrial(2, MakeResult(0.5, 1.0), false)}),
       2.0);
 }
 
 TEST(LearningTrial, IsReadAsItWasWritten) {
   for (const double time : {0.1 + 0.2, kNever}) {
-    const LearningTrial trial = MakeLearningTrial(7, MakeResult(time, 1.0 / 3.0));
+    TrialResult result = MakeResult(time, 1.0 / 3.0);
+    if (!std::isnan(time)) result.touches[0].q = Eigen::Vector2d(0.1, -1.0 / 3.0);
+    EXPECT_TRUE(MakeLearningTrial(7, result, false).touch_postures.empty());
+    const LearningTrial trial = MakeLearningTrial(7, result, true);
     const LearningTrial read = LearningTrialFromJson(Json::parse(FormatJson(ToJson(trial))));
     EXPECT_EQ(FormatJson(ToJson(read)), FormatJson(ToJson(trial)));
     EXPECT_EQ(read.sigma, trial.sigma);
     EXPECT_EQ(read.draw, 7);
+    ASSERT_EQ(read.touch_postures.size(), 2u);
+    EXPECT_EQ(read.touch_postures[0], result.touches[0].q);
+    EXPECT_EQ(read.touch_postures[1].size(), 0);
     EXPECT_EQ(CalcFitness(read), CalcFitness(trial));
     EXPECT_EQ(std::isnan(read.timing.gft), std::isnan(time));
   }
 }
 
 TEST(LearningTrial, TwoThumbsAreRefused) {
-  Json json = ToJson(MakeLearningTrial(0, MakeResult(0.5, 1.0)));
+  Json json = ToJson(MakeLearningTrial(0, MakeResult(0.5, 1.0), false));
   json["digits"][1]["is_thumb"] = true;
   EXPECT_THROW(LearningTrialFromJson(json), Error);
 }

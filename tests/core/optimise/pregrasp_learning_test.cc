@@ -7,143 +7,187 @@
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
+#include "core/optimise/digit_course.h"
+#include "core/shape/primitives.h"
 
 namespace graspbench {
 namespace {
 
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+constexpr PreGraspWidth kWidths[] = {PreGraspWidth::kWidest, PreGraspWidth::kAboveTable,
+                                     PreGraspWidth::kHalf};
+constexpr double kPrecision = 2e-3;  ///< of s, by the field and the steps of the course
 
-const Hand& TumHand() {
-  static const Hand hand = LoadHand("tum");
-  return hand;
+constexpr double kRadius = 0.025;
+
+const GraspObject& Ball() {
+  static const GraspObject ball = [] {
+    GraspObject made;
+    made.size = Vector3d::Constant(2.0 * kRadius);
+    made.mesh = MakeSphere(kRadius);
+    made.field = std::make_shared<const SignedDistanceField>(SignedDistanceField::Build(made.mesh));
+    return made;
+  }();
+  return ball;
 }
 
-/** A grasp far from all limits, so that these do not bind. */
-StandardGrasp MakeGrasp() {
-  const Hand& hand = TumHand();
-  StandardGrasp grasp = LoadStandardGrasps(hand).at(2);
-  for (const char* finger : {"FF", "MF", "TH"}) {
-    const std::string id = finger;
-    grasp.q_pre[hand.FindJoint(id + "q1")] = 0.0;
-    grasp.q_pre[hand.FindJoint(id + "q2")] = RadFromDeg(0.0);
-    grasp.q_pre[hand.FindJoint(id + "q3")] = RadFromDeg(10.0);
-    grasp.q_target[hand.FindJoint(id + "q1")] = RadFromDeg(2.0);
-    grasp.q_target[hand.FindJoint(id + "q2")] = RadFromDeg(20.0);
-    grasp.q_target[hand.FindJoint(id + "q3")] = RadFromDeg(30.0);
+class LearnPreGraspTest : public testing::Test {
+ protected:
+  LearnPreGraspTest() : hand_(LoadHand("tum")) {
+    grasp_ = LoadStandardGrasps(hand_).at(2);
+    grasp_.placement = CalcPlacement(hand_, grasp_, Ball().size, Vector3d::Zero());
+    follows_.assign(grasp_.digits.size(), VectorXd::Zero(hand_.num_joints()));
   }
-  return grasp;
-}
 
-/** When a digit of a hand that follows its commands without lag meets a thing that it touches at a
-certain angle of its base joint. */
-double FindTouch(const StandardGrasp& grasp, const std::string& digit, double angle) {
-  const int joint = TumHand().FindJoint(digit + "q2");
-  return (angle - grasp.q_pre[joint]) / (grasp.q_target[joint] - grasp.q_pre[joint]);
-}
-
-// On a hand that moves as it is told the rule is exact: all digits meet the object at s*.
-TEST(LearnPreGrasp, ALinearHandTouchesWithAllDigitsAtTheSameTime) {
-  const Hand& hand = TumHand();
-  const StandardGrasp grasp = MakeGrasp();
-  const double angles[] = {RadFromDeg(14.0), RadFromDeg(9.0), RadFromDeg(11.0)};
-  std::vector<double> closings;
-  for (size_t d = 0; d < 3; ++d) closings.push_back(FindTouch(grasp, grasp.digits[d], angles[d]));
-  const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, closings);
-  EXPECT_EQ(learned.share, 1.0);
-  StandardGrasp better = grasp;
-  better.q_pre = learned.q_pre;
-  for (size_t d = 0; d < 3; ++d) {
-    EXPECT_NEAR(FindTouch(better, grasp.digits[d], angles[d]), learned.common_closing, 1e-12);
-    EXPECT_EQ(learned.digit_cases[d], DigitCase::kLearned);
+  const Digit& FindDigit(const std::string& id) const {
+    return *std::find_if(hand_.digits.begin(), hand_.digits.end(),
+                         [&](const Digit& digit) { return digit.id == id; });
   }
-  EXPECT_GT(learned.common_closing, 0.0);
-}
-
-TEST(LearnPreGrasp, OpensAsFarAsTheFirstJointLimit) {
-  const Hand& hand = TumHand();
-  const StandardGrasp grasp = MakeGrasp();
-  const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, {0.7, 0.5, 0.6});
-  int num_at_limit = 0;
-  for (int j = 0; j < hand.num_joints(); ++j) {
-    const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
-    if (joint.coupled_to >= 0) continue;
-    EXPECT_GE(learned.q_pre[j], joint.lower);
-    EXPECT_LE(learned.q_pre[j], joint.upper);
-    num_at_limit += learned.q_pre[j] < joint.lower + 1e-9;
+  double FindTouch(size_t digit, const VectorXd& q_pre, const VectorXd& deviation) const {
+    return CalcDigitCourse(hand_, Ball(), grasp_, FindDigit(grasp_.digits[digit]), q_pre, deviation)
+        .touch;
   }
-  EXPECT_GE(num_at_limit, 1);
-  EXPECT_GT(learned.opening, CalcOpening(hand, grasp, grasp.q_pre));
-}
+  LearnedPreGrasp Learn(const std::vector<VectorXd>& deviations,
+                        PreGraspWidth width = PreGraspWidth::kWidest) const {
+    return LearnPreGrasp(hand_, Ball(), grasp_, deviations, width);
+  }
+  /** Closes a digit's pre-grasp by a part of its way to the target. */
+  void CloseIn(const std::string& id, double share) {
+    for (const int joint : FindDrivenJoints(hand_, FindDigit(id))) {
+      grasp_.q_pre[joint] += share * (grasp_.q_target[joint] - grasp_.q_pre[joint]);
+    }
+    grasp_.q_pre = CalcClosingPosture(hand_, grasp_, 0.0);
+  }
 
-TEST(LearnPreGrasp, ADigitThatNeverTouchesKeepsItsPreGrasp) {
-  const Hand& hand = TumHand();
-  const StandardGrasp grasp = MakeGrasp();
-  const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, {0.7, kNever, 0.5});
-  EXPECT_EQ(learned.digit_cases[1], DigitCase::kNeverTouched);
-  for (const Digit& digit : hand.digits) {
-    for (const int joint : FindDrivenJoints(hand, digit)) {
-      if (digit.id == grasp.digits[1]) {
-        EXPECT_EQ(learned.q_pre[joint], grasp.q_pre[joint]);
-      } else {
-        EXPECT_NE(learned.q_pre[joint], grasp.q_pre[joint]);
-      }
+  Hand hand_;
+  StandardGrasp grasp_;
+  std::vector<VectorXd> follows_;  ///< a hand that moves as it is told
+};
+
+TEST_F(LearnPreGraspTest, AllDigitsMeetTheBallAtTheSameTime) {
+  CloseIn("TH", 0.3);
+  for (const PreGraspWidth width : kWidths) {
+    const LearnedPreGrasp learned = Learn(follows_, width);
+    ASSERT_TRUE(learned.is_new);
+    for (size_t d = 0; d < grasp_.digits.size(); ++d) {
+      EXPECT_EQ(learned.digit_cases[d], DigitCase::kLearned);
+      EXPECT_NEAR(FindTouch(d, learned.q_pre, follows_[d]), learned.common_closing, kPrecision);
     }
   }
 }
 
-TEST(LearnPreGrasp, ADigitThatTouchesAtOnceIsOpenedAndDoesNotBindTheOthers) {
-  const Hand& hand = TumHand();
-  const StandardGrasp grasp = MakeGrasp();
-  const LearnedPreGrasp two = LearnPreGrasp(hand, grasp, {0.7, kNever, 0.5});
-  const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, {0.7, -0.01, 0.5});
-  EXPECT_EQ(learned.digit_cases[1], DigitCase::kTouchedAtOnce);
-  EXPECT_EQ(learned.common_closing, two.common_closing);
-  const int joint = hand.FindJoint(grasp.digits[1] + "q2");
-  EXPECT_LT(learned.q_pre[joint], grasp.q_pre[joint]);
+// What the lesson showed of lag and of fingers in each other's way is expected again.
+TEST_F(LearnPreGraspTest, DeviationsAreMadeUpFor) {
+  const int joint = hand_.FindJoint(grasp_.digits[1] + "q2");
+  follows_[1][joint] = -RadFromDeg(5.0);
+  const LearnedPreGrasp learned = Learn(follows_);
+  ASSERT_TRUE(learned.is_new);
+  for (size_t d = 0; d < grasp_.digits.size(); ++d) {
+    EXPECT_NEAR(FindTouch(d, learned.q_pre, follows_[d]), learned.common_closing, kPrecision);
+  }
+  EXPECT_LT(FindTouch(1, learned.q_pre, VectorXd::Zero(hand_.num_joints())),
+            learned.common_closing - 0.05);
 }
 
-TEST(LearnPreGrasp, NothingIsLearnedFromOneDigit) {
-  const StandardGrasp grasp = MakeGrasp();
-  const LearnedPreGrasp learned = LearnPreGrasp(TumHand(), grasp, {0.7, kNever, 0.0});
-  EXPECT_EQ(learned.share, 0.0);
-  EXPECT_EQ(learned.q_pre, grasp.q_pre);
+// (q_c - s* q_target) / (1 - s*), with the angles q_c at which the digit touched.
+TEST_F(LearnPreGraspTest, IsTheClosedFormWhereNoJointIsAtItsLimit) {
+  CloseIn("TH", 0.3);
+  const LearnedPreGrasp learned = Learn(follows_, PreGraspWidth::kHalf);
+  const size_t thumb = static_cast<size_t>(
+      std::find(grasp_.digits.begin(), grasp_.digits.end(), "TH") - grasp_.digits.begin());
+  const double touch = FindTouch(thumb, grasp_.q_pre, follows_[thumb]);
+  const double s = learned.common_closing;
+  for (const int j : FindDrivenJoints(hand_, FindDigit("TH"))) {
+    const double contact = grasp_.q_pre[j] + touch * (grasp_.q_target[j] - grasp_.q_pre[j]);
+    EXPECT_NEAR(learned.q_pre[j], (contact - s * grasp_.q_target[j]) / (1.0 - s), RadFromDeg(0.3));
+  }
 }
 
-TEST(LearnPreGrasp, TheOpeningStaysTwentyMillimetresAboveTheWidth) {
-  const Hand& hand = TumHand();
-  StandardGrasp grasp = MakeGrasp();
-  // All fingers at their lower limits: s* is the earliest touch, the late digits must close in.
-  for (const Digit& digit : hand.digits) {
-    for (const int joint : FindDrivenJoints(hand, digit)) {
-      if (grasp.q_target[joint] > grasp.q_pre[joint]) {
-        grasp.q_pre[joint] = hand.joints[static_cast<size_t>(joint)].lower;
-      }
+TEST_F(LearnPreGraspTest, TheThreeWidthsAreInOrder) {
+  CloseIn("TH", 0.3);
+  const double widest = Learn(follows_, PreGraspWidth::kWidest).common_closing;
+  const double above_table = Learn(follows_, PreGraspWidth::kAboveTable).common_closing;
+  const double half = Learn(follows_, PreGraspWidth::kHalf).common_closing;
+  EXPECT_GE(widest, above_table);
+  EXPECT_GT(above_table, half + 0.01);
+  double first = 1.0;
+  for (size_t d = 0; d < 3; ++d) first = std::min(first, FindTouch(d, grasp_.q_pre, follows_[d]));
+  EXPECT_NEAR(half, 0.5 * (above_table + first), 1e-12);
+}
+
+TEST_F(LearnPreGraspTest, ADigitThatNeverComesKeepsItsPreGrasp) {
+  const Digit& index = FindDigit("FF");
+  for (const int joint : FindDrivenJoints(hand_, index)) {
+    grasp_.q_target[joint] = grasp_.q_pre[joint];
+  }
+  const LearnedPreGrasp learned = Learn(follows_);
+  ASSERT_TRUE(learned.is_new);
+  for (size_t d = 0; d < grasp_.digits.size(); ++d) {
+    const bool is_index = grasp_.digits[d] == "FF";
+    EXPECT_EQ(learned.digit_cases[d] == DigitCase::kNeverTouched, is_index);
+  }
+  for (const int joint : FindDrivenJoints(hand_, index)) {
+    EXPECT_EQ(learned.q_pre[joint], grasp_.q_pre[joint]);
+  }
+}
+
+TEST_F(LearnPreGraspTest, ADigitThatTouchesAtOnceIsOpened) {
+  CloseIn("TH", 0.6);
+  const LearnedPreGrasp learned = Learn(follows_);
+  ASSERT_TRUE(learned.is_new);
+  for (size_t d = 0; d < grasp_.digits.size(); ++d) {
+    EXPECT_EQ(learned.digit_cases[d] == DigitCase::kTouchedAtOnce, grasp_.digits[d] == "TH");
+    EXPECT_NEAR(FindTouch(d, learned.q_pre, follows_[d]), learned.common_closing, kPrecision);
+  }
+}
+
+TEST_F(LearnPreGraspTest, NothingIsLearnedFromOneDigit) {
+  for (const char* id : {"FF", "MF"}) {
+    for (const int joint : FindDrivenJoints(hand_, FindDigit(id))) {
+      grasp_.q_target[joint] = grasp_.q_pre[joint];
     }
   }
-  const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, {0.95, 0.95, 0.3});
-  EXPECT_LT(learned.share, 1.0);
-  EXPECT_GE(learned.opening, learned.required_opening);
-  EXPECT_LT(learned.opening, learned.required_opening + 0.002);
-  EXPECT_LE(learned.required_opening, CalcOpening(hand, grasp, grasp.q_pre));
+  const LearnedPreGrasp learned = Learn(follows_);
+  EXPECT_FALSE(learned.is_new);
+  EXPECT_EQ(learned.q_pre, grasp_.q_pre);
+}
+
+// The lesson's posture minus the command, of the digit's own joints.
+TEST_F(LearnPreGraspTest, DeviationsAreThoseOfTheDigitsOwnJoints) {
+  const std::vector<double> closings = {0.3, 0.4, std::nan("")};
+  std::vector<VectorXd> q(3);
+  for (size_t d = 0; d < 2; ++d) {
+    q[d] = CalcClosingPosture(hand_, grasp_, closings[d]);
+    q[d].array() += 0.01 * static_cast<double>(d + 1);
+  }
+  const std::vector<VectorXd> deviations = CalcDeviations(hand_, grasp_, closings, q);
+  ASSERT_EQ(deviations.size(), 3u);
+  for (int j = 0; j < hand_.num_joints(); ++j) {
+    const int digit = hand_.FindDigitOfLink(hand_.joints[static_cast<size_t>(j)].link);
+    for (size_t d = 0; d < 3; ++d) {
+      const bool is_own = hand_.digits[static_cast<size_t>(digit)].id == grasp_.digits[d];
+      EXPECT_NEAR(deviations[d][j], is_own && d < 2 ? 0.01 * static_cast<double>(d + 1) : 0.0,
+                  1e-12);
+    }
+  }
 }
 
 TEST(LearnPreGrasp, WorksForEveryStandardGraspOfEveryHand) {
   for (const std::string& id : ListHands()) {
     const Hand hand = LoadHand(id);
-    for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
-      std::vector<double> closings;
-      for (size_t d = 0; d < grasp.digits.size(); ++d) {
-        closings.push_back(0.3 + 0.6 * static_cast<double>(d) / 5.0);
-      }
-      const LearnedPreGrasp learned = LearnPreGrasp(hand, grasp, closings);
-      EXPECT_TRUE(learned.q_pre.allFinite());
-      EXPECT_GE(learned.opening, learned.required_opening) << id << " " << grasp.id;
-      EXPECT_LE(learned.common_closing, kLargestCommonClosing);
-      for (int j = 0; j < hand.num_joints(); ++j) {
-        EXPECT_GE(learned.q_pre[j], hand.joints[static_cast<size_t>(j)].lower - 1e-9);
-        EXPECT_LE(learned.q_pre[j], hand.joints[static_cast<size_t>(j)].upper + 1e-9);
+    for (StandardGrasp grasp : LoadStandardGrasps(hand)) {
+      grasp.placement = CalcPlacement(hand, grasp, Ball().size, Vector3d::Zero());
+      const std::vector<VectorXd> follows(grasp.digits.size(), VectorXd::Zero(hand.num_joints()));
+      for (const PreGraspWidth width : kWidths) {
+        const LearnedPreGrasp learned = LearnPreGrasp(hand, Ball(), grasp, follows, width);
+        EXPECT_GE(learned.opening, learned.required_opening) << id << " " << grasp.id;
+        EXPECT_LE(learned.common_closing, kLargestCommonClosing);
+        for (int j = 0; j < hand.num_joints(); ++j) {
+          EXPECT_GE(learned.q_pre[j], hand.joints[static_cast<size_t>(j)].lower - 1e-9);
+          EXPECT_LE(learned.q_pre[j], hand.joints[static_cast<size_t>(j)].upper + 1e-9);
+        }
       }
     }
   }
