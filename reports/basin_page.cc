@@ -12,7 +12,7 @@ namespace graspbench {
 namespace {
 
 constexpr int kNumSlices = 3;
-constexpr double kPanel = 210.0, kGap = 26.0, kTop = 24.0, kBottom = 44.0;
+constexpr double kPanel = 210.0, kGap = 36.0, kTop = 24.0, kBottom = 44.0;
 constexpr double kSmallDot = 1.5, kLargeDot = 7.0;
 
 int FindSlice(const BasinSample& sample) {
@@ -44,9 +44,14 @@ Html DrawSample(const BasinSample& sample, double left, double most_sigma) {
   return Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(r)}}, hint);
 }
 
-Html DrawMap(const std::vector<BasinSample>& samples) {
+double FindMostSigma(const std::vector<BasinSample>& samples) {
   double most_sigma = 0.0;
   for (const BasinSample& sample : samples) most_sigma = std::fmax(most_sigma, sample.sigma);
+  return most_sigma;
+}
+
+Html DrawMap(const std::vector<BasinSample>& samples) {
+  const double most_sigma = FindMostSigma(samples);
   Html content;
   for (int slice = 0; slice < kNumSlices; ++slice) {
     const double left = 40.0 + slice * (kPanel + kGap);
@@ -86,16 +91,18 @@ std::string MakeBasinPage(const std::string& title, const std::vector<BasinSampl
   const double radius = CalcBasinRadius(samples);
   const Html body =
       MakeParagraph(
-          "Basin radius " + FormatFixed(radius, 2) + ": all offsets nearer than " +
-          FormatFixed(MmFromM(radius * kBasinOffset), 1) + " mm or " +
+          "Basin radius " + FormatFixed(radius, 2) +
+          " of at most 1: every offset that was tried within " +
+          FormatFixed(MmFromM(radius * kBasinOffset), 1) + " mm and " +
           FormatFixed(DegFromRad(radius * kBasinYaw), 1) +
-          " degrees (combined as an ellipsoid) have succeeded. An upper bound from the " +
-          "samples tried: " + FormatRate(num_successes, static_cast<int>(samples.size())) + ".") +
+          " degrees (an ellipsoid) succeeded; more samples can only lower it. In the whole box " +
+          FormatRate(num_successes, static_cast<int>(samples.size())) + " succeeded.") +
       MakeFigure(
-          "The object's offset from where the hand expects it, joints without error; y "
-          "upwards [mm].",
-          "a gap of crosses near the middle, or crosses on one side only: the hand should "
-          "stand farther to that side. Large discs hold firmly (sigma).",
+          "The object's offset from where the hand expects it, y upwards [mm]; joints without "
+          "error. Discs are successes, their area is sigma (the largest " +
+              FormatFixed(FindMostSigma(samples), 1) + " N); crosses are failures.",
+          "crosses near the middle; crosses on one side only: the hand should stand farther to "
+          "that side; discs that shrink towards an edge.",
           MakeScroll("Success by the object's offset", DrawMap(samples)));
   return MakePage("Robustness basin", title, {}, body);
 }

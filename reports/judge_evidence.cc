@@ -126,13 +126,15 @@ Json ToJson(const Answer<BootstrapInterval>& answer) {
 }  // namespace
 
 JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records) {
+  JudgeEvidence evidence;
   std::vector<const TrialRecord*> judged, finished;
   for (const TrialRecord& record : records) {
     if (record.result.outcome == Outcome::kNumericalFailure) continue;
     finished.push_back(&record);
+    evidence.num_successes += record.result.outcome == Outcome::kSuccess;
     if (record.judgement) judged.push_back(&record);
   }
-  JudgeEvidence evidence;
+  evidence.num_finished = static_cast<int>(finished.size());
   evidence.num_judged = static_cast<int>(judged.size());
   const Cells judged_cells = GroupByCell(judged);
   evidence.num_cells = static_cast<int>(judged_cells.size());
@@ -171,6 +173,8 @@ Json ToJson(const JudgeEvidence& evidence) {
   }
   return Json{{"num_judged", evidence.num_judged},
               {"num_cells", evidence.num_cells},
+              {"num_finished", evidence.num_finished},
+              {"num_successes", evidence.num_successes},
               {"ranks", ranks},
               {"roc", roc},
               {"passed", passed}};

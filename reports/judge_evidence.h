@@ -31,7 +31,8 @@ struct Agreement {
 
 struct JudgeEvidence {
   int num_judged = 0;
-  int num_cells = 0;                ///< with a judged grasp
+  int num_cells = 0;                        ///< with a judged grasp
+  int num_finished = 0, num_successes = 0;  ///< trials, judged or not; no numerical failures
   std::vector<RankEvidence> ranks;  ///< larger is better, also for conventions that count down
   std::vector<RocEvidence> roc;     ///< over all finished trials; missing values count as 0
   std::vector<std::string> rules;   ///< names

@@ -184,7 +184,7 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
 
 Html DrawStripChart(const StripChart& chart) {
   constexpr double kRow = 22.0, kSpan = 12.0, kAxis = 38.0, kPlot = 560.0, kHead = 20.0;
-  constexpr double kKey = 18.0, kMinSpan = 1.0;
+  constexpr double kKey = 18.0, kMinSpan = 1.0, kMark = 8.0, kSmall = 11.0 / 13.0;
   GRASPBENCH_DEMAND(chart.kinds.size() <= kMaxSeries, chart.text.title);
   Range range;
   std::vector<std::string> labels;
@@ -200,7 +200,7 @@ Html DrawStripChart(const StripChart& chart) {
     }
     for (const StripChart::Mark& mark : row.marks) range.Add(mark.at);
   }
-  const Axis axis(range.low, range.high, 8);
+  const Axis axis(range.low, range.high, 10);
   const double left = CalcLabelWidth(labels) + kPlotGap;
   const auto place_x = [&](double time) { return left + kPlot * axis.CalcShare(time); };
   const double legend = chart.kinds.empty() ? 0.0 : kHead;
@@ -219,7 +219,7 @@ Html DrawStripChart(const StripChart& chart) {
     const double from = place_x(phase.from), to = place_x(phase.to);
     content += Line("mark", from, legend, from, bottom);
     // A short phase has no room for its name; it is said when pointed at.
-    if (to - from >= CalcLabelWidth({phase.label}) - kPlotGap) {
+    if (to - from >= kSmall * (CalcLabelWidth({phase.label}) - kPlotGap)) {
       content += Label("middle small", (from + to) / 2.0, legend + kHead / 2.0, phase.label);
     } else {
       content += Rect("hover", from, legend, to - from, kHead, phase.label);
@@ -236,10 +236,15 @@ Html DrawStripChart(const StripChart& chart) {
       content += Rect("part part" + std::to_string(span.kind), from, y - kSpan / 2.0, width, kSpan,
                       span.hint);
     }
-    for (const StripChart::Mark& mark : row.marks) {
-      content +=
-          Element("text", {{"class", "middle small"}, {"x", Px(place_x(mark.at))}, {"y", Px(y)}},
-                  Text(mark.symbol) + Hint(mark.hint));
+    std::vector<StripChart::Mark> marks = row.marks;
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
+    double free_from = left - kMark;
+    for (const StripChart::Mark& mark : marks) {
+      const double x = std::max(free_from, place_x(mark.at));
+      free_from = x + kMark * static_cast<double>(mark.symbol.size());
+      content += Element("text", {{"class", "middle small"}, {"x", Px(x)}, {"y", Px(y)}},
+                         Text(mark.symbol) + Hint(mark.hint));
     }
   }
   const double width = std::max(left + kPlot + 3.0 * kPlotGap, key);

@@ -57,7 +57,7 @@ struct StripChart {
   };
   struct Mark {
     double at = 0.0;
-    std::string symbol;  ///< a letter or two, drawn at the time
+    std::string symbol;  ///< a letter or two, drawn at the time, or behind the mark before it
     std::string hint;
   };
   struct Row {

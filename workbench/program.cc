@@ -1,11 +1,13 @@
 #include "workbench/program.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
@@ -87,6 +89,33 @@ CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::st
   CLI::App* command = parent.add_subcommand(name, description);
   command->footer(examples);
   return *command;
+}
+
+void AddListOption(CLI::App& command, const std::string& name, std::vector<std::string>& list,
+                   const std::string& text, const std::string& form) {
+  command.add_option(name, list, text)->delimiter(',')->allow_extra_args(false)->option_text(form);
+}
+
+void AddSceneOptions(CLI::App& command, std::vector<std::string>& hands,
+                     std::vector<std::string>& objects) {
+  AddListOption(command, "--hand", hands, "hands by id or folder, or all (default tum,shadow)",
+                "H,..");
+  AddListOption(command, "--object", objects, "objects by id or folder, or all (default all)",
+                "O,..");
+}
+
+void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
+                       const std::string& example) {
+  command.add_option("--set", settings, "any other setting, e.g. " + example)
+      ->allow_extra_args(false)
+      ->option_text("KEY=VALUE");
+}
+
+void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
+  num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  command.add_option("--jobs", num_workers, what + " at a time (default: processors)")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
 }
 
 void PrintJson(const Json& json) { std::cout << json.dump(2) << '\n'; }

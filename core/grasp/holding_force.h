@@ -4,11 +4,11 @@ The largest force that the measured contacts of a grasp can hold against a pull:
 
     maximise s   so that contact forces exist with
 
-        sum_i f_i + weight + s d = 0                           forces balance
-        |sum_i p_i x f_i| <= tolerance                         moments about the centre of mass do
-too, but for a tolerance, axis by axis f_i in its cone (friction of its state, soft pads with
-torsion; wrench_space.h) sum of normal forces of a digit <= its measured sum    a digit presses no
-harder than it does, but shifts its force among its contacts
+        sum_i f_i + weight + s d = 0      forces balance
+        |sum_i p_i x f_i| <= tolerance    moments about the centre of mass too, axis by axis
+        f_i in its cone                   friction of its state, soft pads (wrench_space.h)
+        sum of a digit's normal forces    at most what was measured: it presses no harder, but
+                                          may shift its force among its contacts
 
 A linear program. Where contacts cannot carry the weight, nothing is left to pull at: 0.
 
@@ -17,7 +17,7 @@ as the object turns a little. Without it, pinches of two points fall to 0 for mo
 finger takes up at once.
 
 Source: Haschke, Steil, Steuwer, Ritter, CIRA 2005 (task forces), here with the forces that fingers
-exert instead of a unit effort, and with the weight. Blind to: hands that give way before contacts
+exert instead of a unit effort, and with the weight. Blind to: drives that yield before contacts
 slip, fingers that press harder when the object is pushed into them. */
 
 #include <Eigen/Core>

@@ -6,11 +6,11 @@ its placement (grasp_file.h).
 The hand knows the object's nominal pose (frame O: centre of its bounding box, resting on the table)
 and its sizes. With q(s) the linear closing from pre-grasp to target,
 
-    s*   the first s at which thumb pad and the mean of the other pads are as far apart as the
-object is wide G    the grasp centre: midway between the two at s* G is put over the object's centre
-at grasp height h_g, the opposition axis (thumb to fingers) is turned by alpha from the object's
-long axis, the approach direction (the palm's normal tilted towards the fingertips) points straight
-down.
+    s*   the first s at which thumb pad and mean of the other pads are an object's width apart
+    G    the grasp centre: midway between the two at s*
+G is put over the object's centre at grasp height h_g, the opposition axis (thumb to fingers) is
+turned by alpha from the object's long axis, the approach direction (the palm's normal tilted
+towards the fingertips) points straight down.
 
 h_g = max(9 mm, min(height / 2, height - 8 mm)) for precision and pinch, so that the pads clear the
 table; a power grasp brings the palm to 3 mm from the object instead. No sphere of the hand comes

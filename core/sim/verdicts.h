@@ -4,14 +4,14 @@ One grasp under published rules of success. Each rule starts from the same insta
 hold, and keeps its source's loads, times and thresholds; objects keep their own mass and friction,
 where some sources set others.
 
-  id                rule                                              passed              score
-  lift_off          lifted, held and steady at the end of the hold    it was              1 or 0
-  dexgraspbench     10 m/s^2 times the mass along six axes in turn,   never moved 50 mm   axes
-passed 2 s each                                          or turned 15 deg    of 6 graspa turned by a
-quarter, back, the other way, back,   not dropped         quarters 1 s each of 4 multigrippergrasp
-gravity of 9.81 m/s^2 for 6 s, here along each    never moved 0.3 m   shortest time of six axes [s]
-  nist_pull         pulled out of the grasp with growing force until  stands its weight   force [N]
-                    it slips                                          once more
+  id                 rule                                           passed if           score
+  lift_off           lifted, held and steady at the end             it was              1 or 0
+  dexgraspbench      10 m/s^2 times the mass, six axes, 2 s each    always < 50 mm      axes of 6
+                                                                    and < 15 deg
+  graspa             a quarter turn, back, other way, back, 1 s     not dropped         of 4 turns
+  multigrippergrasp  gravity of 9.81 m/s^2 along six axes, 6 s      always < 0.3 m      time [s]
+  nist_pull          pulled with growing force until it slips       stands its weight   force [N]
+                                                                    once more
 
 A rule that turns the hand, or that presses on the object in free space, is carried out by turning
 gravity in the palm's frame: at the sources' slow speeds the object feels the same. GRASPA's turns

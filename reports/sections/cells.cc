@@ -255,7 +255,8 @@ Html DrawEvents(const CellSummary& cell, const ReportData& data) {
   }
   return MakeFigure(
       "Contact of each link over trial " + std::to_string(record.plan.trial) +
-          ": T touched, L lost, R regained, S began to slip.",
+          ": T touched, L lost, R regained, S began to slip. Dashed lines: the phases of the "
+          "trial.",
       "links that let go and come back, slip late in the hold; rows stand in the order of contact.",
       MakeScroll(chart.text.title, DrawStripChart(chart)));
 }

@@ -56,11 +56,12 @@ Html DrawRoc(const JudgeEvidence& evidence) {
   plot.text.description = "Areas under the ROC curve with 95 % intervals, one row per measure.";
   plot.axis = "area under the ROC curve";
   for (const RocEvidence& roc : evidence.roc) plot.rows.push_back(MakeRow(roc.measure, roc.area));
-  return MakeFigure(
-      "Area under the ROC curve for success, over all finished trials; a grasp that was never "
-      "closed counts as 0.",
-      "0.5 is chance, 1 tells every success from every failure before the lift.",
-      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  return MakeFigure("Area under the ROC curve for success, over " +
+                        FormatCount(evidence.num_finished, "finished trial") + ", " +
+                        std::to_string(evidence.num_successes) +
+                        " of them successful; a grasp that was never closed counts as 0.",
+                    "0.5 is chance, 1 tells every success from every failure before the lift.",
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawAgreement(const JudgeEvidence& evidence) {

@@ -29,6 +29,8 @@ TEST(JudgeEvidence, RanksMeasuresAgainstTheBreakingForce) {
   const JudgeEvidence evidence = CalcJudgeEvidence(MakeJudgedSession().records);
   EXPECT_EQ(evidence.num_judged, 24);
   EXPECT_EQ(evidence.num_cells, 12);
+  EXPECT_EQ(evidence.num_finished, 24);
+  EXPECT_EQ(evidence.num_successes, 24);
   for (const RankEvidence& rank : evidence.ranks) {
     // The intervals of perfect order are no intervals; then the reason stands in their place.
     if (rank.measure == "volume") {
@@ -41,6 +43,29 @@ TEST(JudgeEvidence, RanksMeasuresAgainstTheBreakingForce) {
       EXPECT_DOUBLE_EQ(rank.correlation->estimate, -1.0);
     }
   }
+}
+
+// Cells are drawn, not trials: trials that repeat their cell must not narrow an interval.
+TEST(JudgeEvidence, TrialsOfACellThatSayTheSameAddNothing) {
+  const auto rank_sigma = [](int trials) {
+    Session session = MakeSession({"tum", "shadow"}, {"a", "b", "c", "d", "e", "f"}, "g1", trials);
+    for (size_t i = 0; i < session.records.size(); ++i) {
+      const auto cell = static_cast<int>(i) / trials;
+      Judgement judgement = MakeEmptyHandJudgement();
+      judgement.breaking_force = 1.0 + cell;
+      session.records[i].result.stability.sigma = (5 * cell) % 7;
+      session.records[i].judgement = judgement;
+    }
+    const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
+    EXPECT_EQ(evidence.num_cells, 12);
+    EXPECT_EQ(evidence.ranks.front().measure, "sigma");
+    return evidence.ranks.front().correlation;
+  };
+  const auto one = rank_sigma(1), ten = rank_sigma(10);
+  ASSERT_TRUE(one && ten);
+  EXPECT_NEAR(ten->estimate, one->estimate, 1e-12);
+  EXPECT_NEAR(ten->interval.low, one->interval.low, 1e-12);
+  EXPECT_NEAR(ten->interval.high, one->interval.high, 1e-12);
 }
 
 TEST(JudgeEvidence, CountsWhereRulesAgree) {

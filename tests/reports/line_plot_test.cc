@@ -90,5 +90,23 @@ TEST(DrawStripChart, SpansAreToScaleAndShortPhasesAreHints) {
                "stabilisation");
 }
 
+TEST(DrawStripChart, MarksOfOneInstantStandSideBySide) {
+  StripChart chart;
+  chart.text = {"Contacts", "The thumb touches and slips at once"};
+  chart.axis = "time [s]";
+  chart.rows = {{"TH", {{0.2, 1.0, 0, ""}}, {{0.9, "L", ""}, {0.2, "T", ""}, {0.2, "S", ""}}}};
+  chart.kinds = {"in contact"};
+  std::vector<double> x;
+  const Drawing drawing(DrawStripChart(chart));
+  for (const auto* text : drawing.Find("text", "middle small")) {
+    if (std::string("TSL").find(text->GetText()) != std::string::npos) {
+      x.push_back(text->DoubleAttribute("x"));
+    }
+  }
+  ASSERT_EQ(x.size(), 3U);
+  EXPECT_GE(x[1], x[0] + 8.0);
+  EXPECT_GT(x[2], x[1] + 100.0);  // where there is room it stands at its time
+}
+
 }  // namespace
 }  // namespace graspbench

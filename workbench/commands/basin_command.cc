@@ -1,11 +1,9 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "core/base/files.h"
 #include "datasets/session_inputs.h"
@@ -24,7 +22,7 @@ struct BasinOptions {
   std::string hand, object, out;
   std::string grasp = "best";
   int num_samples = 200;
-  int num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int num_workers = 1;
 };
 
 /** Tries every sample; the n-th of the planned trials is the n-th sample. */
@@ -114,9 +112,7 @@ void AddBasinCommand(CLI::App& program, ExitCode&) {
   command.add_option("--samples", options->num_samples, "offsets to try (default 200)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
-  command.add_option("--jobs", options->num_workers, "trials at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+  AddJobsOption(command, options->num_workers);
   command.add_option("--out", options->out, "folder for index.html and basin.csv")
       ->required()
       ->option_text("DIR");

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/config.h"
@@ -39,7 +38,7 @@ struct CampaignOptions {
   CampaignConfig config;
   std::vector<std::string> settings;
   bool compare = false;
-  int num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int num_workers = 1;
   std::string out;
 };
 
@@ -276,17 +275,7 @@ void AddCampaignCommand(CLI::App& program, ExitCode&) {
   const auto options = std::make_shared<CampaignOptions>();
   CampaignConfig& config = options->config;
   config.optimise.evaluations = 200;
-  const auto add_list = [&](const char* name, std::vector<std::string>& list, const char* text,
-                            const char* form) {
-    command.add_option(name, list, text)
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->option_text(form);
-  };
-  add_list("--hand", config.session.hands, "hands by id or folder, or all (default tum,shadow)",
-           "H,..");
-  add_list("--object", config.session.objects, "objects by id or folder, or all (default all)",
-           "O,..");
+  AddSceneOptions(command, config.session.hands, config.session.objects);
   command
       .add_option("--evaluations", config.optimise.evaluations,
                   "of each scene's step 2 (default 200; 1000 for the full campaign)")
@@ -302,12 +291,8 @@ void AddCampaignCommand(CLI::App& program, ExitCode&) {
       ->option_text("N");
   command.add_flag("--compare", options->compare,
                    "also compare search methods over several seeds, on six scenes");
-  command.add_option("--set", options->settings, "any other setting, e.g. comparison.seeds=20")
-      ->allow_extra_args(false)
-      ->option_text("KEY=VALUE");
-  command.add_option("--jobs", options->num_workers, "trials at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+  AddSettingsOption(command, options->settings, "comparison.seeds=20");
+  AddJobsOption(command, options->num_workers);
   command.add_option("--out", options->out, "folder (default: results/campaign-HASH)")
       ->option_text("DIR");
   command.callback([options] { RunCampaign(*options); });

@@ -1,9 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <thread>
 
 #include "core/base/files.h"
 #include "datasets/session_store.h"
@@ -19,7 +17,7 @@ namespace {
 struct CheckOptions {
   std::string folder;
   int trials = 1;
-  int num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int num_workers = 1;
   std::string out;
   bool json = false;
 };
@@ -82,9 +80,7 @@ void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
                   "finished trials of each hand, object, grasp to take (default 1)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
-  command.add_option("--jobs", options->num_workers, "trials at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+  AddJobsOption(command, options->num_workers);
   command
       .add_option("--out", options->out,
                   "table of all comparisons (default: check/numerics.csv in the session)")

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 #include <unordered_map>
 
 #include "datasets/judgement_store.h"
@@ -24,7 +23,7 @@ namespace {
 
 struct JudgeOptions {
   std::string folder;
-  int num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int num_workers = 1;
   bool json = false;
 };
 
@@ -77,9 +76,7 @@ void AddJudgeCommand(CLI::App& program, ExitCode&) {
   command.add_option("folder", options->folder, "folder of the session")
       ->required()
       ->option_text("DIR");
-  command.add_option("--jobs", options->num_workers, "grasps at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+  AddJobsOption(command, options->num_workers, "grasps");
   command.add_flag("--json", options->json, "print the evidence as one JSON object");
   command.callback([options] {
     const std::filesystem::path folder = options->folder;

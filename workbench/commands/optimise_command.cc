@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "core/base/config.h"
 #include "core/base/files.h"
@@ -29,7 +28,7 @@ namespace {
 struct OptimiseOptions {
   SceneConfig config;
   std::optional<int> replay;
-  int num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int num_workers = 1;
   std::string out;
 };
 
@@ -207,9 +206,7 @@ void AddOptimiseCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("N");
   command.add_option("--seed", config.seed, "another seed gives another search (default 1)")
       ->option_text("N");
-  command.add_option("--jobs", options->num_workers, "trials at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+  AddJobsOption(command, options->num_workers);
   command
       .add_option("--out", options->out,
                   "folder of the results; the same command again continues it")

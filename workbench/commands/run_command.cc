@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/files.h"
@@ -35,7 +34,7 @@ struct RunOptions {
   std::vector<std::string> hands, objects, grasps;
   std::optional<int> trials, seed;
   std::vector<std::string> settings;
-  int num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int num_workers = 1;
   std::string out;
   bool resume = false;
   bool json = false;
@@ -200,31 +199,19 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
       "  graspbench run                       both hands, 21 objects, 10 trials each\n"
       "  graspbench run --hand shadow --object can,cup --grasp all --trials 3");
   const auto options = std::make_shared<RunOptions>();
-  const auto add_list = [&](const char* name, std::vector<std::string>& list, const char* text,
-                            const char* form) {
-    command.add_option(name, list, text)
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->option_text(form);
-  };
   command
       .add_option("session", options->session_file, "session file (YAML); absent: the benchmark")
       ->option_text("SESSION.YAML");
-  add_list("--hand", options->hands, "hands by id or folder, or all (default tum,shadow)", "H,..");
-  add_list("--object", options->objects, "objects by id or folder, or all (default all)", "O,..");
-  add_list("--grasp", options->grasps, "best, all, ids or grasp files: g1,my.yaml (default best)",
-           "G,..");
+  AddSceneOptions(command, options->hands, options->objects);
+  AddListOption(command, "--grasp", options->grasps,
+                "best, all, ids or grasp files: g1,my.yaml (default best)", "G,..");
   command
       .add_option("--trials", options->trials, "trials of each hand, object, grasp (default 10)")
       ->option_text("N");
   command.add_option("--seed", options->seed, "another seed gives other variations (default 1)")
       ->option_text("N");
-  command.add_option("--set", options->settings, "any other setting, e.g. sim.step_s=0.001")
-      ->allow_extra_args(false)
-      ->option_text("KEY=VALUE");
-  command.add_option("--jobs", options->num_workers, "trials at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+  AddSettingsOption(command, options->settings, "sim.step_s=0.001");
+  AddJobsOption(command, options->num_workers);
   command.add_option("--out", options->out, "folder of the session (default: results/NAME-HASH)")
       ->option_text("DIR");
   command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
