@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 
@@ -74,11 +73,10 @@ std::string DescribeNoRest(const HoldCriteria& criteria, const std::vector<bool>
       longest = std::max(longest, criteria.times[i] - since);
     }
   }
-  std::string text = "near the object the visible tips never rest together";
-  if (longest < kWorthTelling) return text;
-  char hidden[60];
-  std::snprintf(hidden, sizeof hidden, "; for %.2f s all are hidden there", longest);
-  return text + hidden;
+  return longest < kWorthTelling
+             ? "near the object the tips never rest together"
+             : "near the object all tips are hidden for a while and never rest together before or "
+               "after it";
 }
 
 /** Minus the way from the first place when the object was not recorded; NaN where hidden. */

@@ -238,7 +238,7 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
                             analysis.hold, options.contact);
     analysis.contacts = FindContacts(evidence, options.contact);
   } else {
-    analysis.contacts = ListMissingContacts(trial, "no lift-off, and " + analysis.hold.missing);
+    analysis.contacts = ListMissingContacts(trial, "no hold");
   }
   CalcMeasures(options, analysis);
   return analysis;

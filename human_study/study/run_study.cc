@@ -53,6 +53,7 @@ std::string FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rule
   if (!analysis.movement.onset.IsFound()) {
     return "no onset of the movement: " + analysis.movement.onset.missing;
   }
+  if (!analysis.hold.IsFound()) return "no hold: " + analysis.hold.missing;
   if (!analysis.closure_start.IsFound()) {
     return "no widest opening: " + analysis.closure_start.missing;
   }

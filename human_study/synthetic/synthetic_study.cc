@@ -311,7 +311,7 @@ void CheckSyntheticOptions(const SyntheticOptions& options) {
             options.max_contact_speed <= 0.5,
         "0 to 0.5 m/s, the smaller one first");
   check("the compression of the pads",
-        options.pad_compression >= 0.0 && options.pad_compression <= 0.005, "0 to 0.005 m");
+        options.pad_compression >= 0.0 && options.pad_compression <= 0.03, "0 to 0.03 m");
   check("the push", options.push >= 0.0 && options.push <= 0.02, "0 to 0.02 m");
 }
 

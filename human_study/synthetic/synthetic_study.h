@@ -42,7 +42,7 @@ struct SyntheticOptions {
   double forming_time = std::numeric_limits<double>::quiet_NaN();
   double min_contact_speed = 0.06;  ///< v_c is drawn evenly between these [m/s]
   double max_contact_speed = 0.15;
-  double pad_compression = 0.0;  ///< the pad yields by this much after contact [m]
+  double pad_compression = 0.0;  ///< pad or object yields by this much after contact [m]
   double push = 0.001;           ///< the first digit pushes the object by this much [m]
   bool lifts = true;             ///< else the object is held, let go, and the hand goes back
   bool rests = true;             ///< before the reach; else the hand comes from the one before

@@ -9,15 +9,33 @@ namespace {
 
 constexpr int kMaxNamed = 12;
 
+/** Texts that differ in numbers alone are one kind. */
+std::string HideNumbers(const std::string& text) {
+  std::string hidden;
+  bool is_number = false;
+  for (const char c : text) {
+    const bool is_digit = c >= '0' && c <= '9';
+    if (is_digit && !is_number) hidden += "\u2026";
+    is_number = is_digit || (is_number && c == '.');
+    if (!is_number) hidden += c;
+  }
+  return hidden;
+}
+
 /** Trials by reason, most frequent first, names in the order of the plan. */
 std::vector<std::pair<std::string, std::vector<std::string>>> GroupRemoved(
     const StudyResult& result) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
   for (const StudyTrial& trial : result.trials) {
     if (trial.IsKept()) continue;
+    const std::string kind = HideNumbers(trial.removed);
     auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& g) { return g.first == trial.removed; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {trial.removed, {}});
+                              [&](const auto& g) { return HideNumbers(g.first) == kind; });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), {trial.removed, {}});
+    } else if (group->first != trial.removed) {
+      group->first = kind;
+    }
     group->second.push_back(trial.id);
   }
   std::stable_sort(groups.begin(), groups.end(),
@@ -83,15 +101,22 @@ Html DrawFlags(const StudyResult& result) {
 Html DrawImport(const StudyResult& result) {
   // The same deviation in every file is one finding.
   struct Group {
-    ImportFinding finding;
+    std::string code, kind, text;
+    int count = 0;
     std::vector<std::string> files;
   };
   std::vector<Group> groups;
   for (const FileFinding& entry : result.findings) {
+    const std::string kind = HideNumbers(entry.finding.text);
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
-      return g.finding.code == entry.finding.code && g.finding.text == entry.finding.text;
+      return g.code == entry.finding.code && g.kind == kind;
     });
-    if (group == groups.end()) group = groups.insert(groups.end(), {entry.finding, {}});
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), {entry.finding.code, kind, entry.finding.text, 0, {}});
+    } else if (group->text != entry.finding.text) {
+      group->text = kind;
+    }
+    ++group->count;
     if (group->files.empty() || group->files.back() != entry.file) {
       group->files.push_back(entry.file);
     }
@@ -102,11 +127,14 @@ Html DrawImport(const StudyResult& result) {
       FormatCount(result.num_resampled, "recording") + " had uneven time stamps and " +
       (result.num_resampled == 1 ? "was" : "were") + " resampled.");
   if (groups.empty()) return html + MakeParagraph("Reading the files needed no assumption.");
-  Table table("What had to be assumed to read the files.",
-              {{"Code"}, {"Assumption", Align::kProse}, {"Files", Align::kProse}});
+  Table table("What had to be assumed to read the files; a row for what differs in numbers alone.",
+              {{"Code"},
+               {"Assumption", Align::kProse},
+               {"Times", Align::kNumber},
+               {"Files", Align::kProse}});
   for (const Group& group : groups) {
-    table.AddRow({Element("code", {}, group.finding.code), Text(group.finding.text),
-                  Text(ListNames(group.files))});
+    table.AddRow({Element("code", {}, group.code), Text(group.text),
+                  Text(std::to_string(group.count)), Text(ListNames(group.files))});
   }
   return html + table.ToHtml();
 }
