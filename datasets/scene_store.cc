@@ -24,6 +24,15 @@ Json MakeScore(const std::vector<LearningTrial>& trials) {
               {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))}};
 }
 
+/** Of check trials of step 1, the first of which is without variation. */
+Json MakePreGraspScore(const std::vector<LearningTrial>& trials) {
+  Json score = MakeScore(trials);
+  if (!trials.empty()) {
+    score["gft_ratio_without_variation"] = JsonNumber(trials.front().timing.gft_ratio);
+  }
+  return score;
+}
+
 Json MakeShotJson(const PreGraspShot& shot, const StandardGrasp& start) {
   Json cases = Json::object();
   for (size_t d = 0; d < start.digits.size(); ++d) {
@@ -35,7 +44,7 @@ Json MakeShotJson(const PreGraspShot& shot, const StandardGrasp& start) {
               {"common_closing", shot.learned.common_closing},
               {"opening_m", shot.learned.opening},
               {"required_opening_m", shot.learned.required_opening},
-              {"score", MakeScore(shot.trials)}};
+              {"score", MakePreGraspScore(shot.trials)}};
 }
 
 Json MakePreGraspJson(const PreGraspStep& step, const StandardGrasp& start) {
@@ -43,7 +52,7 @@ Json MakePreGraspJson(const PreGraspStep& step, const StandardGrasp& start) {
   for (const PreGraspShot& shot : step.shots) shots.push_back(MakeShotJson(shot, start));
   return Json{{"verdict", step.verdict},
               {"taken", step.chosen < 0 ? Json() : Json(step.shots[step.chosen].name)},
-              {"standard", MakeScore(step.standard_trials)},
+              {"standard", MakePreGraspScore(step.standard_trials)},
               {"shots", shots}};
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "reports/contact_strip.h"
 #include "reports/format.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
@@ -210,57 +211,6 @@ const TrialRecord& FindShownTrial(const CellSummary& cell) {
   return success == cell.records.end() ? *cell.records.front() : **success;
 }
 
-/** The letter that stands for an event in the strip chart. */
-std::string SymbolOf(ContactEventKind kind) {
-  switch (kind) {
-    case ContactEventKind::kTouch:
-      return "T";
-    case ContactEventKind::kLost:
-      return "L";
-    case ContactEventKind::kRegained:
-      return "R";
-    case ContactEventKind::kSlip:
-      return "S";
-  }
-  return "";
-}
-
-/** Contact of every link that touched, over the time of one trial. */
-Html DrawEvents(const CellSummary& cell, const ReportData& data) {
-  const TrialRecord& record = FindShownTrial(cell);
-  const TrialResult& result = record.result;
-  if (result.phases.empty() || result.contact_events.empty()) return {};
-  const double end = std::max(result.phases.back().time, result.contact_events.back().time);
-  StripChart chart;
-  chart.text.title = "Contacts with " + NameOfCell(cell, data.models);
-  chart.text.description = "One row per link that touched the object: bars of contact over time.";
-  chart.axis = "time since the start of closure [s]";
-  chart.kinds = {"in contact"};
-  for (size_t i = 0; i + 1 < result.phases.size(); ++i) {
-    chart.phases.push_back(
-        {result.phases[i].time, result.phases[i + 1].time, result.phases[i].name});
-  }
-  for (const ContactEvent& event : result.contact_events) {
-    const std::string label = data.models.NameOfDigit(cell.hand, event.digit) + ", " + event.link;
-    auto row = std::find_if(chart.rows.begin(), chart.rows.end(),
-                            [&](const StripChart::Row& known) { return known.label == label; });
-    if (row == chart.rows.end()) row = chart.rows.insert(row, {label, {}, {}});
-    const std::string at = " at " + FormatFixed(event.time, 3) + " s";
-    if (event.kind == ContactEventKind::kLost) {
-      if (!row->spans.empty()) row->spans.back().to = event.time;
-    } else if (event.kind != ContactEventKind::kSlip) {
-      row->spans.push_back({event.time, end, 0, NameOf(event.kind) + at});
-    }
-    row->marks.push_back({event.time, SymbolOf(event.kind), NameOf(event.kind) + at});
-  }
-  return MakeFigure(
-      "Contact of each link over trial " + std::to_string(record.plan.trial) +
-          ": T touched, L lost, R regained, S began to slip. Dashed lines: the phases of the "
-          "trial.",
-      "links that let go and come back, slip late in the hold; rows stand in the order of contact.",
-      MakeScroll(chart.text.title, DrawStripChart(chart)));
-}
-
 Html DrawCell(const CellSummary& cell, const ReportData& data) {
   const Tally& tally = cell.tally;
   Html content = Element(
@@ -282,7 +232,8 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
     content += DrawFilmstrip(cell, data);
     content += Element("div", {{"class", "pair"}},
                        DrawContactTimes(cell, digits, data) + DrawTiming(cell));
-    const Html events = DrawEvents(cell, data);
+    const Html events =
+        DrawContactStrip(FindShownTrial(cell), NameOfCell(cell, data.models), data.models);
     if (!events.empty()) content += MakeDetails("Contact events of one trial", events);
     content += DrawTrials(cell, digits, data);
   }

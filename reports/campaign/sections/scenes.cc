@@ -2,6 +2,8 @@
 
 #include "core/base/units.h"
 #include "reports/campaign/campaign_section.h"
+#include "reports/cell_pictures.h"
+#include "reports/contact_strip.h"
 #include "reports/format.h"
 
 namespace graspbench {
@@ -48,13 +50,27 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
   return MakeScroll("Thumb of " + data.NameOfScene(scene), table.ToHtml());
 }
 
+/** The contacts of the trials in the pictures. */
+Html DrawStrips(const SceneVariants& scene, const CampaignData& data) {
+  const auto hand = data.models.FindHand(scene.hand);
+  Html strips;
+  for (int v = 0; hand && v < kNumVariants; ++v) {
+    const CellSummary* cell = scene.cells[v];
+    const TrialRecord* record = cell ? ChooseTrial(*cell, *hand) : nullptr;
+    if (record == nullptr) continue;
+    strips += DrawContactStrip(
+        *record, data.NameOfScene(scene) + ", " + NameOf(static_cast<Variant>(v)), data.models);
+  }
+  return strips.empty() ? Html() : MakeDetails("Contacts of these trials", strips);
+}
+
 Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
   Html content = Element("h3", {}, data.NameOfScene(scene) + ", " + NameOfGrasp(scene.grasp));
   const Json& result = scene.scene->result;
   if (result.is_null()) {
     content += MakeParagraph("Not finished.");
   } else {
-    content += DrawPictures(scene, data);
+    content += DrawPictures(scene, data) + DrawStrips(scene, data);
     if (const auto step = result.find("pregrasp_step"); step != result.end()) {
       content += MakeParagraph("Step 1: " + step->at("verdict").get<std::string>());
     }
