@@ -15,6 +15,32 @@
 namespace graspbench {
 namespace fs = std::filesystem;
 
+namespace {
+
+/** Creates or replaces the file. @param fail  throws; errno says why. */
+template <class Fail>
+void WriteContent(const fs::path& path, std::string_view content, bool is_synced,
+                  const Fail& fail) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) fail("create");
+  for (size_t written = 0; written < content.size();) {
+    const ssize_t count = ::write(file, content.data() + written, content.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      ::close(file);
+      fail("write");
+    }
+    written += static_cast<size_t>(count);
+  }
+  if (is_synced && ::fsync(file) != 0) {
+    ::close(file);
+    fail("sync");
+  }
+  ::close(file);
+}
+
+}  // namespace
+
 fs::path FindDataRoot() {
   const char* home = std::getenv("GRASPBENCH_HOME");
   return home && *home ? fs::path(home) : fs::path(GRASPBENCH_SOURCE_DIR);
@@ -67,6 +93,24 @@ void SyncFolder(const fs::path& folder) {
   }
 }
 
+void WriteFile(const fs::path& path, std::string_view content) {
+  const auto fail = [&](const char* what) {
+    throw Error(ErrorKind::kIo, std::string("cannot ") + what + " \"" + path.string() +
+                                    "\": " + std::strerror(errno));
+  };
+  WriteContent(path, content, /*is_synced=*/false, fail);
+}
+
+void SyncFileSystem(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool synced = file >= 0 && ::syncfs(file) == 0;
+  const std::string reason = std::strerror(errno);
+  if (file >= 0) ::close(file);
+  if (!synced) {
+    throw Error(ErrorKind::kIo, "cannot sync the disk of \"" + folder.string() + "\": " + reason);
+  }
+}
+
 void WriteFileAtomically(const fs::path& path, std::string_view content) {
   const std::string temporary = path.string() + ".part" + std::to_string(::getpid());
   const auto fail = [&](const char* what) {
@@ -75,22 +119,7 @@ void WriteFileAtomically(const fs::path& path, std::string_view content) {
     throw Error(ErrorKind::kIo,
                 std::string("cannot ") + what + " \"" + path.string() + "\": " + reason);
   };
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) fail("create");
-  for (size_t written = 0; written < content.size();) {
-    const ssize_t count = ::write(file, content.data() + written, content.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      ::close(file);
-      fail("write");
-    }
-    written += static_cast<size_t>(count);
-  }
-  if (::fsync(file) != 0) {
-    ::close(file);
-    fail("sync");
-  }
-  ::close(file);
+  WriteContent(temporary, content, /*is_synced=*/true, fail);
   if (::rename(temporary.c_str(), path.c_str()) != 0) fail("rename to");
   SyncFolder(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }

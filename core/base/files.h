@@ -31,4 +31,13 @@ void SyncFolder(const std::filesystem::path& folder);
 @throws Error(kIo) with the system's reason (disk full, read-only, ...). */
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
 
+/** Creates or replaces a file without waiting for the disk: for one of many, which nobody may trust
+before SyncFileSystem and a last file that says they are complete.
+@throws Error(kIo) with the system's reason. */
+void WriteFile(const std::filesystem::path& path, std::string_view content);
+
+/** Waits until everything written to the disk of this folder is there.
+@throws Error(kIo) with the system's reason. */
+void SyncFileSystem(const std::filesystem::path& folder);
+
 }  // namespace graspbench

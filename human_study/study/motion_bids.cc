@@ -99,6 +99,7 @@ constexpr char kReadme[] =
 MotionBidsWriter::MotionBidsWriter(const std::filesystem::path& folder, const Study& study)
     : folder_(folder), study_(&study) {
   MakeFolder(folder_);
+  std::filesystem::remove(folder_ / "dataset_description.json");
 }
 
 const std::string& MotionBidsWriter::FindLabel(const std::string& participant) {
@@ -131,25 +132,27 @@ void MotionBidsWriter::WriteTrial(const StudyTrial& trial, const ReachTrial& rea
   for (const TrackedPoint& point : points) names.push_back(point.name);
   if (reach.object.IsRecorded()) names.push_back("object");
   const std::string motion = stem + "_tracksys-markers" + end;
-  WriteFileAtomically(folder / (motion + "_motion.tsv"),
-                      FormatMotion(points, reach.object, reach.times.size()));
-  WriteFileAtomically(folder / (motion + "_channels.tsv"), FormatChannels(names));
-  WriteFileAtomically(folder / (motion + "_motion.json"),
-                      FormatJson(DescribeMotion(study_->config, reach, names.size()), 2) + "\n");
-  WriteFileAtomically(folder / (stem + end + "_events.tsv"), FormatEvents(trial, study_->config));
+  WriteFile(folder / (motion + "_motion.tsv"),
+            FormatMotion(points, reach.object, reach.times.size()));
+  WriteFile(folder / (motion + "_channels.tsv"), FormatChannels(names));
+  WriteFile(folder / (motion + "_motion.json"),
+            FormatJson(DescribeMotion(study_->config, reach, names.size()), 2) + "\n");
+  WriteFile(folder / (stem + end + "_events.tsv"), FormatEvents(trial, study_->config));
 }
 
 void MotionBidsWriter::Finish() const {
+  std::string participants = "participant_id\n";
+  for (const auto& [label, count] : num_runs_) participants += "sub-" + label + "\n";
+  WriteFile(folder_ / "participants.tsv", participants);
+  WriteFile(folder_ / "README", kReadme);
+  // A folder with a description is whole, also after a power failure.
+  SyncFileSystem(folder_);
   const Json description = {
       {"Name", study_->config.name},
       {"BIDSVersion", "1.9.0"},
       {"DatasetType", "derivative"},
       {"GeneratedBy", {{{"Name", "graspbench"}, {"Version", program_version()}}}}};
   WriteFileAtomically(folder_ / "dataset_description.json", FormatJson(description, 2) + "\n");
-  std::string participants = "participant_id\n";
-  for (const auto& [label, count] : num_runs_) participants += "sub-" + label + "\n";
-  WriteFileAtomically(folder_ / "participants.tsv", participants);
-  WriteFileAtomically(folder_ / "README", kReadme);
 }
 
 }  // namespace graspbench

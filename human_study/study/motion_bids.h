@@ -22,12 +22,13 @@ namespace graspbench {
 
 class MotionBidsWriter {
  public:
-  /** Makes the folder. @throws Error(kIo). */
+  /** Makes the folder, without a description from an earlier run. @throws Error(kIo). */
   MotionBidsWriter(const std::filesystem::path& folder, const Study& study);
 
   /** Writes one trial that counts. @throws Error(kIo). */
   void WriteTrial(const StudyTrial& trial, const ReachTrial& reach);
-  /** Writes what describes the whole. @throws Error(kIo). */
+  /** Writes what describes the whole, dataset_description.json last, once the trials are surely on
+  the disk. @throws Error(kIo). */
   void Finish() const;
 
  private:

@@ -15,6 +15,14 @@ TEST(Files, WriteThenReadGivesTheSameBytes) {
   EXPECT_EQ(ReadFile(kTemporary / "bytes"), bytes);
 }
 
+TEST(Files, AFileWrittenWithoutWaitingIsReplacedWhole) {
+  const std::filesystem::path path = kTemporary / "quick";
+  WriteFile(path, "a longer text");
+  WriteFile(path, "short");
+  EXPECT_EQ(ReadFile(path), "short");
+  EXPECT_NO_THROW(SyncFileSystem(kTemporary));
+}
+
 TEST(Files, AMissingFileIsNamed) {
   try {
     ReadFile("no/such/file");
@@ -28,12 +36,14 @@ TEST(Files, AMissingFileIsNamed) {
 TEST(Files, AFolderIsNotAFile) { EXPECT_THROW(ReadFile(kTemporary), Error); }
 
 TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {
-  try {
-    WriteFileAtomically("/proc/none/file", "x");
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::kIo);
-    EXPECT_NE(std::string(e.what()).find("No such file"), std::string::npos) << e.what();
+  for (const auto write : {WriteFile, WriteFileAtomically}) {
+    try {
+      write("/proc/none/file", "x");
+      FAIL();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::kIo);
+      EXPECT_NE(std::string(e.what()).find("No such file"), std::string::npos) << e.what();
+    }
   }
 }
 
