@@ -12,6 +12,7 @@ namespace {
 constexpr char kStudyYaml[] =
     "name: Made-up reaches to cylinders\n"
     "objects: objects.csv\n"
+    "hypotheses: hypotheses.csv\n"
     "factors: [diameter_m]\n"
     "markers:\n"
     "  thumb: thumb_tip\n"
@@ -21,6 +22,13 @@ constexpr char kStudyYaml[] =
     "  little: little_tip\n"
     "  wrist: wrist\n"
     "  object: [object_1, object_2, object_3]\n";
+
+/** The slope of Smeets and Brenner's review (Motor Control 3 (1999)); 10 ms are less than a filter
+of 10 Hz can tell. */
+constexpr char kHypotheses[] =
+    "measure,slope,equal_within\n"
+    "peak_opening_m,0.82,\n"
+    "grasp_forming_time_s,,0.01\n";
 
 std::string NameOfObject(const SyntheticTrial& trial) {
   return "cylinder_" + std::to_string(static_cast<int>(std::lround(1e3 * trial.diameter))) + "mm";
@@ -91,6 +99,7 @@ void WriteDemoStudy(const std::vector<SyntheticTrial>& trials,
   WriteFileAtomically(folder / "study.yaml", kStudyYaml);
   WriteFileAtomically(folder / "trials.csv", FormatTrials(trials));
   WriteFileAtomically(folder / "objects.csv", FormatObjects(trials));
+  WriteFileAtomically(folder / "hypotheses.csv", kHypotheses);
 }
 
 TruthComparison CompareWithTruth(const StudyResult& result,

@@ -14,7 +14,7 @@ namespace graspbench {
 /** Six people, four cylinders, five trials each, five digits at 200 Hz with short drop-outs. */
 SyntheticOptions MakeDemoOptions();
 
-/** Writes study.yaml, trials.csv, objects.csv and recordings/ into the folder.
+/** Writes study.yaml, trials.csv, objects.csv, hypotheses.csv and recordings/ into the folder.
 @throws Error(kIo). */
 void WriteDemoStudy(const std::vector<SyntheticTrial>& trials, const std::filesystem::path& folder);
 

@@ -286,6 +286,37 @@ std::vector<StudyObject> ReadObjects(StudyTable& table, Diagnostics& problems) {
   return objects;
 }
 
+std::vector<Hypothesis> ReadHypotheses(StudyTable& table, Diagnostics& problems) {
+  table.Require("measure");
+  for (const std::string& column : table.columns()) {
+    if (column != "measure" && column != "slope" && column != "equal_within") {
+      problems.Warn(table.file(), 1, "the column \"" + column + "\" is not used");
+    }
+  }
+  const std::vector<std::string> known = ConfigChecker::ListIds(TrialMeasureList());
+  std::set<std::string> seen;
+  std::vector<Hypothesis> hypotheses;
+  for (size_t row = 0; row < table.num_rows(); ++row) {
+    const auto fail = [&](const std::string& text) {
+      problems.Fail(table.file(), table.LineOfRow(row), text);
+    };
+    Hypothesis hypothesis;
+    hypothesis.measure = table.Text(row, "measure");
+    if (std::find(known.begin(), known.end(), hypothesis.measure) == known.end()) {
+      fail("measure \"" + hypothesis.measure + "\" is not known" +
+           SuggestNames(hypothesis.measure, known));
+    }
+    if (!seen.insert(hypothesis.measure).second)
+      fail("\"" + hypothesis.measure + "\" stands twice");
+    const double slope = table.Number(row, "slope");
+    if (!std::isnan(slope)) hypothesis.slope = slope;
+    hypothesis.equal_within = table.Number(row, "equal_within");
+    if (hypothesis.equal_within <= 0.0) fail("equal_within: expected more than 0");
+    hypotheses.push_back(hypothesis);
+  }
+  return hypotheses;
+}
+
 void CheckObjectNames(const Study& study, const std::string& trials_file, Diagnostics& problems) {
   std::vector<std::string> known;
   for (const StudyObject& object : study.objects) known.push_back(object.id);
@@ -315,6 +346,13 @@ const StudyObject* Study::FindObject(const std::string& id) const {
     if (object.id == id) return &object;
   }
   return nullptr;
+}
+
+Hypothesis Study::FindHypothesis(const std::string& measure) const {
+  for (const Hypothesis& hypothesis : hypotheses) {
+    if (hypothesis.measure == measure) return hypothesis;
+  }
+  return {};
 }
 
 StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
@@ -358,6 +396,11 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings) {
   if (!study.config.objects.empty()) {
     if (auto table = read("objects", study.config.objects)) {
       study.objects = ReadObjects(*table, problems);
+    }
+  }
+  if (!study.config.hypotheses.empty()) {
+    if (auto table = read("hypotheses", study.config.hypotheses)) {
+      study.hypotheses = ReadHypotheses(*table, problems);
     }
   }
   if (auto table = read("trials", study.config.trials)) {

@@ -5,6 +5,7 @@ study.yaml: what was recorded, what the markers are, and every choice of the ana
     name: Five fingers on cylinders
     trials: trials.csv          # beside this file; a row a trial, see below
     objects: objects.csv        # optional
+    hypotheses: hypotheses.csv  # optional
     factors: [diameter_m]       # columns of trials.csv, varied within each person
     markers:
       thumb: [thumb_tip, RTTI]  # the first of these labels that a recording has
@@ -16,6 +17,10 @@ trials.csv needs the columns participant and file (from the folder of the record
 else counted within the person), object (of objects.csv), table_trial (of a plain table), start_s,
 end_s, remove (the reason why a person leaves the trial out) and one for each factor are optional.
 
+hypotheses.csv, decided before the data were seen: measure (an id of measures.csv), slope (of
+persons over a factor with numbers, tested against; else 0), equal_within (conditions that differ by
+less are as good as equal; else not tested). In the measure's SI unit.
+
 objects.csv: object, shape (sphere, cylinder, box or catalogue), length_m, width_m, height_m (a
 sphere's and a cylinder's diameter is length_m), centre_x_m .. centre_z_m: from the middle of the
 object's markers at rest to the centre of the solid, along the laboratory's axes (else zero).
@@ -23,6 +28,7 @@ object's markers at rest to the centre of the solid, along the laboratory's axes
 All other settings have defaults; `Study::config` is what an analysis goes by. Lengths in metres,
 times in seconds, frequencies in hertz. */
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -156,6 +162,7 @@ struct StudyConfig {
   std::string task = "reachtograsp";  ///< BIDS label: letters and digits
   std::string trials = "trials.csv";
   std::string objects;
+  std::string hypotheses;
   std::string robot;
   std::vector<std::string> factors;
   std::vector<std::string> measures;  ///< ids tested and drawn; empty: the usual ones
@@ -176,6 +183,7 @@ struct StudyConfig {
     v("task", task);
     v("trials", trials);
     v("objects", objects);
+    v("hypotheses", hypotheses);
     v("robot", robot);
     v("factors", factors);
     v("measures", measures);
@@ -198,6 +206,13 @@ struct StudyObject {
   Eigen::Vector3d p_MO_L = Eigen::Vector3d::Zero();  ///< markers' middle to O at rest
 };
 
+/** A row of hypotheses.csv. */
+struct Hypothesis {
+  std::string measure;
+  double slope = 0.0;         ///< [measure's unit per the factor's]
+  double equal_within = NAN;  ///< [measure's unit]; NaN: equivalence is not tested
+};
+
 /** A row of trials.csv. */
 struct PlannedReach {
   int line = 0;
@@ -216,12 +231,15 @@ struct Study {
   std::filesystem::path recordings;  ///< where `file` of a trial starts
   std::vector<Factor> factors;
   std::vector<StudyObject> objects;
+  std::vector<Hypothesis> hypotheses;
   std::vector<PlannedReach> trials;
   PerDigit<int> marker_lines;  ///< lines of markers.thumb, .. in study.yaml, for messages
   Diagnostics warnings;
 
   /** Null when there is none of that name. */
   const StudyObject* FindObject(const std::string& id) const;
+  /** Defaults when none was named for that measure. */
+  Hypothesis FindHypothesis(const std::string& measure) const;
 };
 
 /** Reads study.yaml and the tables beside it; the recordings are not opened.

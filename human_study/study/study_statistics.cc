@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 
 #include "human_study/study/run_study.h"
 
@@ -19,55 +19,6 @@ constexpr double kBiasGfts[] = {0.0, 0.03, 0.06};
 
 Observation MakeObservation(const StudyTrial& trial, double value) {
   return {trial.participant, trial.id, trial.levels, value};
-}
-
-/** The levels of every cell, in the order of ListCells(). */
-std::vector<std::vector<std::string>> ListLevels(const std::vector<Factor>& factors) {
-  std::vector<std::vector<std::string>> cells = {{}};
-  for (const Factor& factor : factors) {
-    std::vector<std::vector<std::string>> longer;
-    for (const std::vector<std::string>& cell : cells) {
-      for (const std::string& level : factor.levels) {
-        longer.push_back(cell);
-        longer.back().push_back(level);
-      }
-    }
-    cells = std::move(longer);
-  }
-  return cells;
-}
-
-std::vector<double> ListValues(const MeasureTable& table) {
-  std::vector<double> values;
-  for (const Observation& row : table.rows) values.push_back(row.value);
-  return values;
-}
-
-Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells) {
-  if (!cells) return cells.none();
-  if (cells->factors.empty()) return NoAnswer{"the study names no factor"};
-  return CalcWithinAnova(*cells);
-}
-
-/** The trials of each cell, without regard to persons. */
-std::vector<Answer<Summary>> SummariseCells(const MeasureTable& table) {
-  std::map<std::vector<std::string>, std::vector<double>> values;
-  for (const Observation& row : table.rows) values[row.levels].push_back(row.value);
-  std::vector<Answer<Summary>> summaries;
-  for (const std::vector<std::string>& levels : ListLevels(table.factors)) {
-    summaries.push_back(CalcSummary(values[levels]));
-  }
-  return summaries;
-}
-
-MeasureStatistics CalcMeasureStatistics(const StudyResult& result, const TrialMeasure& measure) {
-  MeasureStatistics statistics{measure, MakeMeasureTable(result, measure), {}, {}, {}, {}, {}};
-  statistics.summary = CalcSummary(ListValues(statistics.table));
-  statistics.by_cell = SummariseCells(statistics.table);
-  statistics.cells = CalcCellMeans(statistics.table);
-  statistics.anova = CalcAnova(statistics.cells);
-  if (statistics.cells) statistics.pairs = ComparePairs(*statistics.cells);
-  return statistics;
 }
 
 /** Value at `share` of the way from the onset to the last contact; NaN when it is missing. */
@@ -113,7 +64,7 @@ void CalcUniverse(const StudyResult& result, size_t index, Universe& universe) {
   for (const StudyTrial& trial : result.trials) {
     if (trial.IsKept()) table.rows.push_back(MakeObservation(trial, trial.universes[index]));
   }
-  universe.summary = CalcSummary(ListValues(table));
+  universe.summary = SummariseRows(table);
   const Answer<WithinAnova> anova = CalcAnova(CalcCellMeans(table));
   universe.test = anova ? anova->effects.front().test : Answer<WithinTest>(anova.none());
 }
@@ -181,12 +132,16 @@ const TrialMeasure& FindMeasure(const std::string& id) {
   return *found;
 }
 
-std::vector<TrialMeasure> ListStudyMeasures(const StudyConfig& config) {
-  std::vector<TrialMeasure> measures;
-  if (config.measures.empty()) {
-    for (const char* id : kUsualMeasures) measures.push_back(FindMeasure(id));
+std::vector<TrialMeasure> ListStudyMeasures(const Study& study) {
+  std::vector<std::string> ids = study.config.measures;
+  if (ids.empty()) ids.assign(std::begin(kUsualMeasures), std::end(kUsualMeasures));
+  for (const Hypothesis& hypothesis : study.hypotheses) {
+    if (std::find(ids.begin(), ids.end(), hypothesis.measure) == ids.end()) {
+      ids.push_back(hypothesis.measure);
+    }
   }
-  for (const std::string& id : config.measures) measures.push_back(FindMeasure(id));
+  std::vector<TrialMeasure> measures;
+  for (const std::string& id : ids) measures.push_back(FindMeasure(id));
   return measures;
 }
 
@@ -242,8 +197,9 @@ MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& mea
 }
 
 void CalcStudyStatistics(StudyResult& result) {
-  for (const TrialMeasure& measure : ListStudyMeasures(result.study.config)) {
-    result.statistics.measures.push_back(CalcMeasureStatistics(result, measure));
+  for (const TrialMeasure& measure : ListStudyMeasures(result.study)) {
+    result.statistics.measures.push_back(CalcMeasureStatistics(
+        measure, MakeMeasureTable(result, measure), result.study.FindHypothesis(measure.id)));
   }
   for (size_t i = 0; i < result.universes.size(); ++i) CalcUniverse(result, i, result.universes[i]);
   result.statistics.curves = CalcOpeningCurves(result);

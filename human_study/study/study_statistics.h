@@ -7,27 +7,13 @@ known asynchrony. */
 #include <string>
 #include <vector>
 
-#include "core/statistics/summary.h"
-#include "human_study/statistics/condition_means.h"
-#include "human_study/statistics/within_anova.h"
+#include "human_study/study/measure_statistics.h"
 #include "human_study/study/opening_reliability.h"
-#include "human_study/study/study_config.h"
 #include "human_study/synthetic/bias_card.h"
 
 namespace graspbench {
 
 struct StudyResult;
-
-/** One measure over the whole study. */
-struct MeasureStatistics {
-  TrialMeasure measure;
-  MeasureTable table;                    ///< the kept trials
-  Answer<Summary> summary;               ///< over them
-  std::vector<Answer<Summary>> by_cell;  ///< the same within each cell, as ListCells() orders them
-  Answer<CellMeans> cells;
-  Answer<WithinAnova> anova;
-  std::vector<PairComparison> pairs;
-};
 
 /** One combination of choices. */
 struct Universe {
@@ -57,8 +43,9 @@ struct StudyStatistics {
 /** @pre the id is one of TrialMeasureList(). */
 const TrialMeasure& FindMeasure(const std::string& id);
 
-/** The measures a study tests and draws: its own list, else the usual ones. */
-std::vector<TrialMeasure> ListStudyMeasures(const StudyConfig& config);
+/** The measures a study tests and draws: its own list, else the usual ones, and those that it has a
+hypothesis about. */
+std::vector<TrialMeasure> ListStudyMeasures(const Study& study);
 
 /** All combinations of the study's own choices and the multiverse's; its own come first. */
 std::vector<Universe> ListUniverses(const StudyConfig& config);

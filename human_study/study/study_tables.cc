@@ -1,6 +1,7 @@
 #include "human_study/study/study_tables.h"
 
 #include "core/base/files.h"
+#include "human_study/study/statistics_table.h"
 
 namespace graspbench {
 namespace {
@@ -182,6 +183,8 @@ void WriteStudyTables(const StudyResult& result, const std::filesystem::path& fo
   WriteTable(folder, "trials", ListTrialColumns(result), all, "trial_id");
   WriteTable(folder, "measures", ListMeasureColumns(result), kept, "trial_id");
   WriteTable(folder, "events", ListEventColumns(), events, "");
+  WriteTable(folder, "statistics", ListStatisticColumns(),
+             ListStatistics(result.statistics.measures), "");
 }
 
 }  // namespace graspbench

@@ -5,6 +5,7 @@ A study's results as tables, for any other program:
     trials.csv    every trial of the plan: where it is, whether it counts and why not
     events.csv    every event of every analysed trial, by each detector, with its uncertainty
     measures.csv  a row a trial that counts: all measures, openings and the contact order
+    statistics.csv  every test and estimate of the measures (statistics_table.h)
 
 Each has a data dictionary beside it, <name>.schema.json (Frictionless Table Schema). */
 
@@ -30,7 +31,7 @@ struct StudyEvent {
 /** In the order of a reach; none for a trial that was not analysed. They point to `trial`. */
 std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& config);
 
-/** Writes the six files. Same result, same bytes. @throws Error(kIo). */
+/** Writes the tables and their dictionaries. Same result, same bytes. @throws Error(kIo). */
 void WriteStudyTables(const StudyResult& result, const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -119,7 +119,7 @@ TEST_F(RunStudyTest, AMarkerThatNoRecordingHasIsAFaultOfTheStudy) {
     FAIL() << "no error";
   } catch (const Error& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("study.yaml:6: error: markers.index: no recording has it"),
+    EXPECT_NE(text.find("study.yaml:7: error: markers.index: no recording has it"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("did you mean \"index_tip\"?"), std::string::npos) << text;
@@ -154,7 +154,7 @@ TEST_F(RunStudyTest, TablesHoldEveryTrialAndEventAndTheSameBytes) {
   const StudyResult result = Run();
   WriteStudyTables(result, folder_ / "a");
   WriteStudyTables(Run(), folder_ / "b");
-  for (const char* name : {"trials", "events", "measures"}) {
+  for (const char* name : {"trials", "events", "measures", "statistics"}) {
     const std::string csv = ReadFile(folder_ / "a" / (std::string(name) + ".csv"));
     EXPECT_EQ(csv, ReadFile(folder_ / "b" / (std::string(name) + ".csv")));
     const Json schema = Json::parse(ReadFile(folder_ / "a" / (std::string(name) + ".schema.json")));

@@ -21,6 +21,7 @@ class StudyFolder : public ::testing::Test {
     Write("study.yaml", kGood);
     Write("trials.csv", kTrials);
     Write("objects.csv", kObjects);
+    Write("hypotheses.csv", "measure,slope,equal_within\npeak_opening_m,0.82,\n");
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -49,6 +50,7 @@ class StudyFolder : public ::testing::Test {
   static constexpr char kGood[] =
       "name: Test\n"
       "objects: objects.csv\n"
+      "hypotheses: hypotheses.csv\n"
       "factors: [diameter_m, side]\n"
       "markers:\n"
       "  thumb: [thumb_tip, RTTI]\n"
@@ -78,7 +80,10 @@ TEST_F(StudyFolder, EveryThingWrittenArrives) {
   EXPECT_EQ(study.config.analysis.contact.cutoff, 15.0);
   EXPECT_EQ(study.config.pad_offsets.thumb, 0.01);
   EXPECT_TRUE(std::isnan(study.config.pad_offsets.index));
-  EXPECT_EQ(study.marker_lines.index, 6);
+  EXPECT_EQ(study.marker_lines.index, 7);
+  EXPECT_EQ(study.FindHypothesis("peak_opening_m").slope, 0.82);
+  EXPECT_TRUE(std::isnan(study.FindHypothesis("peak_opening_m").equal_within));
+  EXPECT_EQ(study.FindHypothesis("movement_time_s").slope, 0.0);
   EXPECT_EQ(study.recordings, "elsewhere");
 
   ASSERT_EQ(study.trials.size(), 3u);
@@ -164,6 +169,15 @@ TEST_F(StudyFolder, FaultsOfTheTablesHaveTheirLine) {
   expect("objects.csv", "object,shape,length_m\ncup,box,0.1\n",
          "objects.csv:2: error: box needs width_m, a length above 0 and below 10");
   expect("objects.csv", "object,shape\nmugg,catalogue\n", "objects.csv:2: error: ");
+  expect("hypotheses.csv", "slope\n1\n",
+         "hypotheses.csv:1: error: the column \"measure\" is missing");
+  expect("hypotheses.csv", "measure,slope\npeak_opening,1\n",
+         "hypotheses.csv:2: error: measure \"peak_opening\" is not known; did you mean "
+         "\"peak_opening_m\"?");
+  expect("hypotheses.csv", "measure,slope\npeak_opening_m,1\npeak_opening_m,2\n",
+         "hypotheses.csv:3: error: \"peak_opening_m\" stands twice");
+  expect("hypotheses.csv", "measure,equal_within\npeak_opening_m,0\n",
+         "hypotheses.csv:2: error: equal_within: expected more than 0");
 }
 
 }  // namespace

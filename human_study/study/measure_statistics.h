@@ -1,0 +1,60 @@
+#pragma once
+/** @file
+All statistics of one measure: by condition, of every factor, of pairs of conditions, and as a trend
+over factors whose levels are quantities. */
+
+#include <string>
+#include <vector>
+
+#include "core/statistics/bootstrap.h"
+#include "core/statistics/summary.h"
+#include "human_study/statistics/condition_means.h"
+#include "human_study/statistics/line_fit.h"
+#include "human_study/statistics/mixed_model.h"
+#include "human_study/statistics/rank_tests.h"
+#include "human_study/statistics/within_anova.h"
+#include "human_study/study/study_config.h"
+
+namespace graspbench {
+
+/** Two conditions, b - a in the persons' means. */
+struct PairStatistics {
+  PairComparison means;  ///< t test
+  Answer<WilcoxonTest> ranks;
+  double p_ranks_holm = NAN;            ///< over all pairs; NaN without a test
+  Answer<BootstrapInterval> bootstrap;  ///< of the mean difference, persons drawn
+  Answer<EquivalenceTest> equivalence;  ///< none without a hypothesis' bounds
+};
+
+/** All trials over a factor whose levels are quantities. */
+struct TrendStatistics {
+  std::string factor;
+  PersonSlopes slopes;                  ///< tested against the hypothesis' slope
+  Answer<BootstrapInterval> bootstrap;  ///< of the mean slope, persons drawn
+  Answer<MixedModel> mixed;
+};
+
+struct MeasureStatistics {
+  TrialMeasure measure;
+  Hypothesis hypothesis;
+  MeasureTable table;                    ///< the kept trials
+  Answer<Summary> summary;               ///< over them
+  std::vector<Answer<Summary>> by_cell;  ///< the same within each cell, as ListCells() orders them
+  Answer<CellMeans> cells;
+  Answer<WithinAnova> anova;
+  Answer<FriedmanTest> friedman;
+  std::vector<PairStatistics> pairs;
+  std::vector<TrendStatistics> trends;  ///< one for each factor with numbers
+};
+
+MeasureStatistics CalcMeasureStatistics(const TrialMeasure& measure, const MeasureTable& table,
+                                        const Hypothesis& hypothesis);
+
+/** The levels of every cell, in the order of ListCells(). */
+std::vector<std::vector<std::string>> ListLevels(const std::vector<Factor>& factors);
+/** Over the rows with a value. */
+Answer<Summary> SummariseRows(const MeasureTable& table);
+/** No answer for a study without factors. */
+Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells);
+
+}  // namespace graspbench

@@ -1,0 +1,307 @@
+#include "human_study/study/statistics_table.h"
+
+#include <cstdio>
+
+namespace graspbench {
+namespace {
+
+std::string Format(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+StatisticRow MakeRow(const MeasureStatistics& statistics, const char* analysis,
+                     const std::string& effect) {
+  StatisticRow row;
+  row.measure = statistics.measure.id;
+  row.analysis = analysis;
+  row.effect = effect;
+  row.unit = statistics.measure.unit;
+  return row;
+}
+
+/** The interval of a t test and what it rests on. */
+void SetTTest(const TTest& test, StatisticRow& row) {
+  row.estimate = test.mean;
+  row.standard_error = test.standard_deviation / std::sqrt(test.count);
+  row.low = test.interval.low;
+  row.high = test.interval.high;
+  row.statistic = "t";
+  row.value = test.t;
+  row.df_1 = test.df;
+  row.p = test.p;
+  row.effect_size_name = "d_z";
+  row.effect_size = test.d_z;
+  row.num_persons = test.count;
+}
+
+void SetBootstrap(const Answer<BootstrapInterval>& bootstrap, size_t num_persons,
+                  StatisticRow& row) {
+  if (!bootstrap) {
+    row.note = "none: " + bootstrap.reason();
+    return;
+  }
+  row.estimate = bootstrap->estimate;
+  row.low = bootstrap->interval.low;
+  row.high = bootstrap->interval.high;
+  row.num_persons = static_cast<int>(num_persons);
+  row.note = std::to_string(bootstrap->num_resamples) +
+             " draws of persons; no distribution is assumed, but few persons make it too short";
+}
+
+/** One line of the analysis of variance: F with the degrees of freedom of one correction. */
+StatisticRow MakeAnovaRow(const MeasureStatistics& statistics, const char* analysis,
+                          const WithinEffect& effect, double df_effect, double df_error, double p) {
+  StatisticRow row = MakeRow(statistics, analysis, effect.name);
+  row.unit.clear();
+  row.statistic = "F";
+  row.value = effect.test->f;
+  row.df_1 = df_effect;
+  row.df_2 = df_error;
+  row.p = p;
+  row.effect_size_name = "generalised eta squared";
+  row.effect_size = effect.test->generalised_eta_squared;
+  row.num_persons = statistics.anova->num_persons;
+  return row;
+}
+
+void AddAnova(const MeasureStatistics& statistics, std::vector<StatisticRow>& rows) {
+  constexpr const char* kAnalysis = "repeated-measures ANOVA";
+  if (!statistics.anova) {
+    rows.push_back(MakeRow(statistics, kAnalysis, "condition"));
+    rows.back().unit.clear();
+    rows.back().note = "none: " + statistics.anova.reason();
+    return;
+  }
+  for (const WithinEffect& effect : statistics.anova->effects) {
+    if (!effect.test) {
+      rows.push_back(MakeRow(statistics, kAnalysis, effect.name));
+      rows.back().unit.clear();
+      rows.back().note = "none: " + effect.test.reason();
+      continue;
+    }
+    const WithinTest& test = *effect.test;
+    rows.push_back(
+        MakeAnovaRow(statistics, kAnalysis, effect, effect.df_effect, effect.df_error, test.p));
+    rows.back().note = "assumes normal differences and sphericity; partial eta squared " +
+                       Format(test.partial_eta_squared);
+    rows.back().note +=
+        test.mauchly ? "; Mauchly's W " + Format(test.mauchly->w) + ", p " + Format(test.mauchly->p)
+                     : "; no test of sphericity: " + test.mauchly.reason();
+    const auto add_corrected = [&](const char* analysis, const CorrectedF& corrected) {
+      rows.push_back(MakeAnovaRow(statistics, analysis, effect, corrected.df_effect,
+                                  corrected.df_error, corrected.p));
+      rows.back().note = "sphericity is not assumed; epsilon " + Format(corrected.epsilon);
+    };
+    add_corrected("ANOVA, Greenhouse-Geisser", test.greenhouse_geisser);
+    if (test.huynh_feldt) add_corrected("ANOVA, Huynh-Feldt", *test.huynh_feldt);
+  }
+}
+
+void AddSlopes(const MeasureStatistics& statistics, const TrendStatistics& trend,
+               std::vector<StatisticRow>& rows) {
+  const std::string effect = "slope over " + trend.factor;
+  rows.push_back(MakeRow(statistics, "persons' slopes, t test", effect));
+  if (trend.slopes.test) {
+    SetTTest(*trend.slopes.test, rows.back());
+    rows.back().effect_size_name.clear();
+    rows.back().effect_size = std::nan("");  // a slope is its own
+    rows.back().note = "assumes slopes that are normal over persons; tested against " +
+                       Format(trend.slopes.test->reference);
+  } else {
+    rows.back().note = "none: " + trend.slopes.test.reason();
+  }
+  rows.push_back(MakeRow(statistics, "persons' slopes, BCa bootstrap", effect));
+  const size_t num_slopes = trend.slopes.test ? static_cast<size_t>(trend.slopes.test->count) : 0;
+  SetBootstrap(trend.bootstrap, num_slopes, rows.back());
+  for (size_t i = rows.size() - 2; i < rows.size(); ++i) rows[i].unit += " per " + trend.factor;
+}
+
+void AddMixedModel(const MeasureStatistics& statistics, const TrendStatistics& trend,
+                   std::vector<StatisticRow>& rows) {
+  constexpr const char* kAnalysis = "mixed model (REML)";
+  const std::string slope_unit = std::string(statistics.measure.unit) + " per " + trend.factor;
+  if (!trend.mixed) {
+    rows.push_back(MakeRow(statistics, kAnalysis, "slope over " + trend.factor));
+    rows.back().unit = slope_unit;
+    rows.back().note = "none: " + trend.mixed.reason();
+    return;
+  }
+  const MixedModel& model = *trend.mixed;
+  const auto add_fixed = [&](const std::string& effect, const FixedEffect& fixed,
+                             const std::string& unit) {
+    rows.push_back(MakeRow(statistics, kAnalysis, effect));
+    StatisticRow& row = rows.back();
+    row.unit = unit;
+    row.estimate = fixed.estimate;
+    row.standard_error = fixed.standard_error;
+    row.statistic = "t";
+    row.value = fixed.t;
+    row.num_persons = model.num_persons;
+    if (fixed.test) {
+      row.df_1 = fixed.test->df;
+      row.p = fixed.test->p;
+      row.low = fixed.test->interval.low;
+      row.high = fixed.test->interval.high;
+      row.note =
+          "all trials, an intercept and a slope for each person; assumes normal persons "
+          "and residuals; df after Satterthwaite; tested against 0";
+    } else {
+      row.note = "no test: " + fixed.test.reason();
+    }
+  };
+  const auto add_spread = [&](const std::string& effect, double value, const std::string& unit,
+                              const std::string& note) {
+    rows.push_back(MakeRow(statistics, kAnalysis, effect));
+    rows.back().unit = unit;
+    rows.back().estimate = value;
+    rows.back().num_persons = model.num_persons;
+    rows.back().note = note;
+  };
+  add_fixed("slope over " + trend.factor, model.slope, slope_unit);
+  add_fixed("intercept at " + trend.factor + " = 0", model.intercept, statistics.measure.unit);
+  add_spread("SD of slopes between persons", model.slope_sd, slope_unit, "");
+  add_spread("SD of intercepts between persons", model.intercept_sd, statistics.measure.unit,
+             model.correlation ? "correlation with the slopes " + Format(*model.correlation)
+                               : "no correlation: " + model.correlation.reason());
+  add_spread("SD of trials about a person's line", model.residual_sd, statistics.measure.unit,
+             std::to_string(model.num_observations) + " trials");
+}
+
+void AddPair(const MeasureStatistics& statistics, const PairStatistics& pair,
+             std::vector<StatisticRow>& rows) {
+  const std::vector<std::string>& cells = statistics.cells->cells;
+  const std::string effect = cells[pair.means.b] + " - " + cells[pair.means.a];
+  rows.push_back(MakeRow(statistics, "paired t test", effect));
+  if (pair.means.test) {
+    SetTTest(*pair.means.test, rows.back());
+    rows.back().p_holm = pair.means.p_holm;
+    rows.back().note = "assumes normal differences; the interval is not adjusted";
+  } else {
+    rows.back().note = "none: " + pair.means.test.reason();
+  }
+  rows.push_back(MakeRow(statistics, "Wilcoxon signed ranks", effect));
+  if (pair.ranks) {
+    StatisticRow& row = rows.back();
+    row.unit.clear();
+    row.statistic = "W+";
+    row.value = pair.ranks->w_plus;
+    row.p = pair.ranks->p;
+    row.p_holm = pair.p_ranks_holm;
+    row.effect_size_name = "rank-biserial r";
+    row.effect_size = pair.ranks->rank_biserial;
+    row.num_persons = pair.ranks->count;
+    row.note = "exact; assumes differences that are symmetric about their median";
+    if (pair.ranks->num_zeros > 0) {
+      row.note +=
+          "; without " + FormatCount(pair.ranks->num_zeros, "person") + " who did not differ";
+    }
+  } else {
+    rows.back().note = "none: " + pair.ranks.reason();
+  }
+  rows.push_back(MakeRow(statistics, "BCa bootstrap of the mean", effect));
+  SetBootstrap(pair.bootstrap, statistics.cells->persons.size(), rows.back());
+  if (std::isnan(statistics.hypothesis.equal_within)) return;
+  rows.push_back(MakeRow(statistics, "equivalence, two one-sided t tests", effect));
+  if (pair.equivalence) {
+    StatisticRow& row = rows.back();
+    SetTTest(*pair.means.test, row);
+    row.low = pair.equivalence->interval.low;
+    row.high = pair.equivalence->interval.high;
+    row.confidence = 0.9;
+    const bool is_low = pair.equivalence->p_low > pair.equivalence->p_high;
+    row.value = is_low ? pair.equivalence->t_low : pair.equivalence->t_high;
+    row.p = pair.equivalence->p;
+    row.note = "assumes normal differences; a small p says that the means differ by less than " +
+               Format(statistics.hypothesis.equal_within) + " " + statistics.measure.unit;
+  } else {
+    rows.back().note = "none: " + pair.equivalence.reason();
+  }
+}
+
+}  // namespace
+
+std::vector<StatisticRow> ListConditionTests(const MeasureStatistics& statistics) {
+  std::vector<StatisticRow> rows;
+  AddAnova(statistics, rows);
+  rows.push_back(MakeRow(statistics, "Friedman", "condition"));
+  StatisticRow& row = rows.back();
+  row.unit.clear();
+  if (!statistics.friedman) {
+    row.note = "none: " + statistics.friedman.reason();
+    return rows;
+  }
+  row.statistic = "chi squared";
+  row.value = statistics.friedman->chi_squared;
+  row.df_1 = statistics.friedman->df;
+  row.p = statistics.friedman->p;
+  row.effect_size_name = "Kendall's W";
+  row.effect_size = statistics.friedman->kendall_w;
+  row.num_persons = statistics.friedman->num_persons;
+  row.note =
+      "ranks within persons, no distribution is assumed; all conditions as one factor; "
+      "rough below 10 persons";
+  return rows;
+}
+
+std::vector<StatisticRow> ListTrends(const MeasureStatistics& statistics) {
+  std::vector<StatisticRow> rows;
+  for (const TrendStatistics& trend : statistics.trends) {
+    AddSlopes(statistics, trend, rows);
+    AddMixedModel(statistics, trend, rows);
+  }
+  return rows;
+}
+
+std::vector<StatisticRow> ListPairs(const MeasureStatistics& statistics) {
+  std::vector<StatisticRow> rows;
+  for (const PairStatistics& pair : statistics.pairs) AddPair(statistics, pair, rows);
+  return rows;
+}
+
+std::vector<StatisticRow> ListStatistics(const std::vector<MeasureStatistics>& measures) {
+  std::vector<StatisticRow> all;
+  for (const MeasureStatistics& measure : measures) {
+    if (measure.table.factors.empty()) continue;
+    for (const auto& list : {ListConditionTests, ListTrends, ListPairs}) {
+      for (StatisticRow& row : list(measure)) all.push_back(std::move(row));
+    }
+  }
+  return all;
+}
+
+std::vector<CsvColumn<StatisticRow>> ListStatisticColumns() {
+  const auto text = [](std::string StatisticRow::*field) {
+    return [field](const StatisticRow& row) { return Json(row.*field); };
+  };
+  const auto number = [](double StatisticRow::*field) {
+    return [field](const StatisticRow& row) { return JsonNumber(row.*field); };
+  };
+  using R = StatisticRow;
+  return {
+      {"measure", "string", "", "id, as in measures.csv", text(&R::measure)},
+      {"analysis", "string", "", "how it was computed", text(&R::analysis)},
+      {"effect", "string", "", "what is tested or estimated", text(&R::effect)},
+      {"unit", "string", "", "of the estimate; 1 for a ratio", text(&R::unit)},
+      {"estimate", "number", "", "difference, slope, ..", number(&R::estimate)},
+      {"standard_error", "number", "", "of the estimate", number(&R::standard_error)},
+      {"low", "number", "", "lower end of the interval", number(&R::low)},
+      {"high", "number", "", "upper end of the interval", number(&R::high)},
+      {"confidence", "number", "", "of the interval; empty without one",
+       [](const R& row) { return JsonNumber(std::isnan(row.low) ? row.low : row.confidence); }},
+      {"statistic", "string", "", "F, t, chi squared or W+", text(&R::statistic)},
+      {"value", "number", "", "of the statistic", number(&R::value)},
+      {"df_1", "number", "", "degrees of freedom; of the effect for F", number(&R::df_1)},
+      {"df_2", "number", "", "degrees of freedom of the error for F", number(&R::df_2)},
+      {"p", "number", "", "two-sided; not adjusted for several tests", number(&R::p)},
+      {"p_holm", "number", "", "adjusted over all pairs of conditions", number(&R::p_holm)},
+      {"effect_size_name", "string", "", "which effect size", text(&R::effect_size_name)},
+      {"effect_size", "number", "", "its value", number(&R::effect_size)},
+      {"num_persons", "integer", "", "persons that took part; empty without an answer",
+       [](const R& row) { return row.num_persons > 0 ? Json(row.num_persons) : Json(); }},
+      {"note", "string", "", "what it assumes, or why there is no answer", text(&R::note)},
+  };
+}
+
+}  // namespace graspbench

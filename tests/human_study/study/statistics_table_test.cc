@@ -1,0 +1,120 @@
+#include "human_study/study/statistics_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/human_study/statistics/reach_study.h"
+
+namespace graspbench {
+namespace {
+
+const TrialMeasure kAperture = {"aperture_mm", "aperture", "mm",
+                                [](const TrialAnalysis&) { return 0.0; }};
+
+/** The reaching study of R's answers, its size read as a quantity. */
+MeasureStatistics MakeStatistics(const Hypothesis& hypothesis = {}) {
+  return CalcMeasureStatistics(kAperture, MakeReachTable(), hypothesis);
+}
+
+StatisticRow FindRow(const std::vector<StatisticRow>& rows, const std::string& analysis,
+                     const std::string& effect) {
+  for (const StatisticRow& row : rows) {
+    if (row.analysis == analysis && row.effect == effect) return row;
+  }
+  ADD_FAILURE() << "no row \"" << analysis << "\", \"" << effect << "\"";
+  return {};
+}
+
+TEST(StatisticsTable, ConditionTestsAreThoseOfR) {
+  const std::vector<StatisticRow> rows = ListConditionTests(MakeStatistics());
+  const StatisticRow anova = FindRow(rows, "repeated-measures ANOVA", "size");
+  EXPECT_NEAR(anova.value, 179.17793, 1e-5);
+  EXPECT_EQ(anova.df_1, 3.0);
+  EXPECT_EQ(anova.df_2, 21.0);
+  EXPECT_NEAR(anova.p, 4.0718e-15, 1e-19);
+  EXPECT_NEAR(anova.effect_size, 0.9190859, 1e-7);
+  EXPECT_EQ(anova.note,
+            "assumes normal differences and sphericity; partial eta squared 0.962; Mauchly's W "
+            "0.0327, p 0.00178");
+  const StatisticRow corrected = FindRow(rows, "ANOVA, Greenhouse-Geisser", "size");
+  EXPECT_NEAR(corrected.df_1, 3 * 0.4156420793, 1e-9);
+  EXPECT_NEAR(corrected.df_2, 21 * 0.4156420793, 1e-8);
+  EXPECT_NEAR(corrected.p, 2.3802e-07, 1e-11);
+  EXPECT_NEAR(FindRow(rows, "ANOVA, Huynh-Feldt", "size").p, 5.6771e-08, 1e-12);
+  const StatisticRow friedman = FindRow(rows, "Friedman", "condition");
+  EXPECT_NEAR(friedman.value, 24.0, 1e-9);
+  EXPECT_NEAR(friedman.p, 2.498e-05, 1e-8);
+  EXPECT_EQ(friedman.effect_size, 1.0);  // all persons agree
+}
+
+TEST(StatisticsTable, SlopesAreThoseOfRAndTheMixedModelAgrees) {
+  const std::vector<StatisticRow> rows = ListTrends(MakeStatistics({"aperture_mm", 0.82}));
+  const StatisticRow slope = FindRow(rows, "persons' slopes, t test", "slope over size");
+  EXPECT_EQ(slope.unit, "mm per size");
+  EXPECT_NEAR(slope.estimate, 0.8258333, 1e-7);
+  EXPECT_NEAR(slope.standard_error, 0.1593016 / std::sqrt(8.0), 1e-7);
+  EXPECT_NEAR(slope.value, 0.1035719, 1e-7);
+  EXPECT_NEAR(slope.p, 0.920414, 1e-6);
+  EXPECT_NE(slope.note.find("tested against 0.82"), std::string::npos);
+  const StatisticRow drawn = FindRow(rows, "persons' slopes, BCa bootstrap", "slope over size");
+  EXPECT_EQ(drawn.estimate, slope.estimate);
+  EXPECT_GT(drawn.low, slope.low - 0.05);
+  EXPECT_LT(drawn.low, slope.estimate);
+  EXPECT_GT(drawn.high, slope.estimate);
+  // In a balanced design the fixed slope is the mean of the persons' slopes, with their error.
+  const StatisticRow mixed = FindRow(rows, "mixed model (REML)", "slope over size");
+  EXPECT_NEAR(mixed.estimate, slope.estimate, 1e-9);
+  EXPECT_NEAR(mixed.standard_error, slope.standard_error, 1e-6);
+  EXPECT_NEAR(mixed.df_1, 7.0, 0.01);
+}
+
+TEST(StatisticsTable, PairsHoldTheDifferenceItsRanksAndItsBounds) {
+  const Hypothesis hypothesis = {"aperture_mm", 0.0, 43.0};
+  const std::vector<StatisticRow> rows = ListPairs(MakeStatistics(hypothesis));
+  const StatisticRow t = FindRow(rows, "paired t test", "75 - 30");
+  EXPECT_NEAR(t.value, 13.67523, 1e-5);
+  EXPECT_NEAR(t.low, 30.80899, 1e-5);
+  EXPECT_NEAR(t.high, 43.69101, 1e-5);
+  EXPECT_NEAR(t.effect_size, 4.834925, 1e-6);
+  EXPECT_GT(t.p_holm, t.p);
+  const StatisticRow ranks = FindRow(rows, "Wilcoxon signed ranks", "75 - 30");
+  EXPECT_EQ(ranks.value, 36.0);          // 1 + 2 + .. + 8: all differ in one direction
+  EXPECT_EQ(ranks.p, 2.0 / 256.0);       // two of 2^8 signs are as extreme
+  EXPECT_EQ(ranks.p_holm, 6 * ranks.p);  // all six pairs are like that
+  EXPECT_EQ(ranks.effect_size, 1.0);
+  const StatisticRow equal = FindRow(rows, "equivalence, two one-sided t tests", "75 - 30");
+  EXPECT_EQ(equal.confidence, 0.9);
+  // The interval lies within the bounds exactly when p is below 0.05.
+  EXPECT_EQ(equal.high < 43.0, equal.p < 0.05);
+  EXPECT_NEAR(equal.value, (t.estimate - 43.0) / t.standard_error, 1e-9);
+  const std::vector<StatisticRow> without = ListPairs(MakeStatistics());
+  EXPECT_EQ(rows.size(), without.size() + 6);
+}
+
+TEST(StatisticsTable, WhatHasNoAnswerSaysWhy) {
+  MeasureTable table = MakeReachTable();
+  table.rows.resize(4);  // one person
+  const MeasureStatistics statistics = CalcMeasureStatistics(kAperture, table, {"", 0.0, 5.0});
+  const std::vector<StatisticRow> rows = ListStatistics({statistics});
+  ASSERT_FALSE(rows.empty());
+  for (const StatisticRow& row : rows) {
+    if (row.analysis == "Wilcoxon signed ranks") {
+      EXPECT_EQ(row.p, 1.0);  // one pair: either sign is as likely
+      continue;
+    }
+    EXPECT_TRUE(std::isnan(row.p)) << row.analysis;
+    EXPECT_EQ(row.note.rfind("none: ", 0), 0U) << row.analysis << ": " << row.note;
+  }
+}
+
+TEST(StatisticsTable, EveryRowHasACellInEveryColumn) {
+  const std::vector<StatisticRow> rows =
+      ListStatistics({MakeStatistics({"aperture_mm", 0.82, 5.0})});
+  const std::string csv = FormatCsv(ListStatisticColumns(), rows);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<std::ptrdiff_t>(rows.size()) + 1);
+  EXPECT_NE(csv.find("aperture_mm,Friedman,condition,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench
