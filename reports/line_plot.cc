@@ -64,6 +64,7 @@ Html DrawHorizontalAxis(const Axis& axis, double left, double width, double top,
 Html DrawLinePlot(const LinePlot& plot) {
   GRASPBENCH_DEMAND(plot.series.size() <= kMaxSeries, plot.text.title);
   constexpr double kWidth = 460.0, kHeight = 240.0, kAxis = 38.0, kLegendRow = 18.0, kKey = 26.0;
+  constexpr double kAxisName = 24.0;  // above the highest tick, whose text must not touch it
   Range range_x, range_y;
   for (const LinePlot::Series& series : plot.series) {
     GRASPBENCH_DEMAND(series.x.size() == series.y.size(), series.label);
@@ -81,7 +82,7 @@ Html DrawLinePlot(const LinePlot& plot) {
   for (const Axis::Tick& tick : axis_y.ticks()) tick_texts.push_back(tick.text);
   const double left = CalcLabelWidth(tick_texts) + kPlotGap;
   const double mark_room = plot.marks.empty() ? 0.0 : kLegendRow;
-  const double top = kLegendRow + mark_room, bottom = top + kHeight;
+  const double top = kAxisName + mark_room, bottom = top + kHeight;
   const auto place_x = [&](double x) { return left + kWidth * axis_x.CalcShare(x); };
   const auto place_y = [&](double y) { return bottom - kHeight * axis_y.CalcShare(y); };
 

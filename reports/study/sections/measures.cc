@@ -49,11 +49,11 @@ Html DrawCells(const MeasureStatistics& statistics, size_t series) {
     plot.rows.push_back(row);
   }
   plot.text.description = "Mean of each condition with its interval.";
-  return MakeFigure(std::string(statistics.measure.name) +
-                        DescribeFactors(statistics.table.factors) +
-                        ": mean over people of their means. " + "Bars: " + kind + ".",
-                    "the order of the conditions; whether two differ stands under Tests.",
-                    MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
+  return MakeFigure(
+      std::string(statistics.measure.name) + DescribeFactors(statistics.table.factors) +
+          ": mean over people of their means. " + "Bars: " + kind + ".",
+      "the order of the conditions; whether two differ stands under Tests and trends.",
+      MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
 }
 
 /** All four kinds of bars, so that nobody has to trust the choice of one. */

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/base/config.h"
 #include "core/base/version.h"
 #include "reports/format.h"
@@ -36,19 +38,39 @@ std::string DescribeRecording(const StudyResult& result) {
          " ms were filled by cubic Hermite curves and flagged; longer ones stayed open. ";
 }
 
+/** " (50 mm/s)"; empty for rules without a threshold. */
+std::string DescribeThreshold(const MovementOptions& options) {
+  if (options.rule == "regression" || options.rule == "multiplied") return "";
+  const bool is_share = options.rule == "peak_fraction";
+  return " (" +
+         (is_share ? FormatWithUnit(options.peak_fraction, "1")
+                   : FormatWithUnit(options.speed_threshold, "m/s")) +
+         ")";
+}
+
 std::string DescribeEvents(const StudyResult& result) {
   const AnalysisOptions& options = result.study.config.analysis;
+  const bool has_object = !result.study.config.markers.object.empty();
   std::string text =
       "All filters were zero-phase second-order Butterworth filters, corrected for two passes: " +
       FormatSignificant(options.movement.cutoff, 3) + " Hz for the movement, " +
       FormatSignificant(options.opening.cutoff, 3) + " Hz for the hand opening, " +
-      FormatSignificant(options.contact.cutoff, 3) + " Hz for contacts. Onset and end of the " +
-      "movement: " + TextOf(MovementRuleList(), options.movement.rule) +
+      FormatSignificant(options.contact.cutoff, 3) + " Hz for contacts" +
+      (has_object ? ", " + FormatSignificant(options.contact.object_cutoff, 3) +
+                        " Hz for the object's pose, " +
+                        FormatSignificant(options.lift_off.cutoff, 3) + " Hz for its lift-off"
+                  : "") +
+      ". Onset and end of the movement: " + TextOf(MovementRuleList(), options.movement.rule) +
+      DescribeThreshold(options.movement) +
       ". First contact of each digit: " + TextOf(ContactDetectorList(), options.contact.detector) +
       ". Hand opening: " + TextOf(HandOpeningList(), options.opening.measure) +
       "; closure starts at its " + options.opening.maximum + " maximum. ";
-  if (!result.study.config.markers.object.empty()) {
-    text += "Lift-off: " + TextOf(LiftOffRuleList(), options.lift_off.rule) + ". ";
+  if (has_object) {
+    const bool is_rise = options.lift_off.rule == "rise";
+    text += "Lift-off: " + TextOf(LiftOffRuleList(), options.lift_off.rule) + " (" +
+            (is_rise ? FormatWithUnit(options.lift_off.rise, "m")
+                     : FormatWithUnit(options.lift_off.speed, "m/s")) +
+            "). ";
   }
   text +=
       "Contacts were looked for backwards from the hold: the lift-off, or where nothing was "
@@ -59,6 +81,37 @@ std::string DescribeEvents(const StudyResult& result) {
          "grasp opposing time (GOT) that between the thumb and the earliest finger, grasp closure "
          "time (GCT) that from the widest opening to the last contact; GFT% and GOT% are their "
          "shares of GCT. ";
+}
+
+/** What was done beyond the comparison of conditions. */
+std::string DescribeTrends(const Study& study) {
+  std::string quantities, bounds;
+  for (const Factor& factor : study.factors) {
+    if (factor.numbers.empty()) continue;
+    quantities += (quantities.empty() ? "" : " and ") + factor.name;
+  }
+  for (const Hypothesis& hypothesis : study.hypotheses) {
+    if (std::isnan(hypothesis.equal_within)) continue;
+    const TrialMeasure& measure = FindMeasure(hypothesis.measure);
+    bounds += (bounds.empty() ? "" : ", ") + FormatWithUnit(hypothesis.equal_within, measure.unit) +
+              " for " + measure.name;
+  }
+  std::string text;
+  if (!quantities.empty()) {
+    text += "Trends over " + quantities +
+            " were estimated in two ways: a straight line through each person's trials, the "
+            "slopes then tested over persons; and a linear mixed model with an intercept and a "
+            "slope for each person, fitted to all trials by restricted maximum likelihood, "
+            "degrees of freedom after Satterthwaite. ";
+  }
+  text += "Mean differences " + std::string(quantities.empty() ? "" : "and slopes ") +
+          "also have bias-corrected and accelerated (BCa) bootstrap intervals from 9999 draws of "
+          "persons. ";
+  if (!bounds.empty()) {
+    text += "Equivalence of conditions was tested by two one-sided t tests with bounds of " +
+            bounds + ". ";
+  }
+  return text;
 }
 
 std::string DescribeStatistics(const StudyResult& result) {
@@ -74,9 +127,10 @@ std::string DescribeStatistics(const StudyResult& result) {
   return text +
          "The unit of analysis is the mean of a person's trials in a condition. Effects of " +
          factors + " were tested by repeated-measures analysis of variance with " +
-         "Greenhouse-Geisser correction; pairs of conditions by paired t tests, p values "
-         "adjusted " +
-         "after Holm. Effect sizes are partial and generalised eta squared and d_z.";
+         "Greenhouse-Geisser correction and by Friedman's test; pairs of conditions by paired t "
+         "tests and exact Wilcoxon signed-rank tests, p values adjusted after Holm. Effect sizes "
+         "are generalised eta squared, d_z, Kendall's W and the rank-biserial correlation. " +
+         DescribeTrends(result.study);
 }
 
 /** Every value of the configuration under its key. */
@@ -99,7 +153,7 @@ Html Draw(const StudyPageData& data) {
          Element(
              "blockquote", {},
              MakeParagraph(DescribeRecording(result) + DescribeEvents(result) +
-                           DescribeStatistics(result) + " The analysis was made with graspbench " +
+                           DescribeStatistics(result) + "The analysis was made with graspbench " +
                            program_version() + ".")) +
          MakeParagraph(
              "Known from the thesis: the names of GCT, GFT, GOT and their ratios, and the widest "

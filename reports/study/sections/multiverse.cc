@@ -43,15 +43,12 @@ HeatMap::Cell MakeCell(const Universe& universe, const char* unit) {
   return cell;
 }
 
-/** In how many combinations the test says the same. */
-std::string DescribeVerdicts(const std::vector<Universe>& universes) {
-  int num_tests = 0, num_significant = 0, num_without = 0;
+/** How far the choices move the measure, and in how many the test says the same. */
+std::string DescribeVerdicts(const std::vector<Universe>& universes, const char* unit) {
+  int num_tests = 0, num_significant = 0;
   double lowest = std::nan(""), highest = std::nan("");
   for (const Universe& universe : universes) {
-    if (!universe.summary) {
-      ++num_without;
-      continue;
-    }
+    if (!universe.summary) continue;
     lowest = std::fmin(lowest, universe.summary->median);
     highest = std::fmax(highest, universe.summary->median);
     if (!universe.test) continue;
@@ -59,33 +56,86 @@ std::string DescribeVerdicts(const std::vector<Universe>& universes) {
     num_significant += universe.test->greenhouse_geisser.p < 0.05;
   }
   std::string text;
-  if (num_tests > 0) {
-    text = "p is below 0.05 in " + std::to_string(num_significant) + " of " +
-           FormatCount(num_tests, "combination") + " with a test. ";
+  if (!std::isnan(lowest)) {
+    text = "Its median lies between " + FormatWithUnit(lowest, unit) + " and " +
+           FormatWithUnit(highest, unit) + ". ";
   }
-  if (num_without > 0) {
-    text += FormatCount(num_without, "combination") + " found no value in any trial.";
+  if (num_tests > 0) {
+    text += "p is below 0.05 in " + std::to_string(num_significant) + " of " +
+            FormatCount(num_tests, "combination") + " with a test. ";
   }
   return text;
 }
 
+/** Detectors that found a value under some choice, and the others with the reason. */
+struct Detectors {
+  std::vector<std::string> with_value;
+  std::vector<std::string> without;
+};
+
+Detectors ListDetectors(const StudyResult& result) {
+  std::vector<std::string> all, with_value;
+  for (const Universe& universe : result.universes) {
+    FindPlace(all, universe.detector);
+    if (universe.summary) FindPlace(with_value, universe.detector);
+  }
+  Detectors detectors;
+  for (const std::string& id : all) {
+    const bool has_value = std::find(with_value.begin(), with_value.end(), id) != with_value.end();
+    if (has_value) {
+      detectors.with_value.push_back(id);
+    } else {
+      const ContactDetector& detector = ContactDetectorList()[FindContactDetector(id)];
+      detectors.without.push_back(id + " (needs " + detector.needs + ")");
+    }
+  }
+  return detectors;
+}
+
 /** The universes of one onset rule: opening and cut-off down, detectors across. */
-Html DrawMap(const StudyResult& result, const std::string& onset, const TrialMeasure& measure) {
+HeatMap MakeMap(const StudyResult& result, const std::string& onset,
+                const std::vector<std::string>& detectors) {
+  const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
   HeatMap map;
   map.text.title = "The main test under every choice, onset by " + onset;
   map.text.description = std::string(measure.name) + " by opening, cut-off and detector.";
-  for (const Universe& universe : result.universes) {
-    FindPlace(map.rows, NameRow(universe));
-    FindPlace(map.columns, universe.detector);
-  }
+  map.columns = detectors;
+  for (const Universe& universe : result.universes) FindPlace(map.rows, NameRow(universe));
   map.cells.resize(map.rows.size() * map.columns.size());
   for (const Universe& universe : result.universes) {
-    if (universe.onset != onset) continue;
+    const auto column = std::find(detectors.begin(), detectors.end(), universe.detector);
+    if (universe.onset != onset || column == detectors.end()) continue;
     const size_t row = FindPlace(map.rows, NameRow(universe));
-    const size_t column = FindPlace(map.columns, universe.detector);
-    map.cells[row * map.columns.size() + column] = MakeCell(universe, measure.unit);
+    map.cells[row * map.columns.size() + static_cast<size_t>(column - detectors.begin())] =
+        MakeCell(universe, measure.unit);
   }
-  return MakeParagraph("Onset by " + onset + ":") + MakeScroll(map.text.title, DrawHeatMap(map));
+  return map;
+}
+
+bool HaveSameNumbers(const HeatMap& a, const HeatMap& b) {
+  return std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
+                    [](const auto& x, const auto& y) { return x.hint == y.hint; });
+}
+
+/** A map for each onset rule; those that would show the numbers of the first are only named. */
+Html DrawMaps(const StudyResult& result, const std::vector<std::string>& detectors) {
+  std::vector<std::string> onsets;
+  for (const Universe& universe : result.universes) FindPlace(onsets, universe.onset);
+  const HeatMap own = MakeMap(result, onsets.front(), detectors);
+  Html html;
+  std::string alike = onsets.front();
+  for (size_t i = 1; i < onsets.size(); ++i) {
+    const HeatMap map = MakeMap(result, onsets[i], detectors);
+    if (HaveSameNumbers(own, map)) {
+      alike += " or " + onsets[i];
+    } else {
+      html += MakeParagraph("Onset by " + onsets[i] + ":") +
+              MakeScroll(map.text.title, DrawHeatMap(map));
+    }
+  }
+  return MakeParagraph("Onset by " + alike +
+                       (alike == onsets.front() ? ":" : " (the same to the digits shown):")) +
+         MakeScroll(own.text.title, DrawHeatMap(own)) + html;
 }
 
 Html Draw(const StudyPageData& data) {
@@ -99,21 +149,21 @@ Html Draw(const StudyPageData& data) {
           ? "p of the effect of " + result.study.factors.front().name +
                 " (Greenhouse-Geisser); the shade is partial eta squared."
           : "Medians, because there is no test: " + result.universes.front().test.reason() + ".";
-  std::vector<std::string> onsets;
-  Html maps;
-  for (const Universe& universe : result.universes) {
-    const size_t num_known = onsets.size();
-    if (FindPlace(onsets, universe.onset) == num_known) {
-      maps += DrawMap(result, universe.onset, measure);
-    }
+  const Detectors detectors = ListDetectors(result);
+  std::string without;
+  for (const std::string& detector : detectors.without) {
+    without += (without.empty() ? "" : ", ") + detector;
   }
+  if (detectors.with_value.empty()) return MakeParagraph("No combination found a value.");
   return MakeParagraph("Every threshold is a choice. The main measure, " +
                        std::string(measure.name) +
                        ", under each combination of onset rule, measure of opening, cut-off of the "
                        "contact detectors (rows) and detector (columns). " +
-                       DescribeVerdicts(result.universes)) +
+                       DescribeVerdicts(result.universes, measure.unit) +
+                       (without.empty() ? "" : "Without a value in any trial: " + without + ".")) +
          MakeFigure(what + " \u25B6 marks the study's own choices.",
-                    "whether the answer hangs on one choice.", maps);
+                    "whether the answer hangs on one choice.",
+                    DrawMaps(result, detectors.with_value));
 }
 
 }  // namespace

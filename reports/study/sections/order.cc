@@ -8,7 +8,7 @@
 namespace graspbench {
 namespace {
 
-constexpr size_t kMaxOrders = 12;
+constexpr size_t kMaxOrders = 6;
 
 /** Who is sure to have touched first: the digit alone in the first group; empty for a tie. */
 std::string FindFirst(const ContactOrder& order) {
@@ -24,7 +24,7 @@ Html DrawFirstDigits(const StudyResult& result) {
   for (const std::string& digit : result.digits) {
     plot.classes.push_back({NameOfDigit(digit), digit});
   }
-  plot.classes.push_back({"cannot be told apart", "TI"});
+  plot.classes.push_back({"cannot be told apart", "="});
   for (const StudyTrial& trial : result.trials) {
     if (!trial.IsKept()) continue;
     auto row = std::find_if(plot.rows.begin(), plot.rows.end(),
@@ -42,6 +42,41 @@ Html DrawFirstDigits(const StudyResult& result) {
       "whose times differ by less than 1.96 standard uncertainties.",
       "patterns that are a person's own; ties are what the recording cannot decide.",
       MakeScroll("First digit to touch", DrawStackedBars(plot)));
+}
+
+/** How often one digit touched before another, for every two. */
+Html DrawPrecedence(const StudyResult& result) {
+  HeatMap map;
+  map.text.title = "Which digit touched before which";
+  map.text.description = "Share of trials in which the row's digit touched before the column's.";
+  for (const std::string& digit : result.digits) map.rows.push_back(NameOfDigit(digit));
+  map.columns = map.rows;
+  for (const std::string& row : result.digits) {
+    for (const std::string& column : result.digits) {
+      int num_before = 0, num_both = 0;
+      for (const StudyTrial& trial : result.trials) {
+        if (!trial.IsKept()) continue;
+        const int a = trial.analysis->order.FindRank(row);
+        const int b = trial.analysis->order.FindRank(column);
+        if (a == 0 || b == 0) continue;  // one of them never touched
+        ++num_both;
+        num_before += a < b;
+      }
+      HeatMap::Cell cell;
+      if (num_before > 0) {
+        cell.rate = static_cast<double>(num_before) / num_both;
+        cell.text = FormatPercent(cell.rate);
+        cell.hint = NameOfDigit(row) + " before " + NameOfDigit(column) + ": " +
+                    std::to_string(num_before) + " of " + FormatCount(num_both, "trial");
+      }
+      map.cells.push_back(cell);
+    }
+  }
+  return MakeFigure(
+      "Share of trials in which the row's digit touched before the column's, ties not counted; "
+      "what is missing to 100 % between a cell and its mirror image is tied; empty: never.",
+      "large shares above the diagonal: contacts run from the radial to the ulnar side.",
+      MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 
 Html DrawOrders(const StudyResult& result) {
@@ -72,7 +107,7 @@ Html DrawOrders(const StudyResult& result) {
 
 Html Draw(const StudyPageData& data) {
   if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
-  return DrawFirstDigits(data.result) + DrawOrders(data.result);
+  return DrawFirstDigits(data.result) + DrawPrecedence(data.result) + DrawOrders(data.result);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "reports/format.h"
 #include "reports/study/study_section.h"
+#include "reports/study/trial_flags.h"
 
 namespace graspbench {
 namespace {
@@ -63,37 +64,19 @@ Html DrawRemoved(const StudyResult& result) {
   return table.ToHtml();
 }
 
-struct Flag {
-  const char* name;
-  bool (*is_set)(const TrialAnalysis& analysis);
-};
-
-constexpr Flag kFlags[] = {
-    {"an event was decided on filled samples",
-     [](const TrialAnalysis& a) { return a.used_filled; }},
-    {"an event fell into a gap; its time is the gap's middle",
-     [](const TrialAnalysis& a) { return a.used_gap; }},
-    {"a digit touched before the widest opening",
-     [](const TrialAnalysis& a) { return a.timing.contact_before_start; }},
-    {"the largest and the last maximum of the opening differ",
-     [](const TrialAnalysis& a) { return a.peak_opening.is_ambiguous; }},
-    {"a recorded digit never touched",
-     [](const TrialAnalysis& a) { return a.num_touching < static_cast<int>(a.contacts.size()); }},
-};
-
 Html DrawFlags(const StudyResult& result) {
   Table table("Trials that count in spite of a flag; study.yaml can remove them (removal).",
               {{"Flag", Align::kProse},
                {"Trials", Align::kNumber},
                {"Of those that count", Align::kNumber}});
-  for (const Flag& flag : kFlags) {
+  for (const TrialFlag& flag : TrialFlagList()) {
     int count = 0;
     for (const StudyTrial& trial : result.trials) {
       count += trial.IsKept() && flag.is_set(*trial.analysis);
     }
     const double share =
         result.CountKept() > 0 ? static_cast<double>(count) / result.CountKept() : std::nan("");
-    table.AddRow({Text(flag.name), Text(std::to_string(count)), Text(FormatPercent(share))});
+    table.AddRow({Text(flag.text), Text(std::to_string(count)), Text(FormatPercent(share))});
   }
   return table.ToHtml();
 }

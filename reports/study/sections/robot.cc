@@ -36,6 +36,7 @@ std::vector<Group> ListGroups(const StudyPageData& data) {
   for (const std::string& hand : summary.hands) {
     const size_t first = groups.size();
     groups.push_back({models.NameOfHand(hand) + ", all trials", {}, {}, false});
+    int num_grasps = 0;
     for (const std::string& grasp : summary.grasps) {
       Group group{models.NameOfHand(hand) + ", " + NameOfGrasp(grasp), {}, {}, false};
       for (const TrialRecord& record : session.records) {
@@ -44,18 +45,22 @@ std::vector<Group> ListGroups(const StudyPageData& data) {
         groups[first].Add(record.result.timing);
         group.Add(record.result.timing);
       }
-      if (!group.gft_ratio.empty()) groups.push_back(group);
+      if (group.gft_ratio.empty()) continue;
+      groups.push_back(group);
+      ++num_grasps;
     }
+    // One grasp is all there is: said once, by its name.
+    if (num_grasps == 1) groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(first));
   }
   return groups;
 }
 
-Html DrawFigure(const std::vector<Group>& groups, std::vector<double> Group::*ratio,
-                const char* name) {
-  IntervalPlot plot;
-  plot.text.title = std::string(name) + " of humans and robots";
-  plot.text.description = "Median of each group; the line spans its quartiles.";
-  plot.axis = std::string(name) + " [%]";
+void AddRows(const std::vector<Group>& groups, std::vector<double> Group::*ratio, const char* name,
+             IntervalPlot& plot) {
+  IntervalPlot::Row heading;
+  heading.label = name;
+  heading.is_heading = true;
+  plot.rows.push_back(heading);
   for (const Group& group : groups) {
     IntervalPlot::Row row;
     row.label = group.name;
@@ -71,7 +76,16 @@ Html DrawFigure(const std::vector<Group>& groups, std::vector<double> Group::*ra
     }
     plot.rows.push_back(row);
   }
-  return MakeFigure(std::string(name) + ": median and quartiles over trials.",
+}
+
+Html DrawFigure(const std::vector<Group>& groups) {
+  IntervalPlot plot;
+  plot.text.title = "GFT% and GOT% of humans and robots";
+  plot.text.description = "Median of each group; the line spans its quartiles.";
+  plot.axis = "share of the grasp closure time [%]";
+  AddRows(groups, &Group::gft_ratio, "GFT%", plot);
+  AddRows(groups, &Group::got_ratio, "GOT%", plot);
+  return MakeFigure("GFT% and GOT%: median and quartiles over trials.",
                     "how near the robot's fingers come to closing together as people's do.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
@@ -115,8 +129,7 @@ Html Draw(const StudyPageData& data) {
                        ". Closure starts at the widest opening for people and with the closing "
                        "command for robots; a robot closes at a speed set by its strategy, so "
                        "compare the ratios, not the times.") +
-         DrawFigure(groups, &Group::gft_ratio, "GFT%") +
-         DrawFigure(groups, &Group::got_ratio, "GOT%") + DrawTable(groups);
+         DrawFigure(groups) + DrawTable(groups);
 }
 
 }  // namespace

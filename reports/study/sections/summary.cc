@@ -23,8 +23,9 @@ std::string DescribeMainTest(const StudyResult& result) {
   const std::string& factor = result.study.factors.front().name;
   if (!own.test) return text + "Effect of " + factor + ": not tested (" + own.test.reason() + ").";
   const double p = own.test->greenhouse_geisser.p;
-  return text + "Effect of " + factor + ": F = " + FormatFixed(own.test->f, 2) + ", p " +
-         (p < 0.001 ? "" : "= ") + FormatP(p) + " (Greenhouse-Geisser), generalised eta squared " +
+  return text + "Effect of " + factor + ": F\u00A0=\u00A0" + FormatFixed(own.test->f, 2) +
+         ", p\u00A0" + (p < 0.001 ? "" : "=\u00A0") + FormatP(p) +
+         " (Greenhouse-Geisser), generalised eta squared " +
          FormatFixed(own.test->generalised_eta_squared, 2) + ".";
 }
 
@@ -61,12 +62,14 @@ Html Draw(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const int num_trials = static_cast<int>(result.trials.size());
   const int num_removed = num_trials - result.CountKept();
-  const std::string counts = std::to_string(result.CountKept()) + " of " +
-                             FormatCount(num_trials, "trial") + " count; " +
-                             std::to_string(num_removed) + " were removed. ";
-  return Element("p", {{"class", "verdict"}},
-                 Text(counts) + LinkTo("removed", "Why") + Text(". ") +
-                     Text(DescribeMainTest(result))) +
+  Html counts = Text(std::to_string(result.CountKept()) + " of " +
+                     FormatCount(num_trials, "trial") + " count");
+  if (num_removed > 0) {
+    counts += Text("; " + std::to_string(num_removed) + (num_removed == 1 ? " was" : " were") +
+                   " removed, ") +
+              LinkTo("removed", "and why");
+  }
+  return Element("p", {{"class", "verdict"}}, counts + Text(". " + DescribeMainTest(result))) +
          DrawMeasureTable(result);
 }
 

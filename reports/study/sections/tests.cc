@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+
+#include "human_study/study/statistics_table.h"
 #include "reports/format.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -5,97 +9,188 @@
 namespace graspbench {
 namespace {
 
-Html DrawAnova(const MeasureStatistics& statistics) {
-  if (!statistics.anova) {
-    return MakeParagraph("Not tested: " + statistics.anova.reason() + ".");
-  }
-  const Align number = Align::kNumber;
-  Table table("Repeated-measures analysis of variance, " +
-                  FormatCount(statistics.anova->num_persons, "person") + ".",
-              {{"Effect"},
-               {"F", number},
-               {"df", number, "of effect and error, uncorrected"},
-               {"p", number, "uncorrected: holds under sphericity"},
-               {"Mauchly W", number, "sphericity"},
-               {"p of W", number},
-               {"GG epsilon", number, "Greenhouse-Geisser"},
-               {"p (GG)", number},
-               {"p (HF)", number, "Huynh-Feldt"},
-               {"Partial eta\u00B2", number},
-               {"Generalised eta\u00B2", number}});
-  for (const WithinEffect& effect : statistics.anova->effects) {
-    const std::string df =
-        FormatSignificant(effect.df_effect, 3) + ", " + FormatSignificant(effect.df_error, 3);
-    if (!effect.test) {
-      std::vector<Html> row(11, Text("n/a"));
-      row[0] = Text(effect.name + " (" + effect.test.reason() + ")");
-      row[2] = Text(df);
-      table.AddRow(row);
+/** A slope has no unit that people read it in: SI, as in statistics.csv. */
+bool IsSlope(const StatisticRow& row) { return row.unit.find(" per ") != std::string::npos; }
+
+std::string FormatEstimate(double value, const StatisticRow& row) {
+  return IsSlope(row) ? FormatSignificant(value, 3) : FormatValue(value, row.unit);
+}
+
+/** What does not apply stays empty. */
+std::string OrNothing(double value, const std::string& text) {
+  return std::isnan(value) ? std::string() : text;
+}
+
+std::string FormatInterval(const StatisticRow& row) {
+  if (std::isnan(row.low)) return "";
+  return FormatEstimate(row.low, row) + " to " + FormatEstimate(row.high, row) +
+         (row.confidence == 0.95 ? "" : " (" + FormatPercent(row.confidence) + ")");
+}
+
+std::string FormatDf(const StatisticRow& row) {
+  if (std::isnan(row.df_1)) return "";
+  return FormatSignificant(row.df_1, 3) +
+         (std::isnan(row.df_2) ? "" : ", " + FormatSignificant(row.df_2, 3));
+}
+
+/** What each analysis assumes, once; with the effects when it is not the same for all of them. */
+std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows) {
+  struct Note {
+    const StatisticRow* first;
+    std::string effects;
+    bool is_of_all = true;
+  };
+  std::vector<Note> notes;
+  for (const StatisticRow& row : rows) {
+    if (row.note.empty()) continue;
+    const auto known = std::find_if(notes.begin(), notes.end(), [&](const Note& note) {
+      return note.first->analysis == row.analysis && note.first->note == row.note;
+    });
+    if (known != notes.end()) {
+      known->effects += ", " + row.effect;
       continue;
     }
-    const WithinTest& test = *effect.test;
-    const auto& mauchly = test.mauchly;
-    table.AddRow({Text(effect.name), Text(FormatFixed(test.f, 2)), Text(df), Text(FormatP(test.p)),
-                  Text(mauchly ? FormatFixed(mauchly->w, 3) : "n/a"),
-                  Text(mauchly ? FormatP(mauchly->p) : "n/a"),
-                  Text(FormatFixed(test.greenhouse_geisser.epsilon, 3)),
-                  Text(FormatP(test.greenhouse_geisser.p)),
-                  Text(test.huynh_feldt ? FormatP(test.huynh_feldt->p) : "n/a"),
-                  Text(FormatFixed(test.partial_eta_squared, 3)),
-                  Text(FormatFixed(test.generalised_eta_squared, 3))});
+    notes.push_back({&row, row.effect});
   }
-  Html html = table.ToHtml();
+  for (Note& note : notes) {
+    note.is_of_all = std::all_of(rows.begin(), rows.end(), [&](const StatisticRow& row) {
+      return row.analysis != note.first->analysis || row.note == note.first->note;
+    });
+  }
+  std::vector<std::string> texts;
+  for (const Note& note : notes) {
+    texts.push_back(note.first->analysis + (note.is_of_all ? "" : ", " + note.effects) + ": " +
+                    note.first->note);
+  }
+  return texts;
+}
+
+/** Estimates with what they rest on, or tests; a column that no row fills is left out. */
+Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows) {
+  struct Part {
+    Column column;
+    std::string (*format)(const StatisticRow& row);
+  };
+  const Align number = Align::kNumber;
+  const std::vector<Part> parts = {
+      {{"Effect"}, [](const StatisticRow& row) { return row.effect; }},
+      {{"Analysis"}, [](const StatisticRow& row) { return row.analysis; }},
+      {{"Estimate", number},
+       [](const StatisticRow& row) {
+         return OrNothing(row.estimate, FormatEstimate(row.estimate, row));
+       }},
+      {{"SE", number, "standard error of the estimate"},
+       [](const StatisticRow& row) {
+         return OrNothing(row.standard_error, FormatEstimate(row.standard_error, row));
+       }},
+      {{"95 % interval", number}, FormatInterval},
+      {{"Unit"},
+       [](const StatisticRow& row) {
+         return IsSlope(row) ? row.unit : std::string(FindDisplayUnit(row.unit).name);
+       }},
+      {{"Test", number},
+       [](const StatisticRow& row) {
+         return OrNothing(row.value, row.statistic + " = " + FormatFixed(row.value, 2));
+       }},
+      {{"df", number, "degrees of freedom; of effect and error for F"}, FormatDf},
+      {{"p", number}, [](const StatisticRow& row) { return OrNothing(row.p, FormatP(row.p)); }},
+      {{"p (Holm)", number, "adjusted over all pairs of conditions"},
+       [](const StatisticRow& row) { return OrNothing(row.p_holm, FormatP(row.p_holm)); }},
+      {{"Effect size"},
+       [](const StatisticRow& row) {
+         return OrNothing(row.effect_size,
+                          row.effect_size_name + " " + FormatFixed(row.effect_size, 3));
+       }},
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<Html>> cells(rows.size());
+  for (const Part& part : parts) {
+    const bool is_filled = std::any_of(rows.begin(), rows.end(),
+                                       [&](const auto& row) { return !part.format(row).empty(); });
+    if (!is_filled) continue;
+    columns.push_back(part.column);
+    for (size_t i = 0; i < rows.size(); ++i) cells[i].push_back(Text(part.format(rows[i])));
+  }
+  Table table(caption, columns);
+  for (const std::vector<Html>& row : cells) table.AddRow(row);
+  return table.ToHtml() + MakeList(ListNotes(rows));
+}
+
+Html DrawConditions(const MeasureStatistics& statistics) {
+  Html html = DrawRows("Do the conditions differ?", ListConditionTests(statistics));
+  if (!statistics.cells) return html;
   for (const LeftOut& person : statistics.cells->left_out) {
     html += MakeParagraph("Left out: " + person.person + " (" + person.reason + ").");
   }
   return html;
 }
 
-Html DrawPairs(const MeasureStatistics& statistics) {
-  if (statistics.pairs.empty() || statistics.cells->persons.size() < 2) return {};
+Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
   const Align number = Align::kNumber;
-  const char* unit = statistics.measure.unit;
-  Table table("Differences of all pairs of conditions; p after Holm over all pairs.",
-              {{"Pair"},
-               {"Difference [" + std::string(FindDisplayUnit(unit).name) + "]", number},
-               {"95 % interval", number, "of the difference, uncorrected"},
-               {"t", number},
-               {"p (Holm)", number},
-               {"d_z", number}});
-  const std::vector<std::string>& cells = statistics.cells->cells;
-  for (const PairComparison& pair : statistics.pairs) {
-    const std::string name = cells[pair.b] + " - " + cells[pair.a];
-    if (!pair.test) {
-      table.AddRow({Text(name + " (" + pair.test.reason() + ")"), Text("n/a"), Text("n/a"),
-                    Text("n/a"), Text("n/a"), Text("n/a")});
+  Table table("Each person's line over " + trend.factor + ", in SI units (" + unit +
+                  "); the mixed model draws a person's line towards that of all.",
+              {{"Person"},
+               {"Slope", number},
+               {"SE", number},
+               {"Intercept", number},
+               {"R\u00B2", number},
+               {"n", number, "trials"},
+               {"Slope, mixed model", number}});
+  for (const PersonLine& person : trend.slopes.persons) {
+    double mixed = std::nan("");
+    if (trend.mixed) {
+      for (const PersonEffect& effect : trend.mixed->persons) {
+        if (effect.person == person.person) mixed = effect.slope;
+      }
+    }
+    if (!person.line) {
+      table.AddRow({Text(person.person + " (" + person.line.reason() + ")"), Text("n/a"),
+                    Text("n/a"), Text("n/a"), Text("n/a"), Text("n/a"),
+                    Text(FormatSignificant(mixed, 3))});
       continue;
     }
-    const TTest& test = *pair.test;
-    table.AddRow({Text(name), Text(FormatValue(test.mean, unit)),
-                  Text(FormatValue(test.interval.low, unit) + " to " +
-                       FormatValue(test.interval.high, unit)),
-                  Text(FormatFixed(test.t, 2)), Text(FormatP(pair.p_holm)),
-                  Text(FormatFixed(test.d_z, 2))});
+    const LineFit& line = *person.line;
+    table.AddRow({Text(person.person), Text(FormatSignificant(line.slope, 3)),
+                  Text(FormatSignificant(line.slope_error.value_or(std::nan("")), 3)),
+                  Text(FormatSignificant(line.intercept, 3)),
+                  Text(FormatFixed(line.r_squared.value_or(std::nan("")), 3)),
+                  Text(std::to_string(line.count)), Text(FormatSignificant(mixed, 3))});
   }
+  return MakeDetails("Each person's line over " + trend.factor, table.ToHtml());
+}
+
+Html DrawTrends(const MeasureStatistics& statistics) {
+  if (statistics.trends.empty()) return {};
+  Html html = DrawRows("How much does the measure change with the quantity that was varied?",
+                       ListTrends(statistics));
+  for (const TrendStatistics& trend : statistics.trends) {
+    html += DrawLines(trend, statistics.measure.unit);
+  }
+  return html;
+}
+
+Html DrawPairs(const MeasureStatistics& statistics) {
+  if (statistics.pairs.empty() || statistics.cells->persons.size() < 2) return {};
   return MakeDetails("Pairs of conditions (" + std::to_string(statistics.pairs.size()) + ")",
-                     table.ToHtml());
+                     DrawRows("Differences of all pairs of conditions.", ListPairs(statistics)));
 }
 
 Html Draw(const StudyPageData& data) {
-  const std::vector<MeasureStatistics>& measures = data.result.statistics.measures;
-  Html html;
   if (data.result.study.factors.empty()) {
     return MakeParagraph("The study names no factor, so there is nothing to compare.");
   }
-  for (const MeasureStatistics& statistics : measures) {
-    html +=
-        Element("h3", {}, statistics.measure.name) + DrawAnova(statistics) + DrawPairs(statistics);
+  Html html = MakeParagraph(
+      "All of this stands in statistics.csv, too, in SI units. A test is no better than what it "
+      "assumes; that stands below each table.");
+  for (const MeasureStatistics& statistics : data.result.statistics.measures) {
+    html += Element("h3", {}, statistics.measure.name) + DrawConditions(statistics) +
+            DrawTrends(statistics) + DrawPairs(statistics);
   }
   return html;
 }
 
 }  // namespace
 
-StudySection tests_study_section() { return {"tests", "Tests", Draw}; }
+StudySection tests_study_section() { return {"tests", "Tests and trends", Draw}; }
 
 }  // namespace graspbench

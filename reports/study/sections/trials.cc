@@ -5,6 +5,7 @@
 #include "reports/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
+#include "reports/study/trial_flags.h"
 
 namespace graspbench {
 namespace {
@@ -20,12 +21,9 @@ std::vector<const StudyTrial*> ChooseTrials(const StudyResult& result) {
     if (trial.analysis) trials.push_back(&trial);
   }
   if (trials.size() <= kMaxDrawn) return trials;
-  const auto is_doubtful = [](const StudyTrial* trial) {
-    const TrialAnalysis& a = *trial->analysis;
-    return !trial->IsKept() || a.used_gap || a.used_filled || a.timing.contact_before_start ||
-           a.peak_opening.is_ambiguous;
-  };
-  std::stable_partition(trials.begin(), trials.end(), is_doubtful);
+  std::stable_partition(trials.begin(), trials.end(), [](const StudyTrial* trial) {
+    return !trial->IsKept() || !FormatFlags(*trial->analysis).empty();
+  });
   trials.resize(kMaxDrawn);
   return trials;
 }
@@ -100,7 +98,12 @@ std::string DescribeTrial(const StudyTrial& trial) {
   for (const std::string& level : trial.levels) text += ", " + level;
   text += ": GFT " + FormatWithUnit(timing.gft, "s") + ", GOT " + FormatWithUnit(timing.got, "s") +
           ", GFT% " + FormatWithUnit(timing.gft_ratio, "1");
-  if (!trial.IsKept()) text += " \u2013 removed: " + trial.removed;
+  const std::string flags = FormatFlags(*trial.analysis);
+  if (!trial.IsKept()) {
+    text += " \u2013 removed: " + trial.removed;
+  } else if (!flags.empty()) {
+    text += " \u2013 " + flags;
+  }
   return text;
 }
 

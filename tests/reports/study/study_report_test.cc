@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "human_study/study/demo_study.h"
+#include "reports/format.h"
 #include "reports/study/study_format.h"
 #include "tests/reports/report_fixture.h"
 
@@ -58,6 +59,11 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectContains(SectionText(page, "measures"), std::string(NameOf(BarKind::kLoftusMasson)));
   ExpectContains(SectionText(page, "tests"), "diameter_m");
   ExpectContains(SectionText(page, "tests"), FormatP(gft.anova->effects[0].test->p));
+  ExpectContains(SectionText(page, "tests"), "Friedman");
+  ExpectContains(SectionText(page, "tests"), FormatSignificant(gft.trends[0].slopes.test->mean, 3));
+  ExpectContains(SectionText(page, "tests"), "tested against 0.82");
+  ExpectContains(SectionText(page, "tests"), "mixed model (REML)");
+  ExpectContains(SectionText(page, "tests"), "equivalence, two one-sided t tests");
   ExpectContains(SectionText(page, "order"), result.trials[0].analysis->order.Format());
   ExpectContains(SectionText(page, "robot"), "No robot session was named.");
   ExpectContains(SectionText(page, "openings"), "virtual_finger");
@@ -65,6 +71,8 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectContains(SectionText(page, "multiverse"), "\u25B6");
   ExpectContains(SectionText(page, "trials"), "01-1, ");
   ExpectContains(SectionText(page, "methods"), "0 of 12 trials were removed.");
+  ExpectContains(SectionText(page, "methods"), "a fixed threshold (50\u00A0mm/s)");
+  ExpectContains(SectionText(page, "methods"), "bounds of 10.0\u00A0ms for grasp forming time");
 }
 
 TEST(StudyReport, SameResultSameBytes) {
@@ -78,6 +86,7 @@ TEST(StudyReport, HumansStandBesideARobot) {
   const std::string text = SectionText(page, "robot");
   ExpectContains(text, "humans, all trials");
   ExpectContains(text, "TUM Hand, power (g3)");
+  EXPECT_EQ(text.find("TUM Hand, all trials"), std::string::npos);  // the same trials once more
   ExpectContains(text, "Session: pilot.");
   ExpectContains(text, "32.8");  // GFT% of the fixture's middle trial
 }

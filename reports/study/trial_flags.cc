@@ -1,0 +1,30 @@
+#include "reports/study/trial_flags.h"
+
+namespace graspbench {
+
+const std::vector<TrialFlag>& TrialFlagList() {
+  using A = TrialAnalysis;
+  static const std::vector<TrialFlag> flags = {
+      {"filled", "an event was decided on filled samples",
+       [](const A& a) { return a.used_filled; }},
+      {"gap", "an event fell into a gap; its time is the gap's middle",
+       [](const A& a) { return a.used_gap; }},
+      {"early touch", "a digit touched before the widest opening",
+       [](const A& a) { return a.timing.contact_before_start; }},
+      {"two maxima", "the largest and the last maximum of the opening differ",
+       [](const A& a) { return a.peak_opening.is_ambiguous; }},
+      {"digit without touch", "a recorded digit never touched",
+       [](const A& a) { return a.num_touching < static_cast<int>(a.contacts.size()); }},
+  };
+  return flags;
+}
+
+std::string FormatFlags(const TrialAnalysis& analysis) {
+  std::string text;
+  for (const TrialFlag& flag : TrialFlagList()) {
+    if (flag.is_set(analysis)) text += (text.empty() ? "" : ", ") + std::string(flag.name);
+  }
+  return text;
+}
+
+}  // namespace graspbench
