@@ -79,12 +79,24 @@ Html DrawPrecedence(const StudyResult& result) {
       MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 
+/** Tied digits in the order of the hand: which of them came first is not known. */
+std::string FormatOrder(ContactOrder order, const std::vector<std::string>& digits) {
+  const auto place_of = [&](const std::string& digit) {
+    return std::find(digits.begin(), digits.end(), digit);
+  };
+  for (std::vector<std::string>& group : order.groups) {
+    std::sort(group.begin(), group.end(),
+              [&](const auto& a, const auto& b) { return place_of(a) < place_of(b); });
+  }
+  return order.Format();
+}
+
 Html DrawOrders(const StudyResult& result) {
   std::map<std::string, int> counts;
   int num_ties = 0, num_neighbours = 0;
   for (const StudyTrial& trial : result.trials) {
     if (!trial.IsKept()) continue;
-    ++counts[trial.analysis->order.Format()];
+    ++counts[FormatOrder(trial.analysis->order, result.digits)];
     num_ties += trial.analysis->order.num_ties;
     num_neighbours += std::max(0, trial.analysis->num_touching - 1);
   }

@@ -71,6 +71,10 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows)
     Column column;
     std::string (*format)(const StatisticRow& row);
   };
+  const bool has_answer = std::any_of(rows.begin(), rows.end(), [](const StatisticRow& row) {
+    return !std::isnan(row.estimate) || !std::isnan(row.p);
+  });
+  if (!has_answer) return MakeParagraph(caption) + MakeList(ListNotes(rows));
   const Align number = Align::kNumber;
   const std::vector<Part> parts = {
       {{"Effect"}, [](const StatisticRow& row) { return row.effect; }},

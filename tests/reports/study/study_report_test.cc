@@ -9,6 +9,7 @@
 #include "human_study/study/demo_study.h"
 #include "reports/format.h"
 #include "reports/study/study_format.h"
+#include "reports/study/study_section.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {
@@ -64,7 +65,7 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectContains(SectionText(page, "tests"), "tested against 0.82");
   ExpectContains(SectionText(page, "tests"), "mixed model (REML)");
   ExpectContains(SectionText(page, "tests"), "equivalence, two one-sided t tests");
-  ExpectContains(SectionText(page, "order"), result.trials[0].analysis->order.Format());
+  ExpectContains(SectionText(page, "order"), "pairs of neighbours are tied.");
   ExpectContains(SectionText(page, "robot"), "No robot session was named.");
   ExpectContains(SectionText(page, "openings"), "virtual_finger");
   ExpectContains(SectionText(page, "bias"), "half the cut-off");
@@ -73,6 +74,26 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectContains(SectionText(page, "methods"), "0 of 12 trials were removed.");
   ExpectContains(SectionText(page, "methods"), "a fixed threshold (50\u00A0mm/s)");
   ExpectContains(SectionText(page, "methods"), "bounds of 10.0\u00A0ms for grasp forming time");
+}
+
+TEST(StudyReport, TiedDigitsAreOneOrderWhicheverIsNamedFirst) {
+  StudyResult result;
+  result.digits = {"TH", "FF", "MF"};
+  for (const auto& tied : {std::vector<std::string>{"FF", "TH"}, {"TH", "FF"}}) {
+    StudyTrial trial;
+    trial.participant = "01";
+    trial.analysis.emplace();
+    trial.analysis->order.groups = {tied, {"MF"}};
+    trial.analysis->order.num_ties = 1;
+    trial.analysis->num_touching = 3;
+    result.trials.push_back(trial);
+  }
+  const std::string markup = order_study_section().draw({result, nullptr}).markup();
+  ExpectContains(markup, "TH=FF&lt;MF");
+  EXPECT_EQ(markup.find("FF=TH"), std::string::npos);
+  ExpectContains(markup, "thumb before middle: 2 of 2 trials");
+  EXPECT_EQ(markup.find("thumb before index"), std::string::npos);
+  ExpectContains(markup, "2 of 4 pairs of neighbours are tied.");
 }
 
 TEST(StudyReport, SameResultSameBytes) {
