@@ -69,6 +69,24 @@ GapReport FillGaps(Trajectory& trajectory, double max_duration, GapFilling filli
   return report;
 }
 
+size_t FillGapsAlong(Trajectory& trajectory, const Trajectory& companion, double max_duration) {
+  Trajectory difference = trajectory;
+  difference.p -= companion.p;
+  for (size_t i = 0; i < difference.size(); ++i) {
+    if (!companion.IsValid(i)) difference.states[i] = SampleState::kInvalid;
+  }
+  FillGaps(difference, max_duration, GapFilling::kLinear);
+  size_t count = 0;
+  for (size_t i = 0; i < trajectory.size(); ++i) {
+    if (trajectory.IsValid(i) || !companion.IsValid(i) || !difference.IsValid(i)) continue;
+    const auto column = static_cast<Column>(i);
+    trajectory.p.col(column) = companion.p.col(column) + difference.p.col(column);
+    trajectory.states[i] = SampleState::kFilled;
+    ++count;
+  }
+  return count;
+}
+
 size_t InvalidateFrozenSamples(Trajectory& trajectory, size_t min_repeats) {
   size_t count = 0;
   for (size_t first = 0; first < trajectory.size();) {

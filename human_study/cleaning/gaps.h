@@ -27,6 +27,16 @@ after. Gaps at the ends stay. Measured samples are never changed. */
 GapReport FillGaps(Trajectory& trajectory, double max_duration,
                    GapFilling filling = GapFilling::kCubic);
 
+/** Fills gaps of `trajectory` along a second marker on the same segment or the next: their
+difference is carried on in a straight line, so the tip moves as its companion does. Only where the
+companion is seen; gaps longer than `max_duration` [s] and those at the ends stay.
+
+On a thumb's tip with a companion one segment up (DFKI recording, 100 Hz, hand about a pillow), gaps
+made in what was seen were filled with a largest error of 0.9, 2.2, 3.2 mm (median) for 0.1, 0.2,
+0.3 s; straight lines: 1.6, 4.4, 7.8 mm.
+@pre both have the same times. @returns the number of samples filled. */
+size_t FillGapsAlong(Trajectory& trajectory, const Trajectory& companion, double max_duration);
+
 /** Some trackers repeat the last position while a marker is hidden. Makes invalid every sample
 whose coordinates equal the previous valid sample's exactly, in runs of at least `min_repeats`; a
 marker in noise never repeats, one at rest that was rounded coarsely may.

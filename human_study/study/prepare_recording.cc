@@ -136,6 +136,15 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
     track.digit = IdOfDigit(digit);
     track.is_thumb = digit == 0;
     track.tip = cleaner.Clean(*label, prepared);
+    const std::string& companion = config.markers.companions[digit];
+    if (!companion.empty()) {
+      if (FindFirst({companion}, labels) == nullptr) {
+        miss(-1, (std::string("companion of the ") + NameOfDigit(digit)).c_str(), {companion});
+      } else {
+        FillGapsAlong(track.tip, cleaner.Clean(companion, prepared),
+                      config.cleaning.max_companion_gap);
+      }
+    }
     track.pad_offset = config.pad_offsets[digit];
     track.force = FindForce(recording, config.forces[digit]);
     prepared.digits.push_back(track);

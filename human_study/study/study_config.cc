@@ -142,6 +142,7 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
     }
   }
   check.CheckRange("cleaning.max_gap_s", config.cleaning.max_gap, 0.0, 5.0);
+  check.CheckRange("cleaning.max_companion_gap_s", config.cleaning.max_companion_gap, 0.0, 5.0);
   check.CheckRange("cleaning.rest_share", config.cleaning.rest_share, 0.01, 0.9);
   check.CheckRange("removal.max_disagreement_s", config.removal.max_disagreement, 0.0, 10.0);
   check.CheckRange("bias_trials", config.bias_trials, 0, 10000);

@@ -11,6 +11,7 @@ study.yaml: what was recorded, what the markers are, and every choice of the ana
       thumb: [thumb_tip, RTTI]  # the first of these labels that a recording has
       index: [index_tip, RIFT]
       object: [object_1, object_2, object_3]  # all of these that it has
+      companions: {thumb: thumb_middle}  # optional: second markers, to fill longer gaps along
     robot: ../results/pilot     # optional: a session of `graspbench run` to stand beside
 
 trials.csv needs the columns participant and file (from the folder of the recordings); trial (label;
@@ -72,12 +73,15 @@ struct MarkerConfig {
   PerDigit<std::vector<std::string>> tips;  ///< labels tried in turn; empty: digit not recorded
   std::vector<std::string> wrist;           ///< the same; empty: centroid of the tips
   std::vector<std::string> object;          ///< all that the recording has; empty: not recorded
+  /** Second markers on the digits: gaps of a tip are filled along its companion. */
+  PerDigit<std::string> companions;
 
   template <class V>
   void Visit(V&& v) {
     tips.Visit(v);
     v("wrist", wrist);
     v("object", object);
+    v("companions", companions);
   }
 };
 
@@ -112,12 +116,14 @@ struct CutConfig {
 struct CleaningConfig {
   bool drop_frozen = true;  ///< repeated positions are invalid: the tracker held the last one
   double max_gap = 0.1;     ///< longer gaps stay open [s]
-  double rest_share = 0.1;  ///< of the trial, at its start, in which the object rests
+  double max_companion_gap = 0.3;  ///< the same of tips with a companion [s]
+  double rest_share = 0.1;         ///< of the trial, at its start, in which the object rests
 
   template <class V>
   void Visit(V&& v) {
     v("drop_frozen", drop_frozen);
     v("max_gap_s", max_gap);
+    v("max_companion_gap_s", max_companion_gap);
     v("rest_share", rest_share);
   }
 };

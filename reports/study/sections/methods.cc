@@ -34,8 +34,17 @@ std::string DescribeRecording(const StudyResult& result) {
                      " were recorded at " + FormatFixed(result.rate, 1) + " Hz (median). ";
   if (config.cleaning.drop_frozen) text += "Samples that repeat the one before were discarded. ";
   if (result.num_resampled > 0) text += "Uneven time stamps were resampled linearly. ";
-  return text + "Gaps up to " + FormatValue(config.cleaning.max_gap, "s") +
-         " ms were filled by cubic Hermite curves and flagged; longer ones stayed open. ";
+  text += "Gaps up to " + FormatValue(config.cleaning.max_gap, "s") +
+          " ms were filled by cubic Hermite curves and flagged; longer ones stayed open. ";
+  std::string digits;
+  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
+    if (config.markers.companions[digit].empty()) continue;
+    digits += (digits.empty() ? "" : ", ") + std::string(NameOfDigit(digit));
+  }
+  if (digits.empty()) return text;
+  return text + "Gaps up to " + FormatValue(config.cleaning.max_companion_gap, "s") +
+         " ms of these tips were filled along a second marker on the digit and flagged: " + digits +
+         ". ";
 }
 
 /** " (50 mm/s)"; empty for rules without a threshold. */

@@ -11,6 +11,7 @@
 #include "human_study/cleaning/resample.h"
 #include "human_study/cleaning/residual_analysis.h"
 #include "human_study/importers/importer.h"
+#include "tests/human_study/events/trajectories.h"
 #include "tests/support/mocap_data.h"
 
 namespace graspbench {
@@ -83,6 +84,45 @@ TEST(FillGaps, TheCubicHasNoCornerWhereTheLineHasOne) {
   }
   EXPECT_GT(worst[0], 0.1);
   EXPECT_LT(worst[1], 0.02);
+}
+
+TEST(FillGapsAlong, TheTipFollowsItsCompanionAndMeasuredSamplesStay) {
+  const auto companion_at = [](double t) {
+    return Eigen::Vector3d(0.1 * std::sin(20.0 * t), 0.2 * t * t, 0.0);
+  };
+  const auto tip_at = [&](double t) {
+    return Eigen::Vector3d(companion_at(t) + Eigen::Vector3d(0.03, 0.01 * t, 0.0));
+  };
+  const std::vector<double> times = MakeTimes(0.0, 2.0, 100.0);
+  const Trajectory companion = SamplePath(times, companion_at), whole = SamplePath(times, tip_at);
+  Trajectory tip = whole;
+  HideSamples(tip, 0.495, 0.705);  // short enough
+  HideSamples(tip, 1.195, 1.605);  // too long
+  HideSamples(tip, 1.895, 2.005);  // at the end
+  EXPECT_EQ(FillGapsAlong(tip, companion, 0.3), 21u);
+  for (size_t i = 0; i < times.size(); ++i) {
+    const bool is_open = (times[i] > 1.195 && times[i] < 1.605) || times[i] > 1.895;
+    const bool is_filled = times[i] > 0.495 && times[i] < 0.705;
+    EXPECT_EQ(tip.states[i], is_open     ? SampleState::kInvalid
+                             : is_filled ? SampleState::kFilled
+                                         : SampleState::kMeasured);
+    const auto column = static_cast<Eigen::Index>(i);
+    if (!is_open) {
+      EXPECT_LT((tip.p.col(column) - whole.p.col(column)).norm(), is_filled ? 1e-12 : 1e-300);
+    }
+  }
+}
+
+TEST(FillGapsAlong, WhereTheCompanionIsHiddenTheGapStays) {
+  const std::vector<double> times = MakeTimes(0.0, 1.0, 100.0);
+  const auto path = [](double t) { return Eigen::Vector3d(t, 0, 0); };
+  Trajectory tip = SamplePath(times, path), companion = SamplePath(times, path);
+  HideSamples(tip, 0.395, 0.505);
+  HideSamples(companion, 0.445, 0.605);
+  EXPECT_EQ(FillGapsAlong(tip, companion, 0.3), 5u);
+  EXPECT_EQ(tip.states[44], SampleState::kFilled);
+  EXPECT_EQ(tip.states[45], SampleState::kInvalid);
+  EXPECT_EQ(tip.states[55], SampleState::kMeasured);
 }
 
 TEST(FillGaps, LongGapsAndEndsStayOpenAndMeasuredSamplesStay) {
