@@ -337,7 +337,7 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
   while (model.integrator->getTime() < end - 1e-9) model.integrator->stepTo(end, end);
   TakeState(command);
   StepReport report = TakeContacts();
-  link_touches_ = report.link_touches_object;
+  link_blocks_ = report.link_touches_object;
   return report;
 }
 

@@ -66,7 +66,7 @@ void World::Reset(const WorldState& state) {
   for (int dof = 0; dof < dofs; ++dof) {
     if (dynamics_.distal_of_dof(dof) >= 0) SetDistalRates(dof);
   }
-  link_touches_.assign(hand_->links.size(), false);
+  link_blocks_.assign(hand_->links.size(), false);
   collider_.Reset();
   step_number_ = 0;
   SetExternalLoad(Vector3d::Zero(), Vector3d::Zero());
@@ -87,7 +87,7 @@ void World::ChooseDistalModes(const WorldCommand& command) {
     const int middle_link = hand_->joints[middle].link;
     const int proximal_link = hand_->links[middle_link].parent;
     const double theta = state_.q[middle] + state_.q[distal];
-    const bool blocked = link_touches_[middle_link] || link_touches_[proximal_link];
+    const bool blocked = link_blocks_[middle_link] || link_blocks_[proximal_link];
     const DistalMode mode =
         FindDistalMode(state_.q[middle], state_.q[distal], hand_->joints[middle].upper,
                        command.q[middle] > theta, blocked, modes_[dof]);
@@ -202,7 +202,7 @@ StepReport World::Step(const WorldCommand& command) {
   }
   AccountEnergy(v_, mean_v_WH, power);
   StepReport report = MakeReport(v_, converged);
-  link_touches_ = report.link_touches_object;
+  UpdateBlocks(report.link_touches_object);
 
   state_ = middle_;
   MovePositions(0.5 * h, v_, state_);
@@ -287,6 +287,16 @@ void World::FindHandContacts(std::vector<HandContact>& contacts) const {
     contact.mu =
         contact.is_sliding ? point.material.friction_dynamic : point.material.friction_static;
     contact.torsion_radius = point.material.torsion_radius;
+  }
+}
+
+void World::UpdateBlocks(const std::vector<bool>& link_touches_object) {
+  std::vector<bool> is_near(link_blocks_.size(), false);
+  for (const ContactPoint& contact : problem_.contacts) {
+    if (contact.is_on_object && contact.link >= 0) is_near[contact.link] = true;
+  }
+  for (size_t link = 0; link < link_blocks_.size(); ++link) {
+    link_blocks_[link] = link_touches_object[link] || (link_blocks_[link] && is_near[link]);
   }
 }
 

@@ -129,7 +129,9 @@ class World {
   MassProperties mass_;
   HandDynamics dynamics_;
   WorldState state_;
-  std::vector<bool> link_touches_;  // the object, in the last step
+  /** Links that keep their finger's middle joint from closing: they touched the object and have not
+  been Collider::kMargin away from it since. */
+  std::vector<bool> link_blocks_;
 
  private:
   void SetDistalRates(int dof);
@@ -139,6 +141,7 @@ class World {
                   const Eigen::Vector3d& lift_W, Eigen::VectorXd& bias) const;
   void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
   StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
+  void UpdateBlocks(const std::vector<bool>& link_touches_object);
 
   SimConfig config_;
   Collider collider_;

@@ -431,7 +431,7 @@ StepReport MujocoWorld::Step(const WorldCommand& command) {
   state_.X_WH = command.X_WH;
   state_.v_WH = command.v_WH;
   const StepReport report = impl.TakeContacts(hand_->links.size());
-  link_touches_ = report.link_touches_object;
+  link_blocks_ = report.link_touches_object;
   return report;
 }
 
