@@ -9,6 +9,8 @@ namespace {
 /** Shares of the normal force by which a friction limit may lag behind. */
 constexpr double kLimitShare = 1e-4;
 constexpr double kLimitForce = 1e-6;  ///< [N]
+/** Farther than this multiple of a pass's change no limit is thrown. */
+constexpr double kMostMixing = 10.0;
 
 double CalcScalarForce(const ScalarForce& scalar, double v) {
   return std::clamp(scalar.offset - scalar.gain * v, scalar.lower, scalar.upper);
@@ -155,6 +157,8 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
 
 bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
   bool changed = false;
+  limits_before_.swap(limits_);
+  limits_.assign(problem.contacts.size(), FrictionLimit());
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     ContactPoint& contact = problem.contacts[c];
     if (!contact.memory) continue;
@@ -177,9 +181,33 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
     if (matters && std::abs(limit - contact.friction_limit) > kLimitShare * fn + kLimitForce) {
       changed = true;
     }
+    limits_[c] = {contact.friction_limit, limit - contact.friction_limit, contact.is_sliding};
     contact.friction_limit = limit;
   }
+  if (changed) AccelerateLimits(problem);
   return changed;
+}
+
+/** From the misses f of the last two passes: x = g - theta (g - g_before), where g = x + f and
+theta makes f - theta (f - f_before) smallest. */
+void StepSolver::AccelerateLimits(StepProblem& problem) {
+  if (limits_before_.size() != limits_.size()) return;
+  double product = 0.0, square = 0.0;
+  for (size_t c = 0; c < limits_.size(); ++c) {
+    const FrictionLimit &last = limits_[c], &before = limits_before_[c];
+    if (last.is_sliding != before.is_sliding) return;  // another law
+    const double change = last.miss - before.miss;
+    product += change * last.miss;
+    square += change * change;
+  }
+  if (!(square > 0.0)) return;
+  const double theta = std::clamp(product / square, -kMostMixing, kMostMixing);
+  for (size_t c = 0; c < limits_.size(); ++c) {
+    const FrictionLimit &last = limits_[c], &before = limits_before_[c];
+    const double step = last.used + last.miss - before.used - before.miss;
+    double& limit = problem.contacts[c].friction_limit;
+    limit = std::max(limit - theta * step, 0.0);
+  }
 }
 
 }  // namespace graspbench

@@ -6,9 +6,10 @@ One implicit step: the speeds v at its end, from
 
 With the friction limits held fixed every force on the right is minus the gradient of a convex
 potential of v, so Newton with an exact line search always finds the one solution; then the limits
-are taken from the new normal forces until they agree. Both details are needed: without them light
-objects blow up and slipping heavy ones stall. Cost: a dense Cholesky factor of at most 30 unknowns
-per iteration, none when the last speeds solve the step already. */
+are taken from the new normal forces until they agree, a fixed point that Anderson's mixing of the
+last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). Both details are
+needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
+factor of at most 30 unknowns per iteration, none when the last speeds solve the step already. */
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -49,6 +50,7 @@ class StepSolver {
   keep their limits and forces for FinishContact. */
   template <class RefreshBias>
   bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
+    limits_.clear();
     for (int pass = 0; pass < kMaxPasses; ++pass) {
       const bool converged = SolvePass(problem, v);
       const bool limits_changed = RefreshFrictionLimits(problem);
@@ -64,12 +66,22 @@ class StepSolver {
 
  private:
   bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
+  /** Returns whether a limit that matters was off. */
   bool RefreshFrictionLimits(StepProblem& problem);
+  void AccelerateLimits(StepProblem& problem);
   void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v, bool with_drift,
                  std::vector<ContactRates>& rates) const;
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
   double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;
 
+  struct FrictionLimit {
+    double used = 0.0;  ///< in the last pass [N]
+    double miss = 0.0;  ///< mu fn that came of it, less `used` [N]
+    bool is_sliding = false;
+  };
+
+  std::vector<FrictionLimit> limits_;          // of the last pass; empty in the first
+  std::vector<FrictionLimit> limits_before_;   // of the pass before
   std::vector<ContactRates> rates_;            // at v
   std::vector<ContactRates> direction_rates_;  // J d
   std::vector<ContactForces> forces_;          // at v
