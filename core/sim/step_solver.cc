@@ -11,6 +11,8 @@ constexpr double kLimitShare = 1e-4;
 constexpr double kLimitForce = 1e-6;  ///< [N]
 /** Farther than this multiple of a pass's change no limit is thrown. */
 constexpr double kMostMixing = 10.0;
+/** Nor below this share of what the pass gave. */
+constexpr double kLeastShare = 0.5;
 
 double CalcScalarForce(const ScalarForce& scalar, double v) {
   return std::clamp(scalar.offset - scalar.gain * v, scalar.lower, scalar.upper);
@@ -182,31 +184,33 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
       changed = true;
     }
     limits_[c] = {contact.friction_limit, limit - contact.friction_limit, contact.is_sliding};
-    contact.friction_limit = limit;
   }
-  if (changed) AccelerateLimits(problem);
+  if (changed) MixLimits(problem);
   return changed;
 }
 
-/** From the misses f of the last two passes: x = g - theta (g - g_before), where g = x + f and
-theta makes f - theta (f - f_before) smallest. */
-void StepSolver::AccelerateLimits(StepProblem& problem) {
-  if (limits_before_.size() != limits_.size()) return;
+/** Anderson's mixing. With the misses f of the last two passes and g = x + f:
+x = g - theta (g - g_before), where theta makes f - theta (f - f_before) smallest. */
+void StepSolver::MixLimits(StepProblem& problem) const {
   double product = 0.0, square = 0.0;
-  for (size_t c = 0; c < limits_.size(); ++c) {
+  bool is_same_law = limits_before_.size() == limits_.size();
+  for (size_t c = 0; c < limits_.size() && is_same_law; ++c) {
     const FrictionLimit &last = limits_[c], &before = limits_before_[c];
-    if (last.is_sliding != before.is_sliding) return;  // another law
+    is_same_law = last.is_sliding == before.is_sliding;
     const double change = last.miss - before.miss;
     product += change * last.miss;
     square += change * change;
   }
-  if (!(square > 0.0)) return;
-  const double theta = std::clamp(product / square, -kMostMixing, kMostMixing);
+  const bool is_mixed = is_same_law && square > 0.0;
+  const double theta = is_mixed ? std::clamp(product / square, -kMostMixing, kMostMixing) : 0.0;
   for (size_t c = 0; c < limits_.size(); ++c) {
-    const FrictionLimit &last = limits_[c], &before = limits_before_[c];
-    const double step = last.used + last.miss - before.used - before.miss;
+    const double next = limits_[c].used + limits_[c].miss;
     double& limit = problem.contacts[c].friction_limit;
-    limit = std::max(limit - theta * step, 0.0);
+    limit = next;
+    if (is_mixed) {
+      limit -= theta * (next - limits_before_[c].used - limits_before_[c].miss);
+      limit = std::max(limit, kLeastShare * next);
+    }
   }
 }
 

@@ -66,9 +66,9 @@ class StepSolver {
 
  private:
   bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
-  /** Returns whether a limit that matters was off. */
+  /** Returns whether a limit that matters was off; only then moves them. */
   bool RefreshFrictionLimits(StepProblem& problem);
-  void AccelerateLimits(StepProblem& problem);
+  void MixLimits(StepProblem& problem) const;
   void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v, bool with_drift,
                  std::vector<ContactRates>& rates) const;
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
