@@ -180,7 +180,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"hold_slip_m", "number", "m", "motion of the object relative to the palm while held",
        TakeNumber(&TrialResult::hold_slip)},
       {"hold_creep_m", "number", "m",
-       "motion of the object in the palm's frame after the first 0.5 s of the hold",
+       "motion of the object in the palm's frame in the second half of the hold",
        TakeNumber(&TrialResult::hold_creep)},
       {"end_speed_m_per_s", "number", "m/s", "speed of the object relative to the palm at the end",
        TakeNumber(&TrialResult::end_speed)},

@@ -25,7 +25,7 @@ namespace graspbench {
 
 /** Counts changes of the physics that change results. Part of every trial id, so that records of
 different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 3;
+inline constexpr int kPhysicsVersion = 4;
 
 enum class Outcome {
   kNotRun,
@@ -111,7 +111,7 @@ struct TrialResult {
   ContactTiming timing;                ///< t0 = 0 = start of closure
   double lift_height = 0.0;            ///< of the object's centre at the end, above rest [m]
   double hold_slip = kUnset;           ///< motion relative to the palm during the hold [m]
-  /** Motion in the palm's frame after the first 0.5 s of the hold: of the centre of mass, plus the
+  /** Motion in the palm's frame in the second half of the hold: of the centre of mass, plus the
   turn times the object's radius [m]; NaN: not held to the end. */
   double hold_creep = kUnset;
   double end_speed = 0.0;              ///< relative to the palm at the end [m/s]

@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 /** The simulation starts this long before the hand could first touch anything [s]. */
 constexpr double kLeadTime = 0.06;
 constexpr double kSafeGap = 0.004;  ///< [m]
-/** Creep counts after this part of the hold, in which the swing of the lift dies away [s]. */
-constexpr double kSettlingTime = 0.5;
+/** Creep counts after this share of the hold, in which the swing of the lift dies away. */
+constexpr double kSettlingShare = 0.5;
 /** Steps between two looks at the gap of a digit that has not touched. */
 constexpr int kGapInterval = 5;
 
@@ -137,7 +137,7 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
   events_.Observe(time_, hand_contacts_);
   stability_.Observe(world_, strategy_.phase(), strategy_.time_in_phase());
   if (strategy_.phase() == Phase::kHold && !settled_at_ &&
-      strategy_.time_in_phase() >= kSettlingTime) {
+      strategy_.time_in_phase() >= kSettlingShare * setup_.strategy.hold_time) {
     settled_at_ = CalcObjectInPalm();
   }
 }

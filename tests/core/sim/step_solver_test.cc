@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace graspbench {
 namespace {
 
@@ -16,8 +18,10 @@ StepProblem MakePointMass(double h, double mass, const Eigen::Vector3d& u) {
   return problem;
 }
 
-void AddPlane(double depth, double mu_s, double mu_d, ContactMemory& memory, StepProblem& problem) {
+void AddPlane(double depth, double mu_s, double mu_d, ContactMemory& memory, StepProblem& problem,
+              const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ()) {
   ContactPoint contact;
+  contact.nhat_BA_W = normal;
   contact.material = {1e4, 0.0, 1e4, mu_s, mu_d, 0.0};
   contact.depth = depth;
   contact.memory = &memory;
@@ -76,6 +80,33 @@ TEST(StepSolver, SlidingFrictionOpposesMotionWithTheDynamicCoefficient) {
   const double loss = 0.5 * fn * h / m;
   EXPECT_NEAR(v.head<2>().norm(), 0.5 - loss, 1e-6);
   EXPECT_NEAR(v[0] / v[1], 0.75, 1e-9);
+}
+
+// A point slides down into a groove whose sides stand at an angle a to the vertical. By symmetry
+// both press with N, and along z
+//     m (v - u) = h (2 N (sin a + mu cos a) - m g),   N = k (x0 - h v sin a).
+// Each side's friction unloads the other: taking the limits from the last normal forces alone
+// multiplies their error by about -mu / tan a, here beyond -1, and never settles.
+TEST(StepSolver, LimitsOfWedgedContactsSettle) {
+  const double h = 0.002, m = 2.0, u = -0.5, k = 1e4, x0 = 1e-3, mu = 0.6;
+  const double a = 0.5, sin_a = std::sin(a), cos_a = std::cos(a);
+  StepProblem problem = MakePointMass(h, m, {0.0, 0.0, u});
+  ContactMemory left, right;
+  for (ContactMemory* memory : {&left, &right}) {
+    memory->last_step = -1;
+    memory->normal_force = 1.0;
+  }
+  AddPlane(x0, mu, mu, left, problem, {cos_a, 0.0, sin_a});
+  AddPlane(x0, mu, mu, right, problem, {-cos_a, 0.0, sin_a});
+  Eigen::VectorXd v = problem.u;
+  StepSolver solver;
+  ASSERT_TRUE(solver.Solve(problem, v, kKeepBias));
+  const double lift = 2.0 * h * (sin_a + mu * cos_a) * k;
+  const double expected = (m * (u - 10.0 * h) + lift * x0) / (m + lift * h * sin_a);
+  EXPECT_NEAR(v[2], expected, 1e-4 * std::abs(expected));
+  for (int side = 0; side < 2; ++side) {
+    EXPECT_NEAR(problem.contacts[side].friction_limit, mu * k * (x0 - h * expected * sin_a), 1e-3);
+  }
 }
 
 }  // namespace
