@@ -1,10 +1,12 @@
 #include "core/base/files.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -16,6 +18,24 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr char kPartSuffix[] = ".part";
+
+/** Processes that were killed while they wrote the file left their parts behind. */
+void RemoveLeftParts(const fs::path& path) {
+  const std::string prefix = path.filename().string() + kPartSuffix;
+  std::error_code status;
+  fs::directory_iterator entry(path.has_parent_path() ? path.parent_path() : fs::path("."), status);
+  for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
+    const std::string name = entry->path().filename().string();
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    pid_t writer = 0;
+    const char* end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + prefix.size(), end, writer);
+    if (error != std::errc() || rest != end || writer <= 0) continue;
+    if (::kill(writer, 0) != 0 && errno == ESRCH) ::unlink(entry->path().c_str());
+  }
+}
 
 /** Creates or replaces the file. @param fail  throws; errno says why. */
 template <class Fail>
@@ -112,7 +132,8 @@ void SyncFileSystem(const fs::path& folder) {
 }
 
 void WriteFileAtomically(const fs::path& path, std::string_view content) {
-  const std::string temporary = path.string() + ".part" + std::to_string(::getpid());
+  RemoveLeftParts(path);
+  const std::string temporary = path.string() + kPartSuffix + std::to_string(::getpid());
   const auto fail = [&](const char* what) {
     const std::string reason = std::strerror(errno);
     ::unlink(temporary.c_str());

@@ -10,7 +10,9 @@ byte for byte, as one that ran through, for any number of workers. */
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <thread>
 #include <vector>
 
@@ -62,14 +64,17 @@ int WaitFor(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-/** Lines of all .jsonl files of the folder and those below it. */
+/** Lines of all .jsonl files of the folder and those below it. A file may go while it is counted.
+ */
 int CountLines(const fs::path& folder) {
   int count = 0;
   std::error_code status;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, status)) {
-    if (entry.path().extension() != ".jsonl") continue;
-    const std::string text = ReadFile(entry.path());
-    count += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  fs::recursive_directory_iterator entry(folder, status);
+  for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
+    if (entry->path().extension() != ".jsonl") continue;
+    std::ifstream file(entry->path(), std::ios::binary);
+    count += static_cast<int>(
+        std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n'));
   }
   return count;
 }

@@ -1,6 +1,8 @@
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/base/error.h"
 
@@ -21,6 +23,21 @@ TEST(Files, AFileWrittenWithoutWaitingIsReplacedWhole) {
   WriteFile(path, "short");
   EXPECT_EQ(ReadFile(path), "short");
   EXPECT_NO_THROW(SyncFileSystem(kTemporary));
+}
+
+TEST(Files, APartOfAKilledProcessIsRemovedAndThatOfALivingOneIsNot) {
+  const pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
+  const std::string path = (kTemporary / "results").string();
+  const std::string left = path + ".part" + std::to_string(dead);
+  const std::string busy = path + ".part" + std::to_string(::getppid());
+  const std::string other = path + ".partial";
+  for (const std::string& file : {left, busy, other}) WriteFile(file, "half");
+  WriteFileAtomically(path, "whole");
+  EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_TRUE(std::filesystem::exists(busy));
+  EXPECT_TRUE(std::filesystem::exists(other));
 }
 
 TEST(Files, AMissingFileIsNamed) {
