@@ -11,7 +11,7 @@ namespace {
 
 // Letters of the 13 px labels are about this wide.
 constexpr double kLetterWidth = 7.4;
-constexpr double kMaxLabelWidth = 230.0;
+constexpr double kMaxLabelWidth = 320.0;
 
 }  // namespace
 
