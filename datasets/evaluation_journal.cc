@@ -8,7 +8,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool HasIndividual(const std::string& stage) { return stage == "search" || stage == "finalist"; }
+bool HasIndividual(const std::string& stage) {
+  return stage == "search" || stage == "screening" || stage == "finalist";
+}
 
 Json JsonPoint(const Eigen::VectorXd& point) {
   return Json(std::vector<double>(point.data(), point.data() + point.size()));

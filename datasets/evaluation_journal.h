@@ -23,7 +23,7 @@ namespace graspbench {
 
 struct EvaluationRecord {
   std::string stage;
-  Individual individual;  ///< of "search" and "finalist"; `fitness` is that of the trials
+  Individual individual;  ///< of "search", "screening", "finalist"; `fitness` is that of the trials
   std::vector<std::string> trial_ids;
   std::vector<LearningTrial> trials;
 };

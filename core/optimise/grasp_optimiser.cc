@@ -23,10 +23,13 @@ constexpr double kFirstStep = RadFromDeg(8.0);
 constexpr int kFirstTargetCheck = 1000;
 constexpr int kFirstFitnessDraw = 2000;
 constexpr int kFirstFinalDraw = 3000;
+constexpr int kFirstScreeningDraw = 4000;
 
 constexpr double kSameAngle = 1e-5;  ///< relative; two pre-grasps that differ by less are one
+constexpr int kNumCandidates = 100;
+constexpr double kCandidateDistance = RadFromDeg(2.0);
+constexpr int kScreeningTrials = 3;
 constexpr int kNumFinalists = 10;
-constexpr double kFinalistDistance = RadFromDeg(2.0);
 /** Finalists are tried on so many times the trials of a check. */
 constexpr int kFinalShare = 2;
 
@@ -186,39 +189,58 @@ LearningRequest MakeRequest(const Hand& hand, const StandardGrasp& start, const 
 }
 
 /** The fittest individuals that differ from each other in some joint; never the start. */
-std::vector<Individual> FindFinalists(const SearchResult& search) {
+std::vector<Individual> FindCandidates(const SearchResult& search) {
   std::vector<Individual> sorted(search.individuals.begin() + 1, search.individuals.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.fitness > b.fitness; });
-  std::vector<Individual> finalists;
-  for (const Individual& candidate : sorted) {
-    if (finalists.size() == kNumFinalists) break;
+  std::vector<Individual> candidates;
+  for (const Individual& individual : sorted) {
+    if (candidates.size() == kNumCandidates) break;
     const bool is_new =
-        std::none_of(finalists.begin(), finalists.end(), [&](const Individual& other) {
-          return (candidate.genome - other.genome).cwiseAbs().maxCoeff() < kFinalistDistance;
+        std::none_of(candidates.begin(), candidates.end(), [&](const Individual& other) {
+          return (individual.genome - other.genome).cwiseAbs().maxCoeff() < kCandidateDistance;
         });
-    if (is_new) finalists.push_back(candidate);
+    if (is_new) candidates.push_back(individual);
   }
-  return finalists;
+  return candidates;
+}
+
+/** Tries the individuals and sorts them: those that succeed most often first, among equals those of
+higher fitness. */
+std::vector<Finalist> RankByTrials(const Hand& hand, const StandardGrasp& start,
+                                   const TargetStep& step, const std::string& stage,
+                                   const std::vector<Individual>& individuals,
+                                   const std::vector<int>& draws, const RunLearningTrials& run) {
+  std::vector<LearningRequest> requests;
+  for (const Individual& individual : individuals) {
+    requests.push_back(MakeRequest(hand, start, step, stage, individual, draws));
+  }
+  std::vector<Finalist> ranked;
+  if (requests.empty()) return ranked;
+  const std::vector<std::vector<LearningTrial>> trials = run(requests);
+  for (size_t i = 0; i < requests.size(); ++i) {
+    ranked.push_back({individuals[i].number, trials[i]});
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Finalist& a, const Finalist& b) {
+    const int successes_a = CountSuccesses(a.trials), successes_b = CountSuccesses(b.trials);
+    if (successes_a != successes_b) return successes_a > successes_b;
+    return CalcFitness(a.trials) > CalcFitness(b.trials);
+  });
+  return ranked;
 }
 
 void ChooseFinalist(const Hand& hand, const StandardGrasp& start, const OptimiseConfig& config,
                     const RunLearningTrials& run, TargetStep& step) {
-  std::vector<LearningRequest> requests;
-  const std::vector<int> draws = ListDraws(kFirstFinalDraw, kFinalShare * config.check_trials);
-  for (const Individual& finalist : FindFinalists(step.search)) {
-    requests.push_back(MakeRequest(hand, start, step, "finalist", finalist, draws));
+  const std::vector<Finalist> screened =
+      RankByTrials(hand, start, step, "screening", FindCandidates(step.search),
+                   ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
+  std::vector<Individual> chosen;
+  for (size_t i = 0; i < std::min<size_t>(screened.size(), kNumFinalists); ++i) {
+    chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
   }
-  if (requests.empty()) return;
-  const std::vector<std::vector<LearningTrial>> trials = run(requests);
-  double best = -std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < requests.size(); ++i) {
-    step.finalists.push_back({requests[i].individual.number, trials[i]});
-    if (const double fitness = CalcFitness(trials[i]); fitness > best) {
-      best = fitness;
-      step.found = requests[i].individual.number;
-    }
-  }
+  step.finalists = RankByTrials(hand, start, step, "finalist", chosen,
+                                ListDraws(kFirstFinalDraw, kFinalShare * config.check_trials), run);
+  if (!step.finalists.empty()) step.found = step.finalists.front().number;
 }
 
 }  // namespace
@@ -254,6 +276,7 @@ int CountLearningTrials(const OptimiseConfig& config) {
   const int step2 = config.step == "1"
                         ? 0
                         : config.evaluations * config.fitness_trials +
+                              kNumCandidates * kScreeningTrials +
                               (kNumFinalists * kFinalShare + 2) * config.check_trials;
   return step1 + step2;
 }

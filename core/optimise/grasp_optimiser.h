@@ -12,9 +12,10 @@ Makes a standard grasp object-specific in simulation, in two steps (Roethling 20
 The hand stays where the standard grasp puts it; only angles change.
 
 A search finds what is best on the few trials of its fitness, and sigma is rugged: single points
-stand out that hold on these trials only. So the ten fittest individuals that differ by 2 deg or
-more, the finalists, are tried on more draws, and the one with the highest mean fitness there is the
-found target.
+stand out that hold on these trials only, the more of them the longer the search. So the hundred
+fittest individuals that differ by 2 deg or more are screened on three other draws each, the ten
+that come out best, the finalists, are tried on more, and the best of these is the found target.
+Best is what succeeds most often; among equals the higher mean fitness counts.
 
 No step makes a grasp worse as far as a few trials can tell; this rule is proposed by graspbench. A
 new pre-grasp is taken when, over the check trials, it succeeds at least as often as the standard
@@ -58,13 +59,14 @@ struct OptimiseConfig {
 
 /** What the simulation is asked: one grasp on some learning draws. */
 struct LearningRequest {
-  /** "standard", "one-shot", "two-shot"; "search", "finalist", "check before", "check after". */
+  /** "standard", "one-shot", "two-shot"; "search", "screening", "finalist",
+  "check before", "check after". */
   std::string stage;
   StandardGrasp grasp;
   std::vector<int> draws;      ///< 0: without variation
   bool full_hold = true;       ///< else a hold of 0.5 s: enough to take the fitness from
   bool keep_postures = false;  ///< of the digits' first touches: the lesson of step 1
-  Individual individual;       ///< of the stages "search" and "finalist"
+  Individual individual;       ///< of "search", "screening" and "finalist"
 };
 /** The trials of each request, in the order of the requests. */
 using RunLearningTrials =
@@ -94,7 +96,7 @@ struct TargetStep {
   std::vector<int> joints;  ///< driven joints of the opposing digit
   SearchSpace space;        ///< their angles [rad]
   SearchResult search;
-  std::vector<Finalist> finalists;  ///< by falling fitness in the search
+  std::vector<Finalist> finalists;  ///< the best first
   int found = 0;                    ///< number of the best finalist; 0: the start
   std::vector<LearningTrial> check_before, check_after;
   bool is_taken = false;
@@ -114,7 +116,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
                              const StandardGrasp& standard, const OptimiseConfig& config,
                              const RunLearningTrials& run);
 
-/** Step 2's search alone, without finalists and check. */
+/** Step 2's search alone, without screening, finalists and check. */
 TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
                         const OptimiseConfig& config, const RunLearningTrials& run);
 

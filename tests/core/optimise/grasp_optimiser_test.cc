@@ -50,6 +50,11 @@ class FakeTrials {
     }
     trial.sigma = draw >= 1000 && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
     trial.outcome = Outcome::kSuccess;
+    if (has_fragile_peak && miss < kPeak) {
+      const bool is_lost = request.stage != "search" && draw % 3 == 0;
+      trial.sigma = is_lost ? 0.0 : 2.0;
+      if (is_lost) trial.outcome = Outcome::kSlippedInLiftOff;
+    }
     if (fails_when_changed && grasp.q_pre != first_q_pre) trial.outcome = Outcome::kPushedAway;
     return trial;
   }
@@ -78,6 +83,9 @@ class FakeTrials {
   Eigen::VectorXd first_q_pre;
   bool is_overfitted = false;       ///< sigma of unseen trials falls where that of seen ones rises
   bool fails_when_changed = false;  ///< any new pre-grasp fails
+  bool has_fragile_peak = false;  ///< near the best target sigma is twice as high, but outside the
+                                  ///< search every third trial loses the object
+  static constexpr double kPeak = 0.018;  ///< squared distance of its edge [rad^2]
 
  private:
   Hand hand_;
@@ -152,6 +160,17 @@ TEST(OptimiseGrasp, KeepsTheStartWhenTheTargetIsNotBetterOnUnseenTrials) {
   EXPECT_FALSE(result.target_step.is_taken);
   EXPECT_EQ(result.new_target.q_target, result.new_pregrasp.q_target);
   EXPECT_GT(result.target_step.search.best, 0);
+}
+
+TEST(OptimiseGrasp, PrefersATargetThatHoldsToOneWithAHigherSigma) {
+  FakeTrials fake;
+  fake.has_fragile_peak = true;
+  const OptimisedGrasp result =
+      OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), MakeConfig(), fake.MakeRun());
+  const TargetStep& step = result.target_step;
+  EXPECT_EQ(step.search.individuals[static_cast<size_t>(step.search.best)].fitness, 2.0);
+  EXPECT_TRUE(step.is_taken) << step.verdict;
+  EXPECT_EQ(CountSuccesses(step.check_after), MakeConfig().check_trials);
 }
 
 TEST(OptimiseGrasp, ChecksOnTrialsThatTheSearchHasNotSeen) {
