@@ -19,7 +19,7 @@ std::string FormatValue(const VariantMeasure& measure, double value) {
 }
 
 std::string FormatRatio(const StepEffect& effect) {
-  if (!effect.ratio) return "n/a (" + effect.ratio.reason() + ")";
+  if (!effect.ratio) return FormatFixed(effect.median_after / effect.median_before, 2);
   return FormatFixed(effect.ratio->estimate, 2) + " (" +
          FormatFixed(effect.ratio->interval.low, 2) + " to " +
          FormatFixed(effect.ratio->interval.high, 2) + ")";
@@ -34,7 +34,8 @@ Html DrawEffects(const CampaignData& data, const std::string& hand, const std::s
        {"Scenes", number, "in which both variants have a value"},
        {"Before", number},
        {"After", number},
-       {"After / before", number, "ratio of the medians, 95 % bootstrap interval over scenes"},
+       {"After / before", number,
+        "ratio of the medians, 95 % bootstrap interval over scenes; none where it never changes"},
        {"Worse", number, "scenes whose value is worse after the step"}});
   for (const Step& step : kSteps) {
     for (const VariantMeasure& measure : ListVariantMeasures()) {
