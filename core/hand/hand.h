@@ -116,5 +116,7 @@ std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit);
 /** Poses of all links in H, X_HL, for joint angles q (num_joints) [rad]. With the wrist at zero the
 palm's is the identity. */
 std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q);
+/** That of one link, at the cost of its chain alone. */
+Pose CalcLinkPose(const Hand& hand, const Eigen::VectorXd& q, int index);
 
 }  // namespace graspbench

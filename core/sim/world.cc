@@ -29,14 +29,6 @@ Matrix3d Orthonormalize(const Matrix3d& R) {
   return Eigen::Quaterniond(R).normalized().toRotationMatrix();
 }
 
-/** As CalcLinkPoses, but for one link: judging asks for the palm in every step. */
-Pose CalcLinkPose(const Hand& hand, const VectorXd& q, int index) {
-  const HandLink& link = hand.links[static_cast<size_t>(index)];
-  Pose X_HL = link.parent < 0 ? link.X_PJ : CalcLinkPose(hand, q, link.parent) * link.X_PJ;
-  if (link.joint >= 0) X_HL.rotate(Eigen::AngleAxisd(q[link.joint], link.axis));
-  return X_HL;
-}
-
 }  // namespace
 
 Pose CalcPalmPose(const Hand& hand, const WorldState& state) {

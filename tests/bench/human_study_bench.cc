@@ -50,13 +50,19 @@ void SetCounters(const BiasRow& row, benchmark::State& state) {
   state.counters["missing"] = row.num_missing;
 }
 
-// 200 trials at 200 Hz with 0.3 mm noise on rigid objects; true GFT 30 ms.
-void BenchAccuracy(benchmark::State& state) {
-  const ContactDetector& detector = ContactDetectorList()[static_cast<size_t>(state.range(0))];
+/** 200 trials at 200 Hz with 0.3 mm noise on rigid objects. */
+SyntheticOptions MakeOptions(const char* seed) {
   SyntheticOptions synthetic;
-  synthetic.seed = "bench accuracy";
+  synthetic.seed = seed;
   synthetic.num_people = 10;
   synthetic.trials_per_size = 5;
+  return synthetic;
+}
+
+// True GFT 30 ms.
+void BenchAccuracy(benchmark::State& state) {
+  const ContactDetector& detector = ContactDetectorList()[static_cast<size_t>(state.range(0))];
+  SyntheticOptions synthetic = MakeOptions("bench accuracy");
   synthetic.forming_time = 0.03;
   synthetic.has_force = true;
   const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(synthetic);
@@ -67,13 +73,12 @@ void BenchAccuracy(benchmark::State& state) {
   state.SetLabel(detector.id);
   SetCounters(row, state);
 }
+BENCHMARK(BenchAccuracy)->DenseRange(0, 4)->Iterations(1)->Unit(benchmark::kMillisecond);
+
 // The same without a lift: the hold is found from the hand, the way back is in the recording.
 void BenchAccuracyWithoutLift(benchmark::State& state) {
   const bool rests = state.range(0) == 1, has_object = state.range(1) == 1;
-  SyntheticOptions synthetic;
-  synthetic.seed = "bench without lift";
-  synthetic.num_people = 10;
-  synthetic.trials_per_size = 5;
+  SyntheticOptions synthetic = MakeOptions("bench without lift");
   synthetic.forming_time = 0.03;
   synthetic.lifts = false;
   synthetic.rests = rests;
@@ -92,10 +97,7 @@ BENCHMARK(BenchAccuracyWithoutLift)
 // Onset of the wrist's movement where the hand comes from the reach before without resting.
 void BenchOnsetWithoutRest(benchmark::State& state) {
   const MovementRule& rule = MovementRuleList()[static_cast<size_t>(state.range(0))];
-  SyntheticOptions synthetic;
-  synthetic.seed = "bench onset";
-  synthetic.num_people = 10;
-  synthetic.trials_per_size = 5;
+  SyntheticOptions synthetic = MakeOptions("bench onset");
   synthetic.lifts = false;
   synthetic.rests = false;
   const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(synthetic);
@@ -116,8 +118,6 @@ void BenchOnsetWithoutRest(benchmark::State& state) {
   state.counters["missing"] = static_cast<double>(trials.size() - errors.size());
 }
 BENCHMARK(BenchOnsetWithoutRest)->DenseRange(0, 5)->Iterations(1)->Unit(benchmark::kMillisecond);
-
-BENCHMARK(BenchAccuracy)->DenseRange(0, 4)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace graspbench
