@@ -75,7 +75,8 @@ ClosestPoints FindClosestPoints(const Vector3d& a0, const Vector3d& a1, const Ve
 }  // namespace
 
 Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig& config)
-    : spheres_(hand.contact_spheres),
+    : h_(config.step),
+      spheres_(hand.contact_spheres),
       capsules_(hand.capsules),
       field_(object.field.get()),
       support_points_(FindSupportPoints(object.mesh)) {
@@ -209,7 +210,7 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       contact.link = group.link;
       contact.is_on_object = true;
       contact.memory = &hand_object_[i];
-      PrepareContact(step_number, contact);
+      PrepareContact(h_, step_number, contact);
       AddHandRows(dynamics, group.link, 1.0, v_WH, contact);
       AddObjectRows(dynamics.num_dofs(), p_WOcm, -1.0, contact);
     }
@@ -233,7 +234,7 @@ void Collider::FindHandTable(const HandDynamics& dynamics, const Vector3d& v_WH,
       contact.depth = -gap;
       contact.link = group.link;
       contact.memory = &hand_table_[i];
-      PrepareContact(step_number, contact);
+      PrepareContact(h_, step_number, contact);
       AddHandRows(dynamics, group.link, 1.0, v_WH, contact);
     }
   }
@@ -291,7 +292,7 @@ void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
     contact.depth = -heights[point];
     contact.is_on_object = true;
     contact.memory = &object_table_[point];
-    PrepareContact(step_number, contact);
+    PrepareContact(h_, step_number, contact);
     AddObjectRows(dynamics.num_dofs(), p_WOcm, 1.0, contact);
   }
 }
@@ -320,7 +321,7 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, const Vector3d& v_
     contact.p_WC = nearest.on_b + (b.radius + 0.5 * (distance - radii)) * contact.nhat_BA_W;
     contact.depth = radii - distance;
     contact.link = a.link;
-    PrepareContact(step_number, contact);
+    PrepareContact(h_, step_number, contact);
     AddHandRows(dynamics, a.link, 1.0, v_WH, contact);
     AddHandRows(dynamics, b.link, -1.0, v_WH, contact);
   }

@@ -63,6 +63,7 @@ class Collider {
   void FindSelfContacts(const HandDynamics& dynamics, const Eigen::Vector3d& v_WH, int step_number,
                         std::vector<ContactPoint>& contacts);
 
+  double h_;                            // step [s]
   std::vector<ContactSphere> spheres_;  // sorted by link
   struct LinkSpheres {
     int link;

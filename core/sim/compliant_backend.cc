@@ -239,11 +239,12 @@ CompliantWorld::Model::Model(const Hand& hand, const GraspObject& grasp_object,
   const double depth = kTypicalForce / sim.contact_stiffness;
   const double stiffness =
       2.0 * kTypicalForce / (4.0 / 3.0 * std::sqrt(kTypicalRadius) * std::pow(depth, 1.5));
-  const SimTK::ContactMaterial skin(stiffness, sim.contact_dissipation, mu_s, mu_d);
+  // Simbody's force has 1 + 3/2 c xdot where ours has 1 + d xdot.
+  const double dissipation = sim.contact_dissipation / 1.5;
+  const SimTK::ContactMaterial skin(stiffness, dissipation, mu_s, mu_d);
   const double table_s = CalcPartnerFriction(sim.table_friction_static, mu_s);
   const double table_d = CalcPartnerFriction(sim.table_friction_dynamic, mu_d);
-  const SimTK::ContactMaterial table(stiffness, sim.contact_dissipation, std::max(table_s, table_d),
-                                     table_d);
+  const SimTK::ContactMaterial table(stiffness, dissipation, std::max(table_s, table_d), table_d);
   // A half-space fills x > 0 of its frame.
   matter.updGround().updBody().addContactSurface(
       SimTK::Transform(SimTK::Rotation(0.5 * SimTK::Pi, SimTK::YAxis)),

@@ -8,6 +8,8 @@ namespace {
 
 /** Damping of bristles as a time over their stiffness [s]. */
 constexpr double kBristleDampingTime = 1e-3;
+/** Static friction is back after this time without sliding [s]. */
+constexpr double kRestTime = 0.02;
 
 struct Bristle {
   double y1, y2, norm;
@@ -27,7 +29,7 @@ double CalcSpinStiffness(const ContactMaterial& material) {
 
 }  // namespace
 
-void PrepareContact(int step_number, ContactPoint& contact) {
+void PrepareContact(double h, int step_number, ContactPoint& contact) {
   const Eigen::Vector3d& n = contact.nhat_BA_W;
   // The axis least along n gives a well-conditioned first tangent, the same one every time.
   Eigen::Index least;
@@ -36,7 +38,11 @@ void PrepareContact(int step_number, ContactPoint& contact) {
   contact.tangent2_W = n.cross(contact.tangent1_W);
   ContactMemory* memory = contact.memory;
   if (!memory) return;
-  if (memory->last_step != step_number - 1) *memory = ContactMemory();
+  if (memory->last_step != step_number - 1) {
+    const int last_slide = memory->last_slide;
+    *memory = ContactMemory();
+    memory->last_slide = last_slide;
+  }
 
   // The bristle keeps its length when the tangent plane turns.
   const Eigen::Vector3d in_plane = memory->stretch - n * n.dot(memory->stretch);
@@ -45,10 +51,8 @@ void PrepareContact(int step_number, ContactPoint& contact) {
       flat > 0.0 ? Eigen::Vector3d(in_plane * (length / flat)) : Eigen::Vector3d::Zero();
   contact.stretch = {contact.tangent1_W.dot(stretch), contact.tangent2_W.dot(stretch)};
   contact.twist = memory->twist;
-  contact.is_sliding = memory->is_sliding;
-  const double mu =
-      contact.is_sliding ? contact.material.friction_dynamic : contact.material.friction_static;
-  contact.friction_limit = mu * memory->normal_force;
+  contact.is_dynamic = h * (step_number - memory->last_slide) < kRestTime;
+  contact.friction_limit = contact.mu() * memory->normal_force;
 }
 
 ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates& rates, double h) {
@@ -108,8 +112,8 @@ void FinishContact(const ContactPoint& contact, const ContactRates& rates,
     memory->twist = std::clamp(contact.twist + h * rates[kSpinRow], -most, most);
   }
   memory->normal_force = fn;
-  memory->is_sliding = forces.is_at_limit;
   memory->last_step = step_number;
+  if (forces.is_at_limit) memory->last_slide = step_number;
 }
 
 }  // namespace graspbench

@@ -11,12 +11,14 @@ and depth x0 the penetration at its middle:
     tangent    ft = -clip(kt (s + h vt) + ct vt, mu fn)         bristle s with a Coulomb limit
     spin       m  = -clip(kr (phi + h wn) + cr wn, mu fn r)     soft pads only, r = torsion radius
 
-mu is mu_s while the contact sticks and mu_d once it slides; it sticks again when the bristle's
-force falls below the limit. A bristle is really a spring: a sticking contact does not creep. Not
-modelled: rolling resistance, wear, adhesion. */
+mu is mu_d from when the contact slides until it has not slid for kRestTime, and else mu_s: static
+friction grows back with the time of rest (Dieterich 1972). Were it back at once, a contact would
+stick and break loose step by step, and slide the slower the shorter the steps. A bristle is really
+a spring: a sticking contact does not creep. Not modelled: rolling resistance, wear, adhesion. */
 
 #include <Eigen/Geometry>
 #include <array>
+#include <limits>
 
 namespace graspbench {
 
@@ -32,11 +34,11 @@ struct ContactMaterial {
 
 /** What a contact remembers from step to step. */
 struct ContactMemory {
-  Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  ///< s, in W [m]
-  double twist = 0.0;                                 ///< phi [rad]
-  double normal_force = 0.0;                          ///< of the last step [N]
-  bool is_sliding = false;
-  int last_step = -2;  ///< number of the last step it was alive
+  Eigen::Vector3d stretch = Eigen::Vector3d::Zero();     ///< s, in W [m]
+  double twist = 0.0;                                    ///< phi [rad]
+  double normal_force = 0.0;                             ///< of the last step [N]
+  int last_step = -2;                                    ///< number of the last step it was alive
+  int last_slide = std::numeric_limits<int>::min() / 2;  ///< of the last step it slid
 };
 
 /** Rows of a contact's rates and forces. */
@@ -69,8 +71,9 @@ struct ContactPoint {
   std::array<double, 2> stretch = {0.0, 0.0};
   double twist = 0.0;
   double friction_limit = 0.0;  ///< mu fn in this pass of the solver [N]
-  bool is_sliding = false;
+  bool is_dynamic = false;      ///< mu is that of sliding
 
+  double mu() const { return is_dynamic ? material.friction_dynamic : material.friction_static; }
   int num_rows() const {
     if (!memory) return 1;
     return material.torsion_radius > 0.0 ? 4 : 3;
@@ -88,8 +91,9 @@ struct ContactForces {
 };
 
 /** Chooses tangents, turns the remembered bristle into them, and takes over the last normal force.
-A memory that was not alive in the last step is forgotten. */
-void PrepareContact(int step_number, ContactPoint& contact);
+A memory that was not alive in the last step is forgotten, but for when it slid. @param h  step [s]
+*/
+void PrepareContact(double h, int step_number, ContactPoint& contact);
 
 /** The force law with the friction limit held fixed: then every force is the gradient of a convex
 potential, which is what makes the solver robust. @param h  step [s]. */

@@ -167,14 +167,10 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
     const ContactForces& f = forces_[c];
     const double fn = f.force[kNormalRow];
     // A limit taken from a smaller normal force says nothing about sliding yet.
-    const double mu_before =
-        contact.is_sliding ? contact.material.friction_dynamic : contact.material.friction_static;
-    if (f.is_at_limit && contact.friction_limit >= (1.0 - kLimitShare) * mu_before * fn) {
-      contact.is_sliding = true;
+    if (f.is_at_limit && contact.friction_limit >= (1.0 - kLimitShare) * contact.mu() * fn) {
+      contact.is_dynamic = true;
     }
-    const double mu =
-        contact.is_sliding ? contact.material.friction_dynamic : contact.material.friction_static;
-    const double limit = mu * fn;
+    const double limit = contact.mu() * fn;
     const double used = std::hypot(f.force[kTangentRow1], f.force[kTangentRow2]);
     const bool matters =
         f.is_at_limit || used > limit ||
@@ -183,7 +179,7 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
     if (matters && std::abs(limit - contact.friction_limit) > kLimitShare * fn + kLimitForce) {
       changed = true;
     }
-    limits_[c] = {contact.friction_limit, limit - contact.friction_limit, contact.is_sliding};
+    limits_[c] = {contact.friction_limit, limit - contact.friction_limit, contact.is_dynamic};
   }
   if (changed) MixLimits(problem);
   return changed;
@@ -196,7 +192,7 @@ void StepSolver::MixLimits(StepProblem& problem) const {
   bool is_same_law = limits_before_.size() == limits_.size();
   for (size_t c = 0; c < limits_.size() && is_same_law; ++c) {
     const FrictionLimit &last = limits_[c], &before = limits_before_[c];
-    is_same_law = last.is_sliding == before.is_sliding;
+    is_same_law = last.is_dynamic == before.is_dynamic;
     const double change = last.miss - before.miss;
     product += change * last.miss;
     square += change * change;

@@ -77,7 +77,7 @@ class StepSolver {
   struct FrictionLimit {
     double used = 0.0;  ///< in the last pass [N]
     double miss = 0.0;  ///< mu fn that came of it, less `used` [N]
-    bool is_sliding = false;
+    bool is_dynamic = false;
   };
 
   std::vector<FrictionLimit> limits_;          // of the last pass; empty in the first

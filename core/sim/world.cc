@@ -87,6 +87,7 @@ void World::ChooseDistalModes(const WorldCommand& command) {
     // What moved hits its stop: the freedom starts from rest in its new direction.
     const double before = CalcKineticEnergy();
     state_.u[dof] = 0.0;
+    if (mode == DistalMode::kMiddleMoves) state_.q[distal] = std::max(state_.q[distal], 0.0);
     energy_.limits += CalcKineticEnergy() - before;
     modes_[dof] = mode;
     SetDistalRates(dof);
@@ -119,7 +120,7 @@ void World::AddDrivesAndLimits(const WorldCommand& command) {
     double theta = middle_.q[joint];
     if (distal >= 0 && hand_->coupling == CouplingRule::kMiddleFirst) theta += middle_.q[distal];
     problem_.scalars.push_back({dof, drive.stiffness * (command.q[joint] - theta),
-                                drive.stiffness * h + drive.damping, -drive.torque_limit,
+                                0.5 * drive.stiffness * h + drive.damping, -drive.torque_limit,
                                 drive.torque_limit});
   }
   num_drives_ = static_cast<int>(problem_.scalars.size());
@@ -276,8 +277,7 @@ void World::FindHandContacts(std::vector<HandContact>& contacts) const {
     contact.spin_moment = forces.force[kSpinRow];
     contact.slip_speed = std::hypot(rates[kTangentRow1], rates[kTangentRow2]);
     contact.is_sliding = forces.is_at_limit;
-    contact.mu =
-        contact.is_sliding ? point.material.friction_dynamic : point.material.friction_static;
+    contact.mu = point.mu();
     contact.torsion_radius = point.material.torsion_radius;
   }
 }

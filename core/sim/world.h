@@ -8,8 +8,9 @@ One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
 3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
 speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
 4. positions move by h v / 2.
-Contact and drives look ahead from the middle by the whole of h v, which makes stiff springs settle
-in one step instead of ringing.
+Drives act by the command, the angle and the speed of the step's end, so that a finger lags behind
+a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
+middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
 
 The hand's root moves as the strategy says; its motion is prescribed, whatever force that takes.
 

@@ -77,6 +77,27 @@ TEST(NumericsCheck, SummaryIsOfAbsoluteChangesThatExist) {
   EXPECT_EQ(SummariseNumerics("double step", comparisons).num_trials, 0);
 }
 
+// Fingertips that slide on the table must do so alike at every step; with static friction back at
+// once they stuck, the sooner the shorter the steps, and never reached the pencil.
+TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
+  SessionConfig config;
+  config.hands = {"shadow"};
+  config.objects = {"pencil"};
+  config.trials = 4;
+  const SessionInputs inputs = LoadSessionInputs(config);
+  TrialRecord trial;
+  trial.plan = MakePlan(config, inputs).back();
+  std::vector<double> last_contacts;
+  for (const double step : {0.002, 0.00025}) {
+    NumericsVariant variant{"", config.sim};
+    variant.sim.step = step;
+    const TrialResult result = RerunTrials({trial}, variant, config, inputs, 1).front();
+    EXPECT_EQ(result.outcome, Outcome::kSuccess) << "step " << step;
+    last_contacts.push_back(result.timing.gct);
+  }
+  EXPECT_NEAR(last_contacts[0], last_contacts[1], 0.005);
+}
+
 TEST(NumericsCheck, CsvHasARowPerComparisonAndEmptyCellsForWhatIsMissing) {
   const TrialRecord held = MakeRecord("cup", 7, Outcome::kSuccess, 0.5);
   EXPECT_EQ(FormatNumericsCsv({Compare(held, Outcome::kNoContact, kUnset)}),

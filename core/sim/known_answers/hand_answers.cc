@@ -233,6 +233,30 @@ std::vector<KnownAnswer> CheckCouplingRules() {
   return answers;
 }
 
+std::vector<KnownAnswer> CheckDriveLag() {
+  constexpr double kSpeed = 1.5, kStiffness = 2.0, kDamping = 0.05;  // rad/s, N m/rad, N m s/rad
+  Hand hand = MakeBareHand();
+  AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitX(), 0.05, 0.05);
+  hand.joints[0].drive = {kStiffness, kDamping, 10.0};
+  std::vector<KnownAnswer> answers;
+  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
+    SimConfig config;
+    config.step = step;
+    SmallWorld world(hand, MakeBlock(0.1), config);
+    world.start().gravity_W.setZero();
+    world.start().X_WH = MakePose(Vector3d(0.0, 0.0, 1.0));
+    world.Reset();
+    WorldCommand command{VectorXd::Zero(1), world.start().X_WH, Vector3d::Zero()};
+    for (double t = step; t < 0.5; t += step) {
+      command.q[0] = kSpeed * t;
+      world.world().Step(command);
+    }
+    answers.push_back({"step " + std::to_string(std::lround(step * 1e6)) + " us: lag", "rad",
+                       kDamping / kStiffness * kSpeed, command.q[0] - world.state().q[0], 1e-6});
+  }
+  return answers;
+}
+
 std::vector<KnownAnswer> CheckSwingEnergy() {
   std::vector<KnownAnswer> answers;
   const auto add = [&](const std::string& name, const Hand& hand, double step) {

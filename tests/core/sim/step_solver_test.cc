@@ -19,13 +19,14 @@ StepProblem MakePointMass(double h, double mass, const Eigen::Vector3d& u) {
 }
 
 void AddPlane(double depth, double mu_s, double mu_d, ContactMemory& memory, StepProblem& problem,
-              const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ()) {
+              const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ(), double h = 0.002,
+              int step = 0) {
   ContactPoint contact;
   contact.nhat_BA_W = normal;
   contact.material = {1e4, 0.0, 1e4, mu_s, mu_d, 0.0};
   contact.depth = depth;
   contact.memory = &memory;
-  PrepareContact(0, contact);
+  PrepareContact(h, step, contact);
   contact.num_dofs = 3;
   const Eigen::Vector3d rows[3] = {contact.nhat_BA_W, contact.tangent1_W, contact.tangent2_W};
   for (int i = 0; i < 3; ++i) {
@@ -80,6 +81,31 @@ TEST(StepSolver, SlidingFrictionOpposesMotionWithTheDynamicCoefficient) {
   const double loss = 0.5 * fn * h / m;
   EXPECT_NEAR(v.head<2>().norm(), 0.5 - loss, 1e-6);
   EXPECT_NEAR(v[0] / v[1], 0.75, 1e-9);
+}
+
+// Static friction is back 20 ms after the last slide, whatever the step and also when the contact
+// was lost in between.
+TEST(ContactMemory, StaticFrictionReturnsWithRest) {
+  for (const double h : {0.0005, 0.001, 0.004}) {
+    for (const bool is_lost : {false, true}) {
+      ContactMemory memory;
+      StepProblem problem;
+      double rest = 0.0;
+      for (int step = 0; step < 100; ++step) {
+        problem.contacts.clear();
+        AddPlane(1e-4, 0.6, 0.5, memory, problem, Eigen::Vector3d::UnitZ(), h, step);
+        const ContactPoint& contact = problem.contacts[0];
+        if (step > 0 && contact.mu() == 0.6) break;
+        EXPECT_EQ(contact.mu(), step == 0 ? 0.6 : 0.5);
+        rest = h * step;
+        ContactForces forces;
+        forces.force[kNormalRow] = is_lost && step == 2 ? 0.0 : 1.0;
+        forces.is_at_limit = step == 0;
+        FinishContact(contact, ContactRates{}, forces, h, step);
+      }
+      EXPECT_NEAR(rest + h, 0.02, 1.01 * h) << "step " << h << (is_lost ? ", lost" : "");
+    }
+  }
 }
 
 // A point slides down into a groove whose sides stand at an angle a to the vertical. By symmetry
