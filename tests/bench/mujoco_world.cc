@@ -66,7 +66,8 @@ class SceneWriter {
     text_ << "<mujoco>\n<compiler angle='radian'/>\n<size njmax='800' nconmax='200'/>\n"
           << "<option timestep='" << config_.step << "' gravity='0 0 " << -kStandardGravity
           << "' cone='elliptic' impratio='" << config_.impratio
-          << "' solver='Newton' noslip_iterations='" << config_.noslip_iterations << "'/>\n"
+          << "' solver='Newton' noslip_iterations='" << config_.noslip_iterations
+          << "' noslip_tolerance='" << config_.noslip_tolerance << "'/>\n"
           << "<default>\n<geom solref='" << config_.time_constant << " 1' solimp='"
           << config_.impedance_min << ' ' << config_.impedance_max << " 0.001' friction='" << mu
           << ' ' << mu * hand_.pad_torsion_radius << " 0'/>\n<equality solref='"

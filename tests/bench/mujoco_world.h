@@ -33,6 +33,7 @@ struct MujocoConfig {
   double time_constant = 0.005;  ///< of contacts, limits and equalities (solref) [s]
   double impedance_min = 0.95, impedance_max = 0.99;  ///< solimp
   int noslip_iterations = 5;
+  double noslip_tolerance = 1e-6;
 };
 
 class MujocoWorld : public World {

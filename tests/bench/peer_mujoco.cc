@@ -70,9 +70,18 @@ class Recorded : public AnyWorld {
 struct Side {
   std::string name;
   TrialResult result;
-  std::vector<double> costs;   ///< processor time per simulated second
-  std::vector<double> ratios;  ///< ours over this one, pair by pair
+  std::vector<double> costs = {};   ///< processor time per simulated second
+  std::vector<double> ratios = {};  ///< ours of the same step over this one, pair by pair
 };
+
+/** The benchmark's step, and that at which halving it flips no verdict of ours [s]. */
+constexpr double kSteps[] = {0.002, 0.00025};
+
+std::string FormatStep(double step) {
+  char text[20];
+  std::snprintf(text, sizeof text, ", %g ms", 1e3 * step);
+  return text;
+}
 
 std::string FormatQuartiles(std::vector<double> values, double scale, int decimals) {
   std::sort(values.begin(), values.end());
@@ -101,39 +110,52 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
   const Placement placement =
       CalcPlacement(*hand, setup.grasp, setup.object->size, setup.object->mass_properties.p_OOcm);
 
-  std::vector<MujocoConfig> configs(3);
-  configs[1].step = 0.001;
-  configs[2].noslip_iterations = 0;
-  std::vector<Side> sides = {{"graspbench, 2 ms", {}, {}, {}},
-                             {"MuJoCo, 2 ms", {}, {}, {}},
-                             {"MuJoCo, 1 ms", {}, {}, {}},
-                             {"MuJoCo, 2 ms, no noslip", {}, {}, {}}};
-  Recorded<World> ours(*hand, *setup.object, setup.sim);
-  sides[0].result = TrialCourse(ours, setup).Run();
+  std::vector<std::unique_ptr<Recorded<World>>> ours;
+  std::vector<Side> sides;
+  for (const double step : kSteps) {
+    TrialSetup own_setup = setup;
+    own_setup.sim.step = step;
+    ours.push_back(std::make_unique<Recorded<World>>(*hand, *setup.object, own_setup.sim));
+    sides.push_back({"graspbench" + FormatStep(step), TrialCourse(*ours.back(), own_setup).Run()});
+  }
+  std::vector<MujocoConfig> configs;
+  for (const double step : kSteps) {
+    for (const int noslip_iterations : {5, 50}) {
+      MujocoConfig& config = configs.emplace_back();
+      config.step = step;
+      config.noslip_iterations = noslip_iterations;
+      if (noslip_iterations > 5) config.noslip_tolerance = 0.0;
+    }
+  }
   std::vector<std::unique_ptr<Recorded<MujocoWorld>>> peers;
-  for (size_t i = 0; i < configs.size(); ++i) {
+  for (const MujocoConfig& config : configs) {
     TrialSetup peer_setup = setup;
-    peer_setup.sim.step = configs[i].step;
+    peer_setup.sim.step = config.step;
     peers.push_back(std::make_unique<Recorded<MujocoWorld>>(
-        *hand, *setup.object, scene.shape, peer_setup.sim, configs[i], placement.approach_W));
-    sides[i + 1].result = TrialCourse(*peers[i], peer_setup).Run();
+        *hand, *setup.object, scene.shape, peer_setup.sim, config, placement.approach_W));
+    sides.push_back({"MuJoCo" + FormatStep(config.step) + ", noslip " +
+                         std::to_string(config.noslip_iterations),
+                     TrialCourse(*peers.back(), peer_setup).Run()});
   }
   for (int pair = 0; pair < num_pairs; ++pair) {
-    sides[0].costs.push_back(ours.Repeat() / sides[0].result.simulated_time);
+    for (size_t i = 0; i < ours.size(); ++i) {
+      sides[i].costs.push_back(ours[i]->Repeat() / sides[i].result.simulated_time);
+    }
     for (size_t i = 0; i < peers.size(); ++i) {
-      Side& side = sides[i + 1];
+      Side& side = sides[ours.size() + i];
+      const Side& own = sides[configs[i].step == kSteps[0] ? 0 : 1];
       side.costs.push_back(peers[i]->Repeat() / side.result.simulated_time);
-      side.ratios.push_back(sides[0].costs.back() / side.costs.back());
+      side.ratios.push_back(own.costs.back() / side.costs.back());
     }
   }
 
-  std::printf("\n%s, %s, %s\n  %-24s %-21s %-20s %9s %7s %7s %7s\n", hand->name.c_str(),
+  std::printf("\n%s, %s, %s\n  %-27s %-24s %-20s %9s %7s %7s %7s\n", hand->name.c_str(),
               setup.object->name.c_str(), grasp_id.c_str(), "", "cost [ms/s]", "ratio", "creep",
               "depth", "deepest", "grip");
   for (const Side& side : sides) {
     const TrialResult& result = side.result;
     const bool is_held = result.outcome == Outcome::kSuccess;
-    std::printf("  %-24s %-21s %-20s %9.5f %7.3f %7.3f %7.2f  %s%s%s\n", side.name.c_str(),
+    std::printf("  %-27s %-24s %-20s %9.5f %7.3f %7.3f %7.2f  %s%s%s\n", side.name.c_str(),
                 FormatQuartiles(side.costs, 1e3, 1).c_str(),
                 side.ratios.empty() ? "-" : FormatQuartiles(side.ratios, 1.0, 2).c_str(),
                 1e3 * result.hold_creep, 1e3 * result.steady_penetration,
@@ -152,15 +174,16 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // a scene is shown when it is done
   const MujocoConfig config;
   std::printf(
-      "MuJoCo %s: elliptic cones, impratio %.0f, solref %.3f s, solimp %.2f %.2f, Newton, %d "
-      "noslip\n"
-      "iterations, Euler with implicit damping. %d runs of each, in turns.\n"
-      "cost: processor time per simulated second, median (quartiles); ratio: ours over MuJoCo's;\n"
-      "creep [mm]: from 0.5 s after the lift to the end of the hold; depth [mm]: at the end of "
+      "MuJoCo %s: elliptic cones, impratio %.0f, solref %.3f s, solimp %.2f %.2f, Newton,\n"
+      "noslip iterations 5, or 50 to no tolerance, Euler with implicit damping. %d runs of each, "
+      "in turns.\n"
+      "cost: processor time per simulated second, median (quartiles); ratio: ours over MuJoCo's\n"
+      "of the same step;\n"
+      "creep [mm]: in the second half of the hold; depth [mm]: at the end of "
       "the\n"
       "hold; deepest [mm]: of the whole trial; grip [N]: sum of normal forces before the lift\n",
       mj_versionString(), config.impratio, config.time_constant, config.impedance_min,
-      config.impedance_max, config.noslip_iterations, num_pairs);
+      config.impedance_max, num_pairs);
   for (const char* hand_id : {"tum", "shadow"}) {
     const auto hand = std::make_shared<const Hand>(LoadHand(hand_id));
     for (const Scene& scene : kScenes) RunScene(hand, scene, num_pairs);
