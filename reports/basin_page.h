@@ -5,7 +5,7 @@ The robustness basin of one grasp as a page: a map of offsets in slices of yaw, 
 #include <string>
 #include <vector>
 
-#include "core/sim/basin.h"
+#include "core/trial/basin.h"
 
 namespace graspbench {
 

@@ -4,7 +4,7 @@ When each link of the hand touched the object in one trial, as a strip chart. */
 
 #include <string>
 
-#include "datasets/trial_record.h"
+#include "datasets/session/trial_record.h"
 #include "reports/html.h"
 #include "reports/models.h"
 

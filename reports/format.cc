@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/base/proportion.h"
+#include "core/statistics/proportion.h"
 
 namespace graspbench {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/sim/verdicts.h"
 #include "core/statistics/ranks.h"
-#include "datasets/trial_table.h"
+#include "core/trial/verdicts.h"
+#include "datasets/session/trial_table.h"
 
 namespace graspbench {
 namespace {

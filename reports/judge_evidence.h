@@ -9,7 +9,7 @@ come from drawing cells (hand, object, grasp), because trials of one cell are al
 
 #include "core/base/json.h"
 #include "core/statistics/bootstrap.h"
-#include "datasets/trial_record.h"
+#include "datasets/session/trial_record.h"
 
 namespace graspbench {
 

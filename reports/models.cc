@@ -2,8 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
-#include "datasets/session_inputs.h"
-#include "datasets/session_plan.h"
+#include "datasets/session/session_inputs.h"
+#include "datasets/session/session_plan.h"
 
 namespace graspbench {
 namespace {

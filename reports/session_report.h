@@ -6,7 +6,7 @@ needs no script and no network; the pictures are drawn from the trials' snapshot
 #include <filesystem>
 #include <string>
 
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 #include "reports/cell_pictures.h"
 #include "reports/models.h"
 

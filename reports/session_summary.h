@@ -12,7 +12,7 @@ count as not successful and are left out of every other figure. */
 #include <utility>
 #include <vector>
 
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 
 namespace graspbench {
 

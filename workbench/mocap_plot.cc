@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "human_study/cleaning/trajectory.h"
+#include "human_study/recording/cleaning/trajectory.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
 

@@ -6,7 +6,7 @@ speed of each, so that a swapped marker or a hole in the grasp is seen before an
 
 #include <string>
 
-#include "human_study/recording.h"
+#include "human_study/recording/recording.h"
 
 namespace graspbench {
 

@@ -12,8 +12,8 @@ The rate is that of the last half minute, so that it follows what the machine do
 #include <utility>
 #include <vector>
 
-#include "core/sim/trial.h"
-#include "workbench/batch_runner.h"
+#include "core/trial/outcome.h"
+#include "workbench/experiments/batch_runner.h"
 
 namespace graspbench {
 

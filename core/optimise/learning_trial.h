@@ -2,7 +2,7 @@
 /** @file
 What the optimisation keeps of a simulated trial, and the fitness it takes from it:
 
-    fitness = sigma (core/sim/stability.h), which is 0 when the object is lost
+    fitness = sigma (core/trial/stability.h), which is 0 when the object is lost
             = - the opposing digit's smallest distance to the object [m] when that digit never
               touches, so that a thumb in the air is led towards the object
 
@@ -12,7 +12,7 @@ and for several trials their mean. Larger is better. */
 #include <vector>
 
 #include "core/base/json.h"
-#include "core/sim/trial.h"
+#include "core/trial/trial_result.h"
 
 namespace graspbench {
 

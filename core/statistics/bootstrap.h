@@ -11,8 +11,8 @@ z0 from the share of resamples below the estimate (ties count half), a from the 
 #include <string>
 #include <vector>
 
-#include "core/base/proportion.h"
 #include "core/statistics/answer.h"
+#include "core/statistics/proportion.h"
 
 namespace graspbench {
 

@@ -3,8 +3,8 @@
 #include <Eigen/SVD>
 
 #include "core/base/error.h"
-#include "human_study/cleaning/butterworth.h"
-#include "human_study/cleaning/resample.h"
+#include "human_study/recording/cleaning/butterworth.h"
+#include "human_study/recording/cleaning/resample.h"
 
 namespace graspbench {
 namespace {

@@ -14,8 +14,8 @@ frame of the object. */
 #include <vector>
 
 #include "core/base/pose.h"
-#include "human_study/cleaning/trajectory.h"
 #include "human_study/events/object_surface.h"
+#include "human_study/recording/cleaning/trajectory.h"
 
 namespace graspbench {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "human_study/cleaning/butterworth.h"
+#include "human_study/recording/cleaning/butterworth.h"
 
 namespace graspbench {
 namespace {

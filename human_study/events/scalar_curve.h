@@ -7,8 +7,8 @@ questions that rules ask of one. */
 #include <cmath>
 #include <vector>
 
-#include "human_study/cleaning/trajectory.h"
 #include "human_study/events/event_time.h"
+#include "human_study/recording/cleaning/trajectory.h"
 
 namespace graspbench {
 

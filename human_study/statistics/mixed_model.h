@@ -21,7 +21,7 @@ Not modelled: further predictors, other groupings. The exported R script is the 
 #include <string>
 #include <vector>
 
-#include "core/base/proportion.h"
+#include "core/statistics/proportion.h"
 #include "human_study/statistics/line_fit.h"
 
 namespace graspbench {

@@ -8,8 +8,8 @@ t tests of one value per person: against a number, between two conditions, and f
 
 #include <vector>
 
-#include "core/base/proportion.h"
 #include "core/statistics/answer.h"
+#include "core/statistics/proportion.h"
 
 namespace graspbench {
 

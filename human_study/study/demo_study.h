@@ -7,7 +7,7 @@ at the workbench, and the test of the whole way from files to measures. */
 #include <vector>
 
 #include "human_study/study/run_study.h"
-#include "human_study/synthetic/synthetic_study.h"
+#include "human_study/study/synthetic/synthetic_study.h"
 
 namespace graspbench {
 

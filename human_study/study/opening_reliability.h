@@ -10,8 +10,8 @@ taken away from its trials and the grand mean added, and all trials of a person 
 #include <vector>
 
 #include "core/statistics/summary.h"
-#include "human_study/measures/hand_opening.h"
-#include "human_study/reliability/reliability.h"
+#include "human_study/events/hand_opening.h"
+#include "human_study/statistics/reliability/reliability.h"
 
 namespace graspbench {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "human_study/cleaning/gaps.h"
-#include "human_study/cleaning/resample.h"
 #include "human_study/events/scalar_curve.h"
+#include "human_study/recording/cleaning/gaps.h"
+#include "human_study/recording/cleaning/resample.h"
 
 namespace graspbench {
 namespace {

@@ -7,7 +7,7 @@ into reaches. */
 #include <vector>
 
 #include "human_study/events/reach_trial.h"
-#include "human_study/recording.h"
+#include "human_study/recording/recording.h"
 #include "human_study/study/study_config.h"
 
 namespace graspbench {

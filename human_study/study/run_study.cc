@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "human_study/cleaning/residual_analysis.h"
-#include "human_study/importers/importer.h"
+#include "human_study/recording/cleaning/residual_analysis.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/study/prepare_recording.h"
 
 namespace graspbench {

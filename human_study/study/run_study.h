@@ -11,7 +11,7 @@ here depends on the clock, the machine or the order in which files lie in a fold
 #include <string>
 #include <vector>
 
-#include "human_study/recording.h"
+#include "human_study/recording/recording.h"
 #include "human_study/study/study_config.h"
 #include "human_study/study/study_statistics.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/base/config.h"
 #include "core/base/files.h"
-#include "human_study/importers/delimited_text.h"
+#include "human_study/recording/importers/delimited_text.h"
 #include "human_study/study/study_table.h"
 #include "objects/catalogue.h"
 

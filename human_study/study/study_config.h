@@ -37,7 +37,7 @@ times in seconds, frequencies in hertz. */
 
 #include "core/base/diagnostics.h"
 #include "human_study/events/object_surface.h"
-#include "human_study/measures/trial_analysis.h"
+#include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/measure_table.h"
 
 namespace graspbench {

@@ -9,7 +9,7 @@ known asynchrony. */
 
 #include "human_study/study/measure_statistics.h"
 #include "human_study/study/opening_reliability.h"
-#include "human_study/synthetic/bias_card.h"
+#include "human_study/study/synthetic/bias_card.h"
 
 namespace graspbench {
 

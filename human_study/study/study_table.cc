@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "human_study/importers/delimited_text.h"
+#include "human_study/recording/importers/delimited_text.h"
 
 namespace graspbench {
 namespace {

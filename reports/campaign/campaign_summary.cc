@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/base/proportion.h"
+#include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
 #include "reports/html.h"
 

@@ -12,7 +12,7 @@ breaking force) and the median over the trials that have it for the others. */
 #include <vector>
 
 #include "core/statistics/bootstrap.h"
-#include "datasets/campaign_store.h"
+#include "datasets/campaign/campaign_store.h"
 #include "reports/session_summary.h"
 
 namespace graspbench {

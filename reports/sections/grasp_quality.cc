@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/base/units.h"
-#include "core/sim/verdicts.h"
+#include "core/trial/verdicts.h"
 #include "reports/format.h"
 #include "reports/judge_evidence.h"
 #include "reports/layout.h"

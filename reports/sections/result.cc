@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/proportion.h"
+#include "core/statistics/proportion.h"
 #include "reports/findings.h"
 #include "reports/format.h"
 #include "reports/layout.h"

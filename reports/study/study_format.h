@@ -6,7 +6,7 @@ cent; heads carry the unit, cells the number alone. */
 #include <string>
 #include <vector>
 
-#include "human_study/measures/trial_analysis.h"
+#include "human_study/events/trial_analysis.h"
 #include "human_study/study/study_statistics.h"
 
 namespace graspbench {

@@ -5,7 +5,7 @@ The report of a human study: one self-contained HTML file in the manner of sessi
 #include <filesystem>
 #include <string>
 
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 #include "human_study/study/run_study.h"
 
 namespace graspbench {

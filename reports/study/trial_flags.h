@@ -5,7 +5,7 @@ What may be doubtful about a trial that counts all the same. */
 #include <string>
 #include <vector>
 
-#include "human_study/measures/trial_analysis.h"
+#include "human_study/events/trial_analysis.h"
 
 namespace graspbench {
 

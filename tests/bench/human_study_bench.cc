@@ -5,7 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
-#include "human_study/synthetic/bias_card.h"
+#include "human_study/study/synthetic/bias_card.h"
 
 namespace graspbench {
 namespace {

@@ -20,7 +20,7 @@ every step: MuJoCo's own mocap bodies have no speed, and would let friction hold
 #include <string>
 #include <vector>
 
-#include "core/sim/world.h"
+#include "core/physics/world.h"
 
 namespace graspbench {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/grasp/epsilon_fast.h"
-#include "core/grasp/force_closure.h"
-#include "core/grasp/wrench_hull.h"
-#include "tests/core/grasp/grasp_samples.h"
+#include "core/quality/epsilon_fast.h"
+#include "core/quality/force_closure.h"
+#include "core/quality/wrench_hull.h"
+#include "tests/core/quality/grasp_samples.h"
 
 namespace graspbench {
 namespace {

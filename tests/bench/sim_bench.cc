@@ -11,11 +11,11 @@
 #include <string>
 
 #include "core/hand/load_hand.h"
-#include "core/sim/hand_dynamics.h"
-#include "core/sim/simbody_model.h"
-#include "core/sim/trial.h"
-#include "core/sim/trial_course.h"
-#include "core/sim/world.h"
+#include "core/physics/hand_dynamics.h"
+#include "core/physics/simbody_model.h"
+#include "core/physics/world.h"
+#include "core/trial/trial_course.h"
+#include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {

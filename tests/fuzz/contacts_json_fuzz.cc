@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/grasp/contacts_json.h"
-#include "core/grasp/epsilon_fast.h"
+#include "core/quality/contacts_json.h"
+#include "core/quality/epsilon_fast.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

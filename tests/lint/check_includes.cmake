@@ -10,8 +10,8 @@ endforeach()
 
 # core/base/error.h -> core_base; objects/catalogue.h -> objects
 function(find_library_of path result)
-  if(path MATCHES "^core/([a-z_]+)/")
-    set(${result} core_${CMAKE_MATCH_1} PARENT_SCOPE)
+  if(path MATCHES "^(core|datasets|human_study)/([a-z_]+)/" OR path MATCHES "^(workbench)/(experiments)/")
+    set(${result} ${CMAKE_MATCH_1}_${CMAKE_MATCH_2} PARENT_SCOPE)
   elseif(path MATCHES "^([a-z_]+)/")
     set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
   else()
@@ -21,7 +21,7 @@ endfunction()
 
 set(owned_headers "Simbody.h|SimTK" "assimp/" "sqlite3.h" "GL/" "CLI/" "kainjow/" "libqhull"
   "opencv2/" "boost/")
-set(owners core_sim objects datasets core_render workbench reports core_grasp
+set(owners core_physics objects datasets_session core_render workbench reports core_quality
   core_vision core_statistics)
 
 set(offences "")

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/sim/verdicts.h"
+#include "core/trial/verdicts.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {

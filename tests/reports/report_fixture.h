@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 #include "reports/session_report.h"
 
 namespace graspbench {

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "core/base/files.h"
-#include "datasets/session_inputs.h"
-#include "datasets/session_plan.h"
+#include "datasets/session/session_inputs.h"
+#include "datasets/session/session_plan.h"
 #include "reports/basin_page.h"
 #include "reports/format.h"
-#include "workbench/batch_runner.h"
 #include "workbench/commands/command.h"
-#include "workbench/interrupt.h"
+#include "workbench/experiments/batch_runner.h"
+#include "workbench/experiments/interrupt.h"
 #include "workbench/progress.h"
 
 namespace graspbench {

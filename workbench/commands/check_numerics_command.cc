@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "core/base/files.h"
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 #include "reports/format.h"
 #include "workbench/commands/command.h"
-#include "workbench/numerics_check.h"
+#include "workbench/experiments/numerics_check.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

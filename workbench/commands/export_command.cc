@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {

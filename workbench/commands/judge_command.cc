@@ -8,14 +8,14 @@
 #include <string>
 #include <unordered_map>
 
-#include "datasets/judgement_store.h"
+#include "datasets/session/judgement_store.h"
 #include "reports/format.h"
 #include "reports/judge_evidence.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
-#include "workbench/interrupt.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/session_worker.h"
 #include "workbench/progress.h"
-#include "workbench/session_worker.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {

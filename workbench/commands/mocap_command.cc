@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "core/base/files.h"
-#include "human_study/describe_recording.h"
-#include "human_study/importers/importer.h"
-#include "human_study/save_recording.h"
+#include "human_study/recording/describe_recording.h"
+#include "human_study/recording/importers/importer.h"
+#include "human_study/recording/save_recording.h"
 #include "workbench/commands/command.h"
 #include "workbench/mocap_plot.h"
 

@@ -14,10 +14,10 @@
 #include "core/grasp/grasp_file.h"
 #include "reports/format.h"
 #include "workbench/commands/command.h"
-#include "workbench/interrupt.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/scene_runner.h"
 #include "workbench/plain_text.h"
 #include "workbench/progress.h"
-#include "workbench/scene_runner.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {

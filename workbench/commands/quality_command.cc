@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/base/files.h"
-#include "core/grasp/contacts_json.h"
-#include "core/grasp/grasp_quality.h"
+#include "core/quality/contacts_json.h"
+#include "core/quality/grasp_quality.h"
 #include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"

@@ -6,7 +6,7 @@
 #include "core/base/files.h"
 #include "core/hand/load_hand.h"
 #include "core/render/hand_scene.h"
-#include "core/sim/trial.h"
+#include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 #include "workbench/commands/command.h"
 

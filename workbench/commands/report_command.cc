@@ -2,8 +2,8 @@
 #include <iostream>
 #include <memory>
 
-#include "datasets/campaign_store.h"
-#include "datasets/session_store.h"
+#include "datasets/campaign/campaign_store.h"
+#include "datasets/session/session_store.h"
 #include "reports/campaign/campaign_report.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"

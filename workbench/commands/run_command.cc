@@ -12,16 +12,16 @@
 
 #include "core/base/files.h"
 #include "core/base/hash.h"
-#include "datasets/session_store.h"
+#include "datasets/session/session_store.h"
 #include "reports/format.h"
 #include "reports/session_report.h"
 #include "reports/session_summary.h"
-#include "workbench/batch_runner.h"
 #include "workbench/commands/command.h"
-#include "workbench/interrupt.h"
+#include "workbench/experiments/batch_runner.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/run_record.h"
+#include "workbench/experiments/session_worker.h"
 #include "workbench/progress.h"
-#include "workbench/run_record.h"
-#include "workbench/session_worker.h"
 #include "workbench/summary_table.h"
 
 namespace graspbench {

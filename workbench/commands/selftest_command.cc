@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "core/sim/known_answers/known_answer.h"
+#include "core/physics/known_answers/known_answer.h"
 #include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"

@@ -1,4 +1,4 @@
-#include "datasets/judgement_store.h"
+#include "datasets/session/judgement_store.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/format.h"
 

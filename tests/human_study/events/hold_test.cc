@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "human_study/measures/hand_opening.h"
-#include "human_study/measures/trial_analysis.h"
-#include "human_study/synthetic/synthetic_study.h"
+#include "human_study/events/hand_opening.h"
+#include "human_study/events/trial_analysis.h"
+#include "human_study/study/synthetic/synthetic_study.h"
 #include "tests/human_study/events/trajectories.h"
 
 namespace graspbench {

@@ -5,10 +5,10 @@
 
 #include "core/base/random.h"
 #include "core/statistics/bootstrap.h"
-#include "human_study/reliability/reliability.h"
 #include "human_study/statistics/condition_means.h"
 #include "human_study/statistics/mixed_model.h"
 #include "human_study/statistics/rank_tests.h"
+#include "human_study/statistics/reliability/reliability.h"
 #include "human_study/statistics/within_anova.h"
 
 namespace graspbench {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/base/files.h"
-#include "human_study/importers/importer.h"
+#include "human_study/recording/importers/importer.h"
 #include "human_study/study/demo_study.h"
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/prepare_recording.h"

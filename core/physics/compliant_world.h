@@ -1,0 +1,28 @@
+#pragma once
+/** @file
+A second world that shares nothing with the first one's contact and integration: Simbody's
+compliant contact, integrated by CPodes (variable order and step, implicit, error control).
+
+    hand      the same spheres, on Simbody's own multibody model
+    object    a ball; Hertz contact of spheres
+    friction  Stribeck law with a transition speed of 0.1 mm/s: a loaded contact creeps
+    coupling  distal joints are tied, or locked, by stiff springs
+
+Other objects would need elastic foundations on fine meshes, which take minutes a trial. Pads have
+no torsion radius, so sigma is lower; a smooth ball rolls off more easily than its mesh; links do
+not touch each other. Some seconds a trial: there to be compared with. */
+
+#include <memory>
+
+#include "core/physics/world.h"
+
+namespace graspbench {
+
+/** Whether the object is a ball; seams and dimples do not count. */
+bool CanMoveCompliantly(const GraspObject& object);
+
+/** Its energy residual stays unset; it throws what Simbody throws. @pre CanMoveCompliantly. */
+std::unique_ptr<World> MakeCompliantWorld(const Hand& hand, const GraspObject& object,
+                                          const SimConfig& config);
+
+}  // namespace graspbench

@@ -1,0 +1,166 @@
+#include "core/physics/hand_dynamics.h"
+
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/** Mass, first moment and second moment about the world's origin. */
+struct SpatialInertia {
+  double mass = 0.0;
+  Vector3d moment = Vector3d::Zero();   // mass * p_Wcm
+  Matrix3d inertia = Matrix3d::Zero();  // about the world's origin
+
+  void Add(const SpatialInertia& other) {
+    mass += other.mass;
+    moment += other.moment;
+    inertia += other.inertia;
+  }
+  /** Momentum of a body with this inertia moving with V. */
+  SpatialVector operator*(const SpatialVector& V) const {
+    const Vector3d w = V.head<3>(), v = V.tail<3>();
+    SpatialVector momentum;
+    momentum << inertia * w + moment.cross(v), mass * v - moment.cross(w);
+    return momentum;
+  }
+};
+
+SpatialInertia ShiftToWorld(const Pose& X_WL, double mass, const Vector3d& p_LLcm,
+                            const Matrix3d& I_LLcm) {
+  const Matrix3d R = X_WL.linear();
+  const Vector3d c = X_WL * p_LLcm;
+  SpatialInertia result;
+  result.mass = mass;
+  result.moment = mass * c;
+  result.inertia = R * I_LLcm * R.transpose() +
+                   mass * (c.squaredNorm() * Matrix3d::Identity() - c * c.transpose());
+  return result;
+}
+
+SpatialVector CrossMotion(const SpatialVector& V, const SpatialVector& S) {
+  SpatialVector result;
+  const Vector3d w = V.head<3>(), v = V.tail<3>(), sw = S.head<3>(), sv = S.tail<3>();
+  result << w.cross(sw), w.cross(sv) + v.cross(sw);
+  return result;
+}
+
+SpatialVector CrossForce(const SpatialVector& V, const SpatialVector& F) {
+  SpatialVector result;
+  const Vector3d w = V.head<3>(), v = V.tail<3>(), n = F.head<3>(), f = F.tail<3>();
+  result << w.cross(n) + v.cross(f), w.cross(f);
+  return result;
+}
+
+}  // namespace
+
+HandDynamics::HandDynamics(const Hand& hand) {
+  const size_t num_links = hand.links.size();
+  chain_.resize(num_links);
+  for (size_t i = 0; i < num_links; ++i) {
+    const HandLink& link = hand.links[i];
+    parent_.push_back(link.parent);
+    joint_.push_back(link.joint);
+    X_PJ_.push_back(link.X_PJ);
+    axis_.push_back(link.axis);
+    inertia_.push_back({link.mass, link.p_LLcm, link.I_LLcm});
+    if (link.parent >= 0) chain_[i] = chain_[link.parent];
+    if (link.joint >= 0) chain_[i].push_back(link.joint);
+  }
+  dof_of_joint_.assign(hand.joints.size(), -1);
+  rate_.assign(hand.joints.size(), 1.0);
+  for (size_t j = 0; j < hand.joints.size(); ++j) {
+    joint_link_.push_back(hand.joints[j].link);
+    if (hand.joints[j].coupled_to >= 0) continue;
+    dof_of_joint_[j] = num_dofs_++;
+    joint_of_dof_.push_back(static_cast<int>(j));
+    distal_of_dof_.push_back(-1);
+  }
+  for (size_t j = 0; j < hand.joints.size(); ++j) {
+    if (hand.joints[j].coupled_to < 0) continue;
+    dof_of_joint_[j] = dof_of_joint_[hand.joints[j].coupled_to];
+    distal_of_dof_[dof_of_joint_[j]] = static_cast<int>(j);
+  }
+  X_WL_.assign(num_links, Pose::Identity());
+  S_.assign(hand.joints.size(), SpatialVector::Zero());
+}
+
+void HandDynamics::UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q) {
+  for (size_t i = 0; i < parent_.size(); ++i) {
+    const Pose& X_WP = parent_[i] < 0 ? X_WH : X_WL_[parent_[i]];
+    const Matrix3d R_WJ = X_WP.linear() * X_PJ_[i].linear();
+    X_WL_[i].translation() = X_WP.translation() + X_WP.linear() * X_PJ_[i].translation();
+    const int joint = joint_[i];
+    if (joint < 0) {
+      X_WL_[i].linear() = R_WJ;
+      continue;
+    }
+    X_WL_[i].linear() = R_WJ * Eigen::AngleAxisd(q[joint], axis_[i]).toRotationMatrix();
+    const Vector3d a_W = R_WJ * axis_[i];
+    S_[joint] << a_W, Vector3d(X_WL_[i].translation()).cross(a_W);
+  }
+}
+
+void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const {
+  const size_t num_links = parent_.size();
+  thread_local std::vector<SpatialInertia> composite;
+  composite.resize(num_links);
+  for (size_t i = 0; i < num_links; ++i) {
+    composite[i] = ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
+  }
+  M.setZero();
+  for (size_t i = num_links; i-- > 1;) {
+    const int joint = joint_[i];
+    if (joint >= 0 && rate_[joint] != 0.0) {
+      const SpatialVector F = composite[i] * S_[joint];
+      const int dof = dof_of_joint_[joint];
+      for (int ancestor : chain_[i]) {
+        const int other = dof_of_joint_[ancestor];
+        const double value = rate_[joint] * rate_[ancestor] * S_[ancestor].dot(F);
+        M(dof, other) += value;
+        if (ancestor != joint) M(other, dof) += value;
+      }
+    }
+    composite[parent_[i]].Add(composite[i]);
+  }
+}
+
+double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH,
+                              const Vector3d& lift_W, Eigen::Ref<Eigen::VectorXd> bias) const {
+  const size_t num_links = parent_.size();
+  thread_local std::vector<SpatialVector> V, A, F;
+  V.resize(num_links);
+  A.resize(num_links);
+  F.resize(num_links);
+  V[0] << Vector3d::Zero(), v_WH;
+  A[0] << Vector3d::Zero(), lift_W;
+  F[0].setZero();
+  double power = 0.0;
+  for (size_t i = 1; i < num_links; ++i) {
+    V[i] = V[parent_[i]];
+    A[i] = A[parent_[i]];
+    if (const int joint = joint_[i]; joint >= 0 && rate_[joint] != 0.0) {
+      const SpatialVector Su = S_[joint] * (rate_[joint] * u[dof_of_joint_[joint]]);
+      A[i] += CrossMotion(V[i], Su);
+      V[i] += Su;
+    }
+    const SpatialInertia I =
+        ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
+    F[i] = I * A[i] + CrossForce(V[i], I * V[i]);
+    const Vector3d momentum_rel =
+        I.mass * (Vector3d(V[i].tail<3>()) - v_WH) - I.moment.cross(Vector3d(V[i].head<3>()));
+    power -= lift_W.dot(momentum_rel);
+  }
+  bias.setZero();
+  for (size_t i = num_links; i-- > 1;) {
+    if (const int joint = joint_[i]; joint >= 0) {
+      bias[dof_of_joint_[joint]] += rate_[joint] * S_[joint].dot(F[i]);
+    }
+    F[parent_[i]] += F[i];
+  }
+  return power;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,237 @@
+// Known answers of friction: the incline, the squeeze, the soft pad, the hold.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/units.h"
+#include "core/physics/known_answers/known_answer.h"
+#include "core/physics/known_answers/small_scenes.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d kDown_W(0.0, 0.0, -kStandardGravity);
+
+std::string FormatShort(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/** Stiff bristles keep the block's elastic swaying short of the 1 % by which it shall slide. */
+constexpr double kInclineStiffness = 4e4;
+
+struct Incline {
+  double mu, step;
+};
+constexpr Incline kInclines[] = {{0.1, 0.001}, {0.3, 0.0005}, {0.3, 0.002},  {0.5, 0.001},
+                                 {0.5, 0.004}, {0.8, 0.002},  {1.1, 0.0005}, {1.1, 0.004}};
+
+std::string FormatIncline(const Incline& incline) {
+  return "mu " + FormatShort(incline.mu) + ", step " + FormatShort(MsFromS(incline.step)) + " ms";
+}
+
+SimConfig MakeConfig(const Incline& incline) {
+  SimConfig config;
+  config.step = incline.step;
+  config.tangential_stiffness = kInclineStiffness;
+  config.table_friction_static = config.table_friction_dynamic = incline.mu;
+  return config;
+}
+
+/** Lays the block on the table and tilts it slowly to `angle`. */
+void TiltTable(double angle, const Incline& incline, SmallWorld& body) {
+  body.start().p_WOcm = Vector3d(0.0, 0.0, 0.01);
+  body.Reset();
+  const auto num_steps = std::lround(0.4 / incline.step);
+  for (long i = 1; i <= num_steps; ++i) {
+    const double now = angle * static_cast<double>(i) / static_cast<double>(num_steps);
+    body.world().SetGravity(kStandardGravity * Vector3d(std::sin(now), 0.0, -std::cos(now)));
+    body.Step();
+  }
+}
+
+struct Squeeze {
+  int num_fingers = 2;
+  double force = 5.0;  ///< of each finger [N]
+  double mass = 0.1;
+  double mu = 0.5;
+  double torsion_radius = 0.0;
+  double off_centre = 0.0;  ///< of the fingers along y from the object's centre [m]
+  double step = 0.002;
+};
+
+/** Squeezed without weight for 0.3 s, then the weight comes slowly. */
+class SqueezeScene {
+ public:
+  /** @param half_width  of the object between the fingers. */
+  SqueezeScene(const Squeeze& squeeze, GraspObject object, double half_width)
+      : world_(
+            MakeSqueezeHand(squeeze.num_fingers, half_width, squeeze.force, squeeze.torsion_radius),
+            SetMaterial(std::move(object), squeeze), MakeConfig(squeeze)) {
+    world_.start().X_WH = MakePose(Vector3d(0.0, squeeze.off_centre, kHeight + kSqueezeLever));
+    world_.start().p_WOcm = Vector3d(0.0, 0.0, kHeight);
+    world_.start().gravity_W.setZero();
+    world_.Reset(Eigen::VectorXd::Ones(squeeze.num_fingers));
+    world_.Run(0.3);
+    world_.RampGravity(kDown_W, 0.3);
+  }
+
+  SmallWorld& world() { return world_; }
+  double CalcFall() const { return kHeight - world_.state().p_WOcm.z(); }  ///< [m]
+  double CalcTilt() const {  ///< of the object's y axis from the horizontal [rad]
+    return std::abs(std::asin(std::clamp(world_.state().R_WO(2, 1), -1.0, 1.0)));
+  }
+
+ private:
+  static constexpr double kHeight = 1.0;
+
+  static GraspObject SetMaterial(GraspObject object, const Squeeze& squeeze) {
+    const double scale = squeeze.mass / object.mass_properties.mass;
+    object.mass_properties.mass = squeeze.mass;
+    object.mass_properties.I_OOcm *= scale;
+    object.friction_static = object.friction_dynamic = squeeze.mu;
+    return object;
+  }
+  static SimConfig MakeConfig(const Squeeze& squeeze) {
+    SimConfig config;
+    config.step = squeeze.step;
+    return config;
+  }
+
+  SmallWorld world_;
+};
+
+/** The value between `low` and `high` at which `holds` changes, to one part in 500 of their
+difference. */
+double FindThreshold(double low, double high, const std::function<bool(double)>& holds) {
+  const bool holds_at_low = holds(low);
+  if (holds(high) == holds_at_low) return std::nan("");
+  while (high - low > 0.002 * std::abs(high)) {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) == holds_at_low ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+std::vector<KnownAnswer> CheckInclineSticks() {
+  std::vector<KnownAnswer> answers;
+  const GraspObject block = MakeBlock(0.5);
+  for (const Incline& incline : kInclines) {
+    SmallWorld body(block, MakeConfig(incline));
+    TiltTable(std::atan(0.99 * incline.mu), incline, body);
+    body.Run(0.2);
+    const Vector3d early = body.state().p_WOcm;
+    body.Run(0.5);
+    answers.push_back({FormatIncline(incline) + ", motion in 0.5 s", "m", 0.0,
+                       (body.state().p_WOcm - early).norm(), 1e-9});
+  }
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckInclineSlides() {
+  std::vector<KnownAnswer> answers;
+  const GraspObject block = MakeBlock(0.5);
+  for (const Incline& incline : kInclines) {
+    for (double ratio : {1.01, 1.1}) {
+      const double angle = std::atan(ratio * incline.mu);
+      SmallWorld body(block, MakeConfig(incline));
+      TiltTable(angle, incline, body);
+      body.Run(0.3);
+      const double early = body.state().v_WOcm.x();
+      body.Run(0.2);
+      const double expected = kStandardGravity * (std::sin(angle) - incline.mu * std::cos(angle));
+      answers.push_back({FormatIncline(incline) + ", at " + FormatShort(ratio), "m/s^2", expected,
+                         (body.state().v_WOcm.x() - early) / 0.2, 2e-3 * expected});
+    }
+  }
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckSqueezeThreshold() {
+  std::vector<KnownAnswer> answers;
+  struct Case {
+    int num_fingers;
+    double mass, step;
+  };
+  for (const Case& c : {Case{2, 0.1, 0.002}, Case{2, 0.3, 0.0005}, Case{2, 0.3, 0.004},
+                        Case{3, 0.1, 0.002}, Case{3, 0.5, 0.002}, Case{5, 0.5, 0.002}}) {
+    const GraspObject prism = MakeSolid(MakePrism(2 * c.num_fingers, 0.03, 0.06), c.mass, 0.5, 0.5);
+    Squeeze squeeze;
+    squeeze.num_fingers = c.num_fingers;
+    squeeze.mass = c.mass;
+    squeeze.step = c.step;
+    const double expected = c.mass * kStandardGravity / (c.num_fingers * squeeze.force);
+    const double obtained = FindThreshold(0.8 * expected, 1.2 * expected, [&](double mu) {
+      squeeze.mu = mu;
+      SqueezeScene scene(squeeze, prism, 0.03);
+      scene.world().Run(0.5);
+      return scene.CalcFall() < 0.001;
+    });
+    answers.push_back({std::to_string(c.num_fingers) + " fingers of 5 N, " +
+                           FormatShort(GFromKg(c.mass)) + " g, step " +
+                           FormatShort(MsFromS(c.step)) + " ms: friction",
+                       "", expected, obtained, 0.02 * expected});
+  }
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckPadTorsion() {
+  std::vector<KnownAnswer> answers;
+  const GraspObject bar = MakeSolid(MakeRoundedBox(Vector3d(0.02, 0.2, 0.02), 0.0), 0.1, 0.5, 0.5);
+  for (double radius : {0.002, 0.004, 0.006}) {
+    Squeeze squeeze;
+    squeeze.torsion_radius = radius;
+    const double expected =
+        2.0 * squeeze.mu * squeeze.force * radius / (squeeze.mass * kStandardGravity);
+    const double obtained = FindThreshold(0.8 * expected, 1.2 * expected, [&](double off_centre) {
+      squeeze.off_centre = off_centre;
+      SqueezeScene scene(squeeze, bar, 0.01);
+      scene.world().Run(1.0);
+      return scene.CalcTilt() < 0.05;
+    });
+    answers.push_back({"pad radius " + FormatShort(MmFromM(radius)) + " mm: off-centre by", "m",
+                       expected, obtained, 0.02 * expected});
+  }
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckSqueezeCreep() {
+  std::vector<KnownAnswer> answers;
+  const auto add = [&](const std::string& what, const Squeeze& squeeze, const GraspObject& object,
+                       double half_width) {
+    SqueezeScene scene(squeeze, object, half_width);
+    scene.world().Run(0.5);
+    const WorldState early = scene.world().state();
+    scene.world().Run(60.0);
+    const double motion = (scene.world().state().p_WOcm - early.p_WOcm).norm();
+    const double turn =
+        Eigen::AngleAxisd(early.R_WO.transpose() * scene.world().state().R_WO).angle();
+    answers.push_back({what + ", creep", "m", 0.0, motion, 1e-6});
+    answers.push_back({what + ", turn", "rad", 0.0, turn, 1e-5});
+  };
+  for (double mass : {0.005, 0.1, 0.48}) {
+    Squeeze squeeze;
+    squeeze.mass = mass;
+    add("box, " + FormatShort(GFromKg(mass)) + " g, 2 fingers of 5 N", squeeze,
+        MakeSolid(MakePrism(4, 0.03, 0.06), mass, 0.5, 0.5), 0.03);
+  }
+  Squeeze squeeze;
+  squeeze.num_fingers = 3;
+  squeeze.mass = 0.06;
+  add("ball, 60 g, 3 fingers of 5 N", squeeze, MakeSolid(MakeSphere(0.03), 0.06, 0.5, 0.5), 0.03);
+  squeeze = Squeeze();
+  squeeze.torsion_radius = 0.004;
+  squeeze.off_centre = 0.015;
+  add("bar, 100 g, 15 mm off-centre, 2 pads of 5 N", squeeze,
+      MakeSolid(MakeRoundedBox(Vector3d(0.02, 0.2, 0.02), 0.0), 0.1, 0.5, 0.5), 0.01);
+  return answers;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,209 @@
+#include "core/physics/simbody_model.h"
+
+#ifdef NDEBUG
+#error "Debian's Simbody is built without NDEBUG; with it every program that uses it crashes."
+#endif
+
+#include <Simbody.h>
+
+namespace graspbench {
+namespace {
+
+SimTK::Vec3 ToSimTK(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+SimTK::Transform ToSimTK(const Pose& X) {
+  const Eigen::Matrix3d R = X.linear();
+  const SimTK::Mat33 matrix(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
+                            R(2, 2));
+  // `true`: the matrix is a rotation already, take it as it is.
+  return {SimTK::Rotation(matrix, true), ToSimTK(Eigen::Vector3d(X.translation()))};
+}
+
+Pose FromSimTK(const SimTK::Transform& X) {
+  Eigen::Matrix3d R;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) R(i, j) = X.R().asMat33()(i, j);
+  }
+  return MakePose(R, Eigen::Vector3d(X.p()[0], X.p()[1], X.p()[2]));
+}
+
+SimTK::MassProperties MakeMassProperties(double mass, const Eigen::Vector3d& p_com,
+                                         const Eigen::Matrix3d& I_com) {
+  const SimTK::Inertia central(I_com(0, 0), I_com(1, 1), I_com(2, 2), I_com(0, 1), I_com(0, 2),
+                               I_com(1, 2));
+  return {mass, ToSimTK(p_com), central.shiftFromMassCenter(ToSimTK(p_com), mass)};
+}
+
+/** A rotation that takes z (Simbody's pin axis) to `axis`. */
+SimTK::Rotation MakeAxisFrame(const Eigen::Vector3d& axis) {
+  return SimTK::Rotation(SimTK::UnitVec3(ToSimTK(axis)), SimTK::ZAxis);
+}
+
+}  // namespace
+
+struct SimbodyModel::Impl {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  std::vector<SimTK::MobilizedBody> links;
+  SimTK::MobilizedBody::Free root;
+  SimTK::MobilizedBody::Free object;
+  std::vector<int> link_of_joint;
+  Pose X_HR = Pose::Identity();  ///< root link in H
+  SimTK::State state;
+};
+
+SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
+                           std::optional<DistalMode> coupled)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& model = *impl_;
+  for (const HandLink& link : hand.links) {
+    const SimTK::Body::Rigid body(MakeMassProperties(link.mass, link.p_LLcm, link.I_LLcm));
+    if (link.parent < 0) {
+      model.X_HR = link.X_PJ;
+      model.root = SimTK::MobilizedBody::Free(model.matter.updGround(), SimTK::Transform(), body,
+                                              SimTK::Transform());
+      model.links.push_back(model.root);
+    } else if (link.joint < 0) {
+      model.links.push_back(SimTK::MobilizedBody::Weld(model.links[link.parent], ToSimTK(link.X_PJ),
+                                                       body, SimTK::Transform()));
+    } else {
+      const SimTK::Transform X_LM(MakeAxisFrame(link.axis));
+      model.links.push_back(SimTK::MobilizedBody::Pin(model.links[link.parent],
+                                                      ToSimTK(link.X_PJ) * X_LM, body, X_LM));
+    }
+  }
+  for (const HandJoint& joint : hand.joints) model.link_of_joint.push_back(joint.link);
+  model.object = SimTK::MobilizedBody::Free(
+      model.matter.updGround(), SimTK::Transform(),
+      SimTK::Body::Rigid(MakeMassProperties(object.mass, Eigen::Vector3d::Zero(), object.I_OOcm)),
+      SimTK::Transform());
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to < 0 || !coupled) continue;
+    // The joints' rates keep their ratio: rate_distal q_middle - rate_middle q_distal = constant.
+    const DistalRates rates = CalcDistalRates(hand.coupling, hand.fixed_coupling_ratio, *coupled);
+    const SimTK::Vector coefficients(SimTK::Vec3(rates.distal, -rates.middle, 0.0));
+    const int middle_link = hand.joints[joint.coupled_to].link;
+    SimTK::Array_<SimTK::MobilizedBodyIndex> bodies;
+    bodies.push_back(model.links[middle_link].getMobilizedBodyIndex());
+    bodies.push_back(model.links[joint.link].getMobilizedBodyIndex());
+    SimTK::Constraint::CoordinateCoupler(model.matter, new SimTK::Function::Linear(coefficients),
+                                         bodies, {2, SimTK::MobilizerQIndex(0)});
+  }
+  model.state = model.system.realizeTopology();
+  model.system.realizeModel(model.state);
+  model.root.lock(model.state, SimTK::Motion::Acceleration);
+}
+
+SimbodyModel::~SimbodyModel() = default;
+
+int SimbodyModel::num_speeds() const { return static_cast<int>(impl_->link_of_joint.size()) + 6; }
+
+void SimbodyModel::SetPositions(const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WOcm) {
+  Impl& model = *impl_;
+  model.root.setQToFitTransform(model.state, ToSimTK(X_WH * model.X_HR));
+  for (size_t j = 0; j < model.link_of_joint.size(); ++j) {
+    model.links[model.link_of_joint[j]].setOneQ(model.state, 0, q[static_cast<Eigen::Index>(j)]);
+  }
+  model.object.setQToFitTransform(model.state, ToSimTK(X_WOcm));
+}
+
+void SimbodyModel::SetSpeeds(const Eigen::Vector3d& v_WH, const Eigen::VectorXd& u) {
+  Impl& model = *impl_;
+  model.root.setUToFitVelocity(model.state, SimTK::SpatialVec(SimTK::Vec3(0), ToSimTK(v_WH)));
+  const auto num_joints = static_cast<Eigen::Index>(model.link_of_joint.size());
+  for (Eigen::Index j = 0; j < num_joints; ++j) {
+    model.links[model.link_of_joint[static_cast<size_t>(j)]].setOneU(model.state, 0, u[j]);
+  }
+  model.object.setUToFitVelocity(
+      model.state, SimTK::SpatialVec(ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints))),
+                                     ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints + 3)))));
+}
+
+void SimbodyModel::CalcLinkPoses(std::vector<Pose>& X_WL) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Position);
+  X_WL.resize(model.links.size());
+  for (size_t i = 0; i < model.links.size(); ++i) {
+    X_WL[i] = FromSimTK(model.links[i].getBodyTransform(model.state));
+  }
+}
+
+namespace {
+
+/** Simbody's index of each of our speeds. */
+template <class Model>
+std::vector<int> FindSpeedIndices(const Model& model) {
+  std::vector<int> indices;
+  for (int link : model.link_of_joint) {
+    indices.push_back(model.links[link].getFirstUIndex(model.state));
+  }
+  for (int i = 0; i < 6; ++i) indices.push_back(model.object.getFirstUIndex(model.state) + i);
+  return indices;
+}
+
+/** Weight of every body. */
+template <class Model>
+SimTK::Vector_<SimTK::SpatialVec> MakeWeights(const Model& model,
+                                              const Eigen::Vector3d& gravity_W) {
+  SimTK::Vector_<SimTK::SpatialVec> forces(model.matter.getNumBodies(),
+                                           SimTK::SpatialVec(SimTK::Vec3(0)));
+  for (SimTK::MobilizedBodyIndex b(1); b < model.matter.getNumBodies(); ++b) {
+    const SimTK::MobilizedBody& body = model.matter.getMobilizedBody(b);
+    const SimTK::MassProperties& mass = body.getBodyMassProperties(model.state);
+    body.applyForceToBodyPoint(model.state, mass.getMassCenter(),
+                               ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
+  }
+  return forces;
+}
+
+}  // namespace
+
+Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Position);
+  SimTK::Matrix M;
+  model.matter.calcM(model.state, M);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  Eigen::MatrixXd result(num_speeds(), num_speeds());
+  for (int i = 0; i < num_speeds(); ++i) {
+    for (int j = 0; j < num_speeds(); ++j) result(i, j) = M(indices[i], indices[j]);
+  }
+  return result;
+}
+
+Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Velocity);
+  const SimTK::Vector_<SimTK::SpatialVec> forces = MakeWeights(model, gravity_W);
+  const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
+  const SimTK::Vector accelerations(model.state.getNU(), 0.0);
+  SimTK::Vector residual;
+  model.matter.calcResidualForceIgnoringConstraints(model.state, no_mobility_forces, forces,
+                                                    accelerations, residual);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  Eigen::VectorXd result(num_speeds());
+  for (int i = 0; i < num_speeds(); ++i) result[i] = residual[indices[i]];
+  return result;
+}
+
+Eigen::VectorXd SimbodyModel::CalcJointAccelerations(const Eigen::VectorXd& torques,
+                                                     const Eigen::Vector3d& gravity_W) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Dynamics);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  SimTK::Vector mobility_forces(model.state.getNU(), 0.0);
+  for (Eigen::Index j = 0; j < torques.size(); ++j) {
+    mobility_forces[indices[static_cast<size_t>(j)]] = torques[j];
+  }
+  SimTK::Vector udot;
+  SimTK::Vector_<SimTK::SpatialVec> body_accelerations;
+  model.matter.calcAcceleration(model.state, mobility_forces, MakeWeights(model, gravity_W), udot,
+                                body_accelerations);
+  Eigen::VectorXd result(torques.size());
+  for (Eigen::Index j = 0; j < result.size(); ++j) {
+    result[j] = udot[indices[static_cast<size_t>(j)]];
+  }
+  return result;
+}
+
+}  // namespace graspbench

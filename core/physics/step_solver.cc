@@ -1,0 +1,213 @@
+#include "core/physics/step_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+/** Shares of the normal force by which a friction limit may lag behind. */
+constexpr double kLimitShare = 1e-4;
+constexpr double kLimitForce = 1e-6;  ///< [N]
+/** Farther than this multiple of a pass's change no limit is thrown. */
+constexpr double kMostMixing = 10.0;
+/** Nor below this share of what the pass gave. */
+constexpr double kLeastShare = 0.5;
+
+double CalcScalarForce(const ScalarForce& scalar, double v) {
+  return std::clamp(scalar.offset - scalar.gain * v, scalar.lower, scalar.upper);
+}
+
+bool IsInsideClamp(const ScalarForce& scalar, double v) {
+  const double tau = scalar.offset - scalar.gain * v;
+  return tau > scalar.lower && tau < scalar.upper;
+}
+
+}  // namespace
+
+void StepSolver::CalcRates(const StepProblem& problem, const Eigen::VectorXd& v, bool with_drift,
+                           std::vector<ContactRates>& rates) const {
+  rates.resize(problem.contacts.size());
+  for (size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactPoint& contact = problem.contacts[c];
+    const int num_rows = contact.num_rows();
+    for (int row = 0; row < num_rows; ++row) {
+      double rate = with_drift ? contact.drift[row] : 0.0;
+      for (int i = 0; i < contact.num_dofs; ++i) {
+        rate += contact.jacobian[row][i] * v[contact.dofs[i]];
+      }
+      rates[c][row] = rate;
+    }
+  }
+}
+
+void StepSolver::CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v) {
+  const double h = problem.h;
+  residual_.noalias() = problem.M * (v - problem.u);
+  residual_ += h * problem.bias;
+  for (const ScalarForce& scalar : problem.scalars) {
+    residual_[scalar.dof] -= h * CalcScalarForce(scalar, v[scalar.dof]);
+  }
+  CalcRates(problem, v, true, rates_);
+  forces_.resize(problem.contacts.size());
+  for (size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactPoint& contact = problem.contacts[c];
+    forces_[c] = CalcContactForces(contact, rates_[c], h);
+    const int num_rows = contact.num_rows();
+    for (int row = 0; row < num_rows; ++row) {
+      const double impulse = h * forces_[c].force[row];
+      if (impulse == 0.0) continue;
+      for (int i = 0; i < contact.num_dofs; ++i) {
+        residual_[contact.dofs[i]] -= contact.jacobian[row][i] * impulse;
+      }
+    }
+  }
+}
+
+double StepSolver::CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v,
+                             double alpha) const {
+  const double h = problem.h;
+  double slope = M_direction_.dot(v - problem.u) + alpha * M_direction_.dot(direction_) +
+                 h * problem.bias.dot(direction_);
+  for (const ScalarForce& scalar : problem.scalars) {
+    const double d = direction_[scalar.dof];
+    slope -= h * CalcScalarForce(scalar, v[scalar.dof] + alpha * d) * d;
+  }
+  for (size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactPoint& contact = problem.contacts[c];
+    const int num_rows = contact.num_rows();
+    ContactRates rates;
+    for (int row = 0; row < num_rows; ++row) {
+      rates[row] = rates_[c][row] + alpha * direction_rates_[c][row];
+    }
+    const ContactForces forces = CalcContactForces(contact, rates, h);
+    for (int row = 0; row < num_rows; ++row) {
+      slope -= h * forces.force[row] * direction_rates_[c][row];
+    }
+  }
+  return slope;
+}
+
+bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
+  const double h = problem.h;
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    CalcResidual(problem, v);
+    if (!(residual_.cwiseAbs().maxCoeff() > kTolerance)) return residual_.allFinite();
+
+    H_ = problem.M;
+    for (const ScalarForce& scalar : problem.scalars) {
+      if (IsInsideClamp(scalar, v[scalar.dof])) H_(scalar.dof, scalar.dof) += h * scalar.gain;
+    }
+    for (size_t c = 0; c < problem.contacts.size(); ++c) {
+      const ContactPoint& contact = problem.contacts[c];
+      const ContactForces& f = forces_[c];
+      const auto& J = contact.jacobian;
+      const bool has_tangent = contact.memory && f.tangent_gain[0] + f.tangent_gain[2] > 0.0;
+      if (f.normal_gain == 0.0 && !has_tangent && f.spin_gain == 0.0) continue;
+      for (int i = 0; i < contact.num_dofs; ++i) {
+        const double gn = h * f.normal_gain * J[kNormalRow][i];
+        double g1 = 0.0, g2 = 0.0, gs = 0.0;
+        if (has_tangent) {
+          g1 =
+              h * (f.tangent_gain[0] * J[kTangentRow1][i] + f.tangent_gain[1] * J[kTangentRow2][i]);
+          g2 =
+              h * (f.tangent_gain[1] * J[kTangentRow1][i] + f.tangent_gain[2] * J[kTangentRow2][i]);
+        }
+        if (f.spin_gain > 0.0) gs = h * f.spin_gain * J[kSpinRow][i];
+        for (int j = 0; j <= i; ++j) {
+          double value = gn * J[kNormalRow][j];
+          if (has_tangent) value += g1 * J[kTangentRow1][j] + g2 * J[kTangentRow2][j];
+          if (f.spin_gain > 0.0) value += gs * J[kSpinRow][j];
+          // Dofs of a contact ascend, so this stays in the lower triangle.
+          H_(contact.dofs[i], contact.dofs[j]) += value;
+        }
+      }
+    }
+    factor_.compute(H_);
+    if (factor_.info() != Eigen::Success) return false;
+    direction_ = factor_.solve(-residual_);
+    if (!direction_.allFinite()) return false;
+    M_direction_.noalias() = problem.M * direction_;
+    CalcRates(problem, direction_, false, direction_rates_);
+
+    // The slope along the direction rises monotonically; find its zero when the full step
+    // overshoots.
+    double alpha = 1.0;
+    const double slope_at_start = residual_.dot(direction_);
+    double slope = CalcSlope(problem, v, alpha);
+    if (slope > 0.1 * std::abs(slope_at_start)) {
+      double low = 0.0, high = 1.0, slope_low = slope_at_start, slope_high = slope;
+      for (int k = 0; k < 20 && std::abs(slope) > 0.1 * std::abs(slope_at_start); ++k) {
+        alpha = low - slope_low * (high - low) / (slope_high - slope_low);
+        // Regula falsi may stick to one end; bisect every third time.
+        if (k % 3 == 2) alpha = 0.5 * (low + high);
+        slope = CalcSlope(problem, v, alpha);
+        if (slope > 0.0) {
+          high = alpha;
+          slope_high = slope;
+        } else {
+          low = alpha;
+          slope_low = slope;
+        }
+      }
+    }
+    v += alpha * direction_;
+  }
+  CalcResidual(problem, v);
+  return residual_.cwiseAbs().maxCoeff() <= kTolerance;
+}
+
+bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
+  bool changed = false;
+  limits_before_.swap(limits_);
+  limits_.assign(problem.contacts.size(), FrictionLimit());
+  for (size_t c = 0; c < problem.contacts.size(); ++c) {
+    ContactPoint& contact = problem.contacts[c];
+    if (!contact.memory) continue;
+    const ContactForces& f = forces_[c];
+    const double fn = f.force[kNormalRow];
+    // A limit taken from a smaller normal force says nothing about sliding yet.
+    if (f.is_at_limit && contact.friction_limit >= (1.0 - kLimitShare) * contact.mu() * fn) {
+      contact.is_dynamic = true;
+    }
+    const double limit = contact.mu() * fn;
+    const double used = std::hypot(f.force[kTangentRow1], f.force[kTangentRow2]);
+    const bool matters =
+        f.is_at_limit || used > limit ||
+        std::abs(f.force[kSpinRow]) >
+            0.999 * std::min(limit, contact.friction_limit) * contact.material.torsion_radius;
+    if (matters && std::abs(limit - contact.friction_limit) > kLimitShare * fn + kLimitForce) {
+      changed = true;
+    }
+    limits_[c] = {contact.friction_limit, limit - contact.friction_limit, contact.is_dynamic};
+  }
+  if (changed) MixLimits(problem);
+  return changed;
+}
+
+/** Anderson's mixing. With the misses f of the last two passes and g = x + f:
+x = g - theta (g - g_before), where theta makes f - theta (f - f_before) smallest. */
+void StepSolver::MixLimits(StepProblem& problem) const {
+  double product = 0.0, square = 0.0;
+  bool is_same_law = limits_before_.size() == limits_.size();
+  for (size_t c = 0; c < limits_.size() && is_same_law; ++c) {
+    const FrictionLimit &last = limits_[c], &before = limits_before_[c];
+    is_same_law = last.is_dynamic == before.is_dynamic;
+    const double change = last.miss - before.miss;
+    product += change * last.miss;
+    square += change * change;
+  }
+  const bool is_mixed = is_same_law && square > 0.0;
+  const double theta = is_mixed ? std::clamp(product / square, -kMostMixing, kMostMixing) : 0.0;
+  for (size_t c = 0; c < limits_.size(); ++c) {
+    const double next = limits_[c].used + limits_[c].miss;
+    double& limit = problem.contacts[c].friction_limit;
+    limit = next;
+    if (is_mixed) {
+      limit -= theta * (next - limits_before_[c].used - limits_before_[c].miss);
+      limit = std::max(limit, kLeastShare * next);
+    }
+  }
+}
+
+}  // namespace graspbench

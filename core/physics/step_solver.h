@@ -1,0 +1,93 @@
+#pragma once
+/** @file
+One implicit step: the speeds v at its end, from
+
+    M (v - u) + h b = h ( drives(v) + limits(v) + sum J^T f(J v) )
+
+With the friction limits held fixed every force on the right is minus the gradient of a convex
+potential of v, so Newton with an exact line search always finds the one solution; then the limits
+are taken from the new normal forces until they agree, a fixed point that Anderson's mixing of the
+last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). Both details are
+needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
+factor of at most 30 unknowns per iteration, none when the last speeds solve the step already. */
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/physics/contact.h"
+
+namespace graspbench {
+
+/** A force on one freedom, piecewise linear in its speed:
+tau = clamp(offset - gain v, lower, upper). Drives and joint limits. */
+struct ScalarForce {
+  int dof = -1;
+  double offset = 0.0;  ///< [N m]
+  double gain = 0.0;    ///< >= 0 [N m s/rad]
+  double lower = 0.0;   ///< [N m]
+  double upper = 0.0;
+};
+
+struct StepProblem {
+  double h = 0.0;        ///< [s]
+  Eigen::MatrixXd M;     ///< (n x n), symmetric positive definite
+  Eigen::VectorXd u;     ///< (n) speeds at the start
+  Eigen::VectorXd bias;  ///< (n)
+  std::vector<ScalarForce> scalars;
+  std::vector<ContactPoint> contacts;
+};
+
+class StepSolver {
+ public:
+  static constexpr double kTolerance = 1e-9;  ///< largest impulse residual [N s, N m s]
+  static constexpr int kMaxIterations = 50;   ///< of Newton, per pass
+  static constexpr int kMaxPasses = 30;       ///< of friction limits and bias
+
+  /** Solves for v, starting from its value. `refresh_bias(v)` is called between passes and may
+  change problem.bias; it returns whether it did. False when the tolerance was not reached or limits
+  and bias did not settle. Contacts
+  keep their limits and forces for FinishContact. */
+  template <class RefreshBias>
+  bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
+    limits_.clear();
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
+      const bool converged = SolvePass(problem, v);
+      const bool limits_changed = RefreshFrictionLimits(problem);
+      const bool bias_changed = refresh_bias(v);
+      if (!limits_changed && !bias_changed) return converged;
+    }
+    SolvePass(problem, v);  // with the last limits
+    return false;
+  }
+
+  const std::vector<ContactRates>& rates() const { return rates_; }
+  const std::vector<ContactForces>& forces() const { return forces_; }
+
+ private:
+  bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
+  /** Returns whether a limit that matters was off; only then moves them. */
+  bool RefreshFrictionLimits(StepProblem& problem);
+  void MixLimits(StepProblem& problem) const;
+  void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v, bool with_drift,
+                 std::vector<ContactRates>& rates) const;
+  void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
+  double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;
+
+  struct FrictionLimit {
+    double used = 0.0;  ///< in the last pass [N]
+    double miss = 0.0;  ///< mu fn that came of it, less `used` [N]
+    bool is_dynamic = false;
+  };
+
+  std::vector<FrictionLimit> limits_;          // of the last pass; empty in the first
+  std::vector<FrictionLimit> limits_before_;   // of the pass before
+  std::vector<ContactRates> rates_;            // at v
+  std::vector<ContactRates> direction_rates_;  // J d
+  std::vector<ContactForces> forces_;          // at v
+  Eigen::VectorXd residual_, direction_, M_direction_;
+  Eigen::MatrixXd H_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,212 @@
+#include "core/quality/grasp_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/quality/force_closure.h"
+#include "core/quality/wrench_hull.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+WrenchSpace MakeWrenchSpace(const QualityRequest& request) {
+  const QualityConvention& convention = request.convention;
+  WrenchSpace space;
+  space.num_edges = request.num_edges.value_or(convention.num_edges);
+  space.unit_force = convention.unit_force;
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  for (const GraspContact& contact : request.contacts) {
+    centroid += contact.p_OC / request.contacts.size();
+  }
+  switch (convention.reference) {
+    case ReferenceRule::kGiven:
+      space.p_OR = request.p_OR;
+      break;
+    case ReferenceRule::kContactCentroid:
+      space.p_OR = centroid;
+      break;
+    case ReferenceRule::kFrameOrigin:
+      space.p_OR.setZero();
+      break;
+  }
+  switch (convention.torque_scale) {
+    case TorqueScaleRule::kGiven:
+      space.torque_scale = *request.torque_scale;
+      break;
+    case TorqueScaleRule::kMeanContactDistance:
+      space.torque_scale = 0.0;
+      for (const GraspContact& contact : request.contacts) {
+        space.torque_scale += (contact.p_OC - centroid).norm() / request.contacts.size();
+      }
+      break;
+    case TorqueScaleRule::kOneMetre:
+      space.torque_scale = 1.0;
+      break;
+  }
+  return space;
+}
+
+std::string Describe(const QualityConvention& convention, const WrenchSpace& space) {
+  std::string text = convention.id + ": ";
+  switch (convention.epsilon) {
+    case EpsilonRule::kFromOrigin:
+      text += "epsilon = distance of the origin from the hull";
+      break;
+    case EpsilonRule::kFromHullCentre:
+      text += "epsilon = distance of the mean of the hull's vertices from the hull";
+      break;
+    case EpsilonRule::kTwoMinus:
+      text += "epsilon = 2 - distance of the origin from the hull (smaller is better)";
+      break;
+  }
+  if (convention.without_closure) {
+    text += ", " + FormatNumber(*convention.without_closure) + " without force closure";
+  }
+  text += "; hull of the union of all cone edges (L1)";
+  text += convention.includes_origin ? " and the origin, " : ", ";
+  text += space.unit_force == UnitForce::kNormal ? "unit normal force" : "unit total force";
+  text += "; " + std::to_string(space.num_edges) + " edges; friction and torsion x " +
+          FormatNumber(convention.friction_factor) + "; moments about (" +
+          FormatNumber(space.p_OR.x()) + ", " + FormatNumber(space.p_OR.y()) + ", " +
+          FormatNumber(space.p_OR.z()) + ") m, divided by " + FormatNumber(space.torque_scale) +
+          " m (" + convention.torque_scale_meaning + ")";
+  return text;
+}
+
+double CalcReportedEpsilon(const WrenchHull& hull, bool force_closure,
+                           const QualityConvention& convention) {
+  if (!force_closure && convention.without_closure) return *convention.without_closure;
+  switch (convention.epsilon) {
+    case EpsilonRule::kFromOrigin:
+      return CalcEpsilon(hull);
+    case EpsilonRule::kTwoMinus:
+      return 2.0 - CalcEpsilon(hull);
+    case EpsilonRule::kFromHullCentre:
+      break;
+  }
+  return hull.is_flat ? 0.0 : (hull.offsets - hull.normals.transpose() * hull.centre).minCoeff();
+}
+
+std::vector<TaskForce> CalcTaskForces(const ConeWrenches& cones, double torque_scale) {
+  static const char* const kNames[] = {"force", "moment"};
+  static const char kAxes[] = "xyz";
+  std::vector<TaskForce> forces;
+  for (int axis = 0; axis < 6; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const Eigen::Matrix<double, 6, 1> direction = sign * Eigen::Matrix<double, 6, 1>::Unit(axis);
+      const double unit = axis < 3 ? 1.0 : torque_scale;
+      forces.push_back(
+          {std::string(kNames[axis / 3]) + (sign > 0.0 ? " +" : " -") + kAxes[axis % 3],
+           unit * CalcTaskForce(cones, direction, ForceLimit::kSum),
+           unit * CalcTaskForce(cones, direction, ForceLimit::kEach)});
+    }
+  }
+  return forces;
+}
+
+}  // namespace
+
+std::vector<std::string> ListProblems(const QualityRequest& request) {
+  std::vector<std::string> problems;
+  const auto expect = [&](bool condition, const std::string& problem) {
+    if (!condition) problems.push_back(problem);
+  };
+  const size_t num_contacts = request.contacts.size();
+  expect(num_contacts >= 2 && num_contacts <= 64,
+         "contacts: found " + std::to_string(num_contacts) + ", expected 2 to 64");
+  for (size_t i = 0; i < num_contacts; ++i) {
+    const std::string problem = FindProblem(request.contacts[i]);
+    expect(problem.empty(), "contacts[" + std::to_string(i) + "]: " + problem);
+  }
+  const int num_edges = request.num_edges.value_or(request.convention.num_edges);
+  expect(num_edges >= 3 && num_edges <= 64,
+         "edges: found " + std::to_string(num_edges) + ", expected 3 to 64");
+  expect(num_contacts * std::max(num_edges, 0) <= 640,
+         "contacts and edges: found " + std::to_string(num_contacts) + " x " +
+             std::to_string(num_edges) +
+             " cone edges, expected at most 640; their exact hull would take minutes");
+  expect(IsPosition(request.p_OR), "reference_m: expected three numbers within 100 m");
+  if (request.torque_scale) {
+    expect(*request.torque_scale >= 1e-6 && *request.torque_scale <= 1e6,
+           "torque_scale_m: found " + FormatNumber(*request.torque_scale) +
+               ", expected a length from 1e-6 to 1e6 m");
+  } else {
+    expect(request.convention.torque_scale != TorqueScaleRule::kGiven,
+           "torque_scale_m: missing; the convention " + request.convention.id +
+               " needs a length to divide moments by (" + request.convention.torque_scale_meaning +
+               ")");
+  }
+  if (problems.empty()) {
+    const double scale = MakeWrenchSpace(request).torque_scale;
+    expect(scale >= 1e-6, "contacts: all lie in one point; the convention " +
+                              request.convention.id + " divides moments by their mean distance");
+  }
+  return problems;
+}
+
+GraspQuality CalcGraspQuality(const QualityRequest& request) {
+  const QualityConvention& convention = request.convention;
+  std::vector<GraspContact> contacts = request.contacts;
+  for (GraspContact& contact : contacts) {
+    contact.nhat_O.normalize();
+    contact.mu *= convention.friction_factor;
+    contact.torsion *= convention.friction_factor;
+  }
+  GraspQuality quality;
+  quality.convention = convention.id;
+  quality.space = MakeWrenchSpace(request);
+  quality.description = Describe(convention, quality.space);
+  const ConeWrenches cones = CalcConeWrenches(contacts, quality.space);
+  Eigen::MatrixXd points = cones.wrenches;
+  if (convention.includes_origin) {
+    points.conservativeResize(Eigen::NoChange, points.cols() + 1);
+    points.rightCols<1>().setZero();
+  }
+  const WrenchHull hull = CalcWrenchHull(points);
+  quality.volume = hull.volume;
+  quality.force_closure = CalcEpsilon(hull) > 0.0;
+  quality.epsilon = CalcReportedEpsilon(hull, quality.force_closure, convention);
+  if (quality.force_closure) {
+    Eigen::Index nearest = 0;
+    hull.offsets.minCoeff(&nearest);
+    quality.weakest_wrench = hull.normals.col(nearest);
+  }
+  quality.min_singular_value = CalcMinSingularValue(CalcGraspMatrix(contacts, quality.space));
+  quality.task_forces = CalcTaskForces(cones, quality.space.torque_scale);
+  return quality;
+}
+
+Json ToJson(const GraspQuality& quality) {
+  Json task_forces = Json::array();
+  for (const TaskForce& force : quality.task_forces) {
+    task_forces.push_back({{"direction", force.direction},
+                           {"unit", force.direction[0] == 'f' ? "N/N" : "N m/N"},
+                           {"sum_of_normal_forces_limited", JsonNumber(force.sum_limited)},
+                           {"each_normal_force_limited", JsonNumber(force.each_limited)}});
+  }
+  Json weakest = nullptr;
+  if (quality.weakest_wrench) {
+    weakest = Json::array();
+    for (const double value : *quality.weakest_wrench) weakest.push_back(JsonNumber(value));
+  }
+  return {{"convention", quality.convention},
+          {"description", quality.description},
+          {"edges", quality.space.num_edges},
+          {"torque_scale_m", JsonNumber(quality.space.torque_scale)},
+          {"reference_m", JsonVector(quality.space.p_OR)},
+          {"epsilon", JsonNumber(quality.epsilon)},
+          {"volume", JsonNumber(quality.volume)},
+          {"force_closure", quality.force_closure},
+          {"min_singular_value", JsonNumber(quality.min_singular_value)},
+          {"weakest_wrench", weakest},
+          {"task_forces", task_forces}};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,62 @@
+#include "core/statistics/proportion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+void DemandCounts(int num_successes, int num_trials) {
+  GRASPBENCH_DEMAND(0 <= num_successes && num_successes <= num_trials,
+                    std::to_string(num_successes) + " of " + std::to_string(num_trials));
+}
+
+}  // namespace
+
+Interval CalcWilsonInterval(int num_successes, int num_trials) {
+  DemandCounts(num_successes, num_trials);
+  if (num_trials == 0) return {0.0, 1.0};
+  constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the standard normal
+  const double n = num_trials;
+  const double p = num_successes / n;
+  const double centre = p + kZ * kZ / (2.0 * n);
+  const double half_width = kZ * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
+  const double scale = 1.0 + kZ * kZ / n;
+  // The ends are exactly 0 and 1 there; rounding must not move them.
+  return {num_successes == 0 ? 0.0 : (centre - half_width) / scale,
+          num_successes == num_trials ? 1.0 : (centre + half_width) / scale};
+}
+
+double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_successes_b,
+                               int num_trials_b) {
+  DemandCounts(num_successes_a, num_trials_a);
+  DemandCounts(num_successes_b, num_trials_b);
+  const int num_trials = num_trials_a + num_trials_b;
+  const int num_successes = num_successes_a + num_successes_b;
+  std::vector<double> log_factorial(static_cast<size_t>(num_trials) + 1, 0.0);
+  for (size_t i = 2; i < log_factorial.size(); ++i) {
+    log_factorial[i] = log_factorial[i - 1] + std::log(static_cast<double>(i));
+  }
+  const auto log_choose = [&](int n, int k) {
+    const auto at = [&](int i) { return log_factorial[static_cast<size_t>(i)]; };
+    return at(n) - at(k) - at(n - k);
+  };
+  const auto log_probability = [&](int k) {  // of k successes in a
+    return log_choose(num_trials_a, k) + log_choose(num_trials_b, num_successes - k) -
+           log_choose(num_trials, num_successes);
+  };
+  // Equally probable tables must count as equal in spite of rounding.
+  const double limit = log_probability(num_successes_a) + 1e-7;
+  double p = 0.0;
+  for (int k = std::max(0, num_successes - num_trials_b);
+       k <= std::min(num_trials_a, num_successes); ++k) {
+    if (log_probability(k) <= limit) p += std::exp(log_probability(k));
+  }
+  return std::min(p, 1.0);
+}
+
+}  // namespace graspbench

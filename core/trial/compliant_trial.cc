@@ -1,0 +1,23 @@
+#include "core/trial/compliant_trial.h"
+
+#include "core/physics/compliant_world.h"
+#include "core/trial/trial_course.h"
+
+namespace graspbench {
+
+bool CanRunCompliant(const GraspObject& object) { return CanMoveCompliantly(object); }
+
+TrialResult RunCompliantTrial(const TrialSetup& setup) {
+  try {
+    const std::unique_ptr<World> world = MakeCompliantWorld(*setup.hand, *setup.object, setup.sim);
+    return TrialCourse(*world, setup).Run();
+  } catch (const std::exception& e) {
+    // Simbody reports impossible states and steps that become too short this way.
+    TrialResult result;
+    result.outcome = Outcome::kNumericalFailure;
+    result.reason = e.what();
+    return result;
+  }
+}
+
+}  // namespace graspbench

@@ -1,0 +1,129 @@
+#include "core/trial/contact_events.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/physics/world.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kSettledTime = 0.01;  ///< [s]
+constexpr double kSlipSpeed = 1e-3;    ///< [m/s]
+
+constexpr std::array<ContactEventKind, 4> kKinds = {
+    ContactEventKind::kTouch, ContactEventKind::kLost, ContactEventKind::kRegained,
+    ContactEventKind::kSlip};
+
+/** What a link does in one step. */
+struct LinkNow {
+  bool is_touching = false;
+  bool is_sliding = true;  ///< of all its contacts
+  double force = 0.0;
+};
+
+/** Starts, keeps or stops the clock of a condition; true when it has held for long enough. */
+bool HasSettled(bool condition, double time, double& since) {
+  if (!condition) {
+    since = kUnset;
+    return false;
+  }
+  if (std::isnan(since)) since = time;
+  constexpr double kRounding = 1e-9;
+  return time - since >= kSettledTime - kRounding;
+}
+
+}  // namespace
+
+const char* NameOf(ContactEventKind kind) {
+  switch (kind) {
+    case ContactEventKind::kTouch:
+      return "touch";
+    case ContactEventKind::kLost:
+      return "lost";
+    case ContactEventKind::kRegained:
+      return "regained";
+    case ContactEventKind::kSlip:
+      return "slip";
+  }
+  return "";
+}
+
+ContactEventRecorder::ContactEventRecorder(const Hand& hand, double step)
+    : hand_(&hand), step_(step), links_(hand.links.size()) {}
+
+void ContactEventRecorder::AddEvent(double time, ContactEventKind kind, size_t link,
+                                    double impulse) {
+  const int digit = hand_->FindDigitOfLink(static_cast<int>(link));
+  events_.push_back(
+      {time, kind, digit < 0 ? "palm" : hand_->digits[digit].id, hand_->links[link].name, impulse});
+}
+
+void ContactEventRecorder::Observe(double time, const std::vector<HandContact>& contacts) {
+  std::vector<LinkNow> now(links_.size());
+  for (const HandContact& contact : contacts) {
+    LinkNow& link = now[static_cast<size_t>(contact.link)];
+    link.is_touching = true;
+    link.is_sliding = link.is_sliding && contact.is_sliding && contact.slip_speed > kSlipSpeed;
+    link.force += contact.normal_force;
+  }
+  for (size_t i = 0; i < links_.size(); ++i) {
+    LinkState& link = links_[i];
+    link.impulse += now[i].force * step_;
+    if (HasSettled(now[i].is_touching != link.is_touching, time, link.changed_since)) {
+      link.is_touching = now[i].is_touching;
+      if (link.is_touching) {
+        AddEvent(link.changed_since,
+                 link.has_touched ? ContactEventKind::kRegained : ContactEventKind::kTouch, i);
+        link.has_touched = true;
+      } else {
+        AddEvent(link.changed_since, ContactEventKind::kLost, i, link.impulse);
+        link.impulse = 0.0;
+        link.is_sliding = false;
+      }
+      link.changed_since = kUnset;
+    }
+    const bool slides = link.is_touching && now[i].is_touching && now[i].is_sliding;
+    const bool differs = slides != link.is_sliding && now[i].is_touching;
+    if (HasSettled(differs, time, link.slides_since)) {
+      link.is_sliding = slides;
+      if (slides) AddEvent(link.slides_since, ContactEventKind::kSlip, i);
+      link.slides_since = kUnset;
+    }
+  }
+}
+
+std::vector<ContactEvent> ContactEventRecorder::MakeEvents() const {
+  std::vector<ContactEvent> events = events_;
+  std::stable_sort(events.begin(), events.end(),
+                   [](const ContactEvent& a, const ContactEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+Json ToJson(const ContactEvent& event) {
+  Json json = {{"time_s", JsonNumber(event.time)},
+               {"kind", NameOf(event.kind)},
+               {"digit", event.digit},
+               {"link", event.link}};
+  if (event.kind == ContactEventKind::kLost) json["impulse_ns"] = JsonNumber(event.impulse);
+  return json;
+}
+
+ContactEvent ContactEventFromJson(const Json& json) {
+  ContactEvent event;
+  event.time = NumberFrom(json.at("time_s"));
+  const auto name = json.at("kind").get<std::string>();
+  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](ContactEventKind candidate) {
+    return name == NameOf(candidate);
+  });
+  if (kind == kKinds.end()) throw Error(ErrorKind::kFormat, "no contact event \"" + name + "\"");
+  event.kind = *kind;
+  event.digit = json.at("digit").get<std::string>();
+  event.link = json.at("link").get<std::string>();
+  if (event.kind == ContactEventKind::kLost) event.impulse = NumberFrom(json.at("impulse_ns"));
+  return event;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,68 @@
+#pragma once
+/** @file
+Stability sigma: how firmly an object is held, larger is better; the fitness of the optimisation.
+
+    sigma = mean over the hold of  min over d of s(d)      [N]
+
+with d the six half axes of the palm's frame and s(d) the largest pull along d that the contacts,
+with the forces they exert at that instant, stand on top of the object's weight (holding_force.h).
+So sigma is a force: the pull that would take the object out of the hand, as its contacts tell it
+beforehand. 0 when the object is lost.
+
+The formula that was proposed first is kept beside it as `sigma_proposed`,
+
+    mean of  min(10, Q F / (m g)) exp(-v / (10 mm/s)) o
+
+    Q   epsilon of the contacts in the convention "ferrari-canny" (quality_convention.h): eight
+        edges, unit normal force, moments about the centre of mass divided by the object's radius;
+        each cone with the friction of its contact's state, soft pads with torsion
+    F   sum of the normal forces of the hand on the object [N];  m g the object's weight [N]
+    v   speed of the object against the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]
+    o   1 if the opposing digit and another digit or the palm touch the object, else 0
+
+because it ranks grasps worse by the force that really breaks them: see the README of this folder.
+Both are proposals of graspbench (the thesis names a stability without a formula). */
+
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/base/units.h"
+#include "core/quality/holding_force.h"
+
+namespace graspbench {
+
+/** A grasp at one instant. */
+struct GraspInstant {
+  LoadedGrasp grasp;  ///< in the axes of O
+  Eigen::Matrix3d R_OPalm = Eigen::Matrix3d::Identity();
+  double slip_speed = 0.0;  ///< v [m/s]
+  bool is_opposed = false;  ///< o
+};
+
+/** Means over the samples of a part of a trial; NaN where there are none. */
+struct StabilityPart {
+  double sigma = kUnset;  ///< [N]
+  double sigma_proposed = kUnset;
+  double quality = kUnset;       ///< Q
+  double normal_force = kUnset;  ///< F [N]
+  double slip_speed = kUnset;    ///< v [m/s]
+  double opposition = kUnset;    ///< o, a share
+  int num_samples = 0;
+};
+
+struct Stability {
+  /** That of `hold` if the object is in the hand at the end of the trial, else 0 [N]. */
+  double sigma = kUnset;
+  double sigma_proposed = kUnset;  ///< that of `stabilisation`, under the same condition
+  StabilityPart stabilisation;     ///< its last 0.5 s
+  StabilityPart lift;
+  StabilityPart hold;
+};
+
+/** Cost: some 0.3 ms for a sample of ten contacts. */
+StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples);
+
+Json ToJson(const Stability& stability);
+Stability StabilityFromJson(const Json& json);
+
+}  // namespace graspbench

@@ -1,0 +1,38 @@
+#pragma once
+/** @file
+Samples a trial's grasp for stability.h: every 25 ms in stabilisation, every 0.1 s in lift-off and
+every 0.2 s in the hold, which costs a trial about a tenth of its time. */
+
+#include <vector>
+
+#include "core/grasp/strategy.h"
+#include "core/physics/world.h"
+#include "core/trial/stability.h"
+#include "core/trial/trial_setup.h"
+
+namespace graspbench {
+
+/** Largest distance of the object's surface from its centre of mass [m]. */
+double CalcObjectRadius(const GraspObject& object);
+
+class StabilityMeter {
+ public:
+  explicit StabilityMeter(const TrialSetup& setup);
+
+  /** To be called after each step. */
+  void Observe(const World& world, Phase phase, double time_in_phase);
+
+  /** The grasp now. */
+  GraspInstant MakeInstant(const World& world) const;
+
+  /** The parts; what holds for the whole trial stays unset. */
+  Stability Calc() const;
+
+ private:
+  const Hand* hand_;
+  int opposing_digit_;
+  double step_, object_radius_;
+  std::vector<GraspInstant> stabilisation_, lift_, hold_;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,52 @@
+#pragma once
+/** @file
+What a trial is called in the end, decided from a few observed facts. */
+
+#include <string>
+#include <vector>
+
+#include "core/grasp/contact_timing.h"
+#include "core/grasp/strategy.h"
+#include "core/trial/outcome.h"
+
+namespace graspbench {
+
+/** A trial as it stands after some step. */
+struct TrialFacts {
+  Phase phase = Phase::kPlacing;
+  double time = 0.0;           ///< since the start [s]
+  double time_in_phase = 0.0;  ///< [s]
+  double lift_time = 0.0;      ///< planned length of the lift-off [s]
+  double lift_distance = 0.0;  ///< by which the hand rises [m]
+
+  bool is_finite = true;
+  double unconverged_time = 0.0;  ///< since the solver last converged [s]
+
+  double grip_force = 0.0;         ///< of the hand on the object, now [N]
+  double closed_grip_force = 0.0;  ///< at the start of lift-off [N]
+  double table_force = 0.0;        ///< of the table on the object, now [N]
+  double last_touch = 0.0;         ///< time of the last touch by the hand [s]
+  double displacement = 0.0;       ///< of the object along the table, from its start [m]
+  double rise = 0.0;               ///< of the object's centre above its start [m]
+  double relative_speed = 0.0;     ///< of the object against the palm [m/s]
+
+  // For FindOutcome alone.
+  double extent = 0.0;       ///< height of the object, from its lowest to its highest point [m]
+  double rest_extent = 0.0;  ///< the same at the start [m]
+  std::vector<DigitContact> contacts;
+};
+
+struct OutcomeReason {
+  Outcome outcome = Outcome::kNotRun;
+  std::string reason;  ///< one sentence for a person; empty for a success
+};
+
+/** Nothing that follows can change the outcome. */
+bool IsDecided(const TrialFacts& facts);
+/** The outcome if the trial ends here: after the hold, once it is decided, or when the hand is to
+be lifted without touching the object. */
+OutcomeReason FindOutcome(const TrialFacts& facts);
+/** The object hangs in the hand, off the table. */
+bool IsHeld(const TrialFacts& facts);
+
+}  // namespace graspbench

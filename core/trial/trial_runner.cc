@@ -1,0 +1,135 @@
+#include "core/trial/trial_runner.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/physics/simbody_model.h"
+#include "core/physics/world.h"
+#include "core/trial/trial_course.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/** Largest relative difference from Simbody's mass matrix and bias. */
+constexpr double kSimbodyTolerance = 1e-9;
+
+std::string Format(const char* format, double value) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+bool IsSame(const SimConfig& a, const SimConfig& b) {
+  bool same = true;
+  std::vector<double> values;
+  SimConfig copy_a = a, copy_b = b;
+  copy_a.Visit([&](const char*, double& value) { values.push_back(value); });
+  size_t i = 0;
+  copy_b.Visit([&](const char*, double& value) { same = same && value == values[i++]; });
+  return same;
+}
+
+}  // namespace
+
+struct TrialRunner::Impl {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  SimbodyModel simbody;
+  std::unique_ptr<World> world;  // for `sim`
+  SimConfig sim;
+
+  Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
+      : hand(std::move(the_hand)),
+        object(std::move(the_object)),
+        simbody(*hand, object->mass_properties) {}
+
+  JudgedTrial Run(const TrialSetup& setup, bool is_judged);
+  World& FindWorld(const SimConfig& config);
+  double CalcSimbodyDifference();
+};
+
+World& TrialRunner::Impl::FindWorld(const SimConfig& config) {
+  if (!world || !IsSame(config, sim)) {
+    sim = config;
+    world = std::make_unique<World>(*hand, *object, config);
+  }
+  return *world;
+}
+
+/** Largest difference of our mass matrix and bias from Simbody's at the world's state, relative to
+the largest entry. */
+double TrialRunner::Impl::CalcSimbodyDifference() {
+  HandDynamics& dynamics = world->dynamics();
+  const WorldState& state = world->state();
+  const int joints = dynamics.num_joints(), dofs = dynamics.num_dofs();
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints, dofs);  // u_joint = T u_dof
+  for (int j = 0; j < joints; ++j) T(j, dynamics.dof_of_joint(j)) = dynamics.rate_of_joint(j);
+
+  VectorXd u(joints + 6);
+  u << T * state.u, state.w_WO, state.v_WOcm;
+  simbody.SetPositions(state.X_WH, state.q, MakePose(state.R_WO, state.p_WOcm));
+  simbody.SetSpeeds(state.v_WH, u);
+  const Eigen::MatrixXd M_theirs =
+      T.transpose() * simbody.CalcMassMatrix().topLeftCorner(joints, joints) * T;
+  const VectorXd bias_theirs = T.transpose() * simbody.CalcBias(state.gravity_W).head(joints);
+
+  dynamics.UpdatePositions(state.X_WH, state.q);
+  Eigen::MatrixXd M(dofs, dofs);
+  dynamics.CalcMassMatrix(M);
+  VectorXd bias(dofs);
+  dynamics.CalcBias(state.u, state.v_WH, -state.gravity_W, bias);
+  return std::max((M - M_theirs).cwiseAbs().maxCoeff() / M_theirs.cwiseAbs().maxCoeff(),
+                  (bias - bias_theirs).cwiseAbs().maxCoeff() / bias_theirs.cwiseAbs().maxCoeff());
+}
+
+TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
+                         std::shared_ptr<const GraspObject> object)
+    : impl_(std::make_unique<Impl>(std::move(hand), std::move(object))) {
+  const HandDynamics dynamics(*impl_->hand);
+  for (size_t link = 0; link < impl_->hand->links.size(); ++link) {
+    const size_t length = dynamics.chain(static_cast<int>(link)).size();
+    if (length > ContactPoint::kMaxChain) {
+      throw Error(ErrorKind::kUnsupported,
+                  "hand \"" + impl_->hand->id + "\" has " + std::to_string(length) +
+                      " joints between its root and link \"" + impl_->hand->links[link].name +
+                      "\"; the simulation takes at most " +
+                      std::to_string(ContactPoint::kMaxChain));
+    }
+  }
+}
+
+TrialRunner::~TrialRunner() = default;
+
+TrialResult TrialRunner::Run(const TrialSetup& setup) { return impl_->Run(setup, false).result; }
+
+JudgedTrial TrialRunner::Judge(const TrialSetup& setup) { return impl_->Run(setup, true); }
+
+JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged) {
+  GRASPBENCH_DEMAND(setup.hand == hand && setup.object == object,
+                    "a runner serves one hand and one object");
+  JudgedTrial trial;
+  TrialResult& result = trial.result;
+  try {
+    TrialCourse course(FindWorld(setup.sim), setup);
+    result = course.Run();
+    if (result.outcome == Outcome::kNumericalFailure) return trial;
+    if (const double difference = CalcSimbodyDifference(); !(difference < kSimbodyTolerance)) {
+      result.outcome = Outcome::kNumericalFailure;
+      result.reason = Format("mass matrix or bias differs from Simbody's by %.1e", difference);
+      return trial;
+    }
+    if (is_judged && course.is_held()) trial.judgement = course.Judge();
+  } catch (const std::exception& e) {
+    // Simbody reports impossible states this way.
+    trial = JudgedTrial();
+    result.outcome = Outcome::kNumericalFailure;
+    result.reason = e.what();
+  }
+  return trial;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,37 @@
+#pragma once
+/** @file
+One grasp trial: the five-phase strategy (core/grasp/strategy.h) carried out by a hand on an object
+in physics, then a hold, after which the outcome is given. */
+
+#include <memory>
+#include <optional>
+
+#include "core/trial/judgement.h"
+#include "core/trial/trial_result.h"
+#include "core/trial/trial_setup.h"
+
+namespace graspbench {
+
+struct JudgedTrial {
+  TrialResult result;
+  std::optional<Judgement> judgement;  ///< unset: nothing was in the hand at the end of the hold
+};
+
+/** Runs trials of one hand and object; builds the Simbody system once and resets it.
+Not to be shared between threads. Never throws for what happens inside a trial. */
+class TrialRunner {
+ public:
+  /** @throws Error(kUnsupported) for a hand with a longer chain of joints than the solver holds. */
+  TrialRunner(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object);
+  ~TrialRunner();
+  /** @pre setup.hand and setup.object are those of the constructor. */
+  TrialResult Run(const TrialSetup& setup);
+  /** The same trial, and then the judge of what it holds (judge.h); some five times the cost. */
+  JudgedTrial Judge(const TrialSetup& setup);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace graspbench

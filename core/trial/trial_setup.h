@@ -1,0 +1,35 @@
+#pragma once
+/** @file
+What one grasp trial is made of: a hand, an object, a grasp, settings, and what differs from trial
+to trial. */
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "core/grasp/standard_grasp.h"
+#include "core/grasp/strategy.h"
+#include "core/hand/hand.h"
+#include "core/physics/sim_config.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+/** What differs from trial to trial. The draws depend on the trial's number and the object only, so
+that every grasp and variant meets the same poses. */
+struct TrialDraw {
+  double offset_x = 0.0;        ///< of the object on the table [m]
+  double offset_y = 0.0;        ///< [m]
+  double offset_yaw = 0.0;      ///< [rad]
+  Eigen::VectorXd joint_error;  ///< added to every drive's command (num_joints) [rad]
+};
+
+struct TrialSetup {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  StandardGrasp grasp;
+  StrategyConfig strategy;
+  SimConfig sim;
+  TrialDraw draw;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,338 @@
+#include "datasets/campaign/campaign_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "core/base/version.h"
+#include "core/statistics/summary.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kPreGraspVariant[] = "new-pregrasp";
+constexpr char kTargetVariant[] = "new-target";
+
+fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
+                              const std::string& object) {
+  return folder / "comparison" / (hand + "-" + object);
+}
+
+VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
+  VariantSummary summary;
+  const PlannedTrial& plan = records.front()->plan;
+  summary.hand = plan.hand;
+  summary.object = plan.object;
+  summary.grasp = plan.grasp;
+  const bool is_new = plan.grasp == kPreGraspVariant || plan.grasp == kTargetVariant;
+  summary.variant = is_new ? plan.grasp : "standard";
+  double sum = 0.0;
+  std::vector<double> gft, got, gct;
+  for (const TrialRecord* record : records) {
+    const TrialResult& result = record->result;
+    ++summary.trials;
+    summary.successes += result.outcome == Outcome::kSuccess;
+    if (std::isfinite(result.stability.sigma)) sum += result.stability.sigma;
+    gft.push_back(result.timing.gft_ratio);
+    got.push_back(result.timing.got_ratio);
+    gct.push_back(result.timing.gct);
+  }
+  summary.mean_sigma = sum / summary.trials;
+  summary.median_gft_ratio = CalcMedianOfFinite(gft);
+  summary.median_got_ratio = CalcMedianOfFinite(got);
+  summary.median_gct = CalcMedianOfFinite(gct);
+  return summary;
+}
+
+/** Fills evaluations_to_90 of the runs of one scene. */
+void CountEvaluations(std::vector<ComparisonRun*> runs) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const ComparisonRun* run : runs) {
+    for (const double fitness : run->fitness) best = std::max(best, fitness);
+  }
+  for (ComparisonRun* run : runs) {
+    if (run->fitness.empty()) continue;
+    const double goal = run->fitness.front() + 0.9 * (best - run->fitness.front());
+    const auto reached = std::find_if(run->fitness.begin(), run->fitness.end(),
+                                      [&](double fitness) { return fitness >= goal; });
+    if (reached != run->fitness.end()) {
+      run->evaluations_to_90 = static_cast<int>(reached - run->fitness.begin()) + 1;
+    }
+  }
+}
+
+/** The journals of the comparison, in the order of the configuration. */
+std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const CampaignConfig& config) {
+  std::vector<ComparisonRun> runs;
+  for (const std::string& scene : config.comparison.scenes) {
+    const std::string hand = scene.substr(0, scene.find('/'));
+    const std::string object = scene.substr(scene.find('/') + 1);
+    for (const std::string& method : config.comparison.methods) {
+      for (int seed = 1; seed <= config.comparison.seeds; ++seed) {
+        const fs::path path = FindComparisonFolder(folder, hand, object) /
+                              (method + "-" + std::to_string(seed) + ".jsonl");
+        Diagnostics findings;
+        ComparisonRun run{hand, object, method, seed, {}, 0};
+        for (const EvaluationRecord& record : LoadEvaluations(path, findings)) {
+          run.fitness.push_back(record.individual.fitness);
+        }
+        if (!run.fitness.empty()) runs.push_back(std::move(run));
+      }
+    }
+  }
+  std::map<std::string, std::vector<ComparisonRun*>> by_scene;
+  for (ComparisonRun& run : runs) by_scene[run.hand + "/" + run.object].push_back(&run);
+  for (const auto& [scene, of_scene] : by_scene) CountEvaluations(of_scene);
+  return runs;
+}
+
+std::string FormatSummary(const std::vector<VariantSummary>& summaries) {
+  std::string csv =
+      "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,median_got_ratio,"
+      "median_gct_s\n";
+  for (const VariantSummary& s : summaries) {
+    csv += s.hand + "," + s.object + "," + s.grasp + "," + s.variant + "," +
+           std::to_string(s.trials) + "," + std::to_string(s.successes);
+    for (const double value :
+         {s.mean_sigma, s.median_gft_ratio, s.median_got_ratio, s.median_gct}) {
+      csv += "," + (std::isfinite(value) ? FormatJson(value) : "");
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
+  std::string csv =
+      "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n";
+  for (const ComparisonRun& run : runs) {
+    csv += run.hand + "," + run.object + "," + run.method + "," + std::to_string(run.seed) + "," +
+           std::to_string(run.fitness.size()) + "," + FormatJson(run.fitness.front()) + "," +
+           FormatJson(*std::max_element(run.fitness.begin(), run.fitness.end())) + "," +
+           (run.evaluations_to_90 > 0 ? std::to_string(run.evaluations_to_90) : "") + "\n";
+  }
+  return csv;
+}
+
+}  // namespace
+
+void CheckCampaignConfig(const CampaignConfig& config) {
+  std::string text;
+  const auto add = [&](const std::string& where, const std::vector<ConfigProblem>& problems) {
+    for (const ConfigProblem& problem : problems) {
+      text += "\n" + where + "." + problem.key + ": " + problem.text;
+    }
+  };
+  add("session", Validate(config.session));
+  if (config.session.grasps != std::vector<std::string>{"best"}) {
+    add("session",
+        {{"grasps", "a campaign optimises each object's best grasp; expected \"best\""}});
+  }
+  add("optimise", Validate(config.optimise));
+  if (config.optimise.step != "both") {
+    add("optimise", {{"step", "a campaign takes both steps; expected \"both\""}});
+  }
+  OptimiseConfig search = config.optimise;
+  search.evaluations = config.comparison.evaluations;
+  search.fitness_trials = config.comparison.fitness_trials;
+  search.seed = config.comparison.seeds;
+  for (const std::string& method : config.comparison.methods) {
+    search.method = method;
+    add("comparison", Validate(search));
+  }
+  if (config.comparison.seeds < 1) add("comparison", {{"seeds", "expected 1 or more"}});
+  for (const std::string& scene : config.comparison.scenes) {
+    if (scene.find('/') != std::string::npos) continue;
+    add("comparison", {{"scenes", "\"" + scene + "\": expected hand/object"}});
+  }
+  if (!text.empty()) throw Error(ErrorKind::kRange, "the campaign cannot be run" + text);
+}
+
+bool HasCampaign(const fs::path& folder) { return fs::exists(folder / "campaign.json"); }
+
+CampaignConfig LoadCampaignConfig(const fs::path& folder) {
+  const fs::path path = folder / "campaign.json";
+  if (!HasCampaign(folder)) {
+    throw Error(ErrorKind::kNotFound, "no campaign in \"" + folder.string() +
+                                          "\" (campaign.json is not there); graspbench campaign "
+                                          "--out " +
+                                          folder.string() + " starts one");
+  }
+  Diagnostics problems;
+  CampaignConfig config;
+  try {
+    const Json json = Json::parse(ReadFile(path));
+    const int schema = IntFrom(json.at("schema"));
+    if (schema != kCampaignSchema) {
+      throw Error(ErrorKind::kVersion, "\"" + path.string() + "\" has schema " +
+                                           std::to_string(schema) + ", this program (" +
+                                           program_version() + ") reads schema " +
+                                           std::to_string(kCampaignSchema) +
+                                           "; run the campaign anew into another folder");
+    }
+    config = ConfigFromJson<CampaignConfig>(json.at("config"), path.string(), problems);
+  } catch (const Json::exception& e) {
+    throw Error(ErrorKind::kFormat,
+                "\"" + path.string() + "\" is damaged: " + e.what() +
+                    "; it is written once and never changed, so take it from a backup");
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  return config;
+}
+
+void CreateCampaign(const fs::path& folder, const CampaignConfig& config) {
+  if (HasCampaign(folder)) {
+    std::string text;
+    for (const auto& difference : FindConfigDifferences(LoadCampaignConfig(folder), config)) {
+      text += "\n  " + difference;
+    }
+    if (text.empty()) return;
+    throw Error(ErrorKind::kUsage,
+                "the campaign was started with other settings (there and now):" + text +
+                    "\ncontinue it without them, or choose another folder with --out");
+  }
+  const Json frozen = {{"schema", kCampaignSchema},
+                       {"program_version", program_version()},
+                       {"physics_version", kPhysicsVersion},
+                       {"config", ConfigToJson(config)}};
+  MakeFolder(folder);
+  WriteFileAtomically(folder / "campaign.json", FormatJson(frozen, 2) + "\n");
+}
+
+std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
+                                      const fs::path& folder) {
+  SessionConfig one_trial = config.session;
+  one_trial.trials = 1;
+  std::vector<CampaignScene> scenes;
+  for (const PlannedTrial& planned : MakePlan(one_trial, inputs)) {
+    const TrialSetup setup = MakeTrialSetup(one_trial, inputs, planned);
+    CampaignScene scene;
+    scene.config.hand = planned.hand;
+    scene.config.object = planned.object;
+    scene.config.grasp = planned.grasp;
+    scene.config.optimise = config.optimise;
+    scene.config.variation = config.session.variation;
+    scene.config.strategy = config.session.strategy;
+    scene.config.sim = config.session.sim;
+    scene.inputs = {setup.hand, setup.object, setup.grasp};
+    scene.folder = folder / "scenes" / (planned.hand + "-" + planned.object);
+    scenes.push_back(std::move(scene));
+  }
+  return scenes;
+}
+
+SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignScene>& scenes) {
+  for (const CampaignScene& scene : scenes) {
+    for (SessionHand& hand : inputs.hands) {
+      if (hand.hand != scene.inputs.hand) continue;
+      for (const char* variant : {kPreGraspVariant, kTargetVariant}) {
+        hand.grasps.push_back(LoadSceneGrasp(scene.folder, variant, *hand.hand));
+      }
+    }
+  }
+  return inputs;
+}
+
+SessionConfig MakeBenchmarkConfig(const CampaignConfig& config) {
+  SessionConfig benchmark = config.session;
+  benchmark.grasps = {"best", kPreGraspVariant, kTargetVariant};
+  return benchmark;
+}
+
+std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
+                                           const std::vector<CampaignScene>& scenes,
+                                           const fs::path& folder) {
+  std::vector<ComparisonTask> tasks;
+  std::vector<std::string> known;
+  for (const CampaignScene& scene : scenes) {
+    known.push_back(scene.config.hand + "/" + scene.config.object);
+  }
+  for (const std::string& name : config.comparison.scenes) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) {
+      throw Error(ErrorKind::kNotFound, "the campaign has no scene \"" + name + "\" to compare" +
+                                            SuggestNames(name, known));
+    }
+    const CampaignScene& scene = scenes[static_cast<size_t>(found - known.begin())];
+    const Hand& hand = *scene.inputs.hand;
+    const int opposing = FindOpposingDigit(hand, scene.inputs.grasp);
+    const size_t num_joints =
+        FindDrivenJoints(hand, hand.digits[static_cast<size_t>(opposing)]).size();
+    for (const std::string& method : config.comparison.methods) {
+      const bool is_grid = method == "grid";
+      if (is_grid && num_joints > 3) continue;
+      for (int seed = 1; seed <= (is_grid ? 1 : config.comparison.seeds); ++seed) {
+        ComparisonTask task;
+        task.scene = &scene;
+        task.config = scene.config;
+        task.config.optimise.step = "2";
+        task.config.optimise.method = method;
+        task.config.optimise.seed = seed;
+        task.config.optimise.evaluations = config.comparison.evaluations;
+        task.config.optimise.fitness_trials = config.comparison.fitness_trials;
+        task.journal = FindComparisonFolder(folder, scene.config.hand, scene.config.object) /
+                       (method + "-" + std::to_string(seed) + ".jsonl");
+        tasks.push_back(std::move(task));
+      }
+    }
+  }
+  return tasks;
+}
+
+double CalcMedianOfFinite(std::vector<double> values) {
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [](double value) { return !std::isfinite(value); }),
+               values.end());
+  std::sort(values.begin(), values.end());
+  return values.empty() ? kUnset : CalcSortedQuantile(values, 0.5);
+}
+
+std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {
+  std::vector<VariantSummary> summaries;
+  std::vector<const TrialRecord*> cell;
+  const auto finish_cell = [&] {
+    if (!cell.empty()) summaries.push_back(Summarise(cell));
+    cell.clear();
+  };
+  for (const TrialRecord& record : benchmark.records) {
+    if (!cell.empty()) {
+      const PlannedTrial& last = cell.back()->plan;
+      if (last.hand != record.plan.hand || last.object != record.plan.object ||
+          last.grasp != record.plan.grasp) {
+        finish_cell();
+      }
+    }
+    cell.push_back(&record);
+  }
+  finish_cell();
+  return summaries;
+}
+
+Campaign LoadCampaign(const fs::path& folder) {
+  Campaign campaign;
+  campaign.config = LoadCampaignConfig(folder);
+  std::vector<fs::path> scenes;
+  if (fs::exists(folder / "scenes")) {
+    for (const auto& entry : fs::directory_iterator(folder / "scenes")) {
+      if (HasScene(entry.path())) scenes.push_back(entry.path());
+    }
+  }
+  std::sort(scenes.begin(), scenes.end());
+  for (const fs::path& scene : scenes) campaign.scenes.push_back(LoadScene(scene));
+  if (HasSession(folder / "benchmark")) campaign.benchmark = LoadSession(folder / "benchmark");
+  campaign.comparison = LoadComparison(folder, campaign.config);
+  return campaign;
+}
+
+void ExportCampaign(const fs::path& folder, const Campaign& campaign) {
+  WriteFileAtomically(folder / "summary.csv", FormatSummary(SummariseVariants(campaign.benchmark)));
+  if (!campaign.comparison.empty()) {
+    WriteFileAtomically(folder / "comparison.csv", FormatComparison(campaign.comparison));
+  }
+}
+
+}  // namespace graspbench

@@ -1,0 +1,134 @@
+#pragma once
+/** @file
+A campaign: every scene (a hand, an object, its best standard grasp) is optimised, then the standard
+grasp, the new pre-grasp and the new target grasp are tried on the same trial poses; if wanted,
+search methods are compared over several seeds. Its folder:
+
+    campaign.json                       frozen configuration, schema and program version
+    scenes/<hand>-<object>/             one optimised scene each, see scene_store.h
+    benchmark/                          a session (session_store.h) of all three variants, judged;
+                                        grasps: the standard one, "new-pregrasp", "new-target"
+    comparison/<hand>-<object>/<method>-<seed>.jsonl
+                                        one search each, an evaluation journal; all start from the
+                                        scene's new pre-grasp
+    summary.csv                         one row per scene and variant, of the benchmark's trials
+    comparison.csv                      one row per search: best fitness, evaluations to 90 %
+
+Same promise as for sessions: the same bytes for any number of workers and interruptions, run.json
+and the benchmark's journals of each worker aside. */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "datasets/scene/scene_store.h"
+#include "datasets/session/session_store.h"
+
+namespace graspbench {
+
+inline constexpr int kCampaignSchema = 1;
+
+struct ComparisonConfig {
+  std::vector<std::string> scenes;  ///< "tum/adhesive_tape"; empty: no comparison
+  std::vector<std::string> methods = {"es", "cmaes", "de", "random"};
+  int seeds = 10;
+  int evaluations = 300;
+  int fitness_trials = 1;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("scenes", scenes);
+    v("methods", methods);
+    v("seeds", seeds);
+    v("evaluations", evaluations);
+    v("fitness_trials", fitness_trials);
+  }
+};
+
+struct CampaignConfig {
+  SessionConfig session;  ///< hands, objects, and the benchmark's trials; grasps is "best"
+  OptimiseConfig optimise;
+  ComparisonConfig comparison;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("session", session);
+    v("optimise", optimise);
+    v("comparison", comparison);
+  }
+};
+
+/** @throws Error(kRange) listing all problems of the values. */
+void CheckCampaignConfig(const CampaignConfig& config);
+
+bool HasCampaign(const std::filesystem::path& folder);
+/** Creates the folder, or finds the same campaign there.
+@throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
+void CreateCampaign(const std::filesystem::path& folder, const CampaignConfig& config);
+/** @throws Error(kNotFound) no campaign there; kVersion; kFormat; kIo. */
+CampaignConfig LoadCampaignConfig(const std::filesystem::path& folder);
+
+struct CampaignScene {
+  SceneConfig config;
+  SceneInputs inputs;
+  std::filesystem::path folder;
+};
+/** The scenes in the order hand, object. @throws as LoadSessionInputs and MakePlan. */
+std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
+                                      const std::filesystem::path& folder);
+
+/** The inputs of the benchmark: `inputs` and the saved grasps of all scenes, which are finished. */
+SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignScene>& scenes);
+SessionConfig MakeBenchmarkConfig(const CampaignConfig& config);
+
+/** One search of the comparison. */
+struct ComparisonTask {
+  const CampaignScene* scene = nullptr;
+  SceneConfig config;  ///< that of the scene with the task's method, seed and budget
+  std::filesystem::path journal;
+};
+/** @throws Error(kNotFound) for a scene that the campaign has not. A grid is planned once, and only
+where it is possible. */
+std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
+                                           const std::vector<CampaignScene>& scenes,
+                                           const std::filesystem::path& folder);
+
+/** What the benchmark's trials of one scene and variant say. */
+struct VariantSummary {
+  std::string hand, object, grasp;
+  std::string variant;  ///< "standard", "new-pregrasp", "new-target"
+  int trials = 0;
+  int successes = 0;
+  double mean_sigma = kUnset;        ///< a trial without sigma counts 0
+  double median_gft_ratio = kUnset;  ///< of the trials in which every digit touched
+  double median_got_ratio = kUnset;
+  double median_gct = kUnset;  ///< [s]
+};
+std::vector<VariantSummary> SummariseVariants(const Session& benchmark);
+
+/** NaN when none is finite. */
+double CalcMedianOfFinite(std::vector<double> values);
+
+struct ComparisonRun {
+  std::string hand, object, method;
+  int seed = 0;
+  std::vector<double> fitness;  ///< of each evaluation in order
+  /** Evaluations until the best so far has made 90 % of the way from the start's fitness to the
+  best of all runs of the scene; 0: never. */
+  int evaluations_to_90 = 0;
+};
+
+struct Campaign {
+  CampaignConfig config;
+  std::vector<SceneRecord> scenes;
+  Session benchmark;  ///< empty plan: not begun
+  std::vector<ComparisonRun> comparison;
+};
+/** Everything that is stored, finished or not; hands and objects are not loaded.
+@throws Error(kNotFound, kVersion, kFormat, kIo). */
+Campaign LoadCampaign(const std::filesystem::path& folder);
+
+/** Writes summary.csv and, when there is one, comparison.csv. */
+void ExportCampaign(const std::filesystem::path& folder, const Campaign& campaign);
+
+}  // namespace graspbench

@@ -1,0 +1,108 @@
+#include "datasets/scene/evaluation_journal.h"
+
+#include "core/base/files.h"
+#include "datasets/journal/checked_line.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool HasIndividual(const std::string& stage) {
+  return stage == "search" || stage == "screening" || stage == "finalist";
+}
+
+Json JsonPoint(const Eigen::VectorXd& point) {
+  return Json(std::vector<double>(point.data(), point.data() + point.size()));
+}
+
+Eigen::VectorXd PointFrom(const Json& json) {
+  const auto values = json.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+std::string FormatEvaluationLine(const EvaluationRecord& record) {
+  Json json = {{"stage", record.stage}};
+  if (HasIndividual(record.stage)) {
+    json["number"] = record.individual.number;
+    json["generation"] = record.individual.generation;
+    json["parents"] = record.individual.parents;
+    json["genome_rad"] = JsonPoint(record.individual.genome);
+    json["steps_rad"] = JsonPoint(record.individual.steps);
+    json["fitness"] = CalcFitness(record.trials);
+  }
+  Json trials = Json::array();
+  for (size_t i = 0; i < record.trials.size(); ++i) {
+    Json trial = {{"trial_id", record.trial_ids[i]}};
+    trial.update(ToJson(record.trials[i]));
+    trials.push_back(std::move(trial));
+  }
+  json["trials"] = trials;
+  return FormatCheckedLine(json);
+}
+
+EvaluationRecord ParseEvaluationLine(std::string_view line) {
+  const Json json = ParseCheckedLine(line);
+  try {
+    EvaluationRecord record;
+    record.stage = json.at("stage").get<std::string>();
+    for (const Json& trial : json.at("trials")) {
+      record.trial_ids.push_back(trial.at("trial_id").get<std::string>());
+      record.trials.push_back(LearningTrialFromJson(trial));
+    }
+    if (record.trials.empty()) throw Error(ErrorKind::kFormat, "no trials");
+    if (!HasIndividual(record.stage)) return record;
+    record.individual.number = IntFrom(json.at("number"));
+    record.individual.generation = IntFrom(json.at("generation"));
+    record.individual.parents = json.at("parents").get<std::vector<int>>();
+    record.individual.genome = PointFrom(json.at("genome_rad"));
+    record.individual.steps = PointFrom(json.at("steps_rad"));
+    record.individual.fitness = CalcFitness(record.trials);
+    return record;
+  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
+    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+  }
+}
+
+std::vector<EvaluationRecord> LoadEvaluations(const fs::path& path, Diagnostics& findings,
+                                              size_t* length) {
+  std::vector<EvaluationRecord> records;
+  size_t start = 0;
+  const std::string text = fs::exists(path) ? ReadFile(path) : "";
+  try {
+    while (start < text.size()) {
+      const size_t end = text.find('\n', start);
+      if (end == std::string::npos) {
+        throw Error(ErrorKind::kFormat, "the line was not finished when the program stopped");
+      }
+      records.push_back(ParseEvaluationLine(std::string_view(text).substr(start, end - start)));
+      start = end + 1;
+    }
+  } catch (const Error& e) {
+    findings.Warn(path.filename().string(), static_cast<int>(records.size()) + 1,
+                  std::string(e.what()) + "; it and what follows count as not run");
+  }
+  if (length) *length = start;
+  return records;
+}
+
+EvaluationJournal::EvaluationJournal(const fs::path& path) : file_(path) {
+  size_t length = 0;
+  stored_ = LoadEvaluations(path, findings_, &length);
+  file_.Truncate(length);
+}
+
+const EvaluationRecord* EvaluationJournal::Next() {
+  return next_ < stored_.size() ? &stored_[next_++] : nullptr;
+}
+
+void EvaluationJournal::Append(const std::vector<EvaluationRecord>& records) {
+  GRASPBENCH_DEMAND(next_ == stored_.size(), std::to_string(next_));
+  std::string lines;
+  for (const EvaluationRecord& record : records) lines += FormatEvaluationLine(record) + "\n";
+  file_.Append(lines);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,80 @@
+#include "datasets/scene/learning_plan.h"
+
+#include <algorithm>
+
+#include "core/base/config.h"
+#include "core/base/hash.h"
+#include "datasets/session/session_plan.h"
+
+namespace graspbench {
+
+namespace {
+
+/** Length of the hold from which a search takes its fitness [s]. */
+constexpr double kFitnessHoldTime = 0.5;
+
+}  // namespace
+
+std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
+  std::vector<ConfigProblem> problems;
+  const auto check_range = [&](const char* key, int value, int low, int high) {
+    if (value >= low && value <= high) return;
+    problems.push_back({key, std::to_string(value) + " is out of range; expected " +
+                                 std::to_string(low) + " to " + std::to_string(high)});
+  };
+  check_range("evaluations", config.evaluations, 1, 1000000);
+  check_range("fitness_trials", config.fitness_trials, 1, 100);
+  check_range("check_trials", config.check_trials, 1, 1000);
+  check_range("seed", config.seed, 0, 2147483647);
+  const std::vector<std::string> steps = {"1", "2", "both"};
+  const auto check_name = [&](const char* key, const std::string& name,
+                              const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    problems.push_back({key, "\"" + name + "\" is not known" + SuggestNames(name, known)});
+  };
+  check_name("step", config.step, steps);
+  check_name("method", config.method, ListSearchMethods());
+  return problems;
+}
+
+TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& inputs,
+                             const LearningRequest& request, int draw) {
+  const Hand& hand = *inputs.hand;
+  const int seed = config.optimise.seed;
+  TrialSetup setup;
+  setup.hand = inputs.hand;
+  setup.object = inputs.object;
+  setup.grasp = request.grasp;
+  setup.strategy = config.strategy;
+  if (!request.full_hold) {
+    setup.strategy.hold_time = std::min(setup.strategy.hold_time, kFitnessHoldTime);
+  }
+  setup.sim = config.sim;
+  if (draw == 0) {
+    setup.draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
+    return setup;
+  }
+  setup.draw = DrawVariation(
+      config.variation, hand,
+      RandomStream(FormatJson({seed, inputs.object->id, draw}), "object pose of learning"),
+      RandomStream(FormatJson({seed, hand.id, inputs.object->id, draw}),
+                   "joint error of learning"));
+  return setup;
+}
+
+std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& inputs,
+                                const LearningRequest& request, int draw) {
+  const Json content = {{"physics", kPhysicsVersion},
+                        {"hand", {inputs.hand->id, inputs.hand->content_hash}},
+                        {"object", {inputs.object->id, inputs.object->content_hash}},
+                        {"grasp", ToJson(request.grasp)},
+                        {"variation", ConfigToJson(config.variation)},
+                        {"strategy", ConfigToJson(config.strategy)},
+                        {"full_hold", request.full_hold},
+                        {"sim", ConfigToJson(config.sim)},
+                        {"seed", config.optimise.seed},
+                        {"learning_draw", draw}};
+  return CalcHashHex(FormatJson(content));
+}
+
+}  // namespace graspbench

@@ -1,0 +1,55 @@
+#pragma once
+/** @file
+One scene of the optimisation, a hand, an object and the standard grasp to improve: its settings,
+its trials' ids and draws. */
+
+#include <memory>
+#include <string>
+
+#include "core/optimise/grasp_optimiser.h"
+#include "core/trial/trial_setup.h"
+#include "datasets/session/session_config.h"
+
+namespace graspbench {
+
+/** Frozen in scene.json. */
+struct SceneConfig {
+  std::string hand;
+  std::string object;
+  std::string grasp;  ///< id of the standard grasp
+  OptimiseConfig optimise;
+  VariationConfig variation;  ///< of the drawn learning trials
+  StrategyConfig strategy;
+  SimConfig sim;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("hand", hand);
+    v("object", object);
+    v("grasp", grasp);
+    v("optimise", optimise);
+    v("variation", variation);
+    v("strategy", strategy);
+    v("sim", sim);
+  }
+};
+
+struct SceneInputs {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  StandardGrasp grasp;
+};
+
+/** All problems of the values, as Validate(SessionConfig) tells them. */
+std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
+
+/** The draw of a number: 0 without variation, else from streams of (seed, object, number) and
+(seed, hand, object, number) that no benchmark trial uses. */
+TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& inputs,
+                             const LearningRequest& request, int draw);
+
+/** Hash of all that decides the trial's result, as PlannedTrial::id. */
+std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& inputs,
+                                const LearningRequest& request, int draw);
+
+}  // namespace graspbench

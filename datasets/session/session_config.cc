@@ -1,0 +1,138 @@
+#include "datasets/session/session_config.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <string_view>
+
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+/** Every number of a session and what it may be. The limits keep the simulation stable and short;
+they are wider than anything sensible. */
+struct Range {
+  std::string_view key;
+  double low;
+  double high;
+};
+constexpr Range kRanges[] = {
+    {"trials", 1, 100000},
+    {"seed", 0, 2147483647},
+    {"variation.offset_m", 0, 0.1},
+    {"variation.yaw_rad", 0, kPi},
+    {"strategy.placing_time_s", 0.05, 60},
+    {"strategy.closure_time_s", 0.05, 60},
+    {"strategy.closure_patience_s", 0, 60},
+    {"strategy.stabilisation_min_time_s", 0, 60},
+    {"strategy.stabilisation_max_time_s", 0, 60},
+    {"strategy.lift_time_s", 0.05, 60},
+    {"strategy.hold_time_s", 0, 60},
+    {"sim.step_s", 1e-4, 1e-2},
+    {"sim.contact_stiffness_n_per_m", 100, 1e7},
+    {"sim.contact_dissipation_s_per_m", 0, 100},
+    {"sim.tangential_stiffness_n_per_m", 100, 1e7},
+    {"sim.table_friction_static", 0, 2},
+    {"sim.table_friction_dynamic", 0, 2},
+};
+
+Json FindValue(const Json& config, const std::string& full_key) {
+  const size_t dot = full_key.find('.');
+  if (dot == std::string::npos) return config.at(full_key);
+  return FindValue(config.at(full_key.substr(0, dot)), full_key.substr(dot + 1));
+}
+
+std::string FormatNumber(double value) {
+  std::ostringstream text;
+  text << std::setprecision(10) << value;
+  return text.str();
+}
+
+void CheckNames(const std::string& key, const std::vector<std::string>& names,
+                const std::vector<std::string>& words_for_many,
+                std::vector<ConfigProblem>& problems) {
+  if (names.empty()) {
+    problems.push_back({key, "the list is empty; name at least one, or \"all\""});
+  }
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (name->empty()) {
+      problems.push_back({key, "a name is empty"});
+    } else if (std::find(names.begin(), name, *name) != name) {
+      problems.push_back({key, "\"" + *name + "\" is listed twice"});
+    } else if (names.size() > 1 && std::find(words_for_many.begin(), words_for_many.end(), *name) !=
+                                       words_for_many.end()) {
+      problems.push_back({key, "\"" + *name + "\" must stand alone, without other names"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ConfigProblem> Validate(const SessionConfig& config) {
+  std::vector<ConfigProblem> problems;
+  CheckNames("hands", config.hands, {"all"}, problems);
+  CheckNames("objects", config.objects, {"all"}, problems);
+  CheckNames("grasps", config.grasps, {"all"}, problems);
+  const Json json = ToJson(config);
+  for (const std::string& key : ListConfigKeys(config)) {
+    const auto range = std::find_if(std::begin(kRanges), std::end(kRanges),
+                                    [&](const Range& r) { return r.key == key; });
+    if (range == std::end(kRanges)) continue;
+    const double value = FindValue(json, key).get<double>();
+    if (!(value >= range->low && value <= range->high)) {  // catches NaN too
+      problems.push_back({key, FormatNumber(value) + " is out of range; expected " +
+                                   FormatNumber(range->low) + " to " + FormatNumber(range->high)});
+    }
+  }
+  if (config.strategy.stabilisation_min_time > config.strategy.stabilisation_max_time) {
+    problems.push_back({"strategy.stabilisation_min_time_s",
+                        "must not be longer than strategy.stabilisation_max_time_s"});
+  }
+  if (config.sim.table_friction_dynamic > config.sim.table_friction_static) {
+    problems.push_back(
+        {"sim.table_friction_dynamic", "must not be higher than sim.table_friction_static"});
+  }
+  return problems;
+}
+
+void CheckSessionConfig(const SessionConfig& config) {
+  std::string text;
+  for (const ConfigProblem& problem : Validate(config)) {
+    text += "\n" + problem.key + ": " + problem.text;
+  }
+  if (!text.empty()) throw Error(ErrorKind::kRange, "the session cannot be run" + text);
+}
+
+SessionConfig LoadSessionConfig(const std::string& path) {
+  return ParseSessionConfig(ReadFile(path), path);
+}
+
+SessionConfig ParseSessionConfig(const std::string& text, const std::string& file) {
+  Diagnostics problems;
+  SessionConfig config;
+  const YAML::Node root = ParseYaml(text, file, problems);
+  ReadConfig(root, file, "session", config, problems);
+  for (const ConfigProblem& problem : Validate(config)) {
+    problems.Fail(file, FindConfigLine(root, problem.key), problem.key + ": " + problem.text);
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the session cannot be run");
+  return config;
+}
+
+void ApplySetting(const std::string& assignment, SessionConfig& config) {
+  SetConfigValue(assignment, config);
+}
+
+Json ToJson(const SessionConfig& config) { return ConfigToJson(config); }
+
+SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
+  Diagnostics problems;
+  const auto config = ConfigFromJson<SessionConfig>(json, file, problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  return config;
+}
+
+}  // namespace graspbench

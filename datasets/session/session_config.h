@@ -1,0 +1,79 @@
+#pragma once
+/** @file
+What a benchmark session runs: read from YAML, completed with defaults, overridden by `--set a.b=v`,
+frozen in full into the session's folder. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/grasp/strategy.h"
+#include "core/physics/sim_config.h"
+
+namespace graspbench {
+
+/** Half-widths of the uniform variation between trials. Proposed by graspbench, not by the thesis.
+ */
+struct VariationConfig {
+  double offset = 0.005;             ///< object in x and y [m]
+  double yaw = 0.08726646259971647;  ///< object about the vertical [rad]
+
+  template <class V>
+  void Visit(V&& v) {
+    v("offset_m", offset);
+    v("yaw_rad", yaw);
+  }
+};
+
+struct SessionConfig {
+  std::vector<std::string> hands = {"tum", "shadow"};
+  std::vector<std::string> objects = {"all"};
+  std::vector<std::string> grasps = {"best"};  ///< "all", or "best", ids, files
+  int trials = 10;                             ///< per hand, object and grasp
+  int seed = 1;
+  VariationConfig variation;
+  StrategyConfig strategy;
+  SimConfig sim;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("hands", hands);
+    v("objects", objects);
+    v("grasps", grasps);
+    v("trials", trials);
+    v("seed", seed);
+    v("variation", variation);
+    v("strategy", strategy);
+    v("sim", sim);
+  }
+};
+
+/** A value that a session must not have. */
+struct ConfigProblem {
+  std::string key;   ///< full name: "sim.step_s"
+  std::string text;  ///< what it is and what was expected
+};
+
+/** All problems of the values: ranges, empty or repeated names. Whether hands, objects and grasps
+of these names exist is asked when they are loaded (session_inputs.h). */
+std::vector<ConfigProblem> Validate(const SessionConfig& config);
+/** @throws Error(kRange) listing all problems. */
+void CheckSessionConfig(const SessionConfig& config);
+
+/** @throws Error(kNotFound, kIo) when the file cannot be read; Error(kFormat) listing every problem
+with file and line; unknown keys are errors. */
+SessionConfig LoadSessionConfig(const std::string& path);
+/** The same for text in memory; `file` is its name in messages. */
+SessionConfig ParseSessionConfig(const std::string& text, const std::string& file);
+
+/** Applies "sim.step_s=0.001". The range is checked with the rest, by CheckSessionConfig.
+@throws Error(kUsage) naming the known keys or the expected type. */
+void ApplySetting(const std::string& assignment, SessionConfig& config);
+
+/** The complete configuration, every default written out. */
+Json ToJson(const SessionConfig& config);
+/** @param file  name of the file in messages.
+@throws Error(kFormat) listing every missing, unknown or wrong key or value. */
+SessionConfig SessionConfigFromJson(const Json& json, const std::string& file = "session.json");
+
+}  // namespace graspbench

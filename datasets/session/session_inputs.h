@@ -1,0 +1,33 @@
+#pragma once
+/** @file
+The hands and objects of a session, loaded once and shared between threads. */
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+#include "datasets/session/session_config.h"
+
+namespace graspbench {
+
+struct SessionHand {
+  std::shared_ptr<const Hand> hand;
+  std::vector<StandardGrasp> grasps;  ///< all it can do, then those of grasp files
+};
+
+struct SessionInputs {
+  std::vector<SessionHand> hands;                           ///< in the order of the configuration
+  std::vector<std::shared_ptr<const GraspObject>> objects;  ///< in the order of the configuration
+  std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
+};
+
+/** Loads what the configuration names; "all" is every hand and object that comes with the program.
+A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and goes to its hand.
+@throws Error(kNotFound) with suggestions; Error(kFormat) when one of them cannot be used. */
+SessionInputs LoadSessionInputs(const SessionConfig& config);
+
+}  // namespace graspbench

@@ -1,0 +1,214 @@
+#include "datasets/session/session_plan.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/config.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/base/random.h"
+
+namespace graspbench {
+namespace {
+
+Json JsonAngles(const Eigen::VectorXd& q) {
+  return Json(std::vector<double>(q.data(), q.data() + q.size()));
+}
+
+std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
+                        const StandardGrasp& grasp, int trial) {
+  const Json content = {{"physics", kPhysicsVersion},
+                        {"hand", {hand.id, hand.content_hash}},
+                        {"object", {object.id, object.content_hash}},
+                        {"grasp", ToJson(grasp)},
+                        {"variation", ConfigToJson(config.variation)},
+                        {"strategy", ConfigToJson(config.strategy)},
+                        {"sim", ConfigToJson(config.sim)},
+                        {"seed", config.seed},
+                        {"trial", trial}};
+  return CalcHashHex(FormatJson(content));
+}
+
+/** The hand's grasp of this id that may be used on the object. */
+const StandardGrasp* FindGrasp(const SessionHand& hand, const GraspObject& object,
+                               const std::string& id) {
+  const auto grasp =
+      std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const StandardGrasp& g) {
+        return g.id == id && (g.object.empty() || g.object == object.id);
+      });
+  return grasp == hand.grasps.end() ? nullptr : &*grasp;
+}
+
+const StandardGrasp& FindBestGrasp(const SessionHand& hand, const GraspObject& object) {
+  const auto best = object.best_grasp.find(hand.hand->id);
+  if (best != object.best_grasp.end()) {
+    if (const StandardGrasp* grasp = FindGrasp(hand, object, best->second)) return *grasp;
+  }
+  for (const std::string& id : object.grasp_order) {
+    if (const StandardGrasp* grasp = FindGrasp(hand, object, id)) return *grasp;
+  }
+  return hand.grasps.front();
+}
+
+/** The id that a name in the configuration stands for. */
+std::string FindGraspId(const SessionInputs& inputs, const std::string& name) {
+  const auto file = inputs.grasp_files.find(name);
+  return file == inputs.grasp_files.end() ? name : file->second;
+}
+
+std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config,
+                                             const SessionInputs& inputs, const SessionHand& hand,
+                                             const GraspObject& object) {
+  std::vector<const StandardGrasp*> grasps;
+  if (hand.grasps.empty()) return grasps;
+  if (config.grasps.front() == "all") {
+    for (const StandardGrasp& grasp : hand.grasps) grasps.push_back(&grasp);
+    return grasps;
+  }
+  for (const std::string& name : config.grasps) {
+    const StandardGrasp* grasp = name == "best"
+                                     ? &FindBestGrasp(hand, object)
+                                     : FindGrasp(hand, object, FindGraspId(inputs, name));
+    if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
+      grasps.push_back(grasp);
+    }
+  }
+  return grasps;
+}
+
+void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) {
+  std::vector<std::string> known;
+  for (const SessionHand& hand : inputs.hands) {
+    for (const StandardGrasp& grasp : hand.grasps) {
+      if (std::find(known.begin(), known.end(), grasp.id) == known.end()) known.push_back(grasp.id);
+    }
+  }
+  if (known.empty()) throw Error(ErrorKind::kUsage, "none of the session's hands has any grasp");
+  for (const std::string& name : config.grasps) {
+    if (name == "best" || name == "all") continue;
+    const std::string id = FindGraspId(inputs, name);
+    if (std::find(known.begin(), known.end(), id) == known.end()) {
+      throw Error(ErrorKind::kNotFound, "none of the session's hands can do a grasp \"" + id +
+                                            "\"" + SuggestNames(id, known));
+    }
+  }
+}
+
+/** Two files may bring grasps of one name only for different objects. */
+void CheckGraspsDiffer(const SessionHand& hand) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const StandardGrasp& grasp : hand.grasps) {
+    if (seen.emplace(grasp.id, grasp.object).second) continue;
+    throw Error(ErrorKind::kUsage,
+                "two grasp files of the session bring a grasp \"" + grasp.id + "\" of the hand \"" +
+                    hand.hand->id + "\"" +
+                    (grasp.object.empty() ? "" : " for \"" + grasp.object + "\"") +
+                    "; leave one out or change its id");
+  }
+}
+
+void CheckNamesDiffer(const char* what, const std::vector<std::string>& names) {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (!seen.insert(name).second) {
+      throw Error(ErrorKind::kUsage, std::string("two ") + what + " of the session are called \"" +
+                                         name + "\"; leave one out or rename its folder");
+    }
+  }
+}
+
+/** A stream's name made of parts that may hold any character. */
+std::string JoinNames(const Json& parts) { return FormatJson(parts); }
+
+}  // namespace
+
+bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
+  return a.id == b.id && a.hand == b.hand && a.object == b.object && a.grasp == b.grasp &&
+         a.trial == b.trial;
+}
+
+Json ToJson(const StandardGrasp& grasp) {
+  Json json{{"id", grasp.id},
+            {"type", static_cast<int>(grasp.type)},
+            {"approach_distance_m", grasp.approach_distance},
+            {"alpha_rad", grasp.alpha},
+            {"tilt_rad", grasp.tilt},
+            {"q_pre_rad", JsonAngles(grasp.q_pre)},
+            {"q_target_rad", JsonAngles(grasp.q_target)},
+            {"digits", grasp.digits},
+            {"palm_may_touch", grasp.palm_may_touch}};
+  if (grasp.placement) {
+    json["X_WH"] = JsonPose(grasp.placement->X_WH);
+    json["approach_W"] = JsonVector(grasp.placement->approach_W);
+  }
+  return json;
+}
+
+std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs) {
+  CheckSessionConfig(config);
+  std::vector<std::string> hand_names, object_names;
+  for (const SessionHand& hand : inputs.hands) {
+    hand_names.push_back(hand.hand->id);
+    CheckGraspsDiffer(hand);
+  }
+  for (const auto& object : inputs.objects) object_names.push_back(object->id);
+  CheckNamesDiffer("hands", hand_names);
+  CheckNamesDiffer("objects", object_names);
+  CheckGraspsExist(config, inputs);
+
+  std::vector<PlannedTrial> plan;
+  for (const SessionHand& hand : inputs.hands) {
+    for (const auto& object : inputs.objects) {
+      for (const StandardGrasp* grasp : FindGrasps(config, inputs, hand, *object)) {
+        for (int trial = 0; trial < config.trials; ++trial) {
+          plan.push_back({CalcTrialId(config, *hand.hand, *object, *grasp, trial), hand.hand->id,
+                          object->id, grasp->id, trial});
+        }
+      }
+    }
+  }
+  if (plan.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "the session has no trial: none of its grasps is for its hands and objects");
+  }
+  return plan;
+}
+
+TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
+                        RandomStream error) {
+  TrialDraw draw;
+  draw.offset_x = pose.NextUniform(-variation.offset, variation.offset);
+  draw.offset_y = pose.NextUniform(-variation.offset, variation.offset);
+  draw.offset_yaw = pose.NextUniform(-variation.yaw, variation.yaw);
+  draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
+  for (int joint = 0; joint < hand.num_joints(); ++joint) {
+    if (hand.joints[static_cast<size_t>(joint)].coupled_to >= 0) continue;
+    draw.joint_error[joint] = error.NextUniform(-hand.joint_accuracy, hand.joint_accuracy);
+  }
+  return draw;
+}
+
+TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
+                        int trial) {
+  return DrawVariation(
+      config.variation, hand,
+      RandomStream(JoinNames({config.seed, object.id, trial}), "object pose"),
+      RandomStream(JoinNames({config.seed, hand.id, object.id, trial}), "joint error"));
+}
+
+TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,
+                          const PlannedTrial& planned) {
+  const auto hand = std::find_if(inputs.hands.begin(), inputs.hands.end(),
+                                 [&](const SessionHand& h) { return h.hand->id == planned.hand; });
+  const auto object =
+      std::find_if(inputs.objects.begin(), inputs.objects.end(),
+                   [&](const auto& candidate) { return candidate->id == planned.object; });
+  GRASPBENCH_DEMAND(hand != inputs.hands.end() && object != inputs.objects.end(),
+                    planned.hand + ", " + planned.object);
+  const StandardGrasp* grasp = FindGrasp(*hand, **object, planned.grasp);
+  GRASPBENCH_DEMAND(grasp, planned.grasp);
+  return {hand->hand,      *object,    *grasp,
+          config.strategy, config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,56 @@
+#pragma once
+/** @file
+The plan of a session: one line per trial, a pure function of the configuration and of the content
+of hands and objects. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/base/random.h"
+#include "core/trial/trial_runner.h"
+#include "datasets/session/session_config.h"
+#include "datasets/session/session_inputs.h"
+
+namespace graspbench {
+
+struct PlannedTrial {
+  /** Hash of everything that matters for the result, and of nothing else: 16 hexadecimal digits.
+  Adding a hand or an object to a session leaves the other trials' ids as they are. */
+  std::string id;
+  std::string hand;
+  std::string object;
+  std::string grasp;
+  int trial = 0;  ///< zero-based number within the cell
+};
+bool operator==(const PlannedTrial& a, const PlannedTrial& b);
+
+/** Cells in the order hand, object, grasp. With the grasps
+
+- "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
+  hand cannot do, the first of the object's grasp_order that the hand can do, else the hand's first;
+- "all": all that the hand can do;
+- ids and grasp files, "best" among them: those that the hand can do on the object.
+
+@throws Error(kRange) for a bad configuration; Error(kUsage) for two hands or objects of one name or
+when nothing is left to do; Error(kNotFound) for a grasp that none of the hands can do. */
+std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs);
+
+/** The draws of a trial: object pose from (seed, object, trial) only, so that every hand and grasp
+meets the same poses; joint errors from (seed, hand, object, trial), uniform within the hand's
+accuracy for every joint with a drive of its own. */
+TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
+                        int trial);
+
+/** Three numbers of `pose` (x, y, yaw), then one of `error` for every joint with a drive. */
+TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
+                        RandomStream error);
+
+/** Every field that decides a grasp's result. */
+Json ToJson(const StandardGrasp& grasp);
+
+/** Everything TrialRunner needs for a trial of MakePlan(config, inputs). */
+TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,
+                          const PlannedTrial& planned);
+
+}  // namespace graspbench

@@ -1,0 +1,43 @@
+#include "datasets/session/trial_record.h"
+
+#include "core/base/error.h"
+#include "datasets/journal/checked_line.h"
+
+namespace graspbench {
+
+Json ToJson(const PlannedTrial& planned) {
+  return Json{{"trial_id", planned.id},
+              {"hand", planned.hand},
+              {"object", planned.object},
+              {"grasp", planned.grasp},
+              {"trial", planned.trial}};
+}
+
+PlannedTrial PlannedTrialFromJson(const Json& json) {
+  return {json.at("trial_id").get<std::string>(), json.at("hand").get<std::string>(),
+          json.at("object").get<std::string>(), json.at("grasp").get<std::string>(),
+          IntFrom(json.at("trial"))};
+}
+
+Json ToJson(const TrialRecord& record) {
+  Json json = ToJson(record.plan);
+  json["result"] = ToJson(record.result);
+  if (record.judgement) json["judgement"] = ToJson(*record.judgement);
+  return json;
+}
+
+std::string FormatJournalLine(const TrialRecord& record) {
+  GRASPBENCH_DEMAND(record.result.outcome != Outcome::kNotRun, record.plan.id);
+  return FormatCheckedLine(ToJson(record));
+}
+
+TrialRecord ParseJournalLine(std::string_view line) {
+  const Json json = ParseCheckedLine(line);
+  try {
+    return {PlannedTrialFromJson(json), TrialResultFromJson(json.at("result"))};
+  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
+    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+  }
+}
+
+}  // namespace graspbench

@@ -1,0 +1,29 @@
+#pragma once
+/** @file
+The table of trials, one row per finished trial: one list of columns, from which the CSV file, its
+data dictionary and the SQLite index are made. */
+
+#include <vector>
+
+#include "core/base/csv.h"
+#include "datasets/session/trial_record.h"
+
+namespace graspbench {
+
+using TrialColumn = CsvColumn<TrialRecord>;
+
+/** All columns in order. Those of first contacts follow the digits TH FF MF RF LF, which are always
+there, then any other digits of the records by name. */
+std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records);
+
+/** A contact event with the trial it belongs to. */
+struct EventRow {
+  const TrialRecord* record = nullptr;
+  const ContactEvent* event = nullptr;
+  int rank = 0;  ///< in the order of contact, on a grasping digit's first touch; else 0
+};
+/** The events of all records, and the columns of `events.csv`. */
+std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records);
+std::vector<CsvColumn<EventRow>> ListEventColumns();
+
+}  // namespace graspbench

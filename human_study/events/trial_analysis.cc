@@ -1,0 +1,306 @@
+#include "human_study/events/trial_analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+
+void CheckPositive(const char* key, double value) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  throw Error(ErrorKind::kRange,
+              std::string(key) + " is " + std::to_string(value) + "; expected more than 0");
+}
+
+void CheckCutoff(const char* key, double cutoff, double rate) {
+  const double limit = 0.4 * rate;  // as MakeLowPass
+  if (cutoff < limit) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%s is %g; this recording of %g Hz allows less than %g, so choose a lower one", key,
+                cutoff, rate, limit);
+  throw Error(ErrorKind::kRange, text);
+}
+
+/** Path whose speed is the movement's: the wrist, else the centroid of the tips. */
+Trajectory FindTransport(const ReachTrial& trial) {
+  if (trial.wrist.size() > 0) return trial.wrist;
+  Trajectory centroid = trial.digits[0].tip;
+  for (size_t d = 1; d < trial.digits.size(); ++d) {
+    const Trajectory& tip = trial.digits[d].tip;
+    centroid.p += tip.p;  // NaN where one is hidden
+    for (size_t i = 0; i < centroid.size(); ++i) {
+      centroid.states[i] = CombineStates(centroid.states[i], tip.states[i]);
+    }
+  }
+  centroid.p /= static_cast<double>(trial.digits.size());
+  return centroid;
+}
+
+std::vector<DigitContactEvents> ListMissingContacts(const ReachTrial& trial,
+                                                    const std::string& reason) {
+  const EventTime missing = MissingEvent(reason);
+  std::vector<DigitContactEvents> contacts;
+  for (const DigitTrack& digit : trial.digits) {
+    contacts.push_back({digit.digit, digit.is_thumb,
+                        std::vector<EventTime>(ContactDetectorList().size(), missing), missing});
+  }
+  return contacts;
+}
+
+ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double t0,
+                         bool with_missing) {
+  std::vector<DigitContact> times;
+  for (const DigitContactEvents& contact : contacts) {
+    if (contact.contact.IsFound() || with_missing) {
+      times.push_back({contact.digit, contact.is_thumb, contact.contact.time});
+    }
+  }
+  if (times.size() < 2) times.clear();  // one digit is no grasp: nothing to be simultaneous with
+  return CalcContactTiming(times, t0);
+}
+
+ContactOrder FindOrder(const std::vector<DigitContactEvents>& contacts) {
+  std::vector<DigitContact> times;
+  std::vector<double> uncertainties;
+  for (const DigitContactEvents& contact : contacts) {
+    times.push_back({contact.digit, contact.is_thumb, contact.contact.time});
+    uncertainties.push_back(contact.contact.uncertainty);
+  }
+  return FindContactOrder(times, uncertainties);
+}
+
+void CalcUncertainties(TrialAnalysis& analysis) {
+  const EventTime *first = nullptr, *last = nullptr, *thumb = nullptr, *first_finger = nullptr;
+  for (const DigitContactEvents& digit : analysis.contacts) {
+    const EventTime& contact = digit.contact;
+    if (!contact.IsFound()) continue;
+    if (!first || contact.time < first->time) first = &contact;
+    if (!last || contact.time > last->time) last = &contact;
+    if (digit.is_thumb) {
+      thumb = &contact;
+    } else if (!first_finger || contact.time < first_finger->time) {
+      first_finger = &contact;
+    }
+  }
+  /** Of a time that rests on two instants; NaN when the time is missing. */
+  const auto combine = [](double time, const EventTime* a, const EventTime* b) {
+    return a && b && !std::isnan(time) ? std::hypot(a->uncertainty, b->uncertainty) : std::nan("");
+  };
+  analysis.gft_uncertainty = combine(analysis.timing.gft, first, last);
+  analysis.got_uncertainty = combine(analysis.timing.got, thumb, first_finger);
+  analysis.gct_uncertainty = combine(analysis.timing.gct, &analysis.closure_start, last);
+}
+
+void NoteWeakEvents(TrialAnalysis& analysis) {
+  std::vector<const EventTime*> used = {&analysis.movement.onset, &analysis.movement.end,
+                                        &analysis.closure_start, &analysis.object.lift_off};
+  for (const DigitContactEvents& digit : analysis.contacts) used.push_back(&digit.contact);
+  analysis.used_filled = analysis.used_gap = false;
+  for (const EventTime* event : used) {
+    analysis.used_filled |= event->IsFound() && event->is_filled;
+    analysis.used_gap |= event->IsFound() && event->is_in_gap;
+  }
+}
+
+double FindFirstContact(const std::vector<DigitContactEvents>& contacts) {
+  double first = std::nan("");
+  for (const DigitContactEvents& digit : contacts) {
+    if (digit.contact.IsFound() && !(digit.contact.time >= first)) first = digit.contact.time;
+  }
+  return first;
+}
+
+/** From when on contacts are looked for. */
+double FindBegin(const TrialAnalysis& analysis) {
+  const EventTime& onset = analysis.movement.onset;
+  return onset.IsFound() ? onset.time : analysis.opening.times.front();
+}
+
+/** The way back comes after it. */
+double FindReachEnd(const TrialAnalysis& analysis) {
+  return analysis.hold.IsFound() ? analysis.hold.time : analysis.opening.times.back();
+}
+
+/** What follows from the contacts that are believed. */
+void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
+  analysis.peak_opening =
+      FindPeakOpening(analysis.opening, FindBegin(analysis), FindFirstContact(analysis.contacts),
+                      FindReachEnd(analysis), options.opening.min_prominence);
+  const bool is_largest = options.opening.maximum == "largest";
+  const PeakOpening& peak = analysis.peak_opening;
+  analysis.closure_start = is_largest ? peak.largest : peak.last;
+  analysis.closure_start_value = is_largest ? peak.largest_value : peak.last_value;
+
+  analysis.order = FindOrder(analysis.contacts);
+  analysis.num_touching = static_cast<int>(
+      std::count_if(analysis.contacts.begin(), analysis.contacts.end(),
+                    [](const DigitContactEvents& digit) { return digit.contact.IsFound(); }));
+  analysis.final_opening = ValueNear(analysis.opening, FindLastContact(analysis.contacts));
+  analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
+  analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
+  CalcUncertainties(analysis);
+  NoteWeakEvents(analysis);
+}
+
+/** Found instants' difference; NaN when one is missing, as its time is NaN. */
+double Between(const EventTime& from, const EventTime& to) { return to.time - from.time; }
+
+}  // namespace
+
+void CheckOptions(const AnalysisOptions& options) {
+  FindMovementRule(options.movement.rule);
+  FindHoldRule(options.hold.rule);
+  FindContactDetector(options.contact.detector);
+  FindHandOpening(options.opening.measure);
+  std::vector<std::string> lift_rules;
+  for (const LiftOffRule& rule : LiftOffRuleList()) lift_rules.push_back(rule.id);
+  const std::string& lift = options.lift_off.rule;
+  if (std::find(lift_rules.begin(), lift_rules.end(), lift) == lift_rules.end()) {
+    throw Error(ErrorKind::kNotFound,
+                "no lift-off rule \"" + lift + "\"" + SuggestNames(lift, lift_rules));
+  }
+  const std::string& maximum = options.opening.maximum;
+  if (maximum != "largest" && maximum != "last") {
+    throw Error(ErrorKind::kNotFound, "opening.maximum is \"" + maximum + "\"" +
+                                          SuggestNames(maximum, {"largest", "last"}));
+  }
+  CheckPositive("movement.cutoff_hz", options.movement.cutoff);
+  CheckPositive("movement.speed_threshold_m_per_s", options.movement.speed_threshold);
+  CheckPositive("movement.peak_fraction", options.movement.peak_fraction);
+  CheckPositive("lift_off.cutoff_hz", options.lift_off.cutoff);
+  CheckPositive("lift_off.min_rise_m", options.lift_off.min_rise);
+  CheckPositive("lift_off.rise_m", options.lift_off.rise);
+  CheckPositive("lift_off.speed_m_per_s", options.lift_off.speed);
+  CheckPositive("lift_off.displacement_m", options.lift_off.displacement);
+  CheckPositive("the length of lift_off.up_x, up_y, up_z",
+                std::hypot(options.lift_off.up_x, options.lift_off.up_y, options.lift_off.up_z));
+  CheckPositive("hold.cutoff_hz", options.hold.cutoff);
+  CheckPositive("hold.speed_threshold_m_per_s", options.hold.speed_threshold);
+  CheckPositive("opening.cutoff_hz", options.opening.cutoff);
+  CheckPositive("opening.min_prominence_m", options.opening.min_prominence);
+  CheckPositive("contact.cutoff_hz", options.contact.cutoff);
+  CheckPositive("contact.object_cutoff_hz", options.contact.object_cutoff);
+  CheckPositive("contact.speed_threshold_m_per_s", options.contact.speed_threshold);
+  CheckPositive("contact.arrival_tolerance_m", options.contact.arrival_tolerance);
+  CheckPositive("contact.max_pad_offset_m", options.contact.max_pad_offset);
+  CheckPositive("contact.force_noise_factor", options.contact.force_noise_factor);
+}
+
+double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
+  double last = std::nan("");
+  for (const DigitContactEvents& digit : contacts) {
+    if (digit.contact.IsFound() && !(digit.contact.time <= last)) last = digit.contact.time;
+  }
+  return last;
+}
+
+TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& options) {
+  CheckOptions(options);
+  const ReachTrial& trial = filtered.trial();
+  const double rate =
+      static_cast<double>(trial.times.size() - 1) / (trial.times.back() - trial.times.front());
+  CheckCutoff("movement.cutoff_hz", options.movement.cutoff, rate);
+  CheckCutoff("hold.cutoff_hz", options.hold.cutoff, rate);
+  CheckCutoff("opening.cutoff_hz", options.opening.cutoff, rate);
+  CheckCutoff("contact.cutoff_hz", options.contact.cutoff, rate);
+  CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
+  CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
+  TrialAnalysis analysis;
+
+  ObjectTravel travel;
+  if (trial.object.IsRecorded()) {
+    travel = CalcObjectTravel(trial, options.lift_off);
+    analysis.object = FindObjectEvents(travel, options.lift_off);
+  } else {
+    analysis.object.moved = analysis.object.lift_off = MissingEvent("the object was not recorded");
+  }
+  const EventTime& lift_off = analysis.object.lift_off;
+
+  const Trajectory transport = FindTransport(trial);
+  analysis.opening =
+      CalcOpeningCurve(filtered, FindHandOpening(options.opening.measure), options.opening.cutoff);
+  analysis.hold = lift_off.IsFound() ? MakeLiftedHold(lift_off.time)
+                                     : FindHold(filtered, transport, analysis.opening, options.hold,
+                                                options.contact.object_cutoff);
+
+  analysis.speed = CalcSpeed(Smooth(transport, options.movement.cutoff));
+  analysis.movement =
+      FindMovement(analysis.speed, trial.times.front(), FindReachEnd(analysis), options.movement);
+  if (analysis.hold.IsFound()) {
+    const ContactEvidence evidence =
+        MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
+                            analysis.hold, options.contact);
+    analysis.contacts = FindContacts(evidence, options.contact);
+  } else {
+    analysis.contacts = ListMissingContacts(trial, "no hold");
+  }
+  CalcMeasures(options, analysis);
+  return analysis;
+}
+
+TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options) {
+  FilteredTrial filtered(trial);
+  return AnalyseTrial(filtered, options);
+}
+
+void BelieveDetector(const std::string& detector, const AnalysisOptions& options,
+                     TrialAnalysis& analysis) {
+  const size_t believed = FindContactDetector(detector);
+  for (DigitContactEvents& digit : analysis.contacts) digit.contact = digit.by_detector[believed];
+  CalcMeasures(options, analysis);
+}
+
+const std::vector<TrialMeasure>& TrialMeasureList() {
+  using A = TrialAnalysis;
+  static const std::vector<TrialMeasure> measures = {
+      {"grasp_forming_time_s", "grasp forming time (GFT)", "s",
+       [](const A& a) { return a.timing.gft; }},
+      {"grasp_opposing_time_s", "grasp opposing time (GOT)", "s",
+       [](const A& a) { return a.timing.got; }},
+      {"grasp_closure_time_s", "grasp closure time (GCT)", "s",
+       [](const A& a) { return a.timing.gct; }},
+      {"grasp_forming_ratio", "GFT / GCT (GFT%)", "1",
+       [](const A& a) { return a.timing.gft_ratio; }},
+      {"grasp_opposing_ratio", "GOT / GCT (GOT%)", "1",
+       [](const A& a) { return a.timing.got_ratio; }},
+      {"grasp_forming_time_all_s", "GFT of all digits", "s",
+       [](const A& a) { return a.timing_all.gft; }},
+      {"grasp_closure_time_all_s", "GCT of all digits", "s",
+       [](const A& a) { return a.timing_all.gct; }},
+      {"grasp_forming_ratio_all", "GFT / GCT of all digits", "1",
+       [](const A& a) { return a.timing_all.gft_ratio; }},
+      {"touching_digits", "digits that touched", "",
+       [](const A& a) { return static_cast<double>(a.num_touching); }},
+      {"contact_ties", "neighbours in the order of contact that cannot be told apart", "",
+       [](const A& a) { return static_cast<double>(a.order.num_ties); }},
+      {"peak_opening_m", "peak opening", "m", [](const A& a) { return a.closure_start_value; }},
+      {"time_to_peak_opening_s", "onset to peak opening", "s",
+       [](const A& a) { return Between(a.movement.onset, a.closure_start); }},
+      {"relative_time_to_peak_opening", "onset to peak opening / movement time", "1",
+       [](const A& a) {
+         return Between(a.movement.onset, a.closure_start) /
+                Between(a.movement.onset, a.movement.end);
+       }},
+      {"closure_time_s", "peak opening to end of movement", "s",
+       [](const A& a) { return Between(a.closure_start, a.movement.end); }},
+      {"final_opening_m", "opening at the last contact", "m",
+       [](const A& a) { return a.final_opening; }},
+      {"movement_time_s", "movement time", "s",
+       [](const A& a) { return Between(a.movement.onset, a.movement.end); }},
+      {"peak_speed_m_per_s", "peak speed of the wrist", "m/s",
+       [](const A& a) { return a.movement.peak_speed; }},
+      {"time_to_peak_speed_s", "onset to peak speed", "s",
+       [](const A& a) { return a.movement.peak_time - a.movement.onset.time; }},
+      {"contact_to_lift_s", "last contact to lift-off", "s",
+       [](const A& a) { return a.object.lift_off.time - FindLastContact(a.contacts); }},
+  };
+  return measures;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,110 @@
+#pragma once
+/** @file
+Everything about one trial: events, then measures. The same options give the same numbers for every
+trial of a study, and one multiverse is the same trials under other options.
+
+Order: object (moved, lifted) -> hold (the lift-off, or where the hand rests at the object) ->
+movement (onset, end, before the hold) -> contacts (between onset and hold) -> widest opening ->
+measures. */
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/grasp/contact_order.h"
+#include "human_study/events/contact_detector.h"
+#include "human_study/events/hand_opening.h"
+#include "human_study/events/hold.h"
+#include "human_study/events/lift_off.h"
+#include "human_study/events/movement.h"
+#include "human_study/events/peak_opening.h"
+#include "human_study/events/reach_trial.h"
+
+namespace graspbench {
+
+struct OpeningOptions {
+  std::string measure = kDefaultHandOpening;  ///< an id of HandOpeningList()
+  std::string maximum = "largest";            ///< start of closure: "largest" or "last"
+  double cutoff = 10.0;                       ///< [Hz]
+  double min_prominence = 0.003;              ///< of a last maximum [m]
+
+  template <class V>
+  void Visit(V&& v) {
+    v("measure", measure);
+    v("maximum", maximum);
+    v("cutoff_hz", cutoff);
+    v("min_prominence_m", min_prominence);
+  }
+};
+
+struct AnalysisOptions {
+  MovementOptions movement;
+  LiftOffOptions lift_off;
+  HoldOptions hold;
+  OpeningOptions opening;
+  ContactOptions contact;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("movement", movement);
+    v("lift_off", lift_off);
+    v("hold", hold);
+    v("opening", opening);
+    v("contact", contact);
+  }
+};
+
+/** @throws Error(kNotFound) for an unknown rule, detector or measure, Error(kRange) for a number
+outside its range; both name the key. */
+void CheckOptions(const AnalysisOptions& options);
+
+struct TrialAnalysis {
+  ObjectEvents object;
+  Hold hold;
+  Movement movement;
+  ScalarCurve speed;    ///< of the wrist, filtered [m/s]
+  ScalarCurve opening;  ///< the chosen measure, filtered [m]
+  PeakOpening peak_opening;
+  EventTime closure_start;  ///< the chosen maximum: t0 of the contact timing
+  double closure_start_value = std::numeric_limits<double>::quiet_NaN();  ///< [m]
+  double final_opening = std::numeric_limits<double>::quiet_NaN();  ///< at the last contact [m]
+  std::vector<DigitContactEvents> contacts;
+  ContactOrder order;
+  int num_touching = 0;      ///< digits with a contact
+  ContactTiming timing;      ///< of the digits that touched
+  ContactTiming timing_all;  ///< of all digits: missing when one did not touch
+  /** Standard uncertainties of GFT, GOT, GCT [s] from those of the instants that decide them. */
+  double gft_uncertainty = std::numeric_limits<double>::quiet_NaN();
+  double got_uncertainty = std::numeric_limits<double>::quiet_NaN();
+  double gct_uncertainty = std::numeric_limits<double>::quiet_NaN();
+  bool used_filled = false;  ///< an event that a measure rests on was decided on filled samples
+  bool used_gap = false;     ///< .. or fell into a gap
+};
+
+/** @throws Error as CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate. What a trial
+does not show is missing in the result, with the reason, never an error. */
+TrialAnalysis AnalyseTrial(FilteredTrial& trial, const AnalysisOptions& options);
+/** For a trial that is analysed once. @throws Error as CheckTrial, too. */
+TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& options);
+
+/** Takes the contacts from another detector, as AnalyseTrial with that detector would have, without
+a second search.
+@param options  those of the analysis, but for the detector. @throws Error as CheckOptions. */
+void BelieveDetector(const std::string& detector, const AnalysisOptions& options,
+                     TrialAnalysis& analysis);
+
+/** Latest of the first contacts [s]; NaN without any. */
+double FindLastContact(const std::vector<DigitContactEvents>& contacts);
+
+/** One column of a table of measures. */
+struct TrialMeasure {
+  const char* id;    ///< with its unit: "grasp_forming_time_s"
+  const char* name;  ///< for people: "grasp forming time (GFT)"
+  const char* unit;  ///< "s", "m", "m/s", "1" for a ratio, "" for a count
+  double (*value)(const TrialAnalysis& analysis);  ///< NaN: missing
+};
+
+/** All of them, in the order of tables. */
+const std::vector<TrialMeasure>& TrialMeasureList();
+
+}  // namespace graspbench

@@ -1,0 +1,112 @@
+#include "human_study/recording/cleaning/gaps.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+
+/** Velocity at valid sample `at` from its valid neighbour at `at + step`; the gap's mean velocity
+when there is none. */
+Eigen::Vector3d CalcEdgeVelocity(const Trajectory& trajectory, size_t at, int step,
+                                 const Eigen::Vector3d& mean_velocity) {
+  const auto neighbour = static_cast<std::ptrdiff_t>(at) + step;
+  if (neighbour < 0 || neighbour >= static_cast<std::ptrdiff_t>(trajectory.size()) ||
+      !trajectory.IsValid(static_cast<size_t>(neighbour))) {
+    return mean_velocity;
+  }
+  const auto n = static_cast<size_t>(neighbour);
+  return (trajectory.p.col(static_cast<Column>(n)) - trajectory.p.col(static_cast<Column>(at))) /
+         (trajectory.times[n] - trajectory.times[at]);
+}
+
+/** Reads from `original` only, so that no edge velocity comes from a sample filled before. */
+void FillGap(const Trajectory& original, const SampleRun& gap, GapFilling filling,
+             Trajectory& trajectory) {
+  const size_t before = gap.first - 1, after = gap.last;
+  const double duration = original.times[after] - original.times[before];
+  const Eigen::Vector3d p0 = original.p.col(static_cast<Column>(before));
+  const Eigen::Vector3d p1 = original.p.col(static_cast<Column>(after));
+  const Eigen::Vector3d mean_velocity = (p1 - p0) / duration;
+  Eigen::Vector3d v0 = mean_velocity, v1 = mean_velocity;
+  if (filling == GapFilling::kCubic) {
+    v0 = CalcEdgeVelocity(original, before, -1, mean_velocity);
+    v1 = CalcEdgeVelocity(original, after, 1, mean_velocity);
+  }
+  for (size_t i = gap.first; i < gap.last; ++i) {
+    const double s = (original.times[i] - original.times[before]) / duration;
+    const double r = 1.0 - s;
+    // Cubic Hermite; with v0 = v1 = the mean velocity it is the straight line.
+    trajectory.p.col(static_cast<Column>(i)) =
+        r * r * (1 + 2 * s) * p0 + s * s * (3 - 2 * s) * p1 + s * r * duration * (r * v0 - s * v1);
+    trajectory.states[i] = SampleState::kFilled;
+  }
+}
+
+}  // namespace
+
+GapReport FillGaps(Trajectory& trajectory, double max_duration, GapFilling filling) {
+  GapReport report;
+  const Trajectory original = trajectory;
+  for (const SampleRun& gap : FindGaps(original)) {
+    const bool has_both_ends = gap.first > 0 && gap.last < original.size();
+    const double duration = original.times[std::min(gap.last, original.size() - 1)] -
+                            original.times[gap.first > 0 ? gap.first - 1 : 0];
+    // A limit of three frames must hold for three frames whatever the last bit of the time stamps.
+    const double slack = 1e-9 * (1.0 + duration);
+    if (!has_both_ends || duration > max_duration + slack) {
+      ++report.num_open_gaps;
+      report.longest_open = std::max(report.longest_open, duration);
+      continue;
+    }
+    FillGap(original, gap, filling, trajectory);
+    ++report.num_filled_gaps;
+    report.num_filled_samples += gap.size();
+    report.longest_filled = std::max(report.longest_filled, duration);
+  }
+  return report;
+}
+
+size_t FillGapsAlong(Trajectory& trajectory, const Trajectory& companion, double max_duration) {
+  Trajectory difference = trajectory;
+  difference.p -= companion.p;
+  for (size_t i = 0; i < difference.size(); ++i) {
+    if (!companion.IsValid(i)) difference.states[i] = SampleState::kInvalid;
+  }
+  FillGaps(difference, max_duration, GapFilling::kLinear);
+  size_t count = 0;
+  for (size_t i = 0; i < trajectory.size(); ++i) {
+    if (trajectory.IsValid(i) || !companion.IsValid(i) || !difference.IsValid(i)) continue;
+    const auto column = static_cast<Column>(i);
+    trajectory.p.col(column) = companion.p.col(column) + difference.p.col(column);
+    trajectory.states[i] = SampleState::kFilled;
+    ++count;
+  }
+  return count;
+}
+
+size_t InvalidateFrozenSamples(Trajectory& trajectory, size_t min_repeats) {
+  size_t count = 0;
+  for (size_t first = 0; first < trajectory.size();) {
+    size_t last = first + 1;  // one past the run equal to `first`
+    while (trajectory.IsValid(first) && last < trajectory.size() && trajectory.IsValid(last) &&
+           trajectory.p.col(static_cast<Column>(last)) ==
+               trajectory.p.col(static_cast<Column>(first))) {
+      ++last;
+    }
+    if (last - first - 1 >= min_repeats) {
+      for (size_t i = first + 1; i < last; ++i) {
+        trajectory.states[i] = SampleState::kInvalid;
+        trajectory.p.col(static_cast<Column>(i))
+            .setConstant(std::numeric_limits<double>::quiet_NaN());
+        ++count;
+      }
+    }
+    first = last;
+  }
+  return count;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,255 @@
+#include "human_study/recording/importers/c3d_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "human_study/recording/importers/import_errors.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kMaxFrames = 2147483647.0;
+
+std::string FormatCount(double value) { return std::to_string(static_cast<int64_t>(value)); }
+
+/** A whole number in [0, max] from a parameter, or NaN. */
+double FindCount(const C3dParameters& parameters, const char* group, const char* name,
+                 double max = kC3dMaxCount) {
+  const C3dParameter* parameter = parameters.Find(group, name);
+  const double value = parameter == nullptr ? std::nan("") : std::round(parameter->Unsigned());
+  return value >= 0 && value <= max ? value : std::nan("");
+}
+
+/** Two 16-bit halves, low first, as TRIAL stores frame numbers. */
+double FindLongCount(const C3dParameters& parameters, const char* name) {
+  const C3dParameter* parameter = parameters.Find("TRIAL", name);
+  if (parameter == nullptr || parameter->num_numbers() < 2) return std::nan("");
+  const double value = parameter->Unsigned(0) + 65536.0 * parameter->Unsigned(1);
+  // 65,535 is what writers put that know no better (-1, 0).
+  return value <= kMaxFrames && value != kC3dMaxCount ? value : std::nan("");
+}
+
+void FindPointCount(const C3dHead& head, const C3dParameters& parameters, C3dLayout& layout,
+                    Recording& recording) {
+  const int in_header = head.Word(c3d_header::kPoints);
+  const double used = FindCount(parameters, "POINT", "USED");
+  if (std::isnan(used)) {
+    recording.Note("missing_parameter", "POINT:USED",
+                   "absent; the header's " + FormatCount(in_header) + " points are taken");
+  } else if (used != in_header) {
+    recording.Note("point_count_disputed", "POINT:USED",
+                   "says " + FormatCount(used) + " points, the header " + FormatCount(in_header) +
+                       "; the parameter is taken");
+  }
+  layout.num_points = static_cast<size_t>(std::isnan(used) ? in_header : used);
+}
+
+void FindAnalogCount(const C3dHead& head, const C3dParameters& parameters, C3dLayout& layout,
+                     Recording& recording) {
+  const auto per_frame = static_cast<size_t>(head.Word(c3d_header::kAnalogPerFrame));
+  const auto samples = static_cast<size_t>(head.Word(c3d_header::kAnalogSamples));
+  const double used = FindCount(parameters, "ANALOG", "USED");
+  if (std::isnan(used) || (used == 0 && per_frame > 0)) {
+    layout.samples_per_frame = samples > 0 ? samples : 1;
+    layout.num_channels = per_frame / layout.samples_per_frame;
+    if (per_frame > 0) {
+      recording.Note("missing_parameter", "ANALOG:USED",
+                     "absent or 0 although the header counts " + FormatCount(per_frame) +
+                         " analog values a frame; " + FormatCount(layout.num_channels) +
+                         " channels are taken");
+    }
+  } else {
+    layout.num_channels = static_cast<size_t>(used);
+    layout.samples_per_frame = samples;
+    if (layout.num_channels == 0) layout.samples_per_frame = 0;
+    if (layout.num_analog() != per_frame) {
+      const bool fits = layout.num_channels > 0 && per_frame % layout.num_channels == 0;
+      const size_t taken = fits ? per_frame / layout.num_channels : samples;
+      recording.Note("analog_count_disputed", "byte 5",
+                     "the header counts " + FormatCount(per_frame) +
+                         " analog values a frame, but " + FormatCount(used) + " channels of " +
+                         FormatCount(samples) + " samples; " + FormatCount(taken) +
+                         " samples a channel are taken");
+      layout.samples_per_frame = taken;
+    }
+  }
+}
+
+void FindScale(const C3dHead& head, const C3dParameters& parameters, const std::string& file,
+               C3dLayout& layout, Recording& recording) {
+  const double in_header = head.Float(c3d_header::kScale);
+  const C3dParameter* parameter = parameters.Find("POINT", "SCALE");
+  double scale = parameter == nullptr ? std::nan("") : parameter->Number();
+  if (!std::isfinite(scale) || scale == 0) {
+    scale = in_header;
+    if (layout.num_points > 0) {
+      recording.Note(
+          "missing_parameter", "POINT:SCALE",
+          "absent, 0 or not a number; the header's " + std::to_string(in_header) + " is taken");
+    }
+  } else if (std::signbit(scale) != std::signbit(in_header)) {
+    recording.Note("scale_disputed", "POINT:SCALE",
+                   "is " + std::to_string(scale) + ", the header says " +
+                       std::to_string(in_header) + "; the parameter decides that the data are " +
+                       (scale < 0 ? "floating point" : "integers"));
+  }
+  if ((!std::isfinite(scale) || scale == 0) && layout.num_points > 0) {
+    FailAtByte(file, c3d_header::kScale,
+               "neither POINT:SCALE nor the header gives a scale factor, so integers and floating "
+               "point cannot be told apart");
+  }
+  layout.is_float = scale < 0;
+  layout.scale = std::abs(scale);
+}
+
+void FindRate(const C3dHead& head, const C3dParameters& parameters, C3dLayout& layout,
+              Recording& recording) {
+  const double in_header = head.Float(c3d_header::kRate);
+  const C3dParameter* parameter = parameters.Find("POINT", "RATE");
+  const double rate = parameter == nullptr ? std::nan("") : parameter->Number();
+  const auto is_rate = [](double value) { return std::isfinite(value) && value > 0; };
+  layout.rate = is_rate(rate) ? rate : is_rate(in_header) ? in_header : std::nan("");
+  if (!is_rate(rate)) {
+    recording.Note("missing_parameter", "POINT:RATE",
+                   is_rate(in_header) ? "absent or not above 0; the header's " +
+                                            std::to_string(in_header) + " Hz is taken"
+                                      : "absent, and the header has no rate either; times are "
+                                        "missing, none is invented");
+  } else if (is_rate(in_header) && std::abs(rate - in_header) > 1e-3 * rate) {
+    recording.Note("rate_disputed", "POINT:RATE",
+                   "says " + std::to_string(rate) + " Hz, the header " + std::to_string(in_header) +
+                       " Hz; the parameter is taken");
+  }
+}
+
+void FindDataPosition(const C3dHead& head, const C3dParameters& parameters, const std::string& file,
+                      C3dLayout& layout, Recording& recording) {
+  const int in_header = head.Word(c3d_header::kDataStart);
+  const double parameter = FindCount(parameters, "POINT", "DATA_START");
+  const auto is_block = [&](double block) {
+    return block >= 2 &&
+           (block - 1) * static_cast<double>(kC3dBlock) <= static_cast<double>(head.file_size);
+  };
+  if (!is_block(in_header) && !is_block(parameter)) {
+    if (layout.frame_size() == 0) {
+      layout.data_position = head.file_size;
+      return;
+    }
+    FailAtByte(
+        file, c3d_header::kDataStart,
+        "the data are said to start at block " + std::to_string(in_header) +
+            ", which the file of " + std::to_string(head.file_size) + " bytes does not hold" +
+            (std::isnan(parameter) ? "" : "; POINT:DATA_START says " + FormatCount(parameter)));
+  }
+  const double taken = is_block(in_header) ? in_header : parameter;
+  if (in_header != parameter && !std::isnan(parameter)) {
+    recording.Note("data_start_disputed", "POINT:DATA_START",
+                   "says block " + FormatCount(parameter) + ", the header " +
+                       FormatCount(in_header) + "; " + FormatCount(taken) + " is taken");
+  }
+  layout.data_position = (static_cast<uint64_t>(taken) - 1) * kC3dBlock;
+}
+
+struct FrameCount {
+  double count;
+  double first;
+  const char* where;
+};
+
+/** All places that count frames, best first, without those that say nothing. */
+std::vector<FrameCount> FindFrameCounts(const C3dHead& head, const C3dParameters& parameters) {
+  const double first = head.Word(c3d_header::kFirstFrame);
+  const double last = head.Word(c3d_header::kLastFrame);
+  const double start = FindLongCount(parameters, "ACTUAL_START_FIELD");
+  const double end = FindLongCount(parameters, "ACTUAL_END_FIELD");
+  std::vector<FrameCount> counts = {
+      {end - start + 1, start, "TRIAL:ACTUAL_END_FIELD"},
+      {FindCount(parameters, "POINT", "LONG_FRAMES", kMaxFrames), first, "POINT:LONG_FRAMES"},
+      {FindCount(parameters, "POINT", "FRAMES", kMaxFrames), first, "POINT:FRAMES"},
+      {last - first + 1, first, "the header"}};
+  // A word cannot count above 65,535; where something counts higher, such a count is saturated.
+  const bool is_long = std::any_of(counts.begin(), counts.end(),
+                                   [](const FrameCount& c) { return c.count > kC3dMaxCount; });
+  counts.erase(std::remove_if(counts.begin(), counts.end(),
+                              [&](const FrameCount& c) {
+                                return !(c.count >= 1) ||
+                                       (is_long && std::abs(c.count - kC3dMaxCount) <= 1);
+                              }),
+               counts.end());
+  return counts;
+}
+
+/** The first count that fills the file exactly, up to the padding of the last block, is right;
+when none does, the best place is believed. */
+void FindFrames(const C3dHead& head, const C3dParameters& parameters, const ImportOptions& options,
+                const std::string& file, C3dLayout& layout, Recording& recording) {
+  layout.first_frame = head.Word(c3d_header::kFirstFrame);
+  std::vector<FrameCount> counts = FindFrameCounts(head, parameters);
+  const uint64_t available = head.file_size - layout.data_position;
+  if (layout.frame_size() == 0 || (counts.empty() && available < layout.frame_size())) {
+    recording.Note("no_data", "header",
+                   layout.frame_size() == 0 ? "neither points nor analog channels are stored"
+                                            : "no frames are stored");
+    return;
+  }
+  if (counts.empty()) {
+    FailAtByte(file, c3d_header::kFirstFrame,
+               "the frames run from " + std::to_string(layout.first_frame) + " to " +
+                   std::to_string(head.Word(c3d_header::kLastFrame)) +
+                   " and no parameter counts them either");
+  }
+  const double capacity = static_cast<double>(available / layout.frame_size());
+  const auto left_over = [&](const FrameCount& c) {
+    return static_cast<double>(available) - c.count * static_cast<double>(layout.frame_size());
+  };
+  auto taken = std::find_if(counts.begin(), counts.end(), [&](const FrameCount& c) {
+    return left_over(c) >= 0 && left_over(c) < static_cast<double>(kC3dBlock);
+  });
+  if (taken == counts.end()) taken = counts.begin();
+  if (taken->count > capacity) {
+    const std::string text = taken->where + std::string(" promises ") + FormatCount(taken->count) +
+                             " frames of " + std::to_string(layout.frame_size()) +
+                             " bytes, the file holds " + FormatCount(capacity);
+    if (!options.accept_truncated || capacity < 1) {
+      FailAtByte(file, head.file_size,
+                 text +
+                     "; it is cut off or its counts are wrong (--accept-truncated reads what is "
+                     "there)");
+    }
+    recording.Note("truncated", "byte " + std::to_string(head.file_size),
+                   text + "; those are taken");
+    taken->count = capacity;
+  } else if (left_over(*taken) >= static_cast<double>(kC3dBlock)) {
+    recording.Note("data_left_over",
+                   "byte " + FormatCount(static_cast<double>(head.file_size) - left_over(*taken)),
+                   FormatCount(left_over(*taken)) + " bytes follow the " +
+                       FormatCount(taken->count) + " frames of " + taken->where +
+                       "; they are not read");
+  }
+  for (const FrameCount& c : counts) {
+    if (c.count == taken->count) continue;
+    recording.Note("frame_count_disputed", c.where,
+                   "says " + FormatCount(c.count) + " frames, " + taken->where + " " +
+                       FormatCount(taken->count) + ", which is taken by the size of the file");
+  }
+  layout.num_frames = static_cast<size_t>(taken->count);
+  layout.first_frame = static_cast<int>(taken->first);
+}
+
+}  // namespace
+
+C3dLayout FindC3dLayout(const C3dHead& head, const C3dParameters& parameters,
+                        const ImportOptions& options, const std::string& file,
+                        Recording& recording) {
+  C3dLayout layout;
+  FindPointCount(head, parameters, layout, recording);
+  FindAnalogCount(head, parameters, layout, recording);
+  FindScale(head, parameters, file, layout, recording);
+  FindRate(head, parameters, layout, recording);
+  FindDataPosition(head, parameters, file, layout, recording);
+  FindFrames(head, parameters, options, file, layout, recording);
+  return layout;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,122 @@
+#include "human_study/recording/importers/delimited_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "human_study/recording/importers/import_errors.h"
+
+namespace graspbench {
+namespace {
+
+std::string_view Trim(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+/** A cell as it may be printed in a message: short and without control characters. */
+std::string Quote(std::string_view cell) {
+  std::string shown;
+  for (const char c : cell.substr(0, 40)) {
+    shown += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  }
+  return "\"" + shown + (cell.size() > 40 ? "...\"" : "\"");
+}
+
+bool ParsePlain(std::string_view cell, double& value) {
+  if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
+  const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return fault == std::errc() && end == cell.data() + cell.size();
+}
+
+}  // namespace
+
+bool LineReader::Next(std::string_view& line) {
+  if (!std::getline(stream_, buffer_)) return false;
+  ++line_;
+  line = buffer_;
+  if (line_ == 1 && StartsWith(line, "\xef\xbb\xbf")) line.remove_prefix(3);
+  while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return true;
+}
+
+std::string_view LineReader::Require(const std::string& what) {
+  std::string_view line;
+  if (!Next(line)) {
+    FailAtLine(file_, line_ + 1, "the file ends before " + what);
+  }
+  return line;
+}
+
+void LineReader::Fail(const std::string& text) const { FailAtLine(file_, line_, text); }
+
+void SplitCells(std::string_view line, char delimiter, Cells& cells) {
+  cells.clear();
+  while (true) {
+    const size_t start = line.find_first_not_of(' ');
+    size_t end = std::string_view::npos;
+    if (start != std::string_view::npos && line[start] == '"') {
+      const size_t quote = line.find('"', start + 1);
+      end = line.find(delimiter, quote == std::string_view::npos ? start : quote);
+    } else {
+      end = line.find(delimiter);
+    }
+    std::string_view cell = Trim(line.substr(0, end));
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
+      cell = cell.substr(1, cell.size() - 2);
+    }
+    cells.push_back(cell);
+    if (end == std::string_view::npos) return;
+    line.remove_prefix(end + 1);
+  }
+}
+
+double ParseNumber(const Cells& cells, size_t column, const LineReader& reader) {
+  const std::string_view cell = cells[column];
+  double value = std::nan("");
+  if (cell.empty() || ParsePlain(cell, value)) return value;
+  const std::string lower = LowerCase(cell);
+  if (lower == "n/a" || lower == "na") return std::nan("");
+  reader.Fail("column " + std::to_string(column + 1) + ": " + Quote(cell) + " is not a number");
+}
+
+std::optional<double> ParseFiniteNumber(std::string_view text) {
+  double value = 0.0;
+  if (!ParsePlain(text, value) || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+double ParseHeaderNumber(std::string_view cell, const std::string& what, double min, double max,
+                         const LineReader& reader) {
+  double value = 0.0;
+  if (!ParsePlain(cell, value) || !(value >= min && value <= max)) {
+    std::string limits(64, '\0');
+    limits.resize(static_cast<size_t>(
+        std::snprintf(limits.data(), limits.size(), "from %.15g to %.15g", min, max)));
+    reader.Fail(what + " is " + Quote(cell) + "; expected a number " + limits);
+  }
+  return value;
+}
+
+void DropEmptyEnd(Cells& cells) {
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+}
+
+bool IsBlank(const Cells& cells) {
+  return std::all_of(cells.begin(), cells.end(), [](std::string_view c) { return c.empty(); });
+}
+
+std::string LowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+bool StartsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+}  // namespace graspbench

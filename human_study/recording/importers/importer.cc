@@ -1,0 +1,198 @@
+#include "human_study/recording/importers/importer.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "human_study/recording/importers/delimited_text.h"
+#include "human_study/recording/importers/importer_list.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+namespace {
+
+bool EndsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::ifstream OpenFile(const fs::path& path) {
+  std::error_code status;
+  if (!fs::exists(path, status)) {
+    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
+  }
+  if (fs::is_directory(path, status)) {
+    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a recording was expected");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
+  }
+  return stream;
+}
+
+std::string ReadHead(std::istream& stream) {
+  std::string head(4096, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<size_t>(stream.gcount()));
+  stream.clear();
+  stream.seekg(0);
+  return head;
+}
+
+/** Bytes of the UTF-8 character at `i`, 0 when there is none. */
+size_t FindCharacterLength(const std::string& text, size_t i) {
+  const auto byte = [&](size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const unsigned first = byte(i), second = byte(i + 1);
+  const auto continues = [&](size_t k) { return (byte(k) & 0xc0u) == 0x80u; };
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return continues(i + 1) ? 2 : 0;
+  if (first >= 0xe0 && first <= 0xef) {
+    const bool is_overlong = first == 0xe0 && second < 0xa0;
+    const bool is_surrogate = first == 0xed && second >= 0xa0;
+    return continues(i + 1) && continues(i + 2) && !is_overlong && !is_surrogate ? 3 : 0;
+  }
+  if (first >= 0xf0 && first <= 0xf4) {
+    const bool is_outside = (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
+    return continues(i + 1) && continues(i + 2) && continues(i + 3) && !is_outside ? 4 : 0;
+  }
+  return 0;
+}
+
+bool IsUtf8(const std::string& text) {
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = FindCharacterLength(text, i);
+    if (length == 0) return false;
+    i += length;
+  }
+  return true;
+}
+
+/** True when the text had to be changed. */
+bool CleanText(std::string& text) {
+  const bool is_utf8 = IsUtf8(text);
+  std::string clean;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 32 || byte == 127) {
+      clean += '?';
+    } else if (byte < 128 || is_utf8) {
+      clean += c;
+    } else {  // Latin-1
+      clean += static_cast<char>(0xc0 | byte >> 6);
+      clean += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  if (clean == text) return false;
+  text = std::move(clean);
+  return true;
+}
+
+void CleanTexts(Recording& recording) {
+  size_t num_changed = 0;
+  for (RecordedPoint& point : recording.points) {
+    num_changed += CleanText(point.label) + CleanText(point.unit);
+  }
+  for (AnalogChannel& channel : recording.analog) {
+    num_changed += CleanText(channel.label) + CleanText(channel.unit);
+  }
+  for (RecordedEvent& event : recording.events) {
+    num_changed += CleanText(event.label) + CleanText(event.context);
+  }
+  for (ImportFinding& finding : recording.findings) {
+    CleanText(finding.where);
+    CleanText(finding.text);
+  }
+  if (num_changed == 0) return;
+  recording.Note("text_encoding", "labels",
+                 std::to_string(num_changed) +
+                     " texts hold control characters or bytes that are not UTF-8; the bytes are "
+                     "read as Latin-1, control characters as ?");
+  MakeLabelsUnique(recording, "labels");
+}
+
+}  // namespace
+
+const std::vector<Importer>& ImporterList() {
+  static const std::vector<Importer> list = {
+#define GRASPBENCH_IMPORTER(name) Make##name##Importer(),
+#include "human_study/recording/importers/importer_list.inc"
+#undef GRASPBENCH_IMPORTER
+  };
+  return list;
+}
+
+const Importer& FindImporter(const std::string& format, std::string_view head,
+                             const fs::path& path) {
+  std::vector<std::string> ids;
+  for (const Importer& importer : ImporterList()) ids.emplace_back(importer.id);
+  if (!format.empty()) {
+    for (const Importer& importer : ImporterList()) {
+      if (format == importer.id) return importer;
+    }
+    throw Error(ErrorKind::kNotFound,
+                "no recording format \"" + format + "\"" + SuggestNames(format, ids));
+  }
+  const std::string name = LowerCase(path.filename().string());
+  const auto has_extension = [&](const Importer& importer) {
+    return std::any_of(importer.extensions.begin(), importer.extensions.end(),
+                       [&](const std::string& extension) { return EndsWith(name, extension); });
+  };
+  for (const Importer& importer : ImporterList()) {
+    if (importer.recognises != nullptr && importer.recognises(head)) return importer;
+  }
+  for (const Importer& importer : ImporterList()) {
+    if (has_extension(importer)) return importer;
+  }
+  std::string known;
+  for (const std::string& id : ids) known += (known.empty() ? "" : ", ") + id;
+  throw Error(ErrorKind::kFormat,
+              path.string() + ": " +
+                  (head.empty() ? "the file is empty"
+                                : "neither its content nor its name tells the format") +
+                  "; known formats: " + known +
+                  " (--format names one; a plain table needs --mapping columns.yaml)");
+}
+
+Recording ImportRecording(const Importer& importer, const ImportSource& source,
+                          const ImportOptions& options) {
+  Recording recording = importer.import(source, options);
+  recording.format = importer.id;
+  CleanTexts(recording);
+  return recording;
+}
+
+Recording LoadRecording(const fs::path& path, const ImportOptions& options) {
+  std::ifstream stream = OpenFile(path);
+  // A mapping is only of use to the plain table.
+  const std::string format =
+      options.format.empty() && !options.mapping.empty() ? "table" : options.format;
+  const Importer& importer = FindImporter(format, ReadHead(stream), path);
+  const auto read_sibling = [&](const std::string& name) -> std::optional<std::string> {
+    const fs::path sibling = path.parent_path() / name;
+    std::error_code status;
+    if (!fs::is_regular_file(sibling, status)) return std::nullopt;
+    return ReadFile(sibling);
+  };
+  return ImportRecording(importer, {stream, path.string(), read_sibling}, options);
+}
+
+std::vector<PersonalField> RedactRecording(const fs::path& in, const fs::path& out) {
+  std::string bytes = ReadFile(in);
+  const Importer& importer = FindImporter("", std::string_view(bytes).substr(0, 4096), in);
+  if (importer.redact == nullptr) {
+    throw Error(ErrorKind::kUnsupported, in.string() + ": " + importer.title +
+                                             " has no known places for personal data; look at the "
+                                             "file yourself before sharing it");
+  }
+  std::vector<PersonalField> fields = importer.redact(bytes, in.string());
+  for (PersonalField& field : fields) CleanText(field.text);
+  WriteFileAtomically(out, bytes);
+  return fields;
+}
+
+}  // namespace graspbench

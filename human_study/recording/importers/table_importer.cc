@@ -1,0 +1,214 @@
+/** @file
+A plain table with a heading, one row a sample, its columns named by a mapping (table_mapping.h).
+Tabs, commas or semicolons. */
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "core/base/yaml.h"
+#include "human_study/recording/importers/import_errors.h"
+#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/table_mapping.h"
+#include "human_study/recording/importers/text_rows.h"
+
+namespace graspbench {
+namespace {
+
+char FindDelimiter(std::string_view head) {
+  for (const char delimiter : {'\t', ';', ','}) {
+    if (head.find(delimiter) != std::string_view::npos) return delimiter;
+  }
+  return ',';
+}
+
+constexpr size_t kNoColumn = SIZE_MAX;
+
+/** Index of a column of the heading; kNoColumn for no name. All absent ones are told at once. */
+class Heading {
+ public:
+  explicit Heading(LineReader& reader)
+      : line_(reader.Require("the names of its columns")), delimiter_(FindDelimiter(line_)) {
+    Cells cells;
+    SplitCells(line_, delimiter_, cells);
+    names_.assign(cells.begin(), cells.end());
+  }
+  char delimiter() const { return delimiter_; }
+  size_t size() const { return names_.size(); }
+  size_t Find(const std::string& name) {
+    if (name.empty()) return kNoColumn;
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found != names_.end()) return static_cast<size_t>(found - names_.begin());
+    absent_.push_back(name);
+    return kNoColumn;
+  }
+  void Check(const LineReader& reader) const {
+    if (absent_.empty()) return;
+    std::string list;
+    for (const std::string& name : absent_) list += (list.empty() ? "" : ", ") + name;
+    reader.Fail("the mapping names columns the table does not have: " + list +
+                SuggestNames(absent_[0], names_));
+  }
+
+ private:
+  std::string line_;
+  char delimiter_;
+  std::vector<std::string> names_, absent_;
+};
+
+void AddTrial(std::string_view trial, std::vector<std::string>& trials) {
+  if (std::find(trials.begin(), trials.end(), trial) == trials.end()) trials.emplace_back(trial);
+}
+
+Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
+                       const TableMapping& mapping) {
+  Recording recording;
+  LineReader reader(source.stream, source.name);
+  Heading heading(reader);
+  std::vector<std::array<size_t, 3>> columns;
+  for (const TableMapping::Point& point : mapping.points) {
+    columns.push_back({heading.Find(point.columns[0]), heading.Find(point.columns[1]),
+                       heading.Find(point.columns[2])});
+    recording.points.emplace_back();
+    recording.points.back().label = point.label;
+  }
+  const size_t time = heading.Find(mapping.time);
+  const size_t trial = heading.Find(mapping.trial);
+  const size_t occluded = heading.Find(mapping.occluded);
+  heading.Check(reader);
+  SetLengthUnit(recording, mapping.unit.empty() ? options.unit : mapping.unit, "mapping");
+  if (mapping.rate > 0) recording.rate = mapping.rate;
+  if (trial == kNoColumn && !options.trial.empty()) {
+    throw Error(ErrorKind::kUsage, "--trial " + options.trial +
+                                       " was asked for, but the mapping names no column \"trial\"");
+  }
+
+  std::string_view line;
+  Cells cells;
+  std::vector<double> times;
+  std::vector<std::string> trials;
+  size_t num_zeros = 0, num_occluded = 0;
+  int first_line = 0;
+  while (reader.Next(line)) {
+    SplitCells(line, heading.delimiter(), cells);
+    if (IsBlank(cells)) continue;
+    if (!HasAllColumns(cells, heading.size(), reader, options, recording)) break;
+    if (trial != kNoColumn) {
+      if (trials.empty() || cells[trial] != trials.back()) AddTrial(cells[trial], trials);
+      if (!options.trial.empty() && cells[trial] != options.trial) continue;
+    }
+    if (recording.num_frames == 0) first_line = reader.line();
+    const bool is_occluded =
+        occluded != kNoColumn && !(ParseNumber(cells, occluded, reader) == 0.0);
+    for (size_t i = 0; i < columns.size(); ++i) {
+      const auto& [x, y, z] = columns[i];
+      const Cells triple = {cells[x], cells[y], cells[z]};
+      AppendTriple(triple, 0, reader, recording.points[i], num_zeros);
+      if (is_occluded) recording.points[i].SetInvalid(recording.num_frames);
+    }
+    num_occluded += is_occluded;
+    if (time != kNoColumn) {
+      times.push_back(mapping.seconds_per_time_unit * ParseNumber(cells, time, reader));
+    }
+    ++recording.num_frames;
+  }
+  if (options.trial.empty() && trials.size() > 1) {
+    throw Error(ErrorKind::kUsage,
+                source.name + ": the table holds " + std::to_string(trials.size()) + " trials, \"" +
+                    trials.front() + "\" to \"" + trials.back() + "\"; name one with --trial");
+  }
+  if (!options.trial.empty() && recording.num_frames == 0) {
+    throw Error(ErrorKind::kNotFound, source.name + ": no trial \"" + options.trial + "\"" +
+                                          SuggestNames(options.trial, trials));
+  }
+  NoteZeros(num_zeros, recording);
+  if (num_occluded > 0) {
+    recording.Note(
+        "occluded_samples", mapping.occluded,
+        std::to_string(num_occluded) + " rows are flagged as occluded; taken as invalid");
+  }
+  SettleTimes(std::move(times), first_line, source.name, recording);
+  return recording;
+}
+
+Recording ImportTable(const ImportSource& source, const ImportOptions& options) {
+  if (options.mapping.empty()) {
+    throw Error(ErrorKind::kUsage, source.name +
+                                       ": a plain table needs a mapping that names its columns "
+                                       "(--mapping columns.yaml)");
+  }
+  return ImportMapped(source, options, LoadTableMapping(options.mapping));
+}
+
+}  // namespace
+
+TableMapping LoadTableMapping(const std::filesystem::path& path) {
+  Diagnostics problems;
+  const YAML::Node root = LoadYaml(path, problems);
+  TableMapping mapping;
+  if (problems.num_errors() == 0) {
+    YamlMap map(root, path.string(), "mapping", problems);
+    std::string time_unit = "s";
+    map.Read("unit", mapping.unit, Needed::kNo);
+    map.Read("time", mapping.time, Needed::kNo);
+    map.Read("time_unit", time_unit, Needed::kNo);
+    map.Read("rate_hz", mapping.rate, Needed::kNo);
+    map.Read("trial", mapping.trial, Needed::kNo);
+    map.Read("occluded", mapping.occluded, Needed::kNo);
+    if (time_unit == "ms") {
+      mapping.seconds_per_time_unit = 1e-3;
+    } else if (time_unit != "s") {
+      map.Fail("time_unit", "is \"" + time_unit + "\"; expected s or ms");
+    }
+    if (mapping.time.empty() && !(mapping.rate > 0)) {
+      map.Fail("rate_hz", "is needed when no column of times is named");
+    }
+    const YAML::Node points = map.Child("points");
+    if (points && (!points.IsMap() || points.size() == 0)) {
+      map.Fail("points", "must name points, each with its three columns");
+    } else if (points) {
+      for (const auto& entry : points) {
+        TableMapping::Point point;
+        point.label = entry.first.as<std::string>("");
+        if (entry.second.IsSequence()) {
+          for (const YAML::Node& name : entry.second) {
+            point.columns.push_back(name.as<std::string>(""));
+          }
+        }
+        if (point.columns.size() != 3) {
+          map.Fail("points", "\"" + point.label + "\" needs the three columns of x, y, z in []");
+        }
+        mapping.points.push_back(std::move(point));
+      }
+    }
+    map.FinishKnownKeys();
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the mapping cannot be used");
+  return mapping;
+}
+
+std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
+                                         const TableMapping& mapping) {
+  std::ifstream stream(table, std::ios::binary);
+  if (!stream) throw Error(ErrorKind::kNotFound, "no file \"" + table.string() + "\"");
+  LineReader reader(stream, table.string());
+  Heading heading(reader);
+  const size_t column = heading.Find(mapping.trial);
+  heading.Check(reader);
+  std::vector<std::string> trials;
+  std::string_view line;
+  Cells cells;
+  while (column != kNoColumn && reader.Next(line)) {
+    SplitCells(line, heading.delimiter(), cells);
+    if (column < cells.size() && (trials.empty() || cells[column] != trials.back())) {
+      AddTrial(cells[column], trials);
+    }
+  }
+  return trials;
+}
+
+Importer MakeTableImporter() {
+  return {"table", "plain table with a mapping", {}, nullptr, ImportTable, nullptr};
+}
+
+}  // namespace graspbench

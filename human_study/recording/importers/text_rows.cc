@@ -1,0 +1,123 @@
+#include "human_study/recording/importers/text_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "human_study/recording/importers/import_errors.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatShort(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/** First byte and one past the last byte of a line, without its ending. */
+std::pair<size_t, size_t> FindLineBounds(const std::string& bytes, int line) {
+  size_t start = 0;
+  for (int k = 1; k < line; ++k) {
+    const size_t end = bytes.find('\n', start);
+    if (end == std::string::npos) return {bytes.size(), bytes.size()};
+    start = end + 1;
+  }
+  size_t end = std::min(bytes.find('\n', start), bytes.size());
+  if (end > start && bytes[end - 1] == '\r') --end;
+  return {start, end};
+}
+
+}  // namespace
+
+bool HasAllColumns(const Cells& cells, size_t num_columns, const LineReader& reader,
+                   const ImportOptions& options, Recording& recording) {
+  if (cells.size() >= num_columns) return true;
+  const std::string text = "the row has " + std::to_string(cells.size()) + " columns, expected " +
+                           std::to_string(num_columns);
+  if (!options.accept_truncated) {
+    reader.Fail(text +
+                "; the file is cut off or damaged here (--accept-truncated reads what comes "
+                "before)");
+  }
+  recording.Note("truncated", "line " + std::to_string(reader.line()),
+                 text + "; nothing is read from there on");
+  return false;
+}
+
+void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
+                  size_t& num_zeros) {
+  const double x = ParseNumber(cells, column, reader);
+  const double y = ParseNumber(cells, column + 1, reader);
+  const double z = ParseNumber(cells, column + 2, reader);
+  point.Append(x, y, z);
+  if (x == 0 && y == 0 && z == 0) {
+    point.SetInvalid(point.states.size() - 1);
+    ++num_zeros;
+  }
+}
+
+void NoteZeros(size_t num_zeros, Recording& recording) {
+  if (num_zeros == 0) return;
+  recording.Note("zero_coordinates", "data",
+                 std::to_string(num_zeros) + " samples at exactly (0, 0, 0); taken as invalid");
+}
+
+void NoteFrameCount(double declared, const std::string& where, Recording& recording) {
+  if (declared == static_cast<double>(recording.num_frames)) return;
+  recording.Note("frame_count_disputed", where,
+                 "promises " + FormatShort(declared) + " frames, the file holds " +
+                     std::to_string(recording.num_frames) + "; those are taken");
+}
+
+void SettleTimes(std::vector<double> times, int first_line, const std::string& file,
+                 Recording& recording) {
+  recording.start_time = (recording.first_frame - 1) / recording.rate;
+  if (times.empty()) return;
+  std::vector<double> intervals;
+  for (size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1])) {
+      FailAtLine(file, first_line + static_cast<int>(i),
+                 "time is " + FormatShort(times[i]) + " s" +
+                     (i > 0 ? " after " + FormatShort(times[i - 1]) + " s" : "") +
+                     "; times must increase (does the file hold several trials?)");
+    }
+    if (i > 0) intervals.push_back(times[i] - times[i - 1]);
+  }
+  recording.start_time = times[0];
+  if (intervals.empty()) return;
+  const auto is_even = [&](double rate) {
+    for (size_t i = 0; i < times.size(); ++i) {
+      if (std::abs((times[i] - times[0]) * rate - static_cast<double>(i)) > 0.05) return false;
+    }
+    return true;
+  };
+  if (!std::isfinite(recording.rate)) {
+    const double mean_rate = static_cast<double>(intervals.size()) / (times.back() - times[0]);
+    std::vector<double> sorted = intervals;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2),
+                     sorted.end());
+    recording.rate = is_even(mean_rate) ? mean_rate : 1.0 / sorted[sorted.size() / 2];
+    recording.Note("rate_from_times", "time column",
+                   "no rate is stated; the intervals give " + FormatShort(recording.rate) + " Hz");
+  }
+  if (is_even(recording.rate)) return;
+  const auto [shortest, longest] = std::minmax_element(intervals.begin(), intervals.end());
+  recording.Note("irregular_times", "time column",
+                 "intervals run from " + FormatShort(1e3 * *shortest) + " to " +
+                     FormatShort(1e3 * *longest) + " ms and do not keep to " +
+                     FormatShort(recording.rate) + " Hz; the time stamps are used, not the rate");
+  recording.times = std::move(times);
+}
+
+std::string FindLine(const std::string& bytes, int line) {
+  const auto [start, end] = FindLineBounds(bytes, line);
+  return bytes.substr(start, end - start);
+}
+
+void ReplaceLine(std::string& bytes, int line, const std::string& text) {
+  const auto [start, end] = FindLineBounds(bytes, line);
+  bytes.replace(start, end - start, text);
+}
+
+}  // namespace graspbench

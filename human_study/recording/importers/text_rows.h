@@ -1,0 +1,41 @@
+#pragma once
+/** @file
+What all text formats share: rows of numbers under named columns. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/recording/importers/delimited_text.h"
+#include "human_study/recording/importers/importer.h"
+
+namespace graspbench {
+
+/** True when the row has all columns. A short row fails with its line, or, when truncated files are
+accepted, is noted and false is returned: stop reading there. This check is also what keeps memory
+bounded: every stored value has paid for itself with a cell of the file. */
+bool HasAllColumns(const Cells& cells, size_t num_columns, const LineReader& reader,
+                   const ImportOptions& options, Recording& recording);
+
+/** Appends the triple at `column` to the point. Exactly (0, 0, 0) becomes invalid and is counted.
+ */
+void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
+                  size_t& num_zeros);
+void NoteZeros(size_t num_zeros, Recording& recording);
+
+/** Notes a count of the header that the rows do not keep. */
+void NoteFrameCount(double declared, const std::string& where, Recording& recording);
+
+/** Decides between an even clock and the file's own time stamps [s], one per frame: stamps that
+stay within 5 % of a frame of an even clock at `recording.rate` only set the start, others are kept
+("irregular_times"). Without a rate the intervals give it: their mean when they are even, else their
+median ("rate_from_times"). No stamps at all: the first frame's number sets the start.
+@throws Error(kFormat) with the line where time does not increase. */
+void SettleTimes(std::vector<double> times, int first_line, const std::string& file,
+                 Recording& recording);
+
+/** Replaces line `line` (one-based) of a text; keeps its line ending. */
+void ReplaceLine(std::string& bytes, int line, const std::string& text);
+/** Line `line` (one-based) without its ending; empty when there is none. */
+std::string FindLine(const std::string& bytes, int line);
+
+}  // namespace graspbench

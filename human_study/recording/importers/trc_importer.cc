@@ -1,0 +1,107 @@
+/** @file
+TRC (Motion Analysis, OpenSim), with tabs or commas: a line with a path, names and values of the
+header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row a frame. */
+
+#include <algorithm>
+#include <cmath>
+
+#include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/text_rows.h"
+
+namespace graspbench {
+namespace {
+
+/** Value under a name of the header's second line; empty when absent. */
+std::string_view FindValue(const Cells& names, const Cells& values, std::string_view name) {
+  for (size_t i = 0; i < std::min(names.size(), values.size()); ++i) {
+    if (LowerCase(names[i]) == name) return values[i];
+  }
+  return {};
+}
+
+Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
+  Recording recording;
+  LineReader reader(source.stream, source.name);
+  Cells cells;
+  const std::string first(reader.Require("its header"));
+  const char delimiter = first.find('\t') != std::string::npos ? '\t' : ',';
+  const std::string name_line(reader.Require("the names of its header"));
+  Cells names;
+  SplitCells(name_line, delimiter, names);
+  const std::string value_line(reader.Require("the values of its header"));
+  Cells values;
+  SplitCells(value_line, delimiter, values);
+  recording.rate =
+      ParseHeaderNumber(FindValue(names, values, "datarate"), "DataRate", 1e-6, 1e6, reader);
+  const double num_frames = ParseHeaderNumber(FindValue(names, values, "numframes"), "NumFrames", 0,
+                                              2147483647.0, reader);
+  const double num_markers =
+      ParseHeaderNumber(FindValue(names, values, "nummarkers"), "NumMarkers", 1, 65535, reader);
+  std::string unit(FindValue(names, values, "units"));
+  if (unit.empty()) unit = options.unit;
+
+  // Labels stand over X, with two empty cells after each.
+  SplitCells(reader.Require("the row of labels"), delimiter, cells);
+  const auto num_points = static_cast<size_t>(num_markers);
+  recording.points.resize(num_points);
+  for (size_t i = 0; i < num_points && 2 + 3 * i < cells.size(); ++i) {
+    recording.points[i].label = std::string(cells[2 + 3 * i]);
+  }
+  DropEmptyEnd(cells);
+  if (cells.size() > 2 + 3 * num_points) {
+    recording.Note("extra_labels", "line 4",
+                   "more labels than the " + std::to_string(num_points) +
+                       " markers of NumMarkers; the first ones are taken");
+  }
+  SetLengthUnit(recording, unit, "Units");
+  MakeLabelsUnique(recording, "line 4");
+  reader.Require("the row X1 Y1 Z1");
+
+  std::string_view line;
+  std::vector<double> times;
+  size_t num_zeros = 0;
+  int first_line = 0;
+  while (reader.Next(line)) {
+    SplitCells(line, delimiter, cells);
+    if (IsBlank(cells)) continue;
+    if (!HasAllColumns(cells, 2 + 3 * num_points, reader, options, recording)) break;
+    if (recording.num_frames == 0) {
+      first_line = reader.line();
+      recording.first_frame = static_cast<int>(
+          ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
+    }
+    times.push_back(ParseNumber(cells, 1, reader));
+    for (size_t i = 0; i < num_points; ++i) {
+      AppendTriple(cells, 2 + 3 * i, reader, recording.points[i], num_zeros);
+    }
+    ++recording.num_frames;
+  }
+  NoteZeros(num_zeros, recording);
+  NoteFrameCount(num_frames, "NumFrames", recording);
+  SettleTimes(std::move(times), first_line, source.name, recording);
+  return recording;
+}
+
+/** The first line holds the path of the file on the machine that wrote it. */
+std::vector<PersonalField> RedactTrc(std::string& bytes, const std::string&) {
+  const std::string line = FindLine(bytes, 1);
+  const char delimiter = line.find('\t') != std::string::npos ? '\t' : ',';
+  Cells cells;
+  SplitCells(line, delimiter, cells);
+  if (cells.size() < 4 || cells[3].empty()) return {};
+  const std::string path(cells[3]);
+  std::string redacted = line;
+  redacted.replace(static_cast<size_t>(cells[3].data() - line.data()), path.size(), "redacted.trc");
+  ReplaceLine(bytes, 1, redacted);
+  return {{"line 1", path}};
+}
+
+}  // namespace
+
+Importer MakeTrcImporter() {
+  return {"trc",     "TRC",
+          {".trc"},  [](std::string_view head) { return StartsWith(head, "PathFileType"); },
+          ImportTrc, RedactTrc};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,86 @@
+#pragma once
+/** @file
+How far one trial of a measure can be trusted, from repeated trials of several persons in one
+condition.
+
+With s_w^2 the mean square within persons:
+- within-person standard deviation s_w; it is also the standard error of measurement (SEM) of a
+  single trial; SEM / sqrt(k) for the mean of k;
+- within-person coefficient of variation s_w / mean, without unit, for measures that are positive;
+- minimal detectable change 1.96 sqrt(2) SEM: two single trials that differ by less may be equal
+  (J. P. Weir, J. Strength Cond. Res. 19 (2005));
+- trials needed for the mean of k to reach a wanted ICC (Spearman and Brown, 1910):
+  k = wanted (1 - ICC(1,1)) / (ICC(1,1) (1 - wanted)), rounded up.
+Practice and fatigue over trials count as variation within the person. */
+
+#include <string>
+#include <vector>
+
+#include "core/statistics/bootstrap.h"
+#include "human_study/statistics/reliability/icc.h"
+
+namespace graspbench {
+
+struct TrialsNeeded {
+  double wanted_icc = 0.9;
+  int num_trials = 0;
+  int fewest = 0;    ///< at the upper limit of the ICC's interval
+  Answer<int> most;  ///< at the lower limit; none when that is not positive
+};
+
+struct Reliability {
+  int num_persons = 0;  ///< with a value
+  int num_values = 0;
+  int num_missing = 0;
+  double mean = 0.0;  ///< over persons, of their means
+  double within_person_sd = 0.0;
+  Interval within_person_interval;  ///< 95 %
+  double between_person_sd = 0.0;   ///< of true values; 0 when the estimated variance is negative
+  Answer<double> within_person_cv;  ///< none when a value is not positive
+  double minimal_detectable_change = 0.0;
+  Answer<IccPair> one_way, agreement, consistency;
+  Answer<TrialsNeeded> trials_needed;
+};
+
+/** No answer below two persons, without a person with two trials, when trials of a person never
+differ, or with an infinite value. @pre 0 < wanted_icc < 1. */
+Answer<Reliability> CalcReliability(const std::vector<PersonTrials>& persons,
+                                    double wanted_icc = 0.9);
+
+/** No answer unless the ICC is positive. @pre single.num_trials == 1, 0 < wanted_icc < 1. */
+Answer<TrialsNeeded> CalcTrialsNeeded(const Icc& single, double wanted_icc);
+
+/** Is one measure more reliable than another? ICC(1,1) of `a` minus that of `b`, with an interval
+from drawing persons; `a` and `b` hold the same persons in the same order. @pre equal sizes. */
+Answer<BootstrapInterval> CompareReliability(const std::vector<PersonTrials>& a,
+                                             const std::vector<PersonTrials>& b,
+                                             const std::string& id);
+
+/** What a measure loses when one digit's marker is left out. */
+struct PrecisionLoss {
+  Answer<double> cv_ratio;    ///< within-person CV without / with; above 1 is a loss
+  Answer<double> icc_change;  ///< ICC(1,1) without - with; below 0 is a loss
+};
+
+/** @param full  of the measure over all digits; `reduced`: over the digits that are left. */
+PrecisionLoss CalcPrecisionLoss(const Answer<Reliability>& full,
+                                const Answer<Reliability>& reduced);
+
+/** How clearly a measure tells the open from the closed hand. */
+struct Separation {
+  int num_open = 0;
+  int num_closed = 0;
+  double difference = 0.0;  ///< mean open - mean closed
+  double pooled_sd = 0.0;
+  double d_prime = 0.0;  ///< difference / pooled_sd
+  /** 95 %, large-sample (Hedges and Olkin, "Statistical methods for meta-analysis", 1985, section
+  5.E), open and closed taken as independent. */
+  Interval interval;
+};
+
+/** Trials of one person; NaN is missing. No answer below two trials on either side, with an
+infinite value or without spread. */
+Answer<Separation> CalcSeparation(const std::vector<double>& open,
+                                  const std::vector<double>& closed);
+
+}  // namespace graspbench

@@ -1,0 +1,49 @@
+#pragma once
+/** @file
+What a study's own choices do to a known asynchrony: trials with that GFT are made, recorded at the
+study's rate and noise, analysed with the study's options, and compared with the truth. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/events/trial_analysis.h"
+#include "human_study/study/synthetic/synthetic_study.h"
+
+namespace graspbench {
+
+struct BiasCase {
+  std::string text;  ///< for the table: "this study", "cut-off 6 Hz"
+  double rate = 200.0;
+  double noise = 0.0003;
+  int num_digits = 5;
+  bool lifts = true;       ///< SyntheticOptions::lifts
+  bool has_object = true;  ///< the object was recorded
+  AnalysisOptions options;
+};
+
+struct BiasRow {
+  std::string text;
+  double true_gft = 0.0;  ///< [s]
+  int num_trials = 0;
+  int num_missing = 0;    ///< trials without a GFT
+  double mean_gft = 0.0;  ///< [s] over the trials with one, as all below
+  double sd_gft = 0.0;
+  double contact_bias = 0.0;  ///< mean of found - true contact time, over all digits [s]
+  double contact_sd = 0.0;    ///< SD of that [s]
+  /** Share of contacts whose error is below 1.96 stated uncertainties: 0.95 would be honest. */
+  double coverage = 0.0;
+};
+
+/** Analyses the trials and compares with their truth. `text` stays empty.
+@param has_object  false: the analysis does not see the object. */
+BiasRow CalcBiasRow(const std::vector<SyntheticTrial>& trials, const AnalysisOptions& options,
+                    bool has_object = true);
+
+/** A row for every case and asynchrony. @param num_trials  rounded up to a multiple of 20: five
+people, four sizes.
+@param seed  the same for all rows, so that they differ by the case alone. */
+std::vector<BiasRow> CalcBiasCard(const std::vector<BiasCase>& cases,
+                                  const std::vector<double>& true_gfts, int num_trials,
+                                  const std::string& seed);
+
+}  // namespace graspbench

@@ -1,0 +1,103 @@
+#include "core/physics/simbody_model.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "core/physics/hand_dynamics.h"
+#include "core/physics/known_answers/small_scenes.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
+  VectorXd v(size);
+  for (double& value : v) value = scale * random.NextNormal();
+  return v;
+}
+
+/** A tree of `num_links` links with random frames, axes and inertia; branches are random too. */
+Hand MakeRandomHand(int num_links, RandomStream& random) {
+  Hand hand = MakeBareHand();
+  for (int i = 0; i < num_links; ++i) {
+    const auto parent = random.NextIndex(static_cast<int>(hand.links.size()));
+    const Pose X_PJ = MakePose(
+        MakeRotationRpy(random.NextUniform(-3, 3), random.NextUniform(-1, 1),
+                        random.NextUniform(-3, 3)),
+        0.05 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()));
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
+    AddRodLink(hand, parent, X_PJ, axis, random.NextUniform(0.01, 0.1),
+               random.NextUniform(0.02, 0.06));
+    hand.links.back().p_LLcm += 0.01 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), 0);
+  }
+  return hand;
+}
+
+// The oracle is Simbody itself: calcM and calcResidualForceIgnoringConstraints.
+TEST(HandDynamics, EqualsSimbodyOnRandomTreesAndStates) {
+  RandomStream random("dynamics", "test");
+  for (int trial = 0; trial < 20; ++trial) {
+    const Hand hand = MakeRandomHand(1 + random.NextIndex(24), random);
+    const int joints = hand.num_joints();
+    MassProperties object;
+    object.mass = 0.1;
+    object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
+    SimbodyModel simbody(hand, object);
+    HandDynamics dynamics(hand);
+    ASSERT_EQ(simbody.num_speeds(), joints + 6);
+    ASSERT_EQ(dynamics.num_dofs(), joints);
+
+    const VectorXd q = MakeRandomVector(joints, 1.0, random);
+    const VectorXd u = MakeRandomVector(joints, 3.0, random);
+    const Vector3d v_WH = MakeRandomVector(3, 0.3, random);
+    const Vector3d gravity = MakeRandomVector(3, 5.0, random);
+    const Pose X_WH = MakePose(MakeRotationRpy(0.3, -0.8, 2.0), Vector3d(0.1, -0.2, 0.3));
+    simbody.SetPositions(X_WH, q, Pose::Identity());
+    VectorXd all_speeds = VectorXd::Zero(joints + 6);
+    all_speeds.head(joints) = u;
+    simbody.SetSpeeds(v_WH, all_speeds);
+
+    dynamics.UpdatePositions(X_WH, q);
+    std::vector<Pose> X_WL;
+    simbody.CalcLinkPoses(X_WL);
+    for (size_t i = 0; i < X_WL.size(); ++i) {
+      EXPECT_LT((X_WL[i].matrix() - dynamics.X_WL(static_cast<int>(i)).matrix()).norm(), 1e-12);
+    }
+    Eigen::MatrixXd M(joints, joints);
+    dynamics.CalcMassMatrix(M);
+    EXPECT_LT((M - simbody.CalcMassMatrix().topLeftCorner(joints, joints)).cwiseAbs().maxCoeff(),
+              1e-12);
+    VectorXd bias(joints);
+    dynamics.CalcBias(u, v_WH, -gravity, bias);
+    EXPECT_LT((bias - simbody.CalcBias(gravity).head(joints)).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(SimbodyModel, HoldsTheObjectAboutItsCentreOfMass) {
+  MassProperties object;
+  object.mass = 0.2;
+  object.I_OOcm << 1e-4, 1e-5, 0, 1e-5, 2e-4, 0, 0, 0, 2.5e-4;
+  SimbodyModel simbody(MakeBareHand(), object);
+  const Pose X_WO = MakePose(MakeRotationRpy(0.4, 0.5, 0.6), Vector3d(1, 2, 3));
+  const Vector3d w(1.0, -2.0, 3.0);
+  VectorXd u(6);
+  u << w, 0.1, 0.2, 0.3;
+  simbody.SetPositions(Pose::Identity(), VectorXd(), X_WO);
+  simbody.SetSpeeds(Vector3d::Zero(), u);
+  const Eigen::Matrix3d I_W = X_WO.linear() * object.I_OOcm * X_WO.linear().transpose();
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6, 6);
+  M.topLeftCorner<3, 3>() = I_W;
+  M.bottomRightCorner<3, 3>() = 0.2 * Eigen::Matrix3d::Identity();
+  EXPECT_LT((simbody.CalcMassMatrix() - M).cwiseAbs().maxCoeff(), 1e-15);
+  VectorXd bias(6);
+  bias << w.cross(I_W * w), 0.0, 0.0, 0.2 * kStandardGravity;  // Euler's equations
+  EXPECT_LT((simbody.CalcBias(Vector3d(0, 0, -kStandardGravity)) - bias).cwiseAbs().maxCoeff(),
+            1e-14);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,97 @@
+#include "core/statistics/proportion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+TEST(WilsonInterval, AgreesWithNewcombe1998) {
+  // Newcombe, Stat. Med. 17 (1998), table I, method 3.
+  const struct {
+    int successes, trials;
+    double low, high;
+  } published[] = {{81, 263, 0.2553, 0.3662},
+                   {15, 148, 0.0624, 0.1605},
+                   {0, 20, 0.0000, 0.1611},
+                   {1, 29, 0.0061, 0.1718}};
+  for (const auto& known : published) {
+    const Interval interval = CalcWilsonInterval(known.successes, known.trials);
+    EXPECT_NEAR(interval.low, known.low, 5e-5) << known.successes << "/" << known.trials;
+    EXPECT_NEAR(interval.high, known.high, 5e-5) << known.successes << "/" << known.trials;
+  }
+}
+
+TEST(WilsonInterval, EndsSolveTheScoreEquation) {
+  // |p - theta| = z sqrt(theta (1 - theta) / n) at both ends.
+  constexpr double kZ = 1.959963984540054;
+  for (int n : {1, 2, 10, 1000}) {
+    for (int k = 0; k <= n; k += std::max(1, n / 7)) {
+      const Interval interval = CalcWilsonInterval(k, n);
+      for (double theta : {interval.low, interval.high}) {
+        EXPECT_NEAR(std::abs(static_cast<double>(k) / n - theta),
+                    kZ * std::sqrt(theta * (1.0 - theta) / n), 1e-12);
+      }
+      EXPECT_LE(interval.low, static_cast<double>(k) / n);
+      EXPECT_GE(interval.high, static_cast<double>(k) / n);
+    }
+  }
+}
+
+TEST(WilsonInterval, IsMirroredAndKnowsNothingWithoutTrials) {
+  for (int k = 0; k <= 10; ++k) {
+    EXPECT_NEAR(CalcWilsonInterval(k, 10).low, 1.0 - CalcWilsonInterval(10 - k, 10).high, 1e-15);
+  }
+  EXPECT_EQ(CalcWilsonInterval(0, 10).low, 0.0);
+  EXPECT_EQ(CalcWilsonInterval(10, 10).high, 1.0);
+  EXPECT_EQ(CalcWilsonInterval(0, 0).low, 0.0);
+  EXPECT_EQ(CalcWilsonInterval(0, 0).high, 1.0);
+}
+
+TEST(FisherExact, TheLadyTastingTea) {
+  // Fisher 1935: three of four cups right each; (16 + 16 + 1 + 1) / 70.
+  EXPECT_NEAR(CalcFisherExactTwoSided(3, 4, 1, 4), 34.0 / 70.0, 1e-12);
+  EXPECT_NEAR(CalcFisherExactTwoSided(4, 4, 0, 4), 2.0 / 70.0, 1e-12);
+}
+
+TEST(FisherExact, TheConvictionsOfTwins) {
+  // Fisher's twins: 10 of 13 monozygotic and 2 of 17 dizygotic twins convicted, p = 0.0005367.
+  EXPECT_NEAR(CalcFisherExactTwoSided(10, 13, 2, 17), 0.0005367, 5e-8);
+}
+
+double CalcChoose(int n, int k) {
+  double value = 1.0;
+  for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+  return value;
+}
+
+TEST(FisherExact, AgreesWithCountingAllTables) {
+  for (int n_a = 1; n_a <= 10; ++n_a) {
+    for (int k_a = 0; k_a <= n_a; ++k_a) {
+      for (int k_b = 0; k_b <= 10; ++k_b) {
+        const auto count = [&](int k) {  // tables with k successes in a; exact in double
+          const int other = k_a + k_b - k;
+          return other < 0 || other > 10 ? 0.0 : CalcChoose(n_a, k) * CalcChoose(10, other);
+        };
+        double as_rare = 0.0, all = 0.0;
+        for (int k = 0; k <= n_a; ++k) {
+          all += count(k);
+          if (std::round(count(k)) <= std::round(count(k_a))) as_rare += count(k);
+        }
+        EXPECT_NEAR(CalcFisherExactTwoSided(k_a, n_a, k_b, 10), as_rare / all, 1e-11);
+        EXPECT_EQ(CalcFisherExactTwoSided(k_a, n_a, k_b, 10) > 0.0, true);
+      }
+    }
+  }
+}
+
+TEST(FisherExact, DoesNotCareWhichComesFirstAndHoldsForMany) {
+  EXPECT_NEAR(CalcFisherExactTwoSided(7, 10, 2, 12), CalcFisherExactTwoSided(2, 12, 7, 10), 1e-14);
+  EXPECT_NEAR(CalcFisherExactTwoSided(5000, 10000, 5000, 10000), 1.0, 1e-9);
+  EXPECT_EQ(CalcFisherExactTwoSided(0, 0, 3, 7), 1.0);
+}
+
+}  // namespace
+}  // namespace graspbench

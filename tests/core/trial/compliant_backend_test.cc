@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include "core/hand/load_hand.h"
+#include "core/trial/compliant_trial.h"
+#include "core/trial/trial_runner.h"
+#include "objects/catalogue.h"
+
+namespace graspbench {
+namespace {
+
+TEST(CompliantBackend, TakesBalls) {
+  EXPECT_TRUE(CanRunCompliant(*LoadObject("golf_ball")));
+  EXPECT_TRUE(CanRunCompliant(*LoadObject("tennis_ball")));
+  EXPECT_FALSE(CanRunCompliant(*LoadObject("toy_cube")));
+  EXPECT_FALSE(CanRunCompliant(*LoadObject("can")));
+}
+
+TEST(CompliantBackend, TouchesAndGripsAsOurOwnWorldDoes) {
+  TrialSetup setup;
+  setup.hand = std::make_shared<const Hand>(LoadHand("tum"));
+  setup.object = LoadObject("golf_ball");
+  setup.grasp = LoadStandardGrasps(*setup.hand).front();
+  setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
+  const TrialResult ours = TrialRunner(setup.hand, setup.object).Run(setup);
+  const TrialResult theirs = RunCompliantTrial(setup);
+  EXPECT_EQ(theirs.outcome, ours.outcome) << theirs.reason;
+  EXPECT_NEAR(theirs.timing.gct, ours.timing.gct, 0.01);
+  EXPECT_NEAR(theirs.timing.gft, ours.timing.gft, 0.01);
+  EXPECT_NEAR(theirs.grip_force, ours.grip_force, 0.05 * ours.grip_force);
+}
+
+}  // namespace
+}  // namespace graspbench

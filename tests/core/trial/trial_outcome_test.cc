@@ -1,0 +1,104 @@
+#include "core/trial/trial_outcome.h"
+
+#include <gtest/gtest.h>
+
+namespace graspbench {
+namespace {
+
+/** The end of a hold that went well. */
+TrialFacts MakeGoodEnd() {
+  TrialFacts facts;
+  facts.phase = Phase::kDone;
+  facts.time = facts.last_touch = 4.0;
+  facts.lift_time = 1.0;
+  facts.lift_distance = facts.rise = 0.1;
+  facts.grip_force = facts.closed_grip_force = 3.0;
+  facts.extent = facts.rest_extent = 0.03;
+  facts.contacts = {{"FF", false, 0.5}, {"TH", true, 0.6}};
+  return facts;
+}
+
+/** The object lies where it was; the hand came back empty. */
+TrialFacts MakeEmptyEnd() {
+  TrialFacts facts = MakeGoodEnd();
+  facts.rise = 0.0;
+  facts.grip_force = 0.0;
+  facts.table_force = 0.1;
+  facts.last_touch = 1.0;
+  return facts;
+}
+
+void ExpectOutcome(const TrialFacts& facts, Outcome outcome, const std::string& reason) {
+  const OutcomeReason found = FindOutcome(facts);
+  EXPECT_EQ(found.outcome, outcome) << NameOf(found.outcome);
+  EXPECT_EQ(found.reason, reason);
+}
+
+TEST(TrialOutcome, SuccessNeedsAHeldAndSteadyObject) {
+  TrialFacts facts = MakeGoodEnd();
+  EXPECT_TRUE(IsHeld(facts));
+  ExpectOutcome(facts, Outcome::kSuccess, "");
+  facts.relative_speed = 0.0062;
+  ExpectOutcome(facts, Outcome::kDroppedWhileHolding,
+                "still moving in the hand at 6.2 mm/s at the end of the hold");
+  facts.table_force = 0.1;
+  EXPECT_FALSE(IsHeld(facts));
+}
+
+TEST(TrialOutcome, EveryFailureHasItsName) {
+  ExpectOutcome(MakeEmptyEnd(), Outcome::kSlippedInLiftOff,
+                "gripped with 3.00 N in all, but it stayed behind");
+  TrialFacts facts = MakeEmptyEnd();
+  facts.closed_grip_force = 0.0;
+  ExpectOutcome(facts, Outcome::kLostWhileClosing,
+                "all digits had touched, but none did before lift-off");
+  facts = MakeEmptyEnd();
+  facts.displacement = 0.06;
+  ExpectOutcome(facts, Outcome::kPushedAway, "the object was pushed 60 mm aside and stayed behind");
+  facts.contacts[0].time = kUnset;
+  ExpectOutcome(facts, Outcome::kNoContact, "never touched by FF");
+  facts = MakeEmptyEnd();
+  facts.extent = 0.05;
+  ExpectOutcome(facts, Outcome::kKnockedOver, "the object tipped over and stayed behind");
+  facts = MakeEmptyEnd();
+  facts.phase = Phase::kHold;
+  facts.time_in_phase = 0.4;
+  facts.last_touch = facts.time - 0.2;
+  ExpectOutcome(facts, Outcome::kDroppedWhileHolding, "fell out of the hand 0.40 s into the hold");
+  facts = MakeGoodEnd();
+  facts.is_finite = false;
+  ExpectOutcome(facts, Outcome::kNumericalFailure,
+                "positions or speeds became infinite 4.000 s into the trial");
+  facts = MakeGoodEnd();
+  facts.unconverged_time = 0.11;
+  ExpectOutcome(facts, Outcome::kNumericalFailure,
+                "the solver did not converge for 0.11 s, up to 4.000 s into the trial");
+}
+
+TEST(TrialOutcome, IsDecidedAsSoonAsNothingCanChangeIt) {
+  TrialFacts facts = MakeEmptyEnd();
+  facts.phase = Phase::kClosure;
+  EXPECT_FALSE(IsDecided(facts));  // it may still be gripped
+  facts.displacement = 0.06;
+  EXPECT_TRUE(IsDecided(facts));
+  ExpectOutcome(facts, Outcome::kPushedAway,
+                "the object was pushed 60 mm aside before it was held");
+  facts = MakeEmptyEnd();
+  facts.phase = Phase::kLiftOff;
+  facts.time_in_phase = 0.4;
+  EXPECT_FALSE(IsDecided(facts));
+  facts.time_in_phase = 0.6;
+  EXPECT_TRUE(IsDecided(facts));
+  facts = MakeGoodEnd();
+  facts.phase = Phase::kHold;
+  EXPECT_FALSE(IsDecided(facts));
+  facts.last_touch = facts.time - 0.2;
+  EXPECT_TRUE(IsDecided(facts));
+  facts.phase = Phase::kClosure;
+  facts.last_touch = facts.time;
+  facts.is_finite = false;
+  EXPECT_TRUE(IsDecided(facts));
+}
+
+}  // namespace
+}  // namespace graspbench

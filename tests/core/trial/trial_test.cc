@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/trial/trial_runner.h"
+#include "tests/core/trial/trial_setups.h"
+
+namespace graspbench {
+namespace {
+
+class TrialTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(TrialTest, ALightCubeIsLiftedAndHeldWithoutCreep) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
+  EXPECT_NEAR(result.lift_height, 0.1, 0.01);
+  EXPECT_EQ(result.num_unconverged, 0);
+  EXPECT_LT(result.end_speed, 1e-6);
+  EXPECT_LT(std::abs(result.energy_residual), 0.01);
+  ASSERT_EQ(result.snapshots.size(), 3u);
+  EXPECT_EQ(result.snapshots[0].name, "pregrasp");
+  EXPECT_EQ(result.snapshots[2].name, "lifted");
+  // Two digits: forming and opposing are the same.
+  EXPECT_EQ(result.timing.gft, result.timing.got);
+  EXPECT_GE(result.timing.gct, result.timing.gft);
+  EXPECT_LT(result.hold_creep, 1e-6);
+  EXPECT_GT(result.steady_penetration, 0.0);
+  EXPECT_LE(result.steady_penetration, result.worst_penetration);
+}
+
+TEST_P(TrialTest, ATouchIsKeptWithTheHandAsItWas) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  ASSERT_EQ(result.touches.size(), result.contacts.size());
+  for (size_t i = 0; i < result.touches.size(); ++i) {
+    const DigitTouch& touch = result.touches[i];
+    // Closing is linear in time from the start of closure on.
+    EXPECT_NEAR(touch.closing, result.contacts[i].time / setup.strategy.closure_time,
+                1.5 * setup.sim.step);
+    EXPECT_EQ(touch.smallest_gap, 0.0);
+    // The joints of that digit lag a little behind what was asked.
+    ASSERT_EQ(touch.q.size(), setup.hand->num_joints());
+    const Eigen::VectorXd asked =
+        setup.grasp.q_pre + touch.closing * (setup.grasp.q_target - setup.grasp.q_pre);
+    EXPECT_LT((touch.q - asked).cwiseAbs().maxCoeff(), RadFromDeg(10.0));
+  }
+}
+
+// The record of events and the times of first contact are kept apart and must agree.
+TEST_P(TrialTest, EventsBeginWithTheFirstTouches) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  for (const DigitContact& contact : result.contacts) {
+    double first = kUnset;
+    for (const ContactEvent& event : result.contact_events) {
+      if (event.digit == contact.digit) first = std::fmin(first, event.time);
+    }
+    // A graze shorter than 10 ms is a first contact, but no event.
+    EXPECT_GE(first, contact.time - 1e-9) << contact.digit;
+    EXPECT_LT(first, contact.time + 0.2) << contact.digit;
+  }
+  std::vector<std::string> phases;
+  for (const PhaseStart& phase : result.phases) phases.push_back(phase.name);
+  EXPECT_EQ(phases,
+            (std::vector<std::string>{"closure", "stabilisation", "lift-off", "hold", "done"}));
+  EXPECT_EQ(result.phases[0].time, 0.0);
+}
+
+TEST_P(TrialTest, StabilityIsThatOfAHeldCube) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  const Stability stability = TrialRunner(setup.hand, setup.object).Run(setup).stability;
+  EXPECT_EQ(stability.sigma, stability.hold.sigma);
+  EXPECT_EQ(stability.sigma_proposed, stability.stabilisation.sigma_proposed);
+  EXPECT_EQ(stability.stabilisation.num_samples, 20);
+  EXPECT_EQ(stability.lift.num_samples, 10);
+  EXPECT_EQ(stability.hold.num_samples, 10);
+  for (const StabilityPart& part : {stability.stabilisation, stability.lift, stability.hold}) {
+    EXPECT_GT(part.sigma, 0.0);
+    EXPECT_LT(part.sigma, part.normal_force);
+    EXPECT_GT(part.sigma_proposed, 0.0);
+    EXPECT_LE(part.sigma_proposed, 10.0);
+    EXPECT_GT(part.quality, 0.0);
+    EXPECT_NEAR(part.opposition, 1.0, 1e-12);
+  }
+  EXPECT_LT(stability.hold.slip_speed, 1e-3);
+}
+
+// Without friction nothing can be lifted; nothing is glued.
+TEST_P(TrialTest, WithoutFrictionTheCubeStaysBehind) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.0));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_NE(result.outcome, Outcome::kSuccess);
+  EXPECT_NE(result.outcome, Outcome::kNumericalFailure) << result.reason;
+  EXPECT_LT(result.lift_height, 0.02);
+  EXPECT_FALSE(result.reason.empty());
+  EXPECT_EQ(result.stability.sigma, 0.0);
+  EXPECT_TRUE(std::isnan(result.hold_creep));
+  EXPECT_TRUE(std::isnan(result.steady_penetration));
+}
+
+// A pinch carries at most mu F of weight: 20 kg cannot be lifted by a few newton.
+TEST_P(TrialTest, ADigitThatCannotReachKeepsItsSmallestGap) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5));
+  setup.grasp.q_target = setup.grasp.q_pre;
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_EQ(result.outcome, Outcome::kNoContact);
+  for (const DigitTouch& touch : result.touches) {
+    EXPECT_TRUE(std::isnan(touch.closing));
+    EXPECT_EQ(touch.q.size(), 0);
+    EXPECT_GT(touch.smallest_gap, 0.0);
+    EXPECT_LT(touch.smallest_gap, 0.1);
+  }
+}
+
+TEST_P(TrialTest, ATooHeavyCubeStaysBehind) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(20.0, 0.5));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_NE(result.outcome, Outcome::kSuccess);
+  EXPECT_LT(0.5 * result.grip_force, 20.0 * kStandardGravity);
+}
+
+TEST_P(TrialTest, TheSameTrialGivesTheSameBitsWhateverRanBefore) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
+  TrialRunner fresh(setup.hand, setup.object), used(setup.hand, setup.object);
+  TrialSetup other = setup;
+  other.draw.offset_x = 0.004;
+  other.sim.step = 0.001;
+  used.Run(other);
+  EXPECT_EQ(ToJson(fresh.Run(setup)).dump(), ToJson(used.Run(setup)).dump());
+}
+
+TEST_P(TrialTest, AResultSurvivesItsRecord) {
+  const TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  const std::string text = ToJson(result).dump();
+  EXPECT_EQ(ToJson(TrialResultFromJson(Json::parse(text))).dump(), text);
+}
+
+TEST_P(TrialTest, AnImpossibleStateIsANumericalFailureWithItsReason) {
+  TrialSetup setup = MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.31));
+  setup.draw.offset_x = std::nan("");
+  const TrialResult result = TrialRunner(setup.hand, setup.object).Run(setup);
+  EXPECT_EQ(result.outcome, Outcome::kNumericalFailure);
+  EXPECT_FALSE(result.reason.empty());
+}
+
+TEST(TrialRunner, RefusesAChainOfTooManyJoints) {
+  Hand hand = MakeBareHand();
+  hand.id = "snake";
+  for (int i = 0; i < 13; ++i) {
+    AddRodLink(hand, i, MakePose(Eigen::Vector3d(0, 0, 0.02)), Eigen::Vector3d::UnitX(), 0.01,
+               0.02);
+  }
+  try {
+    TrialRunner(std::make_shared<const Hand>(hand), MakeCube(0.1, 0.5));
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kUnsupported);
+    EXPECT_STREQ(
+        e.what(),
+        "hand \"snake\" has 13 joints between its root and link \"link13\"; the simulation "
+        "takes at most 12");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, TrialTest, testing::Values("tum", "shadow"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,130 @@
+#include "datasets/campaign/campaign_store.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+CampaignConfig MakeConfig() {
+  CampaignConfig config;
+  config.comparison.scenes = {"tum/mug", "shadow/pencil"};
+  config.comparison.methods = {"es", "grid"};
+  config.comparison.seeds = 2;
+  return config;
+}
+
+/** An evaluation journal whose sigma are as given. */
+void WriteSearch(const fs::path& path, const std::vector<double>& fitness) {
+  MakeFolder(path.parent_path());
+  EvaluationJournal journal(path);
+  for (size_t i = 0; i < fitness.size(); ++i) {
+    EvaluationRecord record;
+    record.stage = "search";
+    record.individual.number = static_cast<int>(i);
+    record.trial_ids = {"0123456789abcdef"};
+    record.trials.resize(1);
+    record.trials[0].outcome = Outcome::kSuccess;
+    record.trials[0].sigma = fitness[i];
+    record.trials[0].contacts = {{"TH", true, 0.4}};
+    record.trials[0].closings = {0.4};
+    journal.Append({record});
+  }
+}
+
+TEST(CampaignConfig, TellsAllProblems) {
+  CampaignConfig config = MakeConfig();
+  config.session.trials = 0;
+  config.session.grasps = {"g1"};
+  config.optimise.method = "swarm";
+  config.comparison.scenes = {"mug"};
+  try {
+    CheckCampaignConfig(config);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "the campaign cannot be run\n"
+              "session.trials: 0 is out of range; expected 1 to 100000\n"
+              "session.grasps: a campaign optimises each object's best grasp; expected \"best\"\n"
+              "optimise.method: \"swarm\" is not known. Known: es, cmaes, de, random, grid\n"
+              "comparison.scenes: \"mug\": expected hand/object");
+  }
+}
+
+TEST(CampaignStore, IsContinuedOnlyWithItsOwnSettings) {
+  const TemporaryFolder folder;
+  CampaignConfig config = MakeConfig();
+  EXPECT_FALSE(HasCampaign(folder.path()));
+  CreateCampaign(folder.path(), config);
+  CreateCampaign(folder.path(), config);
+  EXPECT_EQ(LoadCampaignConfig(folder.path()).comparison.scenes, config.comparison.scenes);
+  config.optimise.evaluations = 77;
+  try {
+    CreateCampaign(folder.path(), config);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kUsage);
+    EXPECT_NE(std::string(e.what()).find("optimise.evaluations"), std::string::npos) << e.what();
+  }
+}
+
+TEST(CampaignStore, PlansOneSceneForEachHandAndObject) {
+  const auto scenes = PlanScenes(MakeConfig(), MakeFakeInputs(), "c");
+  ASSERT_EQ(scenes.size(), 4u);
+  EXPECT_EQ(scenes[0].folder, fs::path("c/scenes/tum-mug"));
+  EXPECT_EQ(scenes[0].config.grasp, "g2");
+  EXPECT_EQ(scenes[3].folder, fs::path("c/scenes/shadow-pencil"));
+}
+
+TEST(CampaignStore, CountsTheEvaluationsToNinetyPercentOfTheBestOfTheScene) {
+  const TemporaryFolder folder;
+  CampaignConfig config = MakeConfig();
+  CreateCampaign(folder.path(), config);
+  const fs::path mug = folder.path() / "comparison" / "tum-mug";
+  WriteSearch(mug / "es-1.jsonl", {1.0, 1.5, 1.95, 2.0});
+  WriteSearch(mug / "es-2.jsonl", {1.0, 1.2, 1.1});
+  WriteSearch(mug / "grid-1.jsonl", {1.0, 1.9});
+  const Campaign campaign = LoadCampaign(folder.path());
+  ASSERT_EQ(campaign.comparison.size(), 3u);
+  EXPECT_EQ(campaign.comparison[0].fitness, (std::vector<double>{1.0, 1.5, 1.95, 2.0}));
+  EXPECT_EQ(campaign.comparison[0].evaluations_to_90, 3);  // 1.9 is 90 % of the way to 2
+  EXPECT_EQ(campaign.comparison[1].evaluations_to_90, 0);
+  EXPECT_EQ(campaign.comparison[2].evaluations_to_90, 2);
+  ExportCampaign(folder.path(), campaign);
+  EXPECT_EQ(ReadFile(folder.path() / "comparison.csv"),
+            "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n"
+            "tum,mug,es,1,4,1.0,2.0,3\n"
+            "tum,mug,es,2,3,1.0,1.2,\n"
+            "tum,mug,grid,1,2,1.0,1.9,2\n");
+}
+
+TEST(SummariseVariants, HasOneRowForEachSceneAndVariant) {
+  Session session;
+  for (const char* grasp : {"g2", "new-pregrasp", "new-target"}) {
+    for (int trial = 0; trial < 2; ++trial) {
+      TrialRecord record;
+      record.plan = {"id", "tum", "mug", grasp, trial};
+      record.result.outcome = trial == 0 ? Outcome::kSuccess : Outcome::kPushedAway;
+      record.result.stability.sigma = trial == 0 ? 3.0 : kUnset;
+      record.result.contacts = {{"TH", true, 0.3}, {"FF", false, trial == 0 ? 0.4 : kUnset}};
+      record.result.timing = CalcContactTiming(record.result.contacts, 0.0);
+      session.records.push_back(record);
+    }
+  }
+  const auto rows = SummariseVariants(session);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].variant, "standard");
+  EXPECT_EQ(rows[0].grasp, "g2");
+  EXPECT_EQ(rows[2].variant, "new-target");
+  EXPECT_EQ(rows[1].trials, 2);
+  EXPECT_EQ(rows[1].successes, 1);
+  EXPECT_EQ(rows[1].mean_sigma, 1.5);
+  EXPECT_NEAR(rows[1].median_gft_ratio, 0.25, 1e-12);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,114 @@
+#include "datasets/scene/evaluation_journal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+EvaluationRecord MakeRecord(int number) {
+  EvaluationRecord record;
+  record.stage = "search";
+  record.individual.number = number;
+  record.individual.generation = 2;
+  record.individual.parents = {3, 1};
+  record.individual.genome = Eigen::Vector3d(0.1, 0.2 + number, -1.0 / 3.0);
+  record.individual.steps = Eigen::Vector3d(0.1, 0.1, 0.1);
+  LearningTrial trial;
+  trial.draw = 0;
+  trial.outcome = Outcome::kSuccess;
+  trial.sigma = 1.0 + 0.1 * number;
+  trial.contacts = {{"TH", true, 0.4}, {"FF", false, std::nan("")}};
+  trial.closings = {0.4, std::nan("")};
+  record.trial_ids = {"0123456789abcdef"};
+  record.trials = {trial};
+  return record;
+}
+
+TEST(EvaluationLine, IsReadAsItWasWritten) {
+  for (const char* stage : {"search", "finalist", "check after"}) {
+    EvaluationRecord record = MakeRecord(7);
+    record.stage = stage;
+    const std::string line = FormatEvaluationLine(record);
+    const EvaluationRecord read = ParseEvaluationLine(line);
+    EXPECT_EQ(FormatEvaluationLine(read), line);
+    EXPECT_EQ(read.stage, stage);
+    EXPECT_EQ(read.trial_ids, record.trial_ids);
+  }
+  const EvaluationRecord read = ParseEvaluationLine(FormatEvaluationLine(MakeRecord(7)));
+  EXPECT_EQ(read.individual.genome, MakeRecord(7).individual.genome);
+  EXPECT_EQ(read.individual.parents, MakeRecord(7).individual.parents);
+  EXPECT_EQ(read.individual.fitness, 1.0 + 0.1 * 7);
+}
+
+TEST(EvaluationLine, DamageIsTold) {
+  std::string line = FormatEvaluationLine(MakeRecord(7));
+  EXPECT_THROW(ParseEvaluationLine(line.substr(0, line.size() - 3)), Error);
+  line[20] ^= 1;
+  try {
+    ParseEvaluationLine(line);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(), "its bytes do not match their checksum");
+  }
+}
+
+class EvaluationJournalTest : public testing::Test {
+ protected:
+  std::filesystem::path path() const { return folder_.path() / "journal.jsonl"; }
+
+  /** Writes the records from `first` to 9 as a resumed run does, and returns the file. */
+  std::string Finish() {
+    EvaluationJournal journal(path());
+    int number = 0;
+    while (const EvaluationRecord* stored = journal.Next()) {
+      EXPECT_EQ(stored->individual.number, number++);
+    }
+    for (; number < 10; ++number) journal.Append({MakeRecord(number)});
+    return ReadFile(path());
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(EvaluationJournalTest, IsContinuedWithTheSameBytesFromWhereverItWasCut) {
+  const std::string whole = Finish();
+  EXPECT_EQ(Finish(), whole);
+  for (size_t length = 0; length < whole.size(); length += 97) {
+    WriteFileAtomically(path(), whole.substr(0, length));
+    ASSERT_EQ(Finish(), whole) << length;
+  }
+}
+
+TEST_F(EvaluationJournalTest, ADamagedLineEndsWhatCounts) {
+  const std::string whole = Finish();
+  std::string damaged = whole;
+  damaged[damaged.find('\n', whole.size() / 2) + 30] ^= 1;
+  WriteFileAtomically(path(), damaged);
+  Diagnostics findings;
+  const auto records = LoadEvaluations(path(), findings);
+  EXPECT_LT(records.size(), 9u);
+  EXPECT_EQ(findings.Format(), "journal.jsonl:" + std::to_string(records.size() + 1) +
+                                   ": warning: its bytes do not match their checksum; it and what "
+                                   "follows count as not run");
+  EXPECT_EQ(Finish(), whole);
+}
+
+TEST_F(EvaluationJournalTest, HasOneWriter) {
+  const EvaluationJournal first(path());
+  try {
+    const EvaluationJournal second(path());
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("is being written by another process"), std::string::npos)
+        << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

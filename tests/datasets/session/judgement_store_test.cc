@@ -1,0 +1,91 @@
+#include "datasets/session/judgement_store.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+Judgement MakeJudgement(double force) {
+  Judgement judgement;
+  judgement.loads = {{"force +x", force, true}};
+  judgement.breaking_force = force;
+  judgement.breaking_moment = 0.02;
+  judgement.verdicts = {{"graspa", true, 4.0}};
+  return judgement;
+}
+
+class JudgementStore : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    plan_ = CreateFakeSession(folder(), 4);
+    JournalWriter journal(folder(), 0);
+    for (const PlannedTrial& planned : plan_) {
+      TrialRecord record = MakeFakeRecord(planned);
+      record.result.outcome = planned.trial == 0 ? Outcome::kNoContact : Outcome::kSuccess;
+      journal.Append(record);
+    }
+  }
+  std::filesystem::path folder() const { return temporary_.path() / "session"; }
+  void Damage(const std::string& text) {
+    std::ofstream(folder() / "judge" / "0.jsonl", std::ios::app) << text;
+  }
+
+  TemporaryFolder temporary_;
+  std::vector<PlannedTrial> plan_;
+};
+
+TEST_F(JudgementStore, HeldTrialsAreJudgedOnce) {
+  std::vector<PlannedTrial> unjudged = FindUnjudged(LoadSession(folder()));
+  ASSERT_EQ(unjudged.size(), plan_.size() * 3 / 4);  // three of four were held
+  {
+    JudgementWriter writer(folder(), 0);
+    writer.Append(unjudged[0].id, MakeJudgement(2.5));
+    writer.Append(unjudged[0].id, MakeJudgement(2.5));
+  }
+  const Session session = LoadSession(folder());
+  EXPECT_TRUE(session.findings.entries().empty()) << session.findings.Format();
+  unjudged.erase(unjudged.begin());
+  EXPECT_EQ(FindUnjudged(session).size(), unjudged.size());
+  for (const TrialRecord& record : session.records) {
+    if (record.judgement) {
+      EXPECT_EQ(ToJson(*record.judgement), ToJson(MakeJudgement(2.5)));
+    }
+  }
+}
+
+TEST_F(JudgementStore, DamageCostsTheLineAlone) {
+  const std::vector<PlannedTrial> unjudged = FindUnjudged(LoadSession(folder()));
+  JudgementWriter(folder(), 0).Append(unjudged[0].id, MakeJudgement(1.0));
+  Damage("{\"trial_id\":\"x\"}\n");
+  Damage("{\"cut");
+  const Session session = LoadSession(folder());
+  EXPECT_EQ(FindUnjudged(session).size(), unjudged.size() - 1);
+  const std::string text = session.findings.Format();
+  EXPECT_NE(text.find("judge/0.jsonl:2"), std::string::npos) << text;
+  EXPECT_NE(text.find("the last line was not finished; its trial counts as not judged"),
+            std::string::npos)
+      << text;
+}
+
+TEST_F(JudgementStore, TwoDifferentJudgementsAreRefused) {
+  const std::vector<PlannedTrial> unjudged = FindUnjudged(LoadSession(folder()));
+  JudgementWriter(folder(), 0).Append(unjudged[0].id, MakeJudgement(1.0));
+  JudgementWriter(folder(), 1).Append(unjudged[0].id, MakeJudgement(2.0));
+  try {
+    LoadSession(folder());
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kFormat);
+    EXPECT_NE(std::string(e.what()).find("delete the folder \"judge\""), std::string::npos)
+        << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,198 @@
+#include "datasets/session/session_config.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/config.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+/** What is told about a session's text, after the headline; empty when it is fine. */
+std::string FindProblems(const std::string& text) {
+  try {
+    ParseSessionConfig(text, "s.yaml");
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kFormat);
+    const std::string what = e.what();
+    return what.substr(what.find('\n') + 1);
+  }
+  return "";
+}
+
+std::string FindSettingProblem(const std::string& assignment) {
+  SessionConfig config;
+  try {
+    ApplySetting(assignment, config);
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kUsage);
+    return e.what();
+  }
+  return "";
+}
+
+TEST(SessionConfig, DefaultsAreTheBenchmark) {
+  const SessionConfig config = ParseSessionConfig("# only a comment\n", "s.yaml");
+  EXPECT_EQ(config.hands, (std::vector<std::string>{"tum", "shadow"}));
+  EXPECT_EQ(config.objects, std::vector<std::string>{"all"});
+  EXPECT_EQ(config.grasps, std::vector<std::string>{"best"});
+  EXPECT_EQ(config.trials, 10);
+  EXPECT_TRUE(Validate(config).empty());
+}
+
+TEST(SessionConfig, ReadsYamlOverTheDefaults) {
+  TemporaryFolder folder;
+  const auto path = folder.path() / "session.yaml";
+  WriteFileAtomically(path,
+                      "hands: shadow\n"
+                      "objects: [mug, ../my objects/vase]\n"
+                      "grasps: g1, g2\n"
+                      "sim: {step_s: 1.0e-3}\n"
+                      "variation:\n");
+  const SessionConfig config = LoadSessionConfig(path.string());
+  EXPECT_EQ(config.hands, std::vector<std::string>{"shadow"});
+  EXPECT_EQ(config.objects, (std::vector<std::string>{"mug", "../my objects/vase"}));
+  EXPECT_EQ(config.grasps, (std::vector<std::string>{"g1", "g2"}));
+  EXPECT_EQ(config.sim.step, 0.001);
+  EXPECT_EQ(config.trials, 10);
+}
+
+TEST(SessionConfig, TellsEveryProblemWithItsLine) {
+  const std::string text = FindProblems(
+      "trails: 3\ntrials: 0\nhands: [tum, shadow, tum]\nobjects: []\ngrasps: all, g1\n"
+      "sim:\n  step_s: 1\n  stp_s: 2\nseed: 3\nseed: 4\nvariation: 3\nstrategy:\n"
+      "  lift_time_s: slow\n");
+  for (const char* part :
+       {"s.yaml:1: error: session: unknown key \"trails\"; did you mean \"trials\"? Known: hands",
+        "s.yaml:2: error: trials: 0 is out of range; expected 1 to 100000",
+        "s.yaml:3: error: hands: \"tum\" is listed twice",
+        "s.yaml:4: error: objects: the list is empty; name at least one, or \"all\"",
+        "s.yaml:5: error: grasps: \"all\" must stand alone, without other names",
+        "s.yaml:7: error: sim.step_s: 1 is out of range; expected 0.0001 to 0.01",
+        "s.yaml:8: error: sim: unknown key \"stp_s\"; did you mean \"step_s\"?",
+        "s.yaml:10: error: session: \"seed\" is given twice",
+        "s.yaml:11: error: variation: expected a map of keys and values",
+        "s.yaml:13: error: strategy, lift_time_s: expected a finite number"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  }
+}
+
+TEST(SessionConfig, TellsBrokenYaml) {
+  EXPECT_EQ(FindProblems("hands: [tum\ntrials: 3\n").substr(0, 33),
+            "s.yaml:2: error: not valid YAML: ");
+  EXPECT_EQ(FindProblems("- tum\n"), "s.yaml:1: error: session: expected a map of keys and values");
+  EXPECT_EQ(FindProblems("trials: [1, 2]\n"),
+            "s.yaml:1: error: session, trials: expected a whole number");
+  EXPECT_EQ(FindProblems("hands: {tum: 1}\n"),
+            "s.yaml:1: error: session, hands: expected a list of texts");
+  EXPECT_EQ(FindProblems("hands: ''\n"), "s.yaml:1: error: hands: a name is empty");
+  EXPECT_EQ(FindProblems("sim: {step_s: .nan}\n"),
+            "s.yaml:1: error: sim, step_s: expected a finite number");
+}
+
+TEST(SessionConfig, EveryNumberHasARange) {
+  for (const std::string& key : ListConfigKeys(SessionConfig())) {
+    if (key == "hands" || key == "objects" || key == "grasps") continue;
+    SessionConfig config;
+    ApplySetting(key + "=-1", config);
+    const auto problems = Validate(config);
+    ASSERT_FALSE(problems.empty()) << key << " has no range in datasets/session/session_config.cc";
+    EXPECT_EQ(problems[0].key, key);
+  }
+}
+
+TEST(SessionConfig, AllProblemsOfTheValuesAreTold) {
+  SessionConfig config;
+  config.trials = -5;
+  config.sim.step = std::numeric_limits<double>::quiet_NaN();
+  config.sim.table_friction_dynamic = 0.5;
+  config.strategy.stabilisation_min_time = 3.0;
+  try {
+    CheckSessionConfig(config);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kRange);
+    EXPECT_STREQ(e.what(),
+                 "the session cannot be run\n"
+                 "trials: -5 is out of range; expected 1 to 100000\n"
+                 "sim.step_s: nan is out of range; expected 0.0001 to 0.01\n"
+                 "strategy.stabilisation_min_time_s: must not be longer than "
+                 "strategy.stabilisation_max_time_s\n"
+                 "sim.table_friction_dynamic: must not be higher than sim.table_friction_static");
+  }
+}
+
+TEST(SessionConfig, AppliesSettings) {
+  SessionConfig config;
+  ApplySetting("sim.step_s=0.001", config);
+  ApplySetting("trials = 3", config);
+  ApplySetting("hands=shadow, tum", config);
+  ApplySetting("objects=[\"a,b\"]", config);
+  EXPECT_EQ(config.sim.step, 0.001);
+  EXPECT_EQ(config.trials, 3);
+  EXPECT_EQ(config.hands, (std::vector<std::string>{"shadow", "tum"}));
+  EXPECT_EQ(config.objects, std::vector<std::string>{"a,b"});
+  EXPECT_EQ(config.sim.contact_stiffness, SessionConfig().sim.contact_stiffness);
+}
+
+TEST(SessionConfig, TellsWrongSettings) {
+  EXPECT_EQ(FindSettingProblem("trials"),
+            "--set \"trials\": expected KEY=VALUE, for example hands=...");
+  EXPECT_EQ(
+      FindSettingProblem("sim.stp_s=1").substr(0, 81),
+      "--set \"sim.stp_s=1\": no setting \"sim.stp_s\"; did you mean \"sim.step_s\"? Known: ha");
+  EXPECT_EQ(FindSettingProblem("sim={}").substr(0, 39),
+            "--set \"sim={}\": no setting \"sim\". Known");
+  EXPECT_EQ(FindSettingProblem("trials="), "--set \"trials=\": the value is missing");
+  EXPECT_EQ(FindSettingProblem("trials=ten"),
+            "--set \"trials=ten\": setting, trials: expected a whole number");
+  EXPECT_NE(FindSettingProblem("hands=[tum").find("not a YAML value"), std::string::npos);
+}
+
+TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
+  SessionConfig config;
+  config.seed = 7;
+  config.variation.yaw = 0.1 + 0.2;
+  config.hands = {"../a \"hand\"", "tum"};
+  const Json json = ToJson(config);
+  for (const std::string& key : ListConfigKeys(config)) {
+    std::string pointer = "/" + key;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    EXPECT_TRUE(json.contains(Json::json_pointer(pointer))) << key;
+  }
+  const SessionConfig read = SessionConfigFromJson(Json::parse(json.dump()));
+  EXPECT_EQ(ToJson(read).dump(), json.dump());
+  EXPECT_EQ(read.variation.yaw, config.variation.yaw);
+  EXPECT_TRUE(FindConfigDifferences(config, read).empty());
+}
+
+TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
+  Json json = ToJson(SessionConfig());
+  json.erase("seed");
+  json["trials"] = 1.5;
+  json["hands"] = "tum";
+  json["sim"] = Json::array();
+  json["more"] = 1;
+  try {
+    SessionConfigFromJson(json, "x/session.json");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kFormat);
+    EXPECT_STREQ(e.what(),
+                 "the frozen configuration cannot be read\n"
+                 "x/session.json: error: hands: expected a list of texts\n"
+                 "x/session.json: error: trials: expected a whole number\n"
+                 "x/session.json: error: seed: is missing\n"
+                 "x/session.json: error: sim.: expected an object of keys and values\n"
+                 "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
+                 "trials, seed, variation, strategy, sim");
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,288 @@
+#include "datasets/session/session_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "core/base/error.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+std::vector<std::string> ListCells(const std::vector<PlannedTrial>& plan) {
+  std::vector<std::string> cells;
+  for (const PlannedTrial& planned : plan) {
+    if (planned.trial == 0)
+      cells.push_back(planned.hand + " " + planned.object + " " + planned.grasp);
+  }
+  return cells;
+}
+
+std::set<std::string> ListIds(const std::vector<PlannedTrial>& plan) {
+  std::set<std::string> ids;
+  for (const PlannedTrial& planned : plan) ids.insert(planned.id);
+  return ids;
+}
+
+std::vector<PlannedTrial> MakePlanOf(const std::vector<std::string>& grasps) {
+  SessionConfig config;
+  config.grasps = grasps;
+  return MakePlan(config, MakeFakeInputs());
+}
+
+std::pair<ErrorKind, std::string> FindError(const SessionConfig& config,
+                                            const SessionInputs& inputs) {
+  try {
+    MakePlan(config, inputs);
+  } catch (const Error& e) {
+    return {e.kind(), e.what()};
+  }
+  ADD_FAILURE() << "no error was thrown";
+  return {ErrorKind::kUnsupported, ""};
+}
+
+TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {
+  // shadow has no entry at the pencil: the first of g1, g3, g2, ...
+  EXPECT_EQ(ListCells(MakePlanOf({"best"})),
+            (std::vector<std::string>{"tum mug g2", "tum pencil g2", "shadow mug g3",
+                                      "shadow pencil g1"}));
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands = {MakeFakeHand("tum", 1, 0.0, {"g5", "g3"}),
+                  MakeFakeHand("mine", 1, 0.0, {"pinch"})};
+  EXPECT_EQ(ListCells(MakePlan(SessionConfig(), inputs)),
+            (std::vector<std::string>{"tum mug g3", "tum pencil g3", "mine mug pinch",
+                                      "mine pencil pinch"}));
+}
+
+TEST(SessionPlan, AGraspOfOneObjectIsTriedOnThatObjectBesideTheBestOne) {
+  SessionInputs inputs = MakeFakeInputs();
+  StandardGrasp optimised = inputs.hands[0].grasps[0];
+  optimised.id = "new-target";
+  optimised.object = "pencil";
+  inputs.hands[0].grasps.push_back(optimised);
+  inputs.grasp_files["some/where.yaml"] = "new-target";
+  SessionConfig config;
+  config.grasps = {"best", "some/where.yaml"};
+  EXPECT_EQ(ListCells(MakePlan(config, inputs)),
+            (std::vector<std::string>{"tum mug g2", "tum pencil g2", "tum pencil new-target",
+                                      "shadow mug g3", "shadow pencil g1"}));
+  config.grasps = {"some/where.yaml"};
+  EXPECT_EQ(ListCells(MakePlan(config, inputs)),
+            (std::vector<std::string>{"tum pencil new-target"}));
+
+  inputs.hands[0].grasps.push_back(optimised);
+  EXPECT_EQ(FindError(config, inputs),
+            std::make_pair(ErrorKind::kUsage,
+                           std::string("two grasp files of the session bring a grasp "
+                                       "\"new-target\" of the hand \"tum\" for \"pencil\"; leave "
+                                       "one out or change its id")));
+  inputs.hands[0].grasps.pop_back();
+  inputs.objects.pop_back();  // the pencil
+  EXPECT_EQ(FindError(config, inputs),
+            std::make_pair(ErrorKind::kUsage,
+                           std::string("the session has no trial: none of its grasps is for its "
+                                       "hands and objects")));
+}
+
+TEST(SessionPlan, WhereTheHandStandsIsPartOfTheTrialsId) {
+  SessionInputs inputs = MakeFakeInputs();
+  const std::set<std::string> before = ListIds(MakePlan(SessionConfig(), inputs));
+  for (SessionHand& hand : inputs.hands) {
+    for (StandardGrasp& grasp : hand.grasps) grasp.placement = Placement();
+  }
+  const std::set<std::string> fixed = ListIds(MakePlan(SessionConfig(), inputs));
+  for (SessionHand& hand : inputs.hands) {
+    for (StandardGrasp& grasp : hand.grasps) grasp.placement->X_WH.translation().z() = 0.1;
+  }
+  const std::set<std::string> moved = ListIds(MakePlan(SessionConfig(), inputs));
+  for (const std::string& id : fixed) EXPECT_EQ(before.count(id) + moved.count(id), 0u);
+}
+
+TEST(SessionPlan, AllAndIdsGiveWhatTheHandCanDo) {
+  EXPECT_EQ(MakePlanOf({"all"}).size(), 10u * 2u * (2u + 5u));
+  EXPECT_EQ(ListCells(MakePlanOf({"g3", "g1"})),
+            (std::vector<std::string>{"tum mug g1", "tum pencil g1", "shadow mug g3",
+                                      "shadow mug g1", "shadow pencil g3", "shadow pencil g1"}));
+}
+
+TEST(SessionPlan, NumbersTheTrialsOfACellFromZero) {
+  SessionConfig config;
+  config.trials = 3;
+  const auto plan = MakePlan(config, MakeFakeInputs());
+  ASSERT_EQ(plan.size(), 12u);
+  for (size_t i = 0; i < plan.size(); ++i) EXPECT_EQ(plan[i].trial, static_cast<int>(i % 3));
+}
+
+TEST(SessionPlan, IdsAreSixteenDigitsAndDiffer) {
+  const auto plan = MakePlanOf({"all"});
+  EXPECT_EQ(ListIds(plan).size(), plan.size());
+  for (const PlannedTrial& planned : plan) {
+    EXPECT_EQ(planned.id.size(), 16u);
+    EXPECT_EQ(planned.id.find_first_not_of("0123456789abcdef"), std::string::npos);
+  }
+}
+
+TEST(SessionPlan, OtherHandsObjectsGraspsAndMoreTrialsLeaveTheIdsAlone) {
+  const auto ids = ListIds(MakePlanOf({"best"}));
+  SessionConfig config;
+  config.trials = 20;
+  config.grasps = {"all"};
+  config.hands = {"any", "names"};
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands.insert(inputs.hands.begin(), MakeFakeHand("another", 4, 0.1, {"g1"}));
+  inputs.objects.insert(inputs.objects.begin(), MakeFakeObject("brick"));
+  const auto more = ListIds(MakePlan(config, inputs));
+  EXPECT_TRUE(std::includes(more.begin(), more.end(), ids.begin(), ids.end()));
+}
+
+TEST(SessionPlan, EverythingThatMattersChangesTheIds) {
+  const auto change_config = [](const std::string& assignment) {
+    SessionConfig config;
+    ApplySetting(assignment, config);
+    return ListIds(MakePlan(config, MakeFakeInputs()));
+  };
+  const auto change_hand = [](const std::function<void(Hand&)>& change) {
+    SessionInputs inputs = MakeFakeInputs();
+    for (SessionHand& hand : inputs.hands) {
+      auto changed = std::make_shared<Hand>(*hand.hand);
+      change(*changed);
+      hand.hand = changed;
+    }
+    return ListIds(MakePlan(SessionConfig(), inputs));
+  };
+  const auto change_object = [](const std::function<void(GraspObject&)>& change) {
+    SessionInputs inputs = MakeFakeInputs();
+    for (auto& object : inputs.objects) {
+      auto changed = std::make_shared<GraspObject>(*object);
+      change(*changed);
+      object = changed;
+    }
+    return ListIds(MakePlan(SessionConfig(), inputs));
+  };
+  const auto change_grasp = [](const std::function<void(StandardGrasp&)>& change) {
+    SessionInputs inputs = MakeFakeInputs();
+    for (SessionHand& hand : inputs.hands) {
+      for (StandardGrasp& grasp : hand.grasps) change(grasp);
+    }
+    return ListIds(MakePlan(SessionConfig(), inputs));
+  };
+  const std::set<std::string> ids = ListIds(MakePlanOf({"best"}));
+  const std::vector<std::set<std::string>> others = {
+      change_config("seed=2"),
+      change_config("variation.offset_m=0.004"),
+      change_config("variation.yaw_rad=0"),
+      change_config("sim.step_s=0.001"),
+      change_config("strategy.lift_time_s=1.5"),
+      change_hand([](Hand& hand) { hand.content_hash += "+"; }),
+      change_object([](GraspObject& object) { object.content_hash += "+"; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.q_pre[0] += 1e-15; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.q_target[0] += 1e-9; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.alpha = 0.1; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.tilt = 0.1; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.approach_distance = 0.2; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.digits = {"TH"}; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.palm_may_touch = true; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.type = GraspType::kPower; }),
+  };
+  for (size_t i = 0; i < others.size(); ++i) {
+    for (const std::string& id : others[i]) EXPECT_EQ(ids.count(id), 0u) << "change " << i;
+  }
+}
+
+TEST(SessionPlan, TellsWhatCannotBePlanned) {
+  SessionConfig config;
+  config.grasps = {"g1", "g7"};
+  auto error = FindError(config, MakeFakeInputs());
+  EXPECT_EQ(error.first, ErrorKind::kNotFound);
+  EXPECT_EQ(
+      error.second,
+      "none of the session's hands can do a grasp \"g7\"; did you mean \"g1\"? Known: g1, g2, "
+      "g3, g4, g5");
+
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands.push_back(inputs.hands[0]);
+  error = FindError(SessionConfig(), inputs);
+  EXPECT_EQ(error.first, ErrorKind::kUsage);
+  EXPECT_EQ(error.second,
+            "two hands of the session are called \"tum\"; leave one out or rename its folder");
+
+  inputs = MakeFakeInputs();
+  inputs.objects.push_back(MakeFakeObject("mug"));
+  error = FindError(SessionConfig(), inputs);
+  EXPECT_EQ(error.second,
+            "two objects of the session are called \"mug\"; leave one out or rename its folder");
+
+  inputs = MakeFakeInputs();
+  inputs.hands = {MakeFakeHand("fist", 1, 0.0, {})};
+  error = FindError(SessionConfig(), inputs);
+  EXPECT_EQ(error.first, ErrorKind::kUsage);
+  EXPECT_EQ(error.second, "none of the session's hands has any grasp");
+
+  config = SessionConfig();
+  config.trials = 0;
+  EXPECT_EQ(FindError(config, MakeFakeInputs()).first, ErrorKind::kRange);
+}
+
+TEST(TrialDraw, EveryHandMeetsTheSamePoses) {
+  const SessionInputs inputs = MakeFakeInputs();
+  const SessionConfig config;
+  for (int trial = 0; trial < 10; ++trial) {
+    const TrialDraw a = MakeTrialDraw(config, *inputs.hands[0].hand, *inputs.objects[0], trial);
+    const TrialDraw b = MakeTrialDraw(config, *inputs.hands[1].hand, *inputs.objects[0], trial);
+    EXPECT_EQ(a.offset_x, b.offset_x);
+    EXPECT_EQ(a.offset_y, b.offset_y);
+    EXPECT_EQ(a.offset_yaw, b.offset_yaw);
+    const TrialDraw c = MakeTrialDraw(config, *inputs.hands[0].hand, *inputs.objects[1], trial);
+    EXPECT_NE(a.offset_x, c.offset_x);
+  }
+}
+
+TEST(TrialDraw, FillsItsRangesEvenly) {
+  const SessionInputs inputs = MakeFakeInputs();
+  const SessionConfig config;
+  const Hand& hand = *inputs.hands[0].hand;
+  constexpr int kNumDraws = 4000;
+  Eigen::Array4d mean = Eigen::Array4d::Zero(), square = Eigen::Array4d::Zero();
+  for (int trial = 0; trial < kNumDraws; ++trial) {
+    const TrialDraw draw = MakeTrialDraw(config, hand, *inputs.objects[0], trial);
+    ASSERT_EQ(draw.joint_error.size(), 2);
+    EXPECT_EQ(draw.joint_error[1], 0.0);  // coupled: no drive of its own
+    const Eigen::Array4d value(
+        draw.offset_x / config.variation.offset, draw.offset_y / config.variation.offset,
+        draw.offset_yaw / config.variation.yaw, draw.joint_error[0] / hand.joint_accuracy);
+    EXPECT_TRUE((value.abs() <= 1.0).all());
+    mean += value / kNumDraws;
+    square += value.square() / kNumDraws;
+  }
+  // Uniform on [-1, 1]: mean 0, mean square 1/3; four standard errors.
+  EXPECT_TRUE((mean.abs() < 4.0 * std::sqrt(1.0 / 3.0 / kNumDraws)).all()) << mean.transpose();
+  EXPECT_TRUE(((square - 1.0 / 3.0).abs() < 4.0 * std::sqrt(4.0 / 45.0 / kNumDraws)).all());
+}
+
+TEST(TrialDraw, AnAccurateHandHasNoJointError) {
+  const SessionInputs inputs = MakeFakeInputs();
+  const TrialDraw draw =
+      MakeTrialDraw(SessionConfig(), *inputs.hands[1].hand, *inputs.objects[0], 0);
+  EXPECT_EQ(draw.joint_error, Eigen::Vector3d::Zero());
+}
+
+TEST(TrialSetup, HoldsWhatThePlanNames) {
+  const SessionInputs inputs = MakeFakeInputs();
+  SessionConfig config;
+  config.sim.step = 0.001;
+  for (const PlannedTrial& planned : MakePlan(config, inputs)) {
+    const TrialSetup setup = MakeTrialSetup(config, inputs, planned);
+    EXPECT_EQ(setup.hand->id, planned.hand);
+    EXPECT_EQ(setup.object->id, planned.object);
+    EXPECT_EQ(setup.grasp.id, planned.grasp);
+    EXPECT_EQ(setup.sim.step, 0.001);
+    EXPECT_EQ(setup.draw.offset_x,
+              MakeTrialDraw(config, *setup.hand, *setup.object, planned.trial).offset_x);
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,265 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "human_study/recording/cleaning/butterworth.h"
+#include "human_study/recording/cleaning/gaps.h"
+#include "human_study/recording/cleaning/resample.h"
+#include "human_study/recording/cleaning/residual_analysis.h"
+#include "human_study/recording/importers/importer.h"
+#include "tests/human_study/events/trajectories.h"
+#include "tests/support/mocap_data.h"
+
+namespace graspbench {
+namespace {
+
+Trajectory Sample(const std::function<Eigen::Vector3d(double)>& path,
+                  const std::vector<double>& times) {
+  Trajectory trajectory;
+  trajectory.times = times;
+  trajectory.p.resize(3, static_cast<Eigen::Index>(times.size()));
+  trajectory.states.assign(times.size(), SampleState::kMeasured);
+  for (size_t i = 0; i < times.size(); ++i) {
+    trajectory.p.col(static_cast<Eigen::Index>(i)) = path(times[i]);
+  }
+  return trajectory;
+}
+
+std::vector<double> EvenTimes(double rate, size_t count) {
+  std::vector<double> times;
+  for (size_t i = 0; i < count; ++i) times.push_back(static_cast<double>(i) / rate);
+  return times;
+}
+
+void Hide(Trajectory& trajectory, size_t first, size_t last) {
+  for (size_t i = first; i < last; ++i) {
+    trajectory.states[i] = SampleState::kInvalid;
+    trajectory.p.col(static_cast<Eigen::Index>(i)).setConstant(std::nan(""));
+  }
+}
+
+Eigen::VectorXd Sine(double frequency, double rate, Eigen::Index count) {
+  Eigen::VectorXd signal(count);
+  for (Eigen::Index n = 0; n < count; ++n) {
+    signal[n] = std::sin(2 * kPi * frequency * static_cast<double>(n) / rate);
+  }
+  return signal;
+}
+
+TEST(FillGaps, AParabolaIsFilledExactlyByTheCubic) {
+  // A cubic through a parabola's points and one-sided velocities errs by the velocities' error
+  // only.
+  const auto line = [](double t) { return Eigen::Vector3d(t, -2 * t, 3); };
+  Trajectory trajectory = Sample(line, EvenTimes(100, 50));
+  Hide(trajectory, 20, 25);
+  const GapReport report = FillGaps(trajectory, 0.06);
+  EXPECT_EQ(report.num_filled_samples, 5u);
+  EXPECT_NEAR(report.longest_filled, 0.06, 1e-12);
+  for (size_t i = 20; i < 25; ++i) {
+    EXPECT_EQ(trajectory.states[i], SampleState::kFilled);
+    EXPECT_LT((trajectory.p.col(static_cast<Eigen::Index>(i)) - line(trajectory.times[i])).norm(),
+              1e-14);
+  }
+}
+
+TEST(FillGaps, TheCubicHasNoCornerWhereTheLineHasOne) {
+  const auto curve = [](double t) {
+    return Eigen::Vector3d(std::sin(10 * t), std::cos(10 * t), 0);
+  };
+  double worst[2] = {0, 0};
+  for (const GapFilling filling : {GapFilling::kLinear, GapFilling::kCubic}) {
+    Trajectory trajectory = Sample(curve, EvenTimes(100, 100));
+    Hide(trajectory, 40, 50);
+    FillGaps(trajectory, 0.2, filling);
+    for (size_t i = 40; i < 50; ++i) {
+      double& error = worst[filling == GapFilling::kCubic];
+      error = std::max(
+          error,
+          (trajectory.p.col(static_cast<Eigen::Index>(i)) - curve(trajectory.times[i])).norm());
+    }
+  }
+  EXPECT_GT(worst[0], 0.1);
+  EXPECT_LT(worst[1], 0.02);
+}
+
+TEST(FillGapsAlong, TheTipFollowsItsCompanionAndMeasuredSamplesStay) {
+  const auto companion_at = [](double t) {
+    return Eigen::Vector3d(0.1 * std::sin(20.0 * t), 0.2 * t * t, 0.0);
+  };
+  const auto tip_at = [&](double t) {
+    return Eigen::Vector3d(companion_at(t) + Eigen::Vector3d(0.03, 0.01 * t, 0.0));
+  };
+  const std::vector<double> times = MakeTimes(0.0, 2.0, 100.0);
+  const Trajectory companion = SamplePath(times, companion_at), whole = SamplePath(times, tip_at);
+  Trajectory tip = whole;
+  HideSamples(tip, 0.495, 0.705);  // short enough
+  HideSamples(tip, 1.195, 1.605);  // too long
+  HideSamples(tip, 1.895, 2.005);  // at the end
+  EXPECT_EQ(FillGapsAlong(tip, companion, 0.3), 21u);
+  for (size_t i = 0; i < times.size(); ++i) {
+    const bool is_open = (times[i] > 1.195 && times[i] < 1.605) || times[i] > 1.895;
+    const bool is_filled = times[i] > 0.495 && times[i] < 0.705;
+    EXPECT_EQ(tip.states[i], is_open     ? SampleState::kInvalid
+                             : is_filled ? SampleState::kFilled
+                                         : SampleState::kMeasured);
+    const auto column = static_cast<Eigen::Index>(i);
+    if (!is_open) {
+      EXPECT_LT((tip.p.col(column) - whole.p.col(column)).norm(), is_filled ? 1e-12 : 1e-300);
+    }
+  }
+}
+
+TEST(FillGapsAlong, WhereTheCompanionIsHiddenTheGapStays) {
+  const std::vector<double> times = MakeTimes(0.0, 1.0, 100.0);
+  const auto path = [](double t) { return Eigen::Vector3d(t, 0, 0); };
+  Trajectory tip = SamplePath(times, path), companion = SamplePath(times, path);
+  HideSamples(tip, 0.395, 0.505);
+  HideSamples(companion, 0.445, 0.605);
+  EXPECT_EQ(FillGapsAlong(tip, companion, 0.3), 5u);
+  EXPECT_EQ(tip.states[44], SampleState::kFilled);
+  EXPECT_EQ(tip.states[45], SampleState::kInvalid);
+  EXPECT_EQ(tip.states[55], SampleState::kMeasured);
+}
+
+TEST(FillGaps, LongGapsAndEndsStayOpenAndMeasuredSamplesStay) {
+  const auto line = [](double t) { return Eigen::Vector3d(t, t, t); };
+  Trajectory trajectory = Sample(line, EvenTimes(100, 50));
+  Hide(trajectory, 0, 2);
+  Hide(trajectory, 20, 26);
+  Hide(trajectory, 49, 50);
+  const GapReport report = FillGaps(trajectory, 0.06);
+  EXPECT_EQ(report.num_filled_gaps, 0u);
+  EXPECT_EQ(report.num_open_gaps, 3u);
+  EXPECT_NEAR(report.longest_open, 0.07, 1e-12);
+  EXPECT_EQ(FindGaps(trajectory).size(), 3u);
+}
+
+TEST(FrozenSamples, RepeatsAreHiddenTheFirstIsKept) {
+  Trajectory trajectory =
+      Sample([](double t) { return Eigen::Vector3d(t, 0, 0); }, EvenTimes(100, 10));
+  trajectory.p.col(4) = trajectory.p.col(5) = trajectory.p.col(3);
+  trajectory.p.col(8) = trajectory.p.col(7);
+  Trajectory copy = trajectory;
+  EXPECT_EQ(InvalidateFrozenSamples(trajectory), 3u);
+  EXPECT_TRUE(trajectory.IsValid(3));
+  EXPECT_FALSE(trajectory.IsValid(5));
+  EXPECT_EQ(InvalidateFrozenSamples(copy, 2), 2u);
+  EXPECT_TRUE(copy.IsValid(8));
+}
+
+TEST(Resample, AStraightLineIsKeptAndHolesStayHoles) {
+  const auto line = [](double t) { return Eigen::Vector3d(2 * t, 1 - t, 0); };
+  Trajectory trajectory = Sample(line, {0.0, 0.011, 0.019, 0.033, 0.1, 0.11, 0.12});
+  trajectory.states[5] = SampleState::kFilled;
+  EXPECT_FALSE(FindSampling(trajectory.times).is_even);
+  const Trajectory even = Resample(trajectory, 100.0, 0.02);
+  ASSERT_EQ(even.size(), 13u);
+  for (size_t i = 0; i < even.size(); ++i) {
+    const bool in_hole = i >= 4 && i <= 9;
+    EXPECT_EQ(even.IsValid(i), !in_hole) << i;
+    if (even.IsValid(i)) {
+      EXPECT_LT((even.p.col(static_cast<Eigen::Index>(i)) - line(even.times[i])).norm(), 1e-12);
+    }
+  }
+  EXPECT_EQ(even.states[11], SampleState::kFilled);
+  EXPECT_EQ(even.states[12], SampleState::kMeasured);
+  EXPECT_TRUE(FindSampling(even.times).is_even);
+}
+
+TEST(Butterworth, TheCutoffIsWhereItWasAskedFor) {
+  for (const double cutoff : {6.0, 10.0, 20.0}) {
+    const Biquad pass = MakeLowPass(cutoff, 200.0);
+    const Eigen::VectorXd in = Sine(cutoff, 200.0, 4000);
+    const Eigen::VectorXd out = FilterZeroPhase(pass, in);
+    const double gain = out.segment(1000, 2000).norm() / in.segment(1000, 2000).norm();
+    EXPECT_NEAR(gain, std::sqrt(0.5), 1e-3) << cutoff;
+    // Zero phase: what remains is the signal itself, smaller.
+    EXPECT_LT((out - gain * in).segment(1000, 2000).cwiseAbs().maxCoeff(), 1e-3);
+  }
+}
+
+TEST(Butterworth, ConstantsAndRampsPassUnchanged) {
+  const Biquad pass = MakeLowPass(10.0, 100.0);
+  const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(300, -1.0, 5.0);
+  EXPECT_LT((FilterZeroPhase(pass, ramp) - ramp).cwiseAbs().maxCoeff(), 1e-4);
+  const Eigen::VectorXd constant = Eigen::VectorXd::Constant(50, 3.25);
+  EXPECT_LT((FilterZeroPhase(pass, constant) - constant).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Butterworth, RiseTimesOfTheCorrectedPair) {
+  // 10 to 90 %, in ms, computed independently for these cut-offs.
+  const std::pair<double, double> known[] = {{6, 60},  {8, 45},  {10, 36},
+                                             {12, 30}, {15, 24}, {20, 18}};
+  const double rate = 10000.0;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(10000);
+  step.tail(5000).setOnes();
+  for (const auto& [cutoff, rise_ms] : known) {
+    const Eigen::VectorXd out = FilterZeroPhase(MakeLowPass(cutoff, rate), step);
+    Eigen::Index low = 5000, high = 5000;
+    while (out[low] > 0.1) --low;
+    while (out[high] < 0.9) ++high;
+    EXPECT_NEAR(static_cast<double>(high - low) / rate * 1e3, rise_ms, 0.5) << cutoff;
+  }
+}
+
+TEST(Butterworth, WrongCutoffsAndUnevenTimesAreRefused) {
+  EXPECT_THROW(MakeLowPass(0.0, 100.0), Error);
+  EXPECT_THROW(MakeLowPass(40.0, 100.0), Error);
+  EXPECT_THROW(MakeLowPass(std::nan(""), 100.0), Error);
+  Trajectory trajectory =
+      Sample([](double t) { return Eigen::Vector3d(t, t, t); }, {0.0, 0.01, 0.03, 0.04});
+  EXPECT_THROW(FilterLowPass(trajectory, 10.0), Error);
+}
+
+TEST(Butterworth, GapsStayGapsAndDoNotBleed) {
+  Trajectory trajectory =
+      Sample([](double t) { return Eigen::Vector3d(t < 0.5 ? 0 : 1, 0, 0); }, EvenTimes(100, 100));
+  Hide(trajectory, 45, 55);
+  FilterLowPass(trajectory, 10.0);
+  EXPECT_EQ(FindGaps(trajectory).size(), 1u);
+  EXPECT_NEAR(trajectory.p(0, 44), 0.0, 1e-9) << "the step beyond the gap is not seen";
+  EXPECT_NEAR(trajectory.p(0, 55), 1.0, 1e-9);
+}
+
+TEST(ResidualAnalysis, FindsTheNoiseOfAKnownSignal) {
+  RandomStream random("residual analysis", "noise");
+  const double noise = 0.3e-3;
+  Trajectory trajectory = Sample(
+      [&](double t) {
+        return Eigen::Vector3d(0.2 * std::sin(2 * kPi * t) + noise * random.NextNormal(),
+                               0.1 * std::sin(4 * kPi * t) + noise * random.NextNormal(),
+                               noise * random.NextNormal());
+      },
+      EvenTimes(200, 2000));
+  const ResidualAnalysis analysis = FindCutoff(trajectory);
+  EXPECT_NEAR(analysis.noise, noise * std::sqrt(3.0), 0.05 * noise);
+  EXPECT_GT(analysis.cutoff, 4.0) << "above the signal";
+  EXPECT_LT(analysis.cutoff, 20.0);
+  // Ten times the noise asks for a lower cut-off.
+  for (Eigen::Index i = 0; i < trajectory.p.cols(); ++i) {
+    for (int k = 0; k < 3; ++k) trajectory.p(k, i) += 10 * noise * random.NextNormal();
+  }
+  EXPECT_LT(FindCutoff(trajectory).cutoff, analysis.cutoff);
+  EXPECT_THROW(
+      FindCutoff(Sample([](double) { return Eigen::Vector3d::Zero(); }, EvenTimes(200, 100))),
+      Error);
+}
+
+TEST(KnownTrajectories, FingertipsDropOutWhereTheHandCloses) {
+  GRASPBENCH_REQUIRE_MOCAP(path, "dfki-hand_embodiment/recording.tsv");
+  const Recording recording = LoadRecording(path);
+  Trajectory thumb = MakeTrajectory(recording, "thumb_tip");
+  EXPECT_EQ(FindGaps(thumb).size(), 17u);
+  size_t longest = 0;
+  for (const SampleRun& gap : FindGaps(thumb)) longest = std::max(longest, gap.size());
+  EXPECT_EQ(longest, 57u);
+  FillGaps(thumb, 0.1);
+  EXPECT_GT(FindGaps(thumb).size(), 0u) << "a gap of 570 ms is no short gap";
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,71 @@
+#include "workbench/experiments/run_record.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
+#include "core/base/version.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string FindHost() {
+  char name[256] = "";
+  ::gethostname(name, sizeof name - 1);
+  return name;
+}
+
+/** Two builds of one source are the same build when their bytes are. */
+const std::string& FindBuild() {
+  static const std::string build = CalcHashHex(ReadFile("/proc/self/exe"));
+  return build;
+}
+
+Json LoadRuns(const fs::path& folder) {
+  try {
+    const Json runs = Json::parse(ReadFile(folder / "run.json")).at("runs");
+    if (runs.is_array()) return runs;
+  } catch (const Error&) {
+  } catch (const Json::exception&) {
+  }
+  return Json::array();
+}
+
+}  // namespace
+
+std::string FormatUtcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+void AppendRunRecord(const fs::path& folder, const RunRecord& record) {
+  Json runs = LoadRuns(folder);
+  runs.push_back({{"started_utc", record.started_utc},
+                  {"duration_s", record.duration},
+                  {"host", FindHost()},
+                  {"program_version", program_version()},
+                  {"build", FindBuild()},
+                  {"workers", record.num_workers},
+                  {"trials", record.num_trials},
+                  {"ending", record.ending}});
+  WriteFileAtomically(folder / "run.json", FormatJson(Json{{"runs", runs}}, 2) + "\n");
+}
+
+bool HasRunOfAnotherBuild(const fs::path& folder) {
+  const Json runs = LoadRuns(folder);
+  return std::any_of(runs.begin(), runs.end(), [](const Json& run) {
+    return run.is_object() && run.contains("build") && run["build"] != FindBuild();
+  });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,175 @@
+#include "workbench/experiments/scene_runner.h"
+
+#include <optional>
+
+#include "datasets/session/session_inputs.h"
+#include "datasets/session/session_plan.h"
+
+namespace graspbench {
+namespace {
+
+class JournaledTrials {
+ public:
+  JournaledTrials(const SceneConfig& config, const SceneInputs& inputs, EvaluationJournal& journal,
+                  TrialPool& pool, const ObserveLearning& observe)
+      : config_(config), inputs_(inputs), journal_(journal), pool_(pool), observe_(observe) {}
+
+  std::vector<std::vector<LearningTrial>> Run(const std::vector<LearningRequest>& requests) {
+    std::vector<EvaluationRecord> records;
+    size_t num_stored = 0;
+    for (const LearningRequest& request : requests) {
+      records.push_back(MakeRecord(request));
+      const bool is_gap = num_stored + 1 < records.size();
+      const EvaluationRecord* stored = is_gap ? nullptr : journal_.Next();
+      if (!stored) continue;
+      CheckSame(*stored, records.back());
+      records.back().trials = stored->trials;
+      ++num_stored;
+    }
+    Simulate(requests, num_stored, records);
+    std::vector<std::vector<LearningTrial>> trials;
+    for (size_t i = 0; i < records.size(); ++i) {
+      for (const LearningTrial& trial : records[i].trials) observe_(requests[i], trial);
+      trials.push_back(std::move(records[i].trials));
+    }
+    return trials;
+  }
+
+ private:
+  EvaluationRecord MakeRecord(const LearningRequest& request) const {
+    EvaluationRecord record;
+    record.stage = request.stage;
+    record.individual = request.individual;
+    for (const int draw : request.draws) {
+      record.trial_ids.push_back(CalcLearningTrialId(config_, inputs_, request, draw));
+    }
+    return record;
+  }
+
+  void CheckSame(const EvaluationRecord& stored, const EvaluationRecord& asked) const {
+    if (stored.stage == asked.stage && stored.trial_ids == asked.trial_ids) return;
+    throw Error(ErrorKind::kUsage,
+                "the journal of " + config_.hand + ", " + config_.object + ", " + config_.grasp +
+                    " was begun with another version of the hand, the object, the physics or the "
+                    "program; optimise anew into another folder");
+  }
+
+  /** Runs the requests from number `first` on and appends them to the journal. */
+  void Simulate(const std::vector<LearningRequest>& requests, size_t first,
+                std::vector<EvaluationRecord>& records) {
+    std::vector<TrialSetup> setups;
+    for (size_t i = first; i < requests.size(); ++i) {
+      for (const int draw : requests[i].draws) {
+        setups.push_back(MakeLearningSetup(config_, inputs_, requests[i], draw));
+      }
+    }
+    if (setups.empty()) return;
+    const std::vector<TrialResult> results = pool_.Run(setups);
+    auto result = results.begin();
+    for (size_t i = first; i < requests.size(); ++i) {
+      for (const int draw : requests[i].draws) {
+        records[i].trials.push_back(MakeLearningTrial(draw, *result++, requests[i].keep_postures));
+      }
+    }
+    journal_.Append({records.begin() + static_cast<std::ptrdiff_t>(first), records.end()});
+  }
+
+  const SceneConfig& config_;
+  const SceneInputs& inputs_;
+  EvaluationJournal& journal_;
+  TrialPool& pool_;
+  ObserveLearning observe_;
+};
+
+}  // namespace
+
+RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInputs& inputs,
+                                      EvaluationJournal& journal, TrialPool& pool,
+                                      const ObserveLearning& observe) {
+  const auto trials = std::make_shared<JournaledTrials>(config, inputs, journal, pool, observe);
+  return [trials](const std::vector<LearningRequest>& requests) { return trials->Run(requests); };
+}
+
+SceneInputs LoadSceneInputs(SceneConfig& config) {
+  SessionConfig session;
+  session.hands = {config.hand};
+  session.objects = {config.object};
+  session.grasps = {config.grasp};
+  session.trials = 1;
+  const SessionInputs inputs = LoadSessionInputs(session);
+  const PlannedTrial planned = MakePlan(session, inputs).front();
+  config.grasp = planned.grasp;
+  const TrialSetup setup = MakeTrialSetup(session, inputs, planned);
+  return {setup.hand, setup.object, setup.grasp};
+}
+
+OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& config,
+                        const SceneInputs& inputs, TrialPool& pool,
+                        const ObserveLearning& observe) {
+  CreateScene(folder, config);
+  EvaluationJournal journal(folder / "journal.jsonl");
+  const OptimisedGrasp optimised =
+      OptimiseGrasp(*inputs.hand, *inputs.object, inputs.grasp, config.optimise,
+                    MakeJournaledTrials(config, inputs, journal, pool, observe));
+  WriteSceneResult(folder, config, inputs, optimised);
+  return optimised;
+}
+
+void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,
+                         const ObserveLearning& observe) {
+  const CampaignScene& scene = *task.scene;
+  StandardGrasp start = LoadSceneGrasp(scene.folder, "new-pregrasp", *scene.inputs.hand);
+  start.id = "new-target";
+  EvaluationJournal journal(task.journal);
+  SearchTarget(*scene.inputs.hand, *scene.inputs.object, start, task.config.optimise,
+               MakeJournaledTrials(task.config, scene.inputs, journal, pool, observe));
+}
+
+ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int number,
+                                    TrialPool& pool) {
+  SceneRecord scene = LoadScene(folder);
+  if (scene.result.is_null()) {
+    throw Error(ErrorKind::kUsage, "the optimisation in \"" + folder.string() +
+                                       "\" is not finished; finish it, then replay");
+  }
+  const SceneInputs inputs = LoadSceneInputs(scene.config);
+  // The optimisation leads to the individual when it gets its stored answers again.
+  std::optional<LearningRequest> request;
+  size_t next = 0, place = 0;
+  const auto answer = [&](const std::vector<LearningRequest>& requests) {
+    std::vector<std::vector<LearningTrial>> trials;
+    for (const LearningRequest& asked : requests) {
+      if (asked.stage == "search" && asked.individual.number == number) {
+        request = asked;
+        place = next;
+      }
+      trials.push_back(scene.evaluations.at(next++).trials);
+    }
+    return trials;
+  };
+  OptimiseGrasp(*inputs.hand, *inputs.object, inputs.grasp, scene.config.optimise, answer);
+  if (!request) {
+    throw Error(ErrorKind::kNotFound,
+                "no individual " + std::to_string(number) + " in \"" + folder.string() + "\"");
+  }
+  const EvaluationRecord& stored = scene.evaluations[place];
+  std::vector<TrialSetup> setups;
+  for (const int draw : request->draws) {
+    setups.push_back(MakeLearningSetup(scene.config, inputs, *request, draw));
+  }
+  EvaluationRecord again = stored;
+  again.trials.clear();
+  for (const TrialResult& result : pool.Run(setups)) {
+    again.trials.push_back(
+        MakeLearningTrial(request->draws[again.trials.size()], result, request->keep_postures));
+  }
+  ReplayedIndividual replayed;
+  replayed.grasp = request->grasp;
+  replayed.grasp.id = "individual-" + std::to_string(number);
+  replayed.stored_fitness = CalcFitness(stored.trials);
+  replayed.fitness = CalcFitness(again.trials);
+  replayed.is_same = FormatEvaluationLine(stored) == FormatEvaluationLine(again);
+  return replayed;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,48 @@
+#pragma once
+/** @file
+Optimises one scene in its folder: asks the journal first and the simulation for the rest. */
+
+#include <filesystem>
+#include <functional>
+
+#include "datasets/campaign/campaign_store.h"
+#include "workbench/experiments/trial_pool.h"
+
+namespace graspbench {
+
+/** Told of every finished learning trial, whether simulated or found in the journal. */
+using ObserveLearning =
+    std::function<void(const LearningRequest& request, const LearningTrial& trial)>;
+
+/** The trials that an optimisation asks for, kept in `journal`; all references must outlive it.
+@throws Error(kUsage) from the call when the journal answers other questions than those asked: the
+hand, the object, the physics or the program has changed since. */
+RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInputs& inputs,
+                                      EvaluationJournal& journal, TrialPool& pool,
+                                      const ObserveLearning& observe);
+
+/** Loads the hand, the object and the grasp; "best" is replaced by the grasp it stands for.
+@throws Error(kNotFound, kFormat, kUsage). */
+SceneInputs LoadSceneInputs(SceneConfig& config);
+
+/** Starts or resumes the scene in `folder` and writes its results. @throws Error(kInterrupted). */
+OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& config,
+                        const SceneInputs& inputs, TrialPool& pool, const ObserveLearning& observe);
+
+/** Starts or resumes one search of a comparison, from its scene's saved new pre-grasp. */
+void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,
+                         const ObserveLearning& observe);
+
+/** An individual of a finished search, simulated again. */
+struct ReplayedIndividual {
+  StandardGrasp grasp;  ///< id "individual-<number>"
+  double stored_fitness = 0.0;
+  double fitness = 0.0;
+  bool is_same = false;  ///< every number of every trial
+};
+/** @throws Error(kNotFound) for a number that the search has not; kUsage when the scene is not
+finished. */
+ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int number,
+                                    TrialPool& pool);
+
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#include "workbench/experiments/session_worker.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/trial/verdicts.h"
+
+namespace graspbench {
+namespace {
+
+void CheckSameResult(const Session& session, const PlannedTrial& planned,
+                     const TrialResult& result) {
+  const auto record =
+      std::find_if(session.records.begin(), session.records.end(),
+                   [&](const TrialRecord& candidate) { return candidate.plan == planned; });
+  if (ToJson(record->result) == ToJson(result)) return;
+  throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + planned.hand + ", " +
+                                       planned.object + ", " + planned.grasp + ", number " +
+                                       std::to_string(planned.trial) +
+                                       ") gives another result than its record: the session was "
+                                       "run by another build or on another machine; run it anew "
+                                       "to judge it");
+}
+
+}  // namespace
+
+TrialRunner& PlannedTrialRunner::FindRunner(const TrialSetup& setup) {
+  if (setup.hand != hand_ || setup.object != object_) {
+    runner_ = std::make_unique<TrialRunner>(setup.hand, setup.object);
+    hand_ = setup.hand;
+    object_ = setup.object;
+  }
+  return *runner_;
+}
+
+TrialResult PlannedTrialRunner::Run(const PlannedTrial& planned) {
+  const TrialSetup setup = MakeTrialSetup(config_, inputs_, planned);
+  return FindRunner(setup).Run(setup);
+}
+
+JudgedTrial PlannedTrialRunner::Judge(const PlannedTrial& planned) {
+  const TrialSetup setup = MakeTrialSetup(config_, inputs_, planned);
+  return FindRunner(setup).Judge(setup);
+}
+
+MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
+                                   const std::filesystem::path& folder) {
+  return [&config, &inputs, folder](int worker) {
+    const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
+    const auto journal = std::make_shared<JournalWriter>(folder, worker);
+    return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
+                       [journal](const TrialRecord& record) { journal->Append(record); }};
+  };
+}
+
+MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
+                                 const std::filesystem::path& folder) {
+  return [&session, &inputs, folder](int worker) {
+    const auto runner = std::make_shared<PlannedTrialRunner>(session.config, inputs);
+    const auto writer = std::make_shared<JudgementWriter>(folder, worker);
+    const auto judgement = std::make_shared<Judgement>();  // of the trial that has just run
+    return BatchWorker{[&session, runner, judgement](const PlannedTrial& planned) {
+                         JudgedTrial trial = runner->Judge(planned);
+                         CheckSameResult(session, planned, trial.result);
+                         *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
+                         return trial.result;
+                       },
+                       [writer, judgement](const TrialRecord& record) {
+                         writer->Append(record.plan.id, *judgement);
+                       }};
+  };
+}
+
+}  // namespace graspbench
