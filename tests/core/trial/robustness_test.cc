@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "core/base/units.h"
+#include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 #include "tests/core/trial/trial_setups.h"
 

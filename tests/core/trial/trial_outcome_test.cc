@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
+
 namespace graspbench {
 namespace {
 

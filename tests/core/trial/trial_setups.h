@@ -7,7 +7,7 @@
 #include "core/hand/load_hand.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
-#include "core/trial/trial_setup.h"
+#include "core/trial/trial_runner.h"
 
 namespace graspbench {
 
