@@ -10,8 +10,10 @@ endforeach()
 
 # core/base/error.h -> core_base; objects/catalogue.h -> objects
 function(find_library_of path result)
-  if(path MATCHES "^(core|datasets|human_study)/([a-z_]+)/" OR path MATCHES "^(workbench)/(experiments)/")
+  if(path MATCHES "^(core|datasets|human_study)/([a-z_]+)/")
     set(${result} ${CMAKE_MATCH_1}_${CMAKE_MATCH_2} PARENT_SCOPE)
+  elseif(path MATCHES "^workbench/experiments/")
+    set(${result} workbench_experiments PARENT_SCOPE)
   elseif(path MATCHES "^([a-z_]+)/")
     set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
   else()

@@ -8,6 +8,7 @@
 #include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/numerics_check.h"
+#include "workbench/numerics_tables.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

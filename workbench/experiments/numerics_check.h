@@ -72,10 +72,6 @@ NumericsSummary SummariseNumerics(const std::string& variant,
 /** One row per comparison; missing = empty. */
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons);
 
-/** A table of the variants, and one of the flips when there are any. */
-std::string FormatNumericsTables(const std::vector<NumericsSummary>& summaries,
-                                 const std::vector<NumericsComparison>& comparisons);
-
 /** {variants: [..], flips: [..]}. */
 Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,
                       const std::vector<NumericsComparison>& comparisons);

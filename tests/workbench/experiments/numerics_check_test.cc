@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "workbench/numerics_tables.h"
 
 namespace graspbench {
 namespace {
