@@ -14,15 +14,34 @@ Json VectorOrNull(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-MeshReport CheckMeshFile(const std::filesystem::path& path, LengthUnit unit) {
-  return CheckMesh(LoadMesh(path, unit));
+std::optional<LengthUnit> InferLengthUnit(double largest_extent) {
+  for (const LengthUnit unit : {LengthUnit::kM, LengthUnit::kMm}) {
+    const double extent = largest_extent * MetresPer(unit);
+    if (extent >= kMinMeshExtent && extent <= kMaxMeshExtent) return unit;
+  }
+  return std::nullopt;
 }
 
-MeshFileRepair RepairMeshFile(const std::filesystem::path& path, LengthUnit unit,
+CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
+  CheckedMeshFile file;
+  file.mesh = LoadMesh(path, unit.value_or(LengthUnit::kM));
+  file.report = CheckMesh(file.mesh);
+  const std::optional<LengthUnit> inferred =
+      unit ? unit : InferLengthUnit(file.report.extent.maxCoeff());
+  file.is_unit_inferred = !unit && inferred;
+  file.unit = inferred.value_or(LengthUnit::kM);
+  if (file.is_unit_inferred && file.unit != LengthUnit::kM) {
+    for (Eigen::Vector3d& p : file.mesh.vertices) p *= MetresPer(file.unit);
+    file.report = CheckMesh(file.mesh);
+  }
+  return file;
+}
+
+MeshFileRepair RepairMeshFile(const CheckedMeshFile& file,
                               const std::filesystem::path& repaired_path) {
-  const MeshRepair repair = RepairMesh(LoadMesh(path, unit));
+  const MeshRepair repair = RepairMesh(file.mesh);
   if (!repair.actions.empty()) {
-    WriteFileAtomically(repaired_path, FormatObj(repair.mesh, UnitsPerMetre(unit)));
+    WriteFileAtomically(repaired_path, FormatObj(repair.mesh, UnitsPerMetre(file.unit)));
   }
   return {repair.actions, CheckMesh(repair.mesh)};
 }

@@ -2,6 +2,7 @@
 /** @file What `graspbench object check` does with a mesh file. */
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,23 @@
 
 namespace graspbench {
 
-/** @throws as LoadMesh() when the file cannot be read at all. */
-MeshReport CheckMeshFile(const std::filesystem::path& path, LengthUnit unit);
+/** The unit of a mesh's numbers from the largest extent of its bounding box in these numbers.
+Things to grasp measure 2 mm to 1 m, so 0.002 to 1 are metres and 2 to 1000 are millimetres; nothing
+otherwise. A mesh in centimetres or inches looks like a small one in millimetres: say what was
+inferred. */
+std::optional<LengthUnit> InferLengthUnit(double largest_extent);
+
+/** A mesh file in metres, and how its unit is known. */
+struct CheckedMeshFile {
+  TriMesh mesh;
+  MeshReport report;
+  LengthUnit unit = LengthUnit::kM;
+  bool is_unit_inferred = false;  ///< not given, but told by the size
+};
+/** Without a unit it is inferred; where the size tells none, metres are taken, and the report has
+the size among its problems.
+@throws as LoadMesh() when the file cannot be read at all. */
+CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit);
 
 struct MeshFileRepair {
   std::vector<std::string> actions;  ///< what was done; empty: nothing could be
@@ -20,8 +36,8 @@ struct MeshFileRepair {
 };
 /** Writes the repaired mesh (mesh_repair.h) as OBJ in the same unit, unless nothing could be
 repaired.
-@throws also Error(kIo). */
-MeshFileRepair RepairMeshFile(const std::filesystem::path& path, LengthUnit unit,
+@throws Error(kIo). */
+MeshFileRepair RepairMeshFile(const CheckedMeshFile& file,
                               const std::filesystem::path& repaired_path);
 
 /** {"closed", "triangles", "open_edges", "volume_m3", "centroid_m", "extent_m", "problems"};

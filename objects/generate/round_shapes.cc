@@ -151,58 +151,65 @@ TriMesh DrawSharpener() {
   return MakeLoft(rings);
 }
 
-// A cup with a handle. The handle is a tube between two holes of equal shape in the outer wall.
-TriMesh DrawCup() {
-  constexpr int kSegments = 64;
-  constexpr int kHalfWidth = 2;    // of a hole, in segments
-  constexpr int kRows = 4;         // of a hole
-  constexpr double kRow = 2.5;     // height of a row
-  constexpr double kUpper = 44.0;  // lower edge of the upper hole
-  constexpr double kLower = 11.0;  // lower edge of the lower hole
-  constexpr double kOuterRadius = 42.5;
+namespace {
+
+// The cup's wall has two holes of equal shape, which its handle, a tube, joins.
+constexpr int kCupSegments = 64;
+constexpr int kHoleHalfWidth = 2;  // in segments
+constexpr int kHoleRows = 4;
+constexpr double kHoleRow = 2.5;     // height of a row
+constexpr double kUpperHole = 44.0;  // its lower edge
+constexpr double kLowerHole = 11.0;  // its lower edge
+constexpr double kCupRadius = 42.5;
+
+// Corner of a hole's grid: column counts segments from the side of -x, row counts upwards.
+Eigen::Vector3d FindHoleCorner(double bottom, int column, int row) {
+  const double angle = 2.0 * kPi * (kCupSegments / 2 + column) / kCupSegments;
+  return {kCupRadius * std::cos(angle), kCupRadius * std::sin(angle), bottom + row * kHoleRow};
+}
+
+bool IsInHole(const Eigen::Vector3d& p) {
+  const double half_angle = 2.0 * kPi * kHoleHalfWidth / kCupSegments;
+  const double low = p.z() > kUpperHole ? kUpperHole : kLowerHole;
+  return p.head<2>().norm() > kCupRadius - 1.0 && p.z() > low &&
+         p.z() < low + kHoleRows * kHoleRow && std::abs(std::atan2(p.y(), -p.x())) < half_angle;
+}
+
+TriMesh DrawCupWall() {
   Profile profile = {{0.0, 1.5}, {25.0, 1.5}, {26.0, 0.0}, {29.0, 0.0}, {36.0, 3.0}, {40.5, 6.5}};
-  profile.emplace_back(kOuterRadius, kLower);
-  for (const double bottom : {kLower, kUpper}) {
-    if (bottom == kUpper) profile.emplace_back(kOuterRadius, kUpper);
-    for (int row = 1; row <= kRows; ++row) profile.emplace_back(kOuterRadius, bottom + row * kRow);
+  profile.emplace_back(kCupRadius, kLowerHole);
+  for (const double bottom : {kLowerHole, kUpperHole}) {
+    if (bottom == kUpperHole) profile.emplace_back(kCupRadius, kUpperHole);
+    for (int row = 1; row <= kHoleRows; ++row) {
+      profile.emplace_back(kCupRadius, bottom + row * kHoleRow);
+    }
   }
-  AppendArc(kOuterRadius - 2.0, 63.0, 2.0, 0.0, 180.0, 6, profile);
+  AppendArc(kCupRadius - 2.0, 63.0, 2.0, 0.0, 180.0, 6, profile);
   profile.insert(profile.end(), {{38.4, 12.0}, {36.5, 8.5}, {32.0, 6.0}, {24.0, 5.0}, {0.0, 5.0}});
-  TriMesh cup = MakeRevolution(profile, kSegments);
-
-  // Corner of a hole's grid: column counts segments from the side of -x, row counts upwards.
-  const auto at = [&](double bottom, int column, int row) {
-    const double angle = 2.0 * kPi * (kSegments / 2 + column) / kSegments;
-    return Eigen::Vector3d(kOuterRadius * std::cos(angle), kOuterRadius * std::sin(angle),
-                           bottom + row * kRow);
+  TriMesh wall = MakeRevolution(profile, kCupSegments);
+  const auto is_in_hole = [&](const Eigen::Vector3i& t) {
+    return IsInHole((wall.vertices[t[0]] + wall.vertices[t[1]] + wall.vertices[t[2]]) / 3.0);
   };
-  const double half_angle = 2.0 * kPi * kHalfWidth / kSegments;
-  const auto is_in_hole = [&](const Eigen::Vector3d& p) {
-    const double low = p.z() > kUpper ? kUpper : kLower;
-    return p.head<2>().norm() > kOuterRadius - 1.0 && p.z() > low && p.z() < low + kRows * kRow &&
-           std::abs(std::atan2(p.y(), -p.x())) < half_angle;
-  };
-  cup.triangles.erase(
-      std::remove_if(cup.triangles.begin(), cup.triangles.end(),
-                     [&](const Eigen::Vector3i& t) {
-                       return is_in_hole(
-                           (cup.vertices[t[0]] + cup.vertices[t[1]] + cup.vertices[t[2]]) / 3.0);
-                     }),
-      cup.triangles.end());
+  wall.triangles.erase(std::remove_if(wall.triangles.begin(), wall.triangles.end(), is_in_hole),
+                       wall.triangles.end());
+  return wall;
+}
 
-  // (column, row) once around a hole.
-  std::vector<std::pair<int, int>> rim;
-  for (int c = -kHalfWidth; c < kHalfWidth; ++c) rim.emplace_back(c, 0);
-  for (int r = 0; r < kRows; ++r) rim.emplace_back(kHalfWidth, r);
-  for (int c = kHalfWidth; c > -kHalfWidth; --c) rim.emplace_back(c, kRows);
-  for (int r = kRows; r > 0; --r) rim.emplace_back(-kHalfWidth, r);
+// The handle's axis leaves the upper hole outwards, bends down and comes back to the lower one,
+// upside down.
+std::vector<Ring> MakeHandleRings() {
+  std::vector<std::pair<int, int>> rim;  // (column, row) once around a hole
+  for (int c = -kHoleHalfWidth; c < kHoleHalfWidth; ++c) rim.emplace_back(c, 0);
+  for (int r = 0; r < kHoleRows; ++r) rim.emplace_back(kHoleHalfWidth, r);
+  for (int c = kHoleHalfWidth; c > -kHoleHalfWidth; --c) rim.emplace_back(c, kHoleRows);
+  for (int r = kHoleRows; r > 0; --r) rim.emplace_back(-kHoleHalfWidth, r);
 
-  // The handle's axis leaves the upper hole outwards, bends down and comes back to the lower one,
-  // upside down.
   std::vector<Ring> rings(1);
-  for (const auto& [column, row] : rim) rings[0].push_back(at(kUpper, column, row));
-  const double middle = 0.5 * (kUpper + kLower + kRows * kRow);
-  const double reach = 0.5 * (kUpper - kLower);
+  for (const auto& [column, row] : rim) {
+    rings[0].push_back(FindHoleCorner(kUpperHole, column, row));
+  }
+  const double middle = 0.5 * (kUpperHole + kLowerHole + kHoleRows * kHoleRow);
+  const double reach = 0.5 * (kUpperHole - kLowerHole);
   constexpr int kBends = 20;
   for (int i = 0; i <= kBends; ++i) {
     const double turn = kPi * i / kBends;
@@ -211,16 +218,26 @@ TriMesh DrawCup() {
                                  middle + reach * std::cos(turn));
     Ring ring;
     for (const auto& [column, row] : rim) {
-      const double angle = std::atan2(row - 0.5 * kRows, static_cast<double>(column));
+      const double angle = std::atan2(row - 0.5 * kHoleRows, static_cast<double>(column));
       ring.push_back(centre - 5.5 * std::cos(angle) * Eigen::Vector3d::UnitY() +
                      4.0 * std::sin(angle) * up);
     }
     rings.push_back(ring);
   }
   rings.emplace_back();
-  for (const auto& [column, row] : rim) rings.back().push_back(at(kLower, column, kRows - row));
+  for (const auto& [column, row] : rim) {
+    rings.back().push_back(FindHoleCorner(kLowerHole, column, kHoleRows - row));
+  }
+  return rings;
+}
 
-  const int num_points = static_cast<int>(rim.size());
+}  // namespace
+
+// A cup with a handle.
+TriMesh DrawCup() {
+  TriMesh cup = DrawCupWall();
+  const std::vector<Ring> rings = MakeHandleRings();
+  const int num_points = static_cast<int>(rings[0].size());
   for (size_t i = 0; i < rings.size(); ++i) {
     const int low = cup.num_vertices(), high = low + num_points;
     cup.vertices.insert(cup.vertices.end(), rings[i].begin(), rings[i].end());

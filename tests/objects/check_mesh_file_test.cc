@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
+
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/shape/obj_file.h"
@@ -26,7 +29,7 @@ class CheckMeshFileTest : public testing::Test {
 
 TEST_F(CheckMeshFileTest, ReportsAGoodMesh) {
   for (Eigen::Vector3d& p : box_.vertices) p += Eigen::Vector3d(0.01, 0.02, 0.03);
-  const Json json = FormatMeshReport(CheckMeshFile(Write(box_), LengthUnit::kMm));
+  const Json json = FormatMeshReport(CheckMeshFile(Write(box_), LengthUnit::kMm).report);
   EXPECT_EQ(json["closed"], true);
   EXPECT_EQ(json["triangles"], 16);
   EXPECT_EQ(json["open_edges"], 0);
@@ -39,7 +42,7 @@ TEST_F(CheckMeshFileTest, ReportsAGoodMesh) {
 TEST_F(CheckMeshFileTest, AnOpenMeshHasNoVolumeAndIsRepaired) {
   box_.triangles.erase(box_.triangles.begin());
   const fs::path path = Write(box_);
-  const Json json = FormatMeshReport(CheckMeshFile(path, LengthUnit::kMm));
+  const Json json = FormatMeshReport(CheckMeshFile(path, LengthUnit::kMm).report);
   EXPECT_EQ(json["closed"], false);
   EXPECT_EQ(json["open_edges"], 3);
   EXPECT_TRUE(json["volume_m3"].is_null());
@@ -49,22 +52,48 @@ TEST_F(CheckMeshFileTest, AnOpenMeshHasNoVolumeAndIsRepaired) {
   fs::path repaired = path;
   repaired.replace_extension(".repaired.obj");
   // The hole is 97 mm around, more than the box is long.
-  const MeshFileRepair left_open = RepairMeshFile(path, LengthUnit::kMm, repaired);
+  const MeshFileRepair left_open = RepairMeshFile(CheckMeshFile(path, LengthUnit::kMm), repaired);
   EXPECT_TRUE(left_open.actions.empty());
   EXPECT_FALSE(left_open.report.is_closed);
 
   TriMesh ball = MakeSphere(0.02, 24);
   ball.triangles.erase(ball.triangles.begin() + 100);
-  const MeshFileRepair closed = RepairMeshFile(Write(ball), LengthUnit::kMm, repaired);
+  const MeshFileRepair closed =
+      RepairMeshFile(CheckMeshFile(Write(ball), LengthUnit::kMm), repaired);
   EXPECT_EQ(closed.actions, std::vector<std::string>{"1 hole closed"});
   EXPECT_EQ(FormatProblems(closed.report), "");
-  EXPECT_EQ(FormatProblems(CheckMeshFile(repaired, LengthUnit::kMm)), "");
+  EXPECT_EQ(FormatProblems(CheckMeshFile(repaired, LengthUnit::kMm).report), "");
 }
 
 TEST_F(CheckMeshFileTest, MillimetresReadAsMetresAreTold) {
-  const MeshReport report = CheckMeshFile(Write(box_), LengthUnit::kM);
+  const MeshReport report = CheckMeshFile(Write(box_), LengthUnit::kM).report;
   ASSERT_EQ(report.problems.size(), 1u);
   EXPECT_EQ(report.problems[0].fault, MeshFault::kSize);
+}
+
+TEST_F(CheckMeshFileTest, TheUnitIsInferredWhereTheSizeTellsIt) {
+  // Numbers that mean 2 mm to 1 m in one unit and in no other.
+  const std::pair<double, std::optional<LengthUnit>> sizes[] = {
+      {0.0019, std::nullopt},   {0.0021, LengthUnit::kM}, {0.999, LengthUnit::kM},
+      {1.01, std::nullopt},     {1.99, std::nullopt},     {2.01, LengthUnit::kMm},
+      {999.0, LengthUnit::kMm}, {1001.0, std::nullopt},   {NAN, std::nullopt},
+      {INFINITY, std::nullopt}};
+  for (const auto& [size, unit] : sizes) EXPECT_EQ(InferLengthUnit(size), unit) << size;
+
+  const CheckedMeshFile in_mm = CheckMeshFile(Write(box_), std::nullopt);
+  EXPECT_TRUE(in_mm.is_unit_inferred);
+  EXPECT_EQ(in_mm.unit, LengthUnit::kMm);
+  EXPECT_NEAR(in_mm.report.volume, 2.4e-5, 1e-11);
+  EXPECT_EQ(FormatProblems(in_mm.report), "");
+  const CheckedMeshFile given = CheckMeshFile(Write(box_), LengthUnit::kMm);
+  EXPECT_FALSE(given.is_unit_inferred);
+  EXPECT_LT((given.report.extent - in_mm.report.extent).norm(), 1e-12);
+
+  for (Eigen::Vector3d& p : box_.vertices) p *= 50.0;  // 2 m: no unit fits
+  const CheckedMeshFile neither = CheckMeshFile(Write(box_), std::nullopt);
+  EXPECT_FALSE(neither.is_unit_inferred);
+  ASSERT_FALSE(neither.report.problems.empty());
+  EXPECT_EQ(neither.report.problems[0].fault, MeshFault::kSize);
 }
 
 TEST_F(CheckMeshFileTest, AMissingFileIsNamed) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "core/base/units.h"
 #include "objects/catalogue.h"
@@ -97,22 +98,41 @@ void PrintRepair(const std::string& path, const MeshFileRepair& repair) {
 
 struct MeshCheckOptions {
   std::string path;
-  std::string unit = "m";
+  std::string unit;  // empty: inferred
   bool repair = false;
   bool json = false;
 };
 
 /** A folder is a whole object (object.yaml and mesh), anything else a mesh file. */
+CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
+  if (fs::is_directory(options.path)) {
+    CheckedMeshFile file;
+    file.mesh = LoadObject(options.path)->mesh;
+    file.report = CheckMesh(file.mesh);
+    return file;
+  }
+  std::optional<LengthUnit> unit;
+  if (!options.unit.empty()) unit = options.unit == "mm" ? LengthUnit::kMm : LengthUnit::kM;
+  return CheckMeshFile(options.path, unit);
+}
+
 ExitCode CheckObject(const MeshCheckOptions& options) {
-  const LengthUnit unit = options.unit == "mm" ? LengthUnit::kMm : LengthUnit::kM;
-  MeshReport report = fs::is_directory(options.path) ? CheckMesh(LoadObject(options.path)->mesh)
-                                                     : CheckMeshFile(options.path, unit);
+  const CheckedMeshFile file = CheckFileOrFolder(options);
+  MeshReport report = file.report;
   Json json = FormatMeshReport(report);
-  if (!options.json) PrintMeshReport(options.path, report);
+  json["unit"] = NameOf(file.unit);
+  json["unit_inferred"] = file.is_unit_inferred;
+  if (!options.json) {
+    if (file.is_unit_inferred) {
+      std::cout << "unit: " << NameOf(file.unit)
+                << ", inferred from the size; --unit says otherwise\n";
+    }
+    PrintMeshReport(options.path, report);
+  }
   if (options.repair && !report.problems.empty()) {
     const fs::path path(options.path);
     const std::string repaired = (path.parent_path() / (path.stem().string() + "-repaired.obj"));
-    const MeshFileRepair repair = RepairMeshFile(path, unit, repaired);
+    const MeshFileRepair repair = RepairMeshFile(file, repaired);
     report = repair.report;
     json["repair"] = {{"file", repair.actions.empty() ? Json(nullptr) : Json(repaired)},
                       {"actions", repair.actions},
@@ -155,7 +175,9 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
   check.add_option("path", options->path, "mesh file, or folder with object.yaml and a mesh")
       ->required()
       ->option_text("PATH");
-  check.add_option("--unit", options->unit, "of the mesh file's numbers: m (default) or mm")
+  check
+      .add_option("--unit", options->unit,
+                  "of the mesh file's numbers: m or mm (default: by the size)")
       ->check(CLI::IsMember({"m", "mm"}))
       ->option_text("UNIT");
   check.add_flag("--repair", options->repair,
