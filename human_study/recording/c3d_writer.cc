@@ -177,6 +177,28 @@ Plan MakePlan(const Recording& recording, const C3dWriteOptions& options) {
   return plan;
 }
 
+void FormatAnalogGroup(const Recording& recording, const Plan& plan, ParameterWriter& out) {
+  std::vector<std::string> labels, units;
+  std::vector<float> scales;
+  std::vector<uint16_t> offsets;
+  for (size_t c = 0; c < recording.analog.size(); ++c) {
+    labels.push_back(recording.analog[c].label);
+    units.push_back(recording.analog[c].unit);
+    scales.push_back(plan.channels[c].scale);
+    offsets.push_back(static_cast<uint16_t>(plan.channels[c].offset));
+  }
+  out.Group(2, "ANALOG");
+  out.Word("USED", recording.analog.size());
+  if (recording.analog.empty()) return;
+  out.Float("RATE", recording.rate * static_cast<double>(plan.samples_per_frame));
+  out.Float("GEN_SCALE", 1.0);
+  out.Texts("LABELS", labels);
+  out.Texts("UNITS", units);
+  out.Floats("SCALE", scales);
+  out.Words("OFFSET", offsets);
+  if (plan.options.analog_is_unsigned) out.Texts("FORMAT", {"UNSIGNED"});
+}
+
 std::string FormatParameters(const Recording& recording, const Plan& plan, size_t data_block) {
   ParameterWriter out(plan.options.processor);
   std::vector<std::string> labels;
@@ -192,27 +214,7 @@ std::string FormatParameters(const Recording& recording, const Plan& plan, size_
   }
   out.Texts("LABELS", labels);
   out.Texts("UNITS", {plan.points.empty() ? "" : plan.points[0]->unit});
-
-  std::vector<std::string> channel_labels, units;
-  std::vector<float> scales;
-  std::vector<uint16_t> offsets;
-  for (size_t c = 0; c < recording.analog.size(); ++c) {
-    channel_labels.push_back(recording.analog[c].label);
-    units.push_back(recording.analog[c].unit);
-    scales.push_back(plan.channels[c].scale);
-    offsets.push_back(static_cast<uint16_t>(plan.channels[c].offset));
-  }
-  out.Group(2, "ANALOG");
-  out.Word("USED", recording.analog.size());
-  if (!recording.analog.empty()) {
-    out.Float("RATE", recording.rate * static_cast<double>(plan.samples_per_frame));
-    out.Float("GEN_SCALE", 1.0);
-    out.Texts("LABELS", channel_labels);
-    out.Texts("UNITS", units);
-    out.Floats("SCALE", scales);
-    out.Words("OFFSET", offsets);
-    if (plan.options.analog_is_unsigned) out.Texts("FORMAT", {"UNSIGNED"});
-  }
+  FormatAnalogGroup(recording, plan, out);
 
   const auto halves = [](size_t n) {
     return std::vector<uint16_t>{static_cast<uint16_t>(n & 0xffff), static_cast<uint16_t>(n >> 16)};

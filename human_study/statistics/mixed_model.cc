@@ -256,6 +256,46 @@ bool HasNoResidual(const std::vector<Group>& groups, double y_scale) {
   return std::sqrt(residual) <= 1e-14 * y_scale;
 }
 
+constexpr double kSingular = 1e-4;  // as lme4's isSingular
+
+/** Everything that is told in the unit of the data. */
+void FillEffects(const std::vector<Group>& groups, const Scaling& scaling, const Matrix2d& relative,
+                 const Terms& terms, double sigma2, MixedModel& model) {
+  const Matrix2d back = scaling.MakeBack();
+  const Vector2d origin(scaling.y_mean, 0.0);
+  const Vector2d beta = back * terms.beta + origin;
+  const Matrix2d covariance = back * (sigma2 * terms.c_inverse) * back.transpose();
+  const Matrix2d psi = back * (sigma2 * relative) * back.transpose();
+  // A variance of zero may come back as a rounding error below it.
+  model.intercept_sd = std::sqrt(std::max(0.0, psi(0, 0)));
+  model.slope_sd = std::sqrt(std::max(0.0, psi(1, 1)));
+  if (model.intercept_sd > kSingular * model.residual_sd &&
+      model.slope_sd * scaling.x_scale > kSingular * model.residual_sd) {
+    model.correlation = psi(1, 0) / (model.intercept_sd * model.slope_sd);
+  } else {
+    model.correlation = NoAnswer{"a standard deviation between persons is zero"};
+  }
+
+  Answer<double> intercept_df, slope_df;
+  if (model.is_singular) {
+    intercept_df = slope_df =
+        NoAnswer{"singular fit: a variance between persons is zero or their correlation is 1"};
+  } else {
+    const Satterthwaite satterthwaite(groups, {sigma2 * relative, sigma2});
+    intercept_df = satterthwaite.CalcDf(back.row(0).transpose());
+    slope_df = satterthwaite.CalcDf(back.row(1).transpose());
+  }
+  model.intercept = MakeEffect(beta(0), std::sqrt(covariance(0, 0)), intercept_df);
+  model.slope = MakeEffect(beta(1), std::sqrt(covariance(1, 1)), slope_df);
+  for (const Group& group : groups) {
+    const VectorXd r = group.y - group.z * terms.beta;
+    const Vector2d own =
+        relative * (CalcWeight(group, {relative, 1.0}) * (group.z.transpose() * r));
+    const Vector2d line = back * (terms.beta + own) + origin;
+    model.persons.push_back({group.person, line(0), line(1)});
+  }
+}
+
 }  // namespace
 
 Answer<MixedModel> FitMixedModel(const std::vector<PersonPoint>& points) {
@@ -298,42 +338,9 @@ Answer<MixedModel> FitMixedModel(const std::vector<PersonPoint>& points) {
   model.num_observations = static_cast<int>(points.size());
   model.residual_sd = std::sqrt(sigma2);
   model.reml_criterion = CalcProfile(groups, df, *theta).value + 2.0 * std::log(scaling.x_scale);
-  constexpr double kSingular = 1e-4;  // as lme4's isSingular
   model.is_singular = std::abs((*theta)(0)) < kSingular || std::abs((*theta)(2)) < kSingular;
 
-  const Matrix2d back = scaling.MakeBack();
-  const Vector2d origin(scaling.y_mean, 0.0);
-  const Vector2d beta = back * terms.beta + origin;
-  const Matrix2d covariance = back * (sigma2 * terms.c_inverse) * back.transpose();
-  const Matrix2d psi = back * (sigma2 * relative) * back.transpose();
-  // A variance of zero may come back as a rounding error below it.
-  model.intercept_sd = std::sqrt(std::max(0.0, psi(0, 0)));
-  model.slope_sd = std::sqrt(std::max(0.0, psi(1, 1)));
-  if (model.intercept_sd > kSingular * model.residual_sd &&
-      model.slope_sd * scaling.x_scale > kSingular * model.residual_sd) {
-    model.correlation = psi(1, 0) / (model.intercept_sd * model.slope_sd);
-  } else {
-    model.correlation = NoAnswer{"a standard deviation between persons is zero"};
-  }
-
-  Answer<double> intercept_df, slope_df;
-  if (model.is_singular) {
-    intercept_df = slope_df =
-        NoAnswer{"singular fit: a variance between persons is zero or their correlation is 1"};
-  } else {
-    const Satterthwaite satterthwaite(groups, {sigma2 * relative, sigma2});
-    intercept_df = satterthwaite.CalcDf(back.row(0).transpose());
-    slope_df = satterthwaite.CalcDf(back.row(1).transpose());
-  }
-  model.intercept = MakeEffect(beta(0), std::sqrt(covariance(0, 0)), intercept_df);
-  model.slope = MakeEffect(beta(1), std::sqrt(covariance(1, 1)), slope_df);
-  for (const Group& group : groups) {
-    const VectorXd r = group.y - group.z * terms.beta;
-    const Vector2d own =
-        relative * (CalcWeight(group, {relative, 1.0}) * (group.z.transpose() * r));
-    const Vector2d line = back * (terms.beta + own) + origin;
-    model.persons.push_back({group.person, line(0), line(1)});
-  }
+  FillEffects(groups, scaling, relative, terms, sigma2, model);
   return model;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unsupported/Eigen/KroneckerProduct>
 
 #include "core/statistics/distributions.h"
@@ -100,6 +101,26 @@ Answer<WithinTest> CalcTest(const WithinEffect& effect, const MatrixXd& covarian
   return test;
 }
 
+/** Why there is nothing to compare. */
+std::optional<NoAnswer> FindObstacle(const CellMeans& cells) {
+  constexpr size_t kMaxFactors = 8;
+  if (cells.factors.empty()) return NoAnswer{"no factor: nothing to compare"};
+  if (cells.factors.size() > kMaxFactors) {
+    return NoAnswer{std::to_string(cells.factors.size()) + " factors; expected at most " +
+                    std::to_string(kMaxFactors)};
+  }
+  for (const Factor& factor : cells.factors) {
+    if (factor.levels.size() < 2) {
+      return NoAnswer{"factor \"" + factor.name + "\" has one level: nothing to compare"};
+    }
+  }
+  const int num_persons = static_cast<int>(cells.means.rows());
+  if (num_persons < 2) {
+    return NoAnswer{FormatCount(num_persons, "person") + "; expected 2 or more"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Answer<double> CalcHuynhFeldt(double greenhouse_geisser, int num_contrasts, int num_persons) {
@@ -129,22 +150,9 @@ double CalcMauchlyP(double w, int num_contrasts, int num_cells, int num_persons)
 }
 
 Answer<WithinAnova> CalcWithinAnova(const CellMeans& cells) {
-  constexpr size_t kMaxFactors = 8;
-  if (cells.factors.empty()) return NoAnswer{"no factor: nothing to compare"};
-  if (cells.factors.size() > kMaxFactors) {
-    return NoAnswer{std::to_string(cells.factors.size()) + " factors; expected at most " +
-                    std::to_string(kMaxFactors)};
-  }
-  for (const Factor& factor : cells.factors) {
-    if (factor.levels.size() < 2) {
-      return NoAnswer{"factor \"" + factor.name + "\" has one level: nothing to compare"};
-    }
-  }
+  if (const auto obstacle = FindObstacle(cells)) return *obstacle;
   const MatrixXd& y = cells.means;
   const int num_persons = static_cast<int>(y.rows());
-  if (num_persons < 2) {
-    return NoAnswer{FormatCount(num_persons, "person") + "; expected 2 or more"};
-  }
   GRASPBENCH_DEMAND(y.cols() == static_cast<Eigen::Index>(ListCells(cells.factors).size()),
                     std::to_string(y.cols()) + " columns");
 

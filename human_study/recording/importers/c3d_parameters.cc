@@ -102,62 +102,88 @@ std::vector<std::string> C3dParameter::Texts() const {
   return texts;
 }
 
+namespace {
+
+/** Reads one record after another of a parameter section. */
+class RecordReader {
+ public:
+  RecordReader(std::string_view section, size_t position, C3dProcessor processor,
+               const std::string& file)
+      : section_(section), position_(position), processor_(processor), file_(file) {}
+
+  uint8_t Byte(size_t i) const { return static_cast<uint8_t>(section_[i]); }
+  size_t Word(size_t i) const {
+    return DecodeC3dWord(processor_, reinterpret_cast<const uint8_t*>(&section_[i]));
+  }
+  /** Fails unless the record at `at` may go on to `end`. */
+  void Need(size_t at, size_t end, const char* what) const {
+    if (end <= section_.size()) return;
+    FailAtByte(file_, position_ + at,
+               std::string("a parameter record runs past the end of the parameter section (its ") +
+                   what + " would end at byte " + std::to_string(position_ + end) +
+                   "); the file is cut off or its parameters are damaged");
+  }
+  /** The parameter `name` of the record at `at` whose type stands at `cursor`, which then stands
+  behind its data. */
+  C3dParameter ReadParameter(const std::string& name, size_t at, size_t& cursor) const {
+    Need(at, cursor + 2, "type");
+    C3dParameter parameter;
+    parameter.name = name;
+    parameter.processor = processor_;
+    parameter.type = static_cast<int8_t>(Byte(cursor));
+    if (!(parameter.type == -1 || parameter.type == 1 || parameter.type == 2 ||
+          parameter.type == 4)) {
+      FailAtByte(file_, position_ + cursor,
+                 "parameter " + name + " has type " + std::to_string(parameter.type) +
+                     "; expected -1 (text), 1, 2 or 4");
+    }
+    const size_t num_dimensions = Byte(cursor + 1);
+    cursor += 2;
+    Need(at, cursor + num_dimensions, "dimensions");
+    size_t size = static_cast<size_t>(std::abs(parameter.type));
+    for (size_t i = 0; i < num_dimensions; ++i) {
+      parameter.dimensions.push_back(Byte(cursor + i));
+      // The product of seven bytes overflows nothing once it is capped at the section's size.
+      size = std::min(size * Byte(cursor + i), section_.size() + 1);
+    }
+    cursor += num_dimensions;
+    Need(at, cursor + size, "data");
+    parameter.data = section_.substr(cursor, size);
+    parameter.position = position_ + cursor;
+    cursor += size;
+    return parameter;
+  }
+
+ private:
+  std::string_view section_;
+  size_t position_;  // of the section in the file
+  C3dProcessor processor_;
+  const std::string& file_;
+};
+
+}  // namespace
+
 C3dParameters::C3dParameters(std::string_view section, size_t position, C3dProcessor processor,
                              const std::string& file) {
+  const RecordReader reader(section, position, processor, file);
   std::map<int, std::string> group_names;
   std::vector<int> group_of;  // by parameter: a group's name may come later
   size_t at = 4;
-  const auto byte = [&](size_t i) { return static_cast<uint8_t>(section[i]); };
-  const auto need = [&](size_t end, const char* what) {
-    if (end > section.size()) {
-      FailAtByte(
-          file, position + at,
-          std::string("a parameter record runs past the end of the parameter section (its ") +
-              what + " would end at byte " + std::to_string(position + end) +
-              "); the file is cut off or its parameters are damaged");
-    }
-  };
   while (at + 2 <= section.size()) {
-    const auto name_size = static_cast<size_t>(std::abs(static_cast<int8_t>(byte(at))));
+    const auto name_size = static_cast<size_t>(std::abs(static_cast<int8_t>(reader.Byte(at))));
     if (name_size == 0) break;
-    const int id = static_cast<int8_t>(byte(at + 1));
+    const int id = static_cast<int8_t>(reader.Byte(at + 1));
     size_t cursor = at + 2;
-    need(cursor + name_size + 2, "name");
+    reader.Need(at, cursor + name_size + 2, "name");
     const std::string name = UpperCase(TrimEnd(section.substr(cursor, name_size)));
     cursor += name_size;
-    const size_t distance =
-        DecodeC3dWord(processor, reinterpret_cast<const uint8_t*>(&section[cursor]));
+    const size_t distance = reader.Word(cursor);
     const size_t next = distance == 0 ? 0 : cursor + distance;
     cursor += 2;
     if (id < 0) {
       group_names[-id] = name;
     } else {
-      need(cursor + 2, "type");
-      C3dParameter parameter;
-      parameter.name = name;
-      parameter.processor = processor;
-      parameter.type = static_cast<int8_t>(byte(cursor));
-      if (!(parameter.type == -1 || parameter.type == 1 || parameter.type == 2 ||
-            parameter.type == 4)) {
-        FailAtByte(file, position + cursor,
-                   "parameter " + name + " has type " + std::to_string(parameter.type) +
-                       "; expected -1 (text), 1, 2 or 4");
-      }
-      const size_t num_dimensions = byte(cursor + 1);
-      cursor += 2;
-      need(cursor + num_dimensions, "dimensions");
-      size_t size = static_cast<size_t>(std::abs(parameter.type));
-      for (size_t i = 0; i < num_dimensions; ++i) {
-        parameter.dimensions.push_back(byte(cursor + i));
-        // The product of seven bytes overflows nothing once it is capped at the section's size.
-        size = std::min(size * byte(cursor + i), section.size() + 1);
-      }
-      cursor += num_dimensions;
-      need(cursor + size, "data");
-      parameter.data = section.substr(cursor, size);
-      parameter.position = position + cursor;
-      cursor += size;
-      parameters_.push_back(std::move(parameter));
+      parameters_.push_back(reader.ReadParameter(name, at, cursor));
       group_of.push_back(id);
     }
     if (next == 0) break;

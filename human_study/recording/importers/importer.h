@@ -2,8 +2,8 @@
 /** @file
 Reading motion capture of any known format.
 
-An importer is one `.cc` file and one line in importer_list.cc. It reads from a stream, never trusts
-a count before comparing it with what the file can hold, notes every deviation it accepts in
+An importer is one `.cc` file and one line in importer_list.inc. It reads from a stream, never
+trusts a count before comparing it with what the file can hold, notes every deviation it accepts in
 Recording::findings, and throws Error(kFormat) with the byte or line of a fault it cannot accept. */
 
 #include <filesystem>

@@ -124,6 +124,26 @@ Columns AssignColumns(const std::vector<Channel>& channels, const std::string& f
   return columns;
 }
 
+void ReadEvents(const ImportSource& source, const std::string& stem, Recording& recording) {
+  // Events belong to the task, not to one tracking system.
+  std::string task_stem = stem;
+  if (const size_t entity = stem.find("_tracksys-"); entity != std::string::npos) {
+    task_stem.erase(entity, std::min(stem.find('_', entity + 1), stem.size()) - entity);
+  }
+  const std::string file = task_stem + "_events.tsv";
+  const auto events = source.read_sibling(file);
+  if (!events) return;
+  int line_number = 1;
+  for (const auto& row : ParseTable(*events, file)) {
+    ++line_number;
+    const Cells onset = {row.count("onset") ? std::string_view(row.at("onset")) : ""};
+    std::istringstream nothing;
+    const double time = ParseNumber(onset, 0, LineReader(nothing, file));
+    if (!std::isfinite(time)) FailAtLine(file, line_number, "the event has no onset");
+    recording.events.push_back({FindCell(row, "trial_type"), "", time, EventSource::kEventGroup});
+  }
+}
+
 Recording ImportMotionBids(const ImportSource& source, const ImportOptions& options) {
   const std::string name = std::filesystem::path(source.name).filename().string();
   const std::string end = "_motion.tsv";
@@ -166,23 +186,7 @@ Recording ImportMotionBids(const ImportSource& source, const ImportOptions& opti
   }
   NoteZeros(num_zeros, recording);
   SettleTimes(std::move(times), 1, source.name, recording);
-  // Events belong to the task, not to one tracking system.
-  std::string task_stem = stem;
-  if (const size_t entity = stem.find("_tracksys-"); entity != std::string::npos) {
-    task_stem.erase(entity, std::min(stem.find('_', entity + 1), stem.size()) - entity);
-  }
-  const std::string file = task_stem + "_events.tsv";
-  if (const auto events = source.read_sibling(file)) {
-    int line_number = 1;
-    for (const auto& row : ParseTable(*events, file)) {
-      ++line_number;
-      const Cells onset = {row.count("onset") ? std::string_view(row.at("onset")) : ""};
-      std::istringstream nothing;
-      const double time = ParseNumber(onset, 0, LineReader(nothing, file));
-      if (!std::isfinite(time)) FailAtLine(file, line_number, "the event has no onset");
-      recording.events.push_back({FindCell(row, "trial_type"), "", time, EventSource::kEventGroup});
-    }
-  }
+  ReadEvents(source, stem, recording);
   return recording;
 }
 

@@ -24,6 +24,32 @@ bool RecognisesN3d(std::string_view head) {
   return head.size() >= kHeaderSize && head[0] == 32 && head[3] == 3 && head[4] == 0;
 }
 
+/** The number of frames to read of those promised, from what the file holds after its header. */
+uint64_t SettleFrames(const ImportSource& source, const ImportOptions& options, uint64_t num_frames,
+                      uint64_t frame_size, uint64_t available, Recording& recording) {
+  const uint64_t file_size = kHeaderSize + available;
+  if (num_frames * frame_size > available) {
+    const uint64_t held = available / frame_size;
+    const std::string text = "the header promises " + std::to_string(num_frames) +
+                             " frames, the file holds " + std::to_string(held);
+    if (!options.accept_truncated || held == 0) {
+      FailAtByte(source.name, file_size,
+                 text +
+                     "; it is cut off or its count is wrong (--accept-truncated reads what is "
+                     "there)");
+    }
+    recording.Note("truncated", "byte " + std::to_string(file_size), text + "; those are taken");
+    return held;
+  }
+  if (num_frames * frame_size < available) {
+    recording.Note("data_left_over",
+                   "byte " + std::to_string(kHeaderSize + num_frames * frame_size),
+                   std::to_string(available - num_frames * frame_size) +
+                       " bytes follow the frames of the header; they are not read");
+  }
+  return num_frames;
+}
+
 Recording ImportN3d(const ImportSource& source, const ImportOptions& options) {
   std::istream& stream = source.stream;
   stream.seekg(0, std::ios::end);
@@ -53,25 +79,8 @@ Recording ImportN3d(const ImportSource& source, const ImportOptions& options) {
     FailAtByte(source.name, 9, "the rate is not a number above 0 Hz");
   }
   const uint64_t frame_size = 12 * num_points;
-  const uint64_t available = file_size - kHeaderSize;
-  if (num_frames * frame_size > available) {
-    const uint64_t held = available / frame_size;
-    const std::string text = "the header promises " + std::to_string(num_frames) +
-                             " frames, the file holds " + std::to_string(held);
-    if (!options.accept_truncated || held == 0) {
-      FailAtByte(source.name, file_size,
-                 text +
-                     "; it is cut off or its count is wrong (--accept-truncated reads what is "
-                     "there)");
-    }
-    recording.Note("truncated", "byte " + std::to_string(file_size), text + "; those are taken");
-    num_frames = held;
-  } else if (num_frames * frame_size < available) {
-    recording.Note("data_left_over",
-                   "byte " + std::to_string(kHeaderSize + num_frames * frame_size),
-                   std::to_string(available - num_frames * frame_size) +
-                       " bytes follow the frames of the header; they are not read");
-  }
+  num_frames =
+      SettleFrames(source, options, num_frames, frame_size, file_size - kHeaderSize, recording);
   if (num_points == 0) num_frames = 0;
   recording.num_frames = static_cast<size_t>(num_frames);
   recording.points.resize(num_points);

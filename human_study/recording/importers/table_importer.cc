@@ -60,11 +60,9 @@ void AddTrial(std::string_view trial, std::vector<std::string>& trials) {
   if (std::find(trials.begin(), trials.end(), trial) == trials.end()) trials.emplace_back(trial);
 }
 
-Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
-                       const TableMapping& mapping) {
-  Recording recording;
-  LineReader reader(source.stream, source.name);
-  Heading heading(reader);
+/** Columns of each point of the mapping; the points are added to the recording. */
+std::vector<std::array<size_t, 3>> AddPoints(const TableMapping& mapping, Heading& heading,
+                                             Recording& recording) {
   std::vector<std::array<size_t, 3>> columns;
   for (const TableMapping::Point& point : mapping.points) {
     columns.push_back({heading.Find(point.columns[0]), heading.Find(point.columns[1]),
@@ -72,6 +70,29 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     recording.points.emplace_back();
     recording.points.back().label = point.label;
   }
+  return columns;
+}
+
+/** Exactly one of the table's trials was read. */
+void CheckTrial(const ImportSource& source, const ImportOptions& options,
+                const std::vector<std::string>& trials, const Recording& recording) {
+  if (options.trial.empty() && trials.size() > 1) {
+    throw Error(ErrorKind::kUsage,
+                source.name + ": the table holds " + std::to_string(trials.size()) + " trials, \"" +
+                    trials.front() + "\" to \"" + trials.back() + "\"; name one with --trial");
+  }
+  if (!options.trial.empty() && recording.num_frames == 0) {
+    throw Error(ErrorKind::kNotFound, source.name + ": no trial \"" + options.trial + "\"" +
+                                          SuggestNames(options.trial, trials));
+  }
+}
+
+Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
+                       const TableMapping& mapping) {
+  Recording recording;
+  LineReader reader(source.stream, source.name);
+  Heading heading(reader);
+  const std::vector<std::array<size_t, 3>> columns = AddPoints(mapping, heading, recording);
   const size_t time = heading.Find(mapping.time);
   const size_t trial = heading.Find(mapping.trial);
   const size_t occluded = heading.Find(mapping.occluded);
@@ -112,15 +133,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     }
     ++recording.num_frames;
   }
-  if (options.trial.empty() && trials.size() > 1) {
-    throw Error(ErrorKind::kUsage,
-                source.name + ": the table holds " + std::to_string(trials.size()) + " trials, \"" +
-                    trials.front() + "\" to \"" + trials.back() + "\"; name one with --trial");
-  }
-  if (!options.trial.empty() && recording.num_frames == 0) {
-    throw Error(ErrorKind::kNotFound, source.name + ": no trial \"" + options.trial + "\"" +
-                                          SuggestNames(options.trial, trials));
-  }
+  CheckTrial(source, options, trials, recording);
   NoteZeros(num_zeros, recording);
   if (num_occluded > 0) {
     recording.Note(

@@ -19,6 +19,25 @@ std::string_view FindValue(const Cells& names, const Cells& values, std::string_
   return {};
 }
 
+/** Labels stand over X, with two empty cells after each. */
+void ReadLabels(LineReader& reader, char delimiter, size_t num_points, const std::string& unit,
+                Recording& recording) {
+  Cells cells;
+  SplitCells(reader.Require("the row of labels"), delimiter, cells);
+  recording.points.resize(num_points);
+  for (size_t i = 0; i < num_points && 2 + 3 * i < cells.size(); ++i) {
+    recording.points[i].label = std::string(cells[2 + 3 * i]);
+  }
+  DropEmptyEnd(cells);
+  if (cells.size() > 2 + 3 * num_points) {
+    recording.Note("extra_labels", "line 4",
+                   "more labels than the " + std::to_string(num_points) +
+                       " markers of NumMarkers; the first ones are taken");
+  }
+  SetLengthUnit(recording, unit, "Units");
+  MakeLabelsUnique(recording, "line 4");
+}
+
 Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   Recording recording;
   LineReader reader(source.stream, source.name);
@@ -40,21 +59,8 @@ Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
   std::string unit(FindValue(names, values, "units"));
   if (unit.empty()) unit = options.unit;
 
-  // Labels stand over X, with two empty cells after each.
-  SplitCells(reader.Require("the row of labels"), delimiter, cells);
   const auto num_points = static_cast<size_t>(num_markers);
-  recording.points.resize(num_points);
-  for (size_t i = 0; i < num_points && 2 + 3 * i < cells.size(); ++i) {
-    recording.points[i].label = std::string(cells[2 + 3 * i]);
-  }
-  DropEmptyEnd(cells);
-  if (cells.size() > 2 + 3 * num_points) {
-    recording.Note("extra_labels", "line 4",
-                   "more labels than the " + std::to_string(num_points) +
-                       " markers of NumMarkers; the first ones are taken");
-  }
-  SetLengthUnit(recording, unit, "Units");
-  MakeLabelsUnique(recording, "line 4");
+  ReadLabels(reader, delimiter, num_points, unit, recording);
   reader.Require("the row X1 Y1 Z1");
 
   std::string_view line;
