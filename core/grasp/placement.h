@@ -8,14 +8,16 @@ and its sizes. With q(s) the linear closing from pre-grasp to target,
 
     s*   the first s at which thumb pad and mean of the other pads are an object's width apart
     G    the grasp centre: midway between the two at s*
+
 G is put over the object's centre at grasp height h_g, the opposition axis (thumb to fingers) is
 turned by alpha from the object's long axis, the approach direction (the palm's normal tilted
-towards the fingertips) points straight down.
+towards the fingertips) points straight down. For precision and pinch
 
-h_g = max(9 mm, min(height / 2, height - 8 mm)) for precision and pinch, so that the pads clear the
-table; a power grasp brings the palm to 3 mm from the object instead. No sphere of the hand comes
-nearer to the table than 0.5 mm while it closes to s*; what is thinner than 9 mm is picked
-off the table, there it holds at s* only.
+    h_g = max(9 mm, min(height / 2, height - 8 mm)),
+
+so that the pads clear the table; a power grasp brings the palm to 3 mm from the object instead. No
+sphere of the hand comes nearer to the table than 0.5 mm while it closes to s*; what is thinner than
+9 mm is picked off the table, there it holds at s* only.
 
 An object taller than the fingers reach is grasped with power from the side: the approach is
 horizontal and the flexion axis of the fingers vertical, the grasp centre at half height; the

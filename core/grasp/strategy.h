@@ -5,13 +5,16 @@ The five-phase grasp strategy as a serial state machine (Roethling 2007, chapter
     1 pre-grasp       the hand stands at distance d and takes the pre-grasp posture
     2 placing         it moves to the grasp position
     3 closure         only after it has arrived: it closes towards the target posture; ends at the
-first instant at which all grasping digits touch 4 stabilisation   until the fingers exert enough
-force 5 lift-off        back to the pre-grasp position; the object comes along, or not
+                      first instant at which all grasping digits touch
+    4 stabilisation   until the fingers exert enough force
+    5 lift-off        back to the pre-grasp position; the object comes along, or not
 
 and a hold, in which the verdict is reached. The machine knows time and touch, no physics: the same
-one can drive a simulation or a replay. Closing is linear in the joint angles, q(s) = q_pre + s
-(q_target - q_pre), and goes on after the first touch until s = 1: what the object prevents becomes
-force. */
+one can drive a simulation or a replay. Closing is linear in the joint angles,
+
+    q(s) = q_pre + s (q_target - q_pre),
+
+and goes on after the first touch until s = 1: what the object prevents becomes force. */
 
 namespace graspbench {
 

@@ -5,15 +5,17 @@ Distal joints that follow their middle joint, eliminated from the equations.
 One drive moves a finger's middle joint J2 and its distal joint J1 together; its coordinate is
 theta.
 
-- even:          J1 = J2 = theta           (dJ2, dJ1) = (1, 1) dtheta
-- fixed:         J1 = r J2, J2 = theta     (1, r), r = 0.8
-- middle-first:  J1 + J2 = theta. J2 moves while it can; when it is blocked (by an object at the
-middle or proximal phalanx, or at its upper limit) J1 moves instead. Opening undoes J1 first. Always
-J2 >= J1 >= 0.     (1, 0) or (0, 1)
+    rule            angles                     (dJ2, dJ1) / dtheta
+    even            J1 = J2 = theta            (1, 1)
+    fixed           J2 = theta, J1 = r J2      (1, r), r = 0.8
+    middle-first    J1 + J2 = theta            (1, 0) or (0, 1)
 
-So at every instant the finger has one freedom here, u_J = T_J dtheta/dt, and T_J is constant within
-a step. A posture names J2 only; theta of a posture is that angle, J1 starts at zero under
-middle-first and at its coupled value otherwise. */
+Under middle-first J2 moves while it can; when it is blocked (by an object at the middle or proximal
+phalanx, or at its upper limit) J1 moves instead. Opening undoes J1 first. Always J2 >= J1 >= 0.
+
+So at every instant the finger has one degree of freedom here, u_J = T_J dtheta/dt, and T_J is
+constant within a step. A posture names J2 only; theta of a posture is that angle, J1 starts at zero
+under middle-first and at its coupled value otherwise. */
 
 #include <Eigen/Core>
 

@@ -9,7 +9,7 @@ X_PJ the joint frame in the parent link P, X_PL(q) = X_PJ * Rot(axis, q). A link
 joint's frame (URDF's rule).
 
 Joint angles q hold one angle for every revolute joint, in the order of `joints`. Coupled distal
-joints are part of q but are no freedoms of their own: see coupling.h. */
+joints are part of q but no degrees of freedom of their own: see coupling.h. */
 
 #include <Eigen/Core>
 #include <string>

@@ -2,7 +2,7 @@
 /** @file
 What the optimisation keeps of a simulated trial, and the fitness it takes from it:
 
-    fitness = sigma (core/trial/stability.h), which is 0 when the object is lost
+    fitness = sigma (core/trial/stability.h), which is 0 when the object is lost, or
             = - the opposing digit's smallest distance to the object [m] when that digit never
               touches, so that a thumb in the air is led towards the object
 

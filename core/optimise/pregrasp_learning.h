@@ -10,9 +10,10 @@ l along this line beyond its old pre-grasp, and every joint goes no further than
 
 A lesson, one trial without variation, tells by how much the joints of each digit fell short of
 their commands when it first touched. With that, geometry tells at which s_i(l) the digit meets the
-object at rest (digit_course.h); where no joint is at its limit this is the closed form q'_pre =
-(q_c - s* q_target) / (1 - s*) with q_c the contact angles. Every l_i is chosen such that
-s_i(l_i) = s* for all digits.
+object at rest (digit_course.h), and every l_i is chosen such that s_i(l_i) = s* for all digits.
+Where no joint is at its limit this is the closed form, with q_c the contact angles,
+
+    q'_pre = (q_c - s* q_target) / (1 - s*)
 
 The larger s*, the wider the new pre-grasp, and wide is good: the same error of the object's place
 makes GFT a smaller part of GCT. So s* is the largest that every digit can be opened to. But a

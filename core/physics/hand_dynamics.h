@@ -10,8 +10,8 @@ Method: spatial vectors about the world's origin, expressed in W (Featherstone 2
 motion vector is S = (a, p x a); composite rigid bodies give the mass matrix, recursive Newton-Euler
 the bias.
 
-Freedoms: one for every driven joint. A coupled distal joint shares the freedom of its middle joint:
-u_joint = rate_j * u_dof (coupling.h). */
+Degrees of freedom: one for every driven joint. A coupled distal joint shares that of its middle
+joint: u_joint = rate_j * u_dof (coupling.h). */
 
 #include <Eigen/Core>
 #include <vector>
@@ -50,10 +50,10 @@ class HandDynamics {
   /** Mass matrix (num_dofs x num_dofs) for the current positions. */
   void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const;
 
-  /** Generalised force (num_dofs) that gives zero acceleration of all freedoms at speeds u, the
-  root moving with velocity v_WH; lift_W is the root's acceleration minus that of gravity. Returns
-  the power of gravity and of the root's inertial force on the links, relative to the moving root
-  [W]. */
+  /** Generalised force (num_dofs) that gives zero acceleration of all degrees of freedom at speeds
+  u, the root moving with velocity v_WH; lift_W is the root's acceleration minus that of gravity.
+  Returns the power of gravity and of the root's inertial force on the links, relative to the moving
+  root [W]. */
   double CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& v_WH,
                   const Eigen::Vector3d& lift_W, Eigen::Ref<Eigen::VectorXd> bias) const;
 

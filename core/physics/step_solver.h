@@ -46,8 +46,7 @@ class StepSolver {
 
   /** Solves for v, starting from its value. `refresh_bias(v)` is called between passes and may
   change problem.bias; it returns whether it did. False when the tolerance was not reached or limits
-  and bias did not settle. Contacts
-  keep their limits and forces for FinishContact. */
+  and bias did not settle. Contacts keep their limits and forces for FinishContact. */
   template <class RefreshBias>
   bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
     limits_.clear();

@@ -6,8 +6,9 @@ One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
 1. positions move by h u / 2 to the middle of the step (the object turns by its rotation vector);
 2. mass matrix, bias and contacts are taken there;
 3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
-speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
+   speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
 4. positions move by h v / 2.
+
 Drives act by the command, the angle and the speed of the step's end, so that a finger lags behind
 a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
 middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.

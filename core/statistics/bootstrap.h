@@ -4,7 +4,9 @@ Intervals of any statistic by drawing members of a group with replacement. The m
 independent: persons, not their trials; cells, not their trials.
 
 The limits are bias-corrected and accelerated (BCa; B. Efron, J. Am. Stat. Assoc. 82 (1987)):
+
     alpha = Phi(z0 + (z0 + z) / (1 - a (z0 + z))),
+
 z0 from the share of resamples below the estimate (ties count half), a from the jackknife. */
 
 #include <functional>

@@ -1,6 +1,7 @@
 #pragma once
 /** @file
-The robustness basin of a grasp: how far the object may stand from where the hand expects it.
+The robustness basin of a grasp: the placement error that it tolerates, that of the object against
+where the hand expects it.
 
 Offsets are quasi-random points of the Halton sequence (bases 2, 3, 5; J. H. Halton, Numer. Math. 2,
 1960) in the box +-10 mm in x and y, +-15 degrees in yaw, the same for every grasp; joints without

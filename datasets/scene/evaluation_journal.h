@@ -3,7 +3,8 @@
 Everything that an optimisation asked of the simulation, one line a request, in the order of asking.
 
     {"stage":"search","number":41,"generation":3,"parents":[12,8],"genome_rad":[..],
-     "steps_rad":[..],"fitness":3.2,"trials":[{"trial_id":"..","draw":0,"sigma":3.2,..}],"xxh64":".."}
+     "steps_rad":[..],"fitness":3.2,"trials":[{"trial_id":"..","draw":0,"sigma":3.2,..}],
+     "xxh64":".."}
 
 The optimisation is deterministic: the same answers lead to the same questions. So it is resumed by
 asking again from the start and answering from the journal as long as that reaches, and a resumed

@@ -4,12 +4,13 @@ How far a hand is open, as one number from the tips of its digits: the family.
 
 With p_T the thumb's tip, p_k the n - 1 others and c the mean of all n:
 
-    aperture        |p_T - p_I|                            thumb and index; the usual "grip
-aperture" virtual_finger  |p_T - mean p_k|                       default (Arbib 1985; Gilster et al.
-2012) thumb_finger    mean of |p_T - p_k| rms_radius      sqrt(mean of |p_i - c|^2) over all digits
-    centroid_sum    sum of |p_i - c|                       over all digits
-    fan             sqrt(area of the triangles c p_i p_i+1, thumb round to thumb)   (Supuk 2005)
-    perimeter       sum of |p_i - p_i+1|, thumb round to thumb
+    aperture        |p_T - p_I|                     thumb and index; the usual "grip aperture"
+    virtual_finger  |p_T - mean p_k|                default (Arbib 1985; Gilster et al. 2012)
+    thumb_finger    mean of |p_T - p_k|
+    rms_radius      sqrt(mean of |p_i - c|^2)       over all digits
+    centroid_sum    sum of |p_i - c|                over all digits
+    fan             sqrt(area of the triangles c p_i p_i+1)      thumb round to thumb (Supuk 2005)
+    perimeter       sum of |p_i - p_i+1|            thumb round to thumb
     outer_triangle  sqrt(area of the triangle of thumb, index and last digit)
 
 All are lengths [m]. With two digits the first three are equal. A measure over "all" digits takes

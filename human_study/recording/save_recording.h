@@ -2,12 +2,13 @@
 /** @file
 Writes a recording in the format its file name asks for.
 
-| name  | what it is | what is lost |
-| ----- | ---------- | ------------ |
-| .c3d  | C3D, Intel, floating point (c3d_writer.h) | nothing but uneven time stamps, which are
-refused | | .tsv  | Qualisys TSV, millimetres | analog channels, contexts of events; filled samples
-make a trajectory "Mixed" | | .csv  | plain table: frame, time_s, then <label>_x_m, _y_m, _z_m,
-_state | analog channels, events | */
+    name   what it is                           what is lost
+    .c3d   C3D, Intel, floating point           nothing; uneven time stamps are refused
+           (c3d_writer.h)
+    .tsv   Qualisys TSV, millimetres            analog channels, contexts of events; filled samples
+                                                make a trajectory "Mixed"
+    .csv   plain table: frame, time_s, then     analog channels, events
+           <label>_x_m, _y_m, _z_m, _state */
 
 #include <filesystem>
 #include <iosfwd>

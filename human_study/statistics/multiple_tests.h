@@ -3,8 +3,11 @@
 p values of several tests at once, adjusted; compare them with the level wanted.
 
 Holm keeps the chance of any false finding (S. Holm, Scand. J. Stat. 6 (1979)):
+
     p'_(i) = max over j <= i of min(1, (m - j + 1) p_(j))
+
 Benjamini-Hochberg keeps the share of false findings (J. R. Stat. Soc. B 57 (1995)):
+
     p'_(i) = min over j >= i of min(1, m p_(j) / j) */
 
 #include <vector>

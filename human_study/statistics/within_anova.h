@@ -15,7 +15,7 @@ Sphericity (S proportional to the identity) is what the F distribution assumes:
   introduction to multivariate statistical analysis", 3rd ed. 2003, section 10.7.4). One term takes
   the number of cells where Anderson has d, as R and its package car do, so that a reader who checks
   finds the same figure. For 8 persons and W = 0.0327 the exact p is 0.00180, R's 0.00178,
-Anderson's 0.00177;
+  Anderson's 0.00177;
 - Greenhouse-Geisser: epsilon = (tr S)^2 / (d tr S^2) (Psychometrika 24 (1959));
 - Huynh-Feldt: (n d epsilon - 2) / (d (n - 1 - d epsilon)) (J. Educ. Stat. 1 (1976)), at most 1.
 A corrected test multiplies both degrees of freedom by epsilon.

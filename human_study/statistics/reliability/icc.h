@@ -5,9 +5,10 @@ Intraclass correlations of repeated trials: the share of the variance that is du
 Forms and names after Shrout and Fleiss (Psychol. Bull. 86 (1979)), with MS_P between persons, MS_W
 within persons, MS_T between trials, MS_E the rest, n persons, k trials each:
 
-    ICC(1,1) = (MS_P - MS_W) / (MS_P + (k - 1) MS_W)                          trials are
-exchangeable ICC(2,1) = (MS_P - MS_E) / (MS_P + (k - 1) MS_E + k (MS_T - MS_E) / n)    agreement:
-practice counts ICC(3,1) = (MS_P - MS_E) / (MS_P + (k - 1) MS_E) consistency: practice does not
+    trials are exchangeable        ICC(1,1) = (MS_P - MS_W) / (MS_P + (k - 1) MS_W)
+    agreement: practice counts     ICC(2,1) = (MS_P - MS_E)
+                                              / (MS_P + (k - 1) MS_E + k (MS_T - MS_E) / n)
+    consistency: it does not       ICC(3,1) = (MS_P - MS_E) / (MS_P + (k - 1) MS_E)
 
 and ICC(.,k) for the mean of k trials. Intervals of the second form after McGraw and Wong (Psychol.
 Methods 1 (1996)), the others exact for normal values. An estimate may be negative: persons differ

@@ -11,6 +11,7 @@ With s_w^2 the mean square within persons:
   (J. P. Weir, J. Strength Cond. Res. 19 (2005));
 - trials needed for the mean of k to reach a wanted ICC (Spearman and Brown, 1910):
   k = wanted (1 - ICC(1,1)) / (ICC(1,1) (1 - wanted)), rounded up.
+
 Practice and fatigue over trials count as variation within the person. */
 
 #include <string>
