@@ -1,6 +1,6 @@
 #include "core/render/gl_context.h"
 
-// Keep this order: osmesa.h brings the old gl.h, which must find the types already there.
+// Keep this order: OSMesa brings the old GL header, which must find the types already there.
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 
