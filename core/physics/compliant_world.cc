@@ -10,6 +10,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/error.h"
+
 namespace graspbench {
 namespace {
 
@@ -129,6 +131,7 @@ class JointForces : public SimTK::Force::Custom::Implementation {
 
   void Lock(int joint, double angle) { locked_at_[joint] = angle; }
   void Prepare() { locked_at_.assign(hand_.joints.size(), 0.0); }
+  void TakeLocks(const JointForces& other) { locked_at_ = other.locked_at_; }
 
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>&,
                  SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector& forces) const override {
@@ -187,30 +190,8 @@ class JointForces : public SimTK::Force::Custom::Implementation {
   std::vector<double> locked_at_;
 };
 
-class CompliantWorld : public World {
- public:
-  CompliantWorld(const Hand& hand, const GraspObject& object, const SimConfig& sim)
-      : World(hand, object, sim), object_(object), sim_(sim) {}
-
-  void Reset(const WorldState& state) override;
-  StepReport Step(const WorldCommand& command) override;
-  void FindHandContacts(std::vector<HandContact>& contacts) const override { contacts = contacts_; }
-  double CalcEnergyResidual() override { return kUnset; }
-
- private:
-  struct Model;
-  void TakeState(const WorldCommand& command);
-  StepReport TakeContacts();
-  void TakeSphereDepths(StepReport& report) const;
-
-  const GraspObject& object_;
-  SimConfig sim_;
-  Course course_;
-  std::shared_ptr<Model> model_;
-  std::vector<HandContact> contacts_;
-};
-
-struct CompliantWorld::Model {
+/** What the integrator moves. */
+struct Model {
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
@@ -221,32 +202,57 @@ struct CompliantWorld::Model {
   JointForces* joint_forces = nullptr;  // the system owns it
   std::optional<SimTK::CPodesIntegrator> integrator;
 
+  /** @param X_WH  its rotation stays. */
   Model(const Hand& hand, const GraspObject& object, const SimConfig& sim, const Pose& X_WH,
         const HandDynamics& dynamics, const Course& course);
+
+  SimTK::State MakeState();
+  void StartFrom(const SimTK::State& start);
+
+ private:
+  SimTK::ContactMaterial MakeMaterial(const SimConfig& sim, double mu_s, double mu_d) const;
+  void AddTable(const GraspObject& grasp_object, const SimConfig& sim);
+  void AddLinks(const Hand& hand, const SimTK::ContactMaterial& skin, const Pose& X_WH,
+                const Course& course);
+  void AddObject(const GraspObject& grasp_object, const SimTK::ContactMaterial& skin);
 };
 
-CompliantWorld::Model::Model(const Hand& hand, const GraspObject& grasp_object,
-                             const SimConfig& sim, const Pose& X_WH, const HandDynamics& dynamics,
-                             const Course& course) {
+Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig& sim,
+             const Pose& X_WH, const HandDynamics& dynamics, const Course& course) {
   contact.setTransitionVelocity(kTransitionSpeed);
   SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -kStandardGravity));
+  const SimTK::ContactMaterial skin =
+      MakeMaterial(sim, grasp_object.friction_static, grasp_object.friction_dynamic);
+  AddTable(grasp_object, sim);
+  AddLinks(hand, skin, X_WH, course);
+  AddObject(grasp_object, skin);
+  joint_forces = new JointForces(hand, links, dynamics, course);
+  joint_forces->Prepare();
+  SimTK::Force::Custom(forces, joint_forces);
+}
 
-  const double mu_s = grasp_object.friction_static, mu_d = grasp_object.friction_dynamic;
+SimTK::ContactMaterial Model::MakeMaterial(const SimConfig& sim, double mu_s, double mu_d) const {
   // Two equal Hertz solids share the strain.
   const double depth = kTypicalForce / sim.contact_stiffness;
   const double stiffness =
       2.0 * kTypicalForce / (4.0 / 3.0 * std::sqrt(kTypicalRadius) * std::pow(depth, 1.5));
   // Simbody's force has 1 + 3/2 c xdot where ours has 1 + d xdot.
-  const double dissipation = sim.contact_dissipation / 1.5;
-  const SimTK::ContactMaterial skin(stiffness, dissipation, mu_s, mu_d);
-  const double table_s = CalcPartnerFriction(sim.table_friction_static, mu_s);
-  const double table_d = CalcPartnerFriction(sim.table_friction_dynamic, mu_d);
-  const SimTK::ContactMaterial table(stiffness, dissipation, std::max(table_s, table_d), table_d);
+  return {stiffness, sim.contact_dissipation / 1.5, mu_s, mu_d};
+}
+
+void Model::AddTable(const GraspObject& grasp_object, const SimConfig& sim) {
+  const double mu_s = CalcPartnerFriction(sim.table_friction_static, grasp_object.friction_static);
+  const double mu_d =
+      CalcPartnerFriction(sim.table_friction_dynamic, grasp_object.friction_dynamic);
   // A half-space fills x > 0 of its frame.
   matter.updGround().updBody().addContactSurface(
       SimTK::Transform(SimTK::Rotation(0.5 * SimTK::Pi, SimTK::YAxis)),
-      SimTK::ContactSurface(SimTK::ContactGeometry::HalfSpace(), table));
+      SimTK::ContactSurface(SimTK::ContactGeometry::HalfSpace(),
+                            MakeMaterial(sim, std::max(mu_s, mu_d), mu_d)));
+}
 
+void Model::AddLinks(const Hand& hand, const SimTK::ContactMaterial& skin, const Pose& X_WH,
+                     const Course& course) {
   const SimTK::ContactCliqueId clique = SimTK::ContactSurface::createNewContactClique();
   for (size_t i = 0; i < hand.links.size(); ++i) {
     const HandLink& link = hand.links[i];
@@ -273,6 +279,9 @@ CompliantWorld::Model::Model(const Hand& hand, const GraspObject& grasp_object,
           SimTK::MobilizedBody::Pin(links[link.parent], ToSimTK(link.X_PJ) * X_LM, body, X_LM));
     }
   }
+}
+
+void Model::AddObject(const GraspObject& grasp_object, const SimTK::ContactMaterial& skin) {
   const MassProperties& mass = grasp_object.mass_properties;
   SimTK::Body::Rigid body(MakeMassProperties(mass.mass, Vector3d::Zero(), mass.I_OOcm));
   const SimTK::Transform X_OcmO(ToSimTK(Vector3d(-mass.p_OOcm)));
@@ -281,30 +290,85 @@ CompliantWorld::Model::Model(const Hand& hand, const GraspObject& grasp_object,
                   SimTK::ContactGeometry::Sphere(FindSphereRadius(grasp_object).value()), skin));
   object =
       SimTK::MobilizedBody::Free(matter.updGround(), SimTK::Transform(), body, SimTK::Transform());
-  joint_forces = new JointForces(hand, links, dynamics, course);
-  joint_forces->Prepare();
-  SimTK::Force::Custom(forces, joint_forces);
+}
+
+SimTK::State Model::MakeState() {
+  SimTK::State state = system.realizeTopology();
+  system.realizeModel(state);
+  return state;
+}
+
+void Model::StartFrom(const SimTK::State& start) {
+  integrator.emplace(system, SimTK::CPodes::BDF);
+  integrator->setAccuracy(kAccuracy);
+  integrator->initialize(start);
+}
+
+class CompliantWorld : public World {
+ public:
+  CompliantWorld(const Hand& hand, const GraspObject& object, const SimConfig& sim)
+      : World(hand, object, sim), object_(object), sim_(sim) {}
+  CompliantWorld(const CompliantWorld& other);
+
+  std::unique_ptr<World> Clone() const override { return std::make_unique<CompliantWorld>(*this); }
+  void Reset(const WorldState& state) override;
+  StepReport Step(const WorldCommand& command) override;
+  void SetGravity(const Vector3d&) override { Refuse("turn gravity"); }
+  void SetExternalLoad(const Vector3d&, const Vector3d&) override { Refuse("load the object"); }
+  void FindHandContacts(std::vector<HandContact>& contacts) const override { contacts = contacts_; }
+  double CalcEnergyResidual() override { return kUnset; }
+
+ private:
+  [[noreturn]] static void Refuse(const std::string& what) {
+    throw Error(ErrorKind::kUnsupported, "the compliant world cannot " + what);
+  }
+  void TakeState(const WorldCommand& command);
+  StepReport TakeContacts();
+  void AddHandContact(int link, const SimTK::ContactForce& force, const Vector3d& f_W,
+                      StepReport& report);
+  void TakeSphereDepths(StepReport& report) const;
+
+  const GraspObject& object_;
+  SimConfig sim_;
+  Course course_;
+  std::unique_ptr<Model> model_;  // refers to course_ and dynamics_
+  std::vector<HandContact> contacts_;
+};
+
+CompliantWorld::CompliantWorld(const CompliantWorld& other)
+    : World(other),
+      object_(other.object_),
+      sim_(other.sim_),
+      course_(other.course_),
+      contacts_(other.contacts_) {
+  if (!other.model_) return;
+  model_ = std::make_unique<Model>(*hand_, object_, sim_, state_.X_WH, dynamics_, course_);
+  model_->joint_forces->TakeLocks(*other.model_->joint_forces);
+  const SimTK::State& now = other.model_->integrator->getState();
+  SimTK::State start = model_->MakeState();
+  start.setTime(now.getTime());
+  start.setQ(now.getQ());
+  start.setU(now.getU());
+  start.setZ(now.getZ());
+  model_->StartFrom(start);
 }
 
 void CompliantWorld::Reset(const WorldState& state) {
-  World::Reset(state);
+  ResetScene(state);
   const Vector3d p_WR = (state.X_WH * hand_->links[0].X_PJ).translation();
   course_ = Course();
   course_.p0 = course_.p1 = p_WR;
   course_.v0 = course_.v1 = state.v_WH;
   course_.q0 = course_.q1 = state.q;
-  model_ = std::make_shared<Model>(*hand_, object_, sim_, state.X_WH, dynamics_, course_);
-  Model& model = *model_;
-  SimTK::State start = model.system.realizeTopology();
-  model.system.realizeModel(start);
+  contacts_.clear();
+  model_ = std::make_unique<Model>(*hand_, object_, sim_, state.X_WH, dynamics_, course_);
+  SimTK::State start = model_->MakeState();
   for (int j = 0; j < hand_->num_joints(); ++j) {
-    model.links[hand_->joints[j].link].setOneQ(start, 0, state.q[j]);
-    model.joint_forces->Lock(j, state.q[j]);
+    model_->links[hand_->joints[j].link].setOneQ(start, 0, state.q[j]);
+    model_->joint_forces->Lock(j, state.q[j]);
   }
-  model.object.setQToFitTransform(start, ToSimTK(MakePose(state.R_WO, state.p_WOcm)));
-  model.integrator.emplace(model.system, SimTK::CPodes::BDF);
-  model.integrator->setAccuracy(kAccuracy);
-  model.integrator->initialize(start);
+  model_->object.setQToFitTransform(start, ToSimTK(MakePose(state.R_WO, state.p_WOcm)));
+  model_->StartFrom(start);
 }
 
 StepReport CompliantWorld::Step(const WorldCommand& command) {
@@ -321,7 +385,8 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
 
   std::vector<double> rates;
   for (int j = 0; j < hand_->num_joints(); ++j) rates.push_back(dynamics_.rate_of_joint(j));
-  ChooseDistalModes(command);
+  double stop_work = 0.0;  // no account of energy is kept
+  ChooseDistalModes(command, stop_work);
   bool has_changed = false;
   for (int j = 0; j < hand_->num_joints(); ++j) {
     if (rates[j] == dynamics_.rate_of_joint(j)) continue;
@@ -372,7 +437,6 @@ StepReport CompliantWorld::TakeContacts() {
   }
   const SimTK::MobilizedBodyIndex object = model.object.getMobilizedBodyIndex();
   const SimTK::ContactSnapshot& active = model.tracker.getActiveContacts(state);
-  const Pose X_WO = CalcObjectPose();
   for (int c = 0; c < model.contact.getNumContactForces(state); ++c) {
     const SimTK::ContactForce& force = model.contact.getContactForce(state, c);
     if (!active.hasContact(force.getContactId())) continue;
@@ -389,21 +453,27 @@ StepReport CompliantWorld::TakeContacts() {
       report.table_force += std::max(0.0, f_W.z());
       continue;
     }
-    HandContact touch;
-    touch.link = link;
-    touch.p_WC = FromSimTK(force.getContactPoint());
-    const Vector3d outward_O = object_.field->Query(X_WO.inverse() * touch.p_WC).gradient;
-    touch.nhat_W = -(X_WO.linear() * outward_O);
-    touch.normal_force = f_W.dot(touch.nhat_W);
-    if (touch.normal_force <= 0.0) continue;
-    touch.friction_W = f_W - touch.normal_force * touch.nhat_W;
-    touch.mu = object_.friction_static;
-    contacts_.push_back(touch);
-    report.grip_force += touch.normal_force;
-    report.link_touches_object[link] = true;
+    AddHandContact(link, force, f_W, report);
   }
   TakeSphereDepths(report);
   return report;
+}
+
+void CompliantWorld::AddHandContact(int link, const SimTK::ContactForce& force, const Vector3d& f_W,
+                                    StepReport& report) {
+  const Pose X_WO = CalcObjectPose();
+  HandContact touch;
+  touch.link = link;
+  touch.p_WC = FromSimTK(force.getContactPoint());
+  const Vector3d outward_O = object_.field->Query(X_WO.inverse() * touch.p_WC).gradient;
+  touch.nhat_W = -(X_WO.linear() * outward_O);
+  touch.normal_force = f_W.dot(touch.nhat_W);
+  if (touch.normal_force <= 0.0) return;
+  touch.friction_W = f_W - touch.normal_force * touch.nhat_W;
+  touch.mu = object_.friction_static;
+  contacts_.push_back(touch);
+  report.grip_force += touch.normal_force;
+  report.link_touches_object[link] = true;
 }
 
 void CompliantWorld::TakeSphereDepths(StepReport& report) const {

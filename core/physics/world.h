@@ -1,24 +1,14 @@
 #pragma once
 /** @file
-A hand, an object and a table in time.
+A hand, an object and a table in time: what every backend shows to a trial. The default backend is
+ImplicitWorld (implicit_world.h); another moves the same scene by other means (compliant_world.h),
+and the whole course of a trial runs on it unchanged.
 
-One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
-1. positions move by h u / 2 to the middle of the step (the object turns by its rotation vector);
-2. mass matrix, bias and contacts are taken there;
-3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
-   speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
-4. positions move by h v / 2.
-
-Drives act by the command, the angle and the speed of the step's end, so that a finger lags behind
-a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
-middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
-
-The hand's root moves as the strategy says; its motion is prescribed, whatever force that takes.
-
-Another backend moves the same scene by other means: it overrides the virtual functions and keeps
-`state_` up to date, so that the whole course of a trial runs on it unchanged. */
+The hand's root moves as it is commanded; its motion is prescribed, whatever force that takes. A
+world refers to its hand and object, which must outlive it, and belongs to one thread. */
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "core/base/pose.h"
@@ -27,7 +17,6 @@ Another backend moves the same scene by other means: it overrides the virtual fu
 #include "core/physics/collider.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/sim_config.h"
-#include "core/physics/step_solver.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
@@ -78,58 +67,59 @@ struct HandContact {
   double torsion_radius = 0.0;  ///< a pad resists spin up to mu * normal_force * this [m]
 };
 
-/** Energy account in the frame that moves with the hand's root [J]. Were the integration exact,
-kinetic_energy - start = drives + gravity + contacts + limits + external; the rest is the residual.
-*/
-struct EnergyAccount {
-  double drives = 0.0;    ///< work of the drives on the joints
-  double limits = 0.0;    ///< work of the joint limits and of the stops of coupled joints
-  double gravity = 0.0;   ///< work of gravity and of the moving frame's inertial force
-  double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
-  double external = 0.0;  ///< work of the external load on the object
-  double kinetic_at_start = 0.0;
-};
-
 class World {
  public:
-  World(const Hand& hand, const GraspObject& object, const SimConfig& config);
   virtual ~World() = default;
+  World& operator=(const World&) = delete;
 
-  /** Starts anew, without contacts or history. */
-  virtual void Reset(const WorldState& state);
+  /** A world of its own in the same instant, of the same hand and object: what is done to one does
+  not reach the other. How far it goes on in the same way is said by each backend.
+  @throws Error(kUnsupported) where the backend cannot. */
+  virtual std::unique_ptr<World> Clone() const = 0;
 
-  virtual StepReport Step(const WorldCommand& command);
+  /** Starts anew, without contacts, history or external load. */
+  virtual void Reset(const WorldState& state) = 0;
 
-  /** Turns gravity, as a test or a verdict asks [m/s^2]. */
-  void SetGravity(const Eigen::Vector3d& gravity_W) { state_.gravity_W = gravity_W; }
+  virtual StepReport Step(const WorldCommand& command) = 0;
+
+  /** Turns gravity, as a test or a verdict asks [m/s^2].
+  @throws Error(kUnsupported) where the backend cannot. */
+  virtual void SetGravity(const Eigen::Vector3d& gravity_W) = 0;
 
   /** A load on the object until it is changed; Reset takes it away.
-  @param force_W  at the centre of mass [N]   @param moment_W  [N m] */
-  void SetExternalLoad(const Eigen::Vector3d& force_W, const Eigen::Vector3d& moment_W) {
-    external_force_W_ = force_W;
-    external_moment_W_ = moment_W;
-  }
+  @param force_W  at the centre of mass [N]   @param moment_W  [N m]
+  @throws Error(kUnsupported) where the backend cannot. */
+  virtual void SetExternalLoad(const Eigen::Vector3d& force_W, const Eigen::Vector3d& moment_W) = 0;
 
-  /** The contacts of the last step in the collider's fixed order, with the forces of the step's end
-  at the places of its middle; replaces what is in `contacts`. */
-  virtual void FindHandContacts(std::vector<HandContact>& contacts) const;
+  /** The contacts of the last step in an order that the backend fixes; replaces what is in
+  `contacts`. */
+  virtual void FindHandContacts(std::vector<HandContact>& contacts) const = 0;
+
+  /** Energy since Reset that nothing explains [J]; NaN where the backend keeps no account. */
+  virtual double CalcEnergyResidual() = 0;
 
   const WorldState& state() const { return state_; }
   Pose CalcObjectPose() const;  ///< X_WO
-  const EnergyAccount& energy() const { return energy_; }
-  double CalcKineticEnergy();           ///< relative to the moving root [J]
-  virtual double CalcEnergyResidual();  ///< [J]
+  double CalcKineticEnergy();   ///< relative to the moving root [J]
   const MassProperties& mass_properties() const { return mass_; }  ///< of the object
   const Collider& collider() const { return collider_; }
   HandDynamics& dynamics() { return dynamics_; }
 
  protected:
-  /** Decides which joint of each coupled pair moves in this step: it has a rate, the other none. */
-  void ChooseDistalModes(const WorldCommand& command);
+  World(const Hand& hand, const GraspObject& object, const SimConfig& config);
+  World(const World&) = default;
+
+  /** What Reset does in every backend. */
+  void ResetScene(const WorldState& state);
+
+  /** Decides which joint of each coupled pair moves in this step: it has a rate, the other none.
+  What moved hits its stop: adds the work of the stops [J], at most 0, to `stop_work`. */
+  void ChooseDistalModes(const WorldCommand& command, double& stop_work);
 
   const Hand* hand_;
   MassProperties mass_;
   HandDynamics dynamics_;
+  Collider collider_;
   WorldState state_;
   /** Links that keep their finger's middle joint from closing: they touched the object and have not
   been Collider::kMargin away from it since. */
@@ -137,26 +127,24 @@ class World {
 
  private:
   void SetDistalRates(int dof);
-  void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
-  void AddDrivesAndLimits(const WorldCommand& command);
-  double CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& v_WH,
-                  const Eigen::Vector3d& lift_W, Eigen::VectorXd& bias) const;
-  void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
-  StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
-  void UpdateBlocks(const std::vector<bool>& link_touches_object);
 
-  SimConfig config_;
-  Collider collider_;
-  StepSolver solver_;
-  StepProblem problem_;
-  WorldState middle_;              // of the current step
-  Eigen::VectorXd v_;              // speeds at the end of the last step: [hand dofs, w, v]
   std::vector<DistalMode> modes_;  // by dof
-  Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
-  int num_drives_ = 0;  // the first entries of problem_.scalars
-  int step_number_ = 0;
-  EnergyAccount energy_;
+};
+
+/** A world held by value: a copy is a clone. */
+class WorldCopy {
+ public:
+  explicit WorldCopy(const World& world) : world_(world.Clone()) {}
+  WorldCopy(const WorldCopy& other) : WorldCopy(*other.world_) {}
+  WorldCopy& operator=(const WorldCopy&) = delete;
+
+  World& operator*() { return *world_; }
+  const World& operator*() const { return *world_; }
+  World* operator->() { return world_.get(); }
+  const World* operator->() const { return world_.get(); }
+
+ private:
+  std::unique_ptr<World> world_;
 };
 
 }  // namespace graspbench

@@ -9,8 +9,7 @@ bool CanRunCompliant(const GraspObject& object) { return CanMoveCompliantly(obje
 
 TrialResult RunCompliantTrial(const TrialSetup& setup) {
   try {
-    const std::unique_ptr<World> world = MakeCompliantWorld(*setup.hand, *setup.object, setup.sim);
-    return TrialCourse(*world, setup).Run();
+    return TrialCourse(MakeCompliantWorld(*setup.hand, *setup.object, setup.sim), setup).Run();
   } catch (const std::exception& e) {
     // Simbody reports impossible states and steps that become too short this way.
     TrialResult result;

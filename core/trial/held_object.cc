@@ -22,15 +22,15 @@ HeldObject::HeldObject(const World& world, const WorldCommand& command, const Tr
       X_PalmStart_(CalcObjectInPalm()) {}
 
 Pose HeldObject::CalcObjectInPalm() const {
-  const WorldState& state = world_.state();
+  const WorldState& state = world_->state();
   return CalcPalmPose(*hand_, state).inverse() * MakePose(state.R_WO, state.p_WOcm);
 }
 
 void HeldObject::Step() {
-  const StepReport report = world_.Step(command_);
+  const StepReport report = world_->Step(command_);
   time_ += step_;
   if (report.grip_force > 0.0) last_touch_ = time_;
-  if (CalcSpeed() + radius_ * world_.state().w_WO.norm() > kRestSpeed) last_motion_ = time_;
+  if (CalcSpeed() + radius_ * world_->state().w_WO.norm() > kRestSpeed) last_motion_ = time_;
   converged_ = converged_ && report.converged && report.is_finite;
 }
 
@@ -39,7 +39,7 @@ double HeldObject::CalcMoved() const {
 }
 
 double HeldObject::CalcSpeed() const {
-  return (world_.state().v_WOcm - world_.state().v_WH).norm();
+  return (world_->state().v_WOcm - world_->state().v_WH).norm();
 }
 
 double HeldObject::CalcTurned() const {

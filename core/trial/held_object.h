@@ -10,14 +10,14 @@ namespace graspbench {
 
 class HeldObject {
  public:
-  /** @param world  at the end of the hold; copied   @param command  the last one. */
+  /** @param world  at the end of the hold; cloned   @param command  the last one. */
   HeldObject(const World& world, const WorldCommand& command, const TrialSetup& setup);
 
   /** Advances by one step of the physics. */
   void Step();
 
-  World& world() { return world_; }
-  const World& world() const { return world_; }
+  World& world() { return *world_; }
+  const World& world() const { return *world_; }
   const GraspObject& object() const { return *object_; }
   double step() const { return step_; }  ///< [s]
   double time() const { return time_; }  ///< since the start [s]
@@ -40,7 +40,7 @@ class HeldObject {
 
   Pose CalcObjectInPalm() const;
 
-  World world_;
+  WorldCopy world_;
   WorldCommand command_;
   const Hand* hand_;
   const GraspObject* object_;

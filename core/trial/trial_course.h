@@ -1,7 +1,18 @@
 #pragma once
 /** @file
-One trial in progress: the strategy commands the hand, the world moves, the course takes notes. */
+One trial in progress: the strategy commands the hand, the world moves, the course takes notes.
 
+    TrialCourse course(world, setup);
+    course.Begin();
+    while (course.Advance()) {}      // one step of the physics each
+    TrialResult result = course.End();
+
+An instant between two steps can be saved and restored, in this course or in another of an equal
+setup: from there the trial goes on to the very same bytes wherever the world's clone does
+(ImplicitWorld), as often as wanted. Cost of Save and Restore: some 0.1 ms and 0.1 to 0.2 MB each,
+see tests/bench/sim_bench.cc. */
+
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,59 +27,88 @@ One trial in progress: the strategy commands the hand, the world moves, the cour
 
 namespace graspbench {
 
+/** What a course knows besides the world; a value. */
+struct TrialNotes {
+  GraspStrategy strategy;
+  StabilityMeter stability;
+  ContactEventRecorder events;
+  TrialResult result = {};  ///< as far as known; times since the start
+
+  bool is_over = false;
+  Phase phase = Phase::kPlacing;
+  WorldCommand command = {};  ///< the last one
+  StepReport report = {};     ///< of the last step
+  double time = 0.0;          ///< since the start [s]
+  double closure_start = kUnset;
+  double last_touch = 0.0;
+  double unconverged_time = 0.0;
+  double rest_height = 0.0;                                 ///< of the object's O [m]
+  double rest_extent = 0.0;                                 ///< height of the object [m]
+  Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();  ///< p_WOcm [m]
+  std::optional<Eigen::Vector3d> held_at = {};              ///< p_HOcm at the start of the hold
+  std::optional<Pose> settled_at = {};  ///< X_PalmOcm when creep starts to count
+};
+
+/** A saved instant of a trial. Copies share the world, which nobody changes. */
+struct TrialInstant {
+  std::shared_ptr<const World> world;
+  TrialNotes notes;
+};
+
 class TrialCourse {
  public:
-  /** @param world  of the setup's hand, object and physics; left as the trial leaves it. */
-  TrialCourse(World& world, const TrialSetup& setup);
+  /** @param world  of the setup's hand, object and physics.   @param setup  outlives the course. */
+  TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup);
 
-  /** To be called once. @throws Error(kRange) when the start is not finite. */
+  /** Puts object and hand to where the trial starts. To be called once, before all that follows.
+  @throws Error(kRange) when the start is not finite. */
+  void Begin();
+  /** Goes on by one step; false when the trial is over and nothing is left to do. */
+  bool Advance();
+  /** The result. @pre Advance gave false. */
+  TrialResult End();
+  /** Begin, Advance to the end, End. */
   TrialResult Run();
 
-  /** After Run: the object hangs in the hand, so that there is something to judge. */
-  bool is_held() const { return is_held_; }
+  /** @pre Begin was called. */
+  TrialInstant Save() const;
+  /** @pre saved by a course of the same hand, object, grasp, settings and draw. */
+  void Restore(const TrialInstant& instant);
+
+  World& world() { return *world_; }
+  double time() const { return notes_.time; }  ///< since the start [s]
+  /** Once it is over: the object hangs in the hand, so that there is something to judge. */
+  bool is_held() const;
   /** @pre is_held() */
   Judgement Judge() const;
   /** What the hand was last asked for, to go on from there. */
-  const WorldCommand& last_command() const { return command_; }
+  const WorldCommand& last_command() const { return notes_.command; }
 
  private:
-  void Start();
+  Pose CalcStartPose() const;
+  double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
   WorldCommand MakeCommand(const StrategyCommand& command) const;
   void Observe(const StepReport& report, double closing);
   void ObserveTouches(double closing);
   void EnterPhase(Phase phase);
-  void Finish();
-  void TakeSnapshot(const char* name);
+  SceneSnapshot TakeSnapshot(const char* name) const;
   TrialFacts MakeFacts() const;
   double CalcExtent() const;
-  double CalcRise() const { return world_.CalcObjectPose().translation().z() - rest_height_; }
+  double CalcRise() const {
+    return world_->CalcObjectPose().translation().z() - notes_.rest_height;
+  }
+  double CalcCreep() const;
   double CalcGap(int digit) const;
   Pose CalcObjectInPalm() const;  ///< the frame Ocm in the palm's
   bool IsTouching(int digit) const;
 
-  World& world_;
+  std::unique_ptr<World> world_;
   const TrialSetup& setup_;
   const Hand& hand_;
   Placement placement_;
-  GraspStrategy strategy_;
-  StabilityMeter stability_;
-  ContactEventRecorder events_;
-  std::vector<HandContact> hand_contacts_;  // of the last step
-  TrialResult result_;
-  std::vector<int> digits_;  // grasping digits, indices into hand_.digits
-
-  bool is_held_ = false;
-  WorldCommand command_;
-  StepReport report_;
-  double time_ = 0.0;
-  double closure_start_ = kUnset;
-  double last_touch_ = 0.0;
-  double unconverged_time_ = 0.0;
-  double rest_height_ = 0.0;
-  double rest_extent_ = 0.0;
-  Eigen::Vector3d rest_position_ = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> held_at_;  // object in H at the start of the hold
-  std::optional<Pose> settled_at_;          // object in the palm when creep starts to count
+  std::vector<int> digits_;                 // grasping digits, indices into hand_.digits
+  std::vector<HandContact> hand_contacts_;  // of the last step; kept for its memory
+  TrialNotes notes_;
 };
 
 }  // namespace graspbench

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
-#include "core/physics/world.h"
 #include "core/trial/trial_course.h"
 
 namespace graspbench {
@@ -39,7 +39,7 @@ struct TrialRunner::Impl {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   SimbodyModel simbody;
-  std::unique_ptr<World> world;  // for `sim`
+  std::unique_ptr<const World> world;  // for `sim`; each trial runs in a clone
   SimConfig sim;
 
   Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
@@ -48,23 +48,23 @@ struct TrialRunner::Impl {
         simbody(*hand, object->mass_properties) {}
 
   JudgedTrial Run(const TrialSetup& setup, bool is_judged);
-  World& FindWorld(const SimConfig& config);
-  double CalcSimbodyDifference();
+  std::unique_ptr<World> MakeWorld(const SimConfig& config);
+  double CalcSimbodyDifference(World& own);
 };
 
-World& TrialRunner::Impl::FindWorld(const SimConfig& config) {
+std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config) {
   if (!world || !IsSame(config, sim)) {
     sim = config;
-    world = std::make_unique<World>(*hand, *object, config);
+    world = std::make_unique<ImplicitWorld>(*hand, *object, config);
   }
-  return *world;
+  return world->Clone();
 }
 
 /** Largest difference of our mass matrix and bias from Simbody's at the world's state, relative to
 the largest entry. */
-double TrialRunner::Impl::CalcSimbodyDifference() {
-  HandDynamics& dynamics = world->dynamics();
-  const WorldState& state = world->state();
+double TrialRunner::Impl::CalcSimbodyDifference(World& own) {
+  HandDynamics& dynamics = own.dynamics();
+  const WorldState& state = own.state();
   const int joints = dynamics.num_joints(), dofs = dynamics.num_dofs();
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints, dofs);  // u_joint = T u_dof
   for (int j = 0; j < joints; ++j) T(j, dynamics.dof_of_joint(j)) = dynamics.rate_of_joint(j);
@@ -114,10 +114,11 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged) {
   JudgedTrial trial;
   TrialResult& result = trial.result;
   try {
-    TrialCourse course(FindWorld(setup.sim), setup);
+    TrialCourse course(MakeWorld(setup.sim), setup);
     result = course.Run();
     if (result.outcome == Outcome::kNumericalFailure) return trial;
-    if (const double difference = CalcSimbodyDifference(); !(difference < kSimbodyTolerance)) {
+    if (const double difference = CalcSimbodyDifference(course.world());
+        !(difference < kSimbodyTolerance)) {
       result.outcome = Outcome::kNumericalFailure;
       result.reason = Format("mass matrix or bias differs from Simbody's by %.1e", difference);
       return trial;

@@ -217,6 +217,10 @@ ModelPtr Compile(const std::string& text) {
   return model;
 }
 
+[[noreturn]] void Refuse(const std::string& what) {
+  throw Error(ErrorKind::kUnsupported, "the MuJoCo world cannot " + what);
+}
+
 }  // namespace
 
 struct MujocoWorld::Impl {
@@ -322,7 +326,7 @@ void MujocoWorld::Impl::FindAddresses(const Hand& hand) {
 }
 
 void MujocoWorld::Reset(const WorldState& state) {
-  World::Reset(state);
+  ResetScene(state);
   Impl& impl = *impl_;
   if (!impl.model || !impl.X_WH_built.isApprox(state.X_WH, 0.0)) impl.Build(*hand_, state.X_WH);
   mj_resetData(impl.model.get(), impl.data.get());
@@ -419,7 +423,8 @@ StepReport MujocoWorld::Impl::TakeContacts(size_t num_links) {
 
 StepReport MujocoWorld::Step(const WorldCommand& command) {
   Impl& impl = *impl_;
-  ChooseDistalModes(command);
+  double stop_work = 0.0;  // no account of energy is kept
+  ChooseDistalModes(command, stop_work);
   impl.LockJoints(*hand_, dynamics_);
   impl.SetRoot(state_.X_WH.translation(), state_.v_WH,
                (command.v_WH - state_.v_WH) / impl.config.step);
@@ -439,6 +444,12 @@ StepReport MujocoWorld::Step(const WorldCommand& command) {
 void MujocoWorld::FindHandContacts(std::vector<HandContact>& contacts) const {
   contacts = impl_->touches;
 }
+
+std::unique_ptr<World> MujocoWorld::Clone() const { Refuse("be cloned"); }
+
+void MujocoWorld::SetGravity(const Vector3d&) { Refuse("turn gravity"); }
+
+void MujocoWorld::SetExternalLoad(const Vector3d&, const Vector3d&) { Refuse("load the object"); }
 
 double MujocoWorld::CalcEnergyResidual() { return kUnset; }
 

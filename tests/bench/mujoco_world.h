@@ -43,6 +43,11 @@ class MujocoWorld : public World {
               const SimConfig& sim, const MujocoConfig& config, const Eigen::Vector3d& approach_W);
   ~MujocoWorld() override;
 
+  // Nothing but a trial and its repetition is asked of this world.
+  std::unique_ptr<World> Clone() const override;                                  ///< kUnsupported
+  void SetGravity(const Eigen::Vector3d&) override;                               ///< kUnsupported
+  void SetExternalLoad(const Eigen::Vector3d&, const Eigen::Vector3d&) override;  ///< kUnsupported
+
   void Reset(const WorldState& state) override;
   StepReport Step(const WorldCommand& command) override;
   void FindHandContacts(std::vector<HandContact>& contacts) const override;

@@ -18,6 +18,7 @@
 
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
+#include "core/physics/implicit_world.h"
 #include "core/trial/trial_course.h"
 #include "objects/catalogue.h"
 #include "tests/bench/mujoco_world.h"
@@ -34,7 +35,7 @@ constexpr Scene kScenes[] = {{"tennis_ball", PrimitiveShape::kSphere},
                              {"can", PrimitiveShape::kCylinder},
                              {"toy_cube", PrimitiveShape::kBox}};
 
-/** A world that remembers how it was started and what it was asked for. */
+/** A world that remembers how it was started and what it was asked for; its clones do not. */
 template <class AnyWorld>
 class Recorded : public AnyWorld {
  public:
@@ -110,13 +111,19 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
   const Placement placement =
       CalcPlacement(*hand, setup.grasp, setup.object->size, setup.object->mass_properties.p_OOcm);
 
-  std::vector<std::unique_ptr<Recorded<World>>> ours;
+  std::vector<std::unique_ptr<TrialCourse>> courses;  // they own the worlds
+  const auto run = [&](std::unique_ptr<World> world, const TrialSetup& own_setup) {
+    courses.push_back(std::make_unique<TrialCourse>(std::move(world), own_setup));
+    return courses.back()->Run();
+  };
+  std::vector<Recorded<ImplicitWorld>*> ours;
   std::vector<Side> sides;
   for (const double step : kSteps) {
     TrialSetup own_setup = setup;
     own_setup.sim.step = step;
-    ours.push_back(std::make_unique<Recorded<World>>(*hand, *setup.object, own_setup.sim));
-    sides.push_back({"graspbench" + FormatStep(step), TrialCourse(*ours.back(), own_setup).Run()});
+    auto world = std::make_unique<Recorded<ImplicitWorld>>(*hand, *setup.object, own_setup.sim);
+    ours.push_back(world.get());
+    sides.push_back({"graspbench" + FormatStep(step), run(std::move(world), own_setup)});
   }
   std::vector<MujocoConfig> configs;
   for (const double step : kSteps) {
@@ -127,15 +134,16 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
       if (noslip_iterations > 5) config.noslip_tolerance = 0.0;
     }
   }
-  std::vector<std::unique_ptr<Recorded<MujocoWorld>>> peers;
+  std::vector<Recorded<MujocoWorld>*> peers;
   for (const MujocoConfig& config : configs) {
     TrialSetup peer_setup = setup;
     peer_setup.sim.step = config.step;
-    peers.push_back(std::make_unique<Recorded<MujocoWorld>>(
-        *hand, *setup.object, scene.shape, peer_setup.sim, config, placement.approach_W));
+    auto world = std::make_unique<Recorded<MujocoWorld>>(
+        *hand, *setup.object, scene.shape, peer_setup.sim, config, placement.approach_W);
+    peers.push_back(world.get());
     sides.push_back({"MuJoCo" + FormatStep(config.step) + ", noslip " +
                          std::to_string(config.noslip_iterations),
-                     TrialCourse(*peers.back(), peer_setup).Run()});
+                     run(std::move(world), peer_setup)});
   }
   for (int pair = 0; pair < num_pairs; ++pair) {
     for (size_t i = 0; i < ours.size(); ++i) {

@@ -1,9 +1,11 @@
 // Trials a second and time per step, for both hands on several objects, each checked to succeed as
-// in a session; where the time of a step goes, on an object that is held; a distance field built
+// in a session; where the time of a step goes, on an object that is held; an instant
+// of a trial saved and restored; a distance field built
 // and read from the cache; what Simbody's own position kinematics would cost per step.
 //   build/release/tests/bench/sim_bench
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,8 +14,8 @@
 
 #include "core/hand/load_hand.h"
 #include "core/physics/hand_dynamics.h"
+#include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
-#include "core/physics/world.h"
 #include "core/trial/trial_course.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
@@ -65,8 +67,8 @@ the solve, the account of energy and the report. */
 void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id,
              const char* grasp_id, StepPart part) {
   const TrialSetup setup = MakeSetup(hand_id, object_id, grasp_id);
-  World world(*setup.hand, *setup.object, setup.sim);
-  TrialCourse course(world, setup);
+  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  World& world = course.world();
   if (course.Run().outcome != Outcome::kSuccess) state.SkipWithError("the object is not held");
   const WorldCommand command = course.last_command();
   const WorldState held = world.state();
@@ -111,6 +113,36 @@ BENCHMARK_CAPTURE(BM_Step, shadow_can_kinematics, "shadow", "can", "g3", StepPar
 BENCHMARK_CAPTURE(BM_Step, shadow_can_mass_matrix, "shadow", "can", "g3", StepPart::kMassMatrix);
 BENCHMARK_CAPTURE(BM_Step, shadow_can_bias, "shadow", "can", "g3", StepPart::kBias);
 BENCHMARK_CAPTURE(BM_Step, shadow_can_collision, "shadow", "can", "g3", StepPart::kCollision);
+
+/** Saving an instant in the middle of the hold, or restoring it; `kilobytes` of heap for each. */
+void BM_Instant(benchmark::State& state, const char* hand_id, bool restores) {
+  const TrialSetup setup = MakeSetup(hand_id, "can", "g3");
+  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  course.Begin();
+  while (course.time() < 3.0 && course.Advance()) {
+  }
+  const TrialInstant instant = course.Save();
+  const size_t before = mallinfo2().uordblks;
+  TrialInstant saved = course.Save();
+  state.counters["kilobytes"] = static_cast<double>(mallinfo2().uordblks - before) / 1e3;
+  for (auto _ : state) {
+    if (restores) {
+      course.Restore(instant);
+    } else {
+      saved = course.Save();
+    }
+  }
+  TrialCourse whole(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  const std::string expected = ToJson(whole.Run()).dump();
+  course.Restore(saved);
+  while (course.Advance()) {
+  }
+  if (ToJson(course.End()).dump() != expected) state.SkipWithError("the restored trial differs");
+}
+BENCHMARK_CAPTURE(BM_Instant, tum_save, "tum", false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Instant, tum_restore, "tum", true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Instant, shadow_save, "shadow", false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Instant, shadow_restore, "shadow", true)->Unit(benchmark::kMicrosecond);
 
 /** The distance field of an object, built (cold) or read from the cache (warm). */
 void BM_Field(benchmark::State& state, const char* object_id, bool is_warm) {

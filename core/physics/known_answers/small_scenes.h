@@ -4,7 +4,7 @@ Bodies and small hands made in code, with masses, forces and shapes known in clo
 of the known answers and of the tests. */
 
 #include "core/hand/hand.h"
-#include "core/physics/world.h"
+#include "core/physics/implicit_world.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
@@ -53,7 +53,7 @@ class SmallWorld {
   void RampGravity(const Eigen::Vector3d& gravity_W, double duration);
 
   const Hand& hand() const { return hand_; }
-  World& world() { return world_; }
+  ImplicitWorld& world() { return world_; }
   const WorldState& state() const { return world_.state(); }
   int num_unconverged() const { return num_unconverged_; }  ///< steps since Reset
   double CalcPotentialEnergy();  ///< of the hand's links, zero at z = 0 [J]
@@ -62,7 +62,7 @@ class SmallWorld {
   Hand hand_;
   GraspObject object_;
   SimConfig config_;
-  World world_;
+  ImplicitWorld world_;
   WorldState start_;
   WorldCommand command_;
   int num_unconverged_ = 0;

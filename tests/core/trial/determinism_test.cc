@@ -8,6 +8,7 @@
 
 #include "core/base/hash.h"
 #include "core/grasp/placement.h"
+#include "core/physics/implicit_world.h"
 #include "tests/core/trial/trial_setups.h"
 
 namespace graspbench {
@@ -56,13 +57,13 @@ class DeterminismTest : public testing::TestWithParam<const char*> {
     other_.draw.offset_x = 0.004;
     other_.draw.offset_yaw = 0.3;
   }
-  World MakeWorld() const { return World(*setup_.hand, *setup_.object, setup_.sim); }
+  ImplicitWorld MakeWorld() const { return ImplicitWorld(*setup_.hand, *setup_.object, setup_.sim); }
 
   TrialSetup setup_, other_;
 };
 
 TEST_P(DeterminismTest, ATrajectoryRepeatsInAFreshAndInAUsedWorld) {
-  World world = MakeWorld(), fresh = MakeWorld();
+  ImplicitWorld world = MakeWorld(), fresh = MakeWorld();
   const uint64_t first = HashTrajectory(setup_, world);
   EXPECT_NE(HashTrajectory(other_, world), first);
   EXPECT_EQ(HashTrajectory(setup_, world), first);
@@ -70,13 +71,13 @@ TEST_P(DeterminismTest, ATrajectoryRepeatsInAFreshAndInAUsedWorld) {
 }
 
 TEST_P(DeterminismTest, ATrajectoryRepeatsOnEveryThread) {
-  World world = MakeWorld();
+  ImplicitWorld world = MakeWorld();
   const uint64_t alone = HashTrajectory(setup_, world);
   std::vector<uint64_t> hashes(8);
   std::vector<std::thread> threads;
   for (uint64_t& hash : hashes) {
     threads.emplace_back([this, &hash] {
-      World own = MakeWorld();
+      ImplicitWorld own = MakeWorld();
       hash = HashTrajectory(setup_, own);
     });
   }

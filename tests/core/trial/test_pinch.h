@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/physics/implicit_world.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
 #include "core/trial/held_object.h"
@@ -44,7 +45,7 @@ class TestPinch {
     setup_.hand = hand;
     setup_.object = std::make_shared<const GraspObject>(object);
     setup_.grasp.digits = {"TH", "FF"};
-    world_ = std::make_unique<World>(*setup_.hand, *setup_.object, setup_.sim);
+    world_ = std::make_unique<ImplicitWorld>(*setup_.hand, *setup_.object, setup_.sim);
     WorldState state;
     state.X_WH = command_.X_WH = MakePose(Eigen::Vector3d(0.0, 0.0, 1.0));
     state.q = Eigen::Vector2d::Zero();

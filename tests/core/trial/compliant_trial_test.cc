@@ -8,14 +8,14 @@
 namespace graspbench {
 namespace {
 
-TEST(CompliantBackend, TakesBalls) {
+TEST(CompliantTrial, TakesBalls) {
   EXPECT_TRUE(CanRunCompliant(*LoadObject("golf_ball")));
   EXPECT_TRUE(CanRunCompliant(*LoadObject("tennis_ball")));
   EXPECT_FALSE(CanRunCompliant(*LoadObject("toy_cube")));
   EXPECT_FALSE(CanRunCompliant(*LoadObject("can")));
 }
 
-TEST(CompliantBackend, TouchesAndGripsAsOurOwnWorldDoes) {
+TEST(CompliantTrial, TouchesAndGripsAsOurOwnWorldDoes) {
   TrialSetup setup;
   setup.hand = std::make_shared<const Hand>(LoadHand("tum"));
   setup.object = LoadObject("golf_ball");

@@ -1,0 +1,75 @@
+#pragma once
+/** @file
+The default backend: contact solved implicitly on top of the hand's rigid body dynamics.
+
+One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
+1. positions move by h u / 2 to the middle of the step (the object turns by its rotation vector);
+2. mass matrix, bias and contacts are taken there;
+3. the implicit solve gives the speeds v at the end (step_solver.h); the bias is that of the mean
+   speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
+4. positions move by h v / 2.
+
+Drives act by the command, the angle and the speed of the step's end, so that a finger lags behind
+a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
+middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
+
+A clone goes on to the very same bytes: it carries the bristles of all contacts, the speeds the
+solver starts from, the blocked links, loads and the account of energy. */
+
+#include "core/physics/step_solver.h"
+#include "core/physics/world.h"
+
+namespace graspbench {
+
+/** Energy account in the frame that moves with the hand's root [J]. Were the integration exact,
+kinetic_energy - start = drives + gravity + contacts + limits + external; the rest is the residual.
+*/
+struct EnergyAccount {
+  double drives = 0.0;    ///< work of the drives on the joints
+  double limits = 0.0;    ///< work of the joint limits and of the stops of coupled joints
+  double gravity = 0.0;   ///< work of gravity and of the moving frame's inertial force
+  double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
+  double external = 0.0;  ///< work of the external load on the object
+  double kinetic_at_start = 0.0;
+};
+
+class ImplicitWorld : public World {
+ public:
+  ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config);
+
+  std::unique_ptr<World> Clone() const override;
+  void Reset(const WorldState& state) override;
+  StepReport Step(const WorldCommand& command) override;
+  void SetGravity(const Eigen::Vector3d& gravity_W) override { state_.gravity_W = gravity_W; }
+  void SetExternalLoad(const Eigen::Vector3d& force_W, const Eigen::Vector3d& moment_W) override {
+    external_force_W_ = force_W;
+    external_moment_W_ = moment_W;
+  }
+  /** Forces of the step's end at the places of its middle, in the collider's order. */
+  void FindHandContacts(std::vector<HandContact>& contacts) const override;
+  double CalcEnergyResidual() override;
+
+  const EnergyAccount& energy() const { return energy_; }
+
+ private:
+  void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
+  void AddDrivesAndLimits(const WorldCommand& command);
+  double CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& v_WH,
+                  const Eigen::Vector3d& lift_W, Eigen::VectorXd& bias) const;
+  void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
+  StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
+  void UpdateBlocks(const std::vector<bool>& link_touches_object);
+
+  SimConfig config_;
+  StepSolver solver_;
+  StepProblem problem_;
+  WorldState middle_;  // of the current step
+  Eigen::VectorXd v_;  // speeds at the end of the last step: [hand dofs, w, v]
+  Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
+  int num_drives_ = 0;  // the first entries of problem_.scalars
+  int step_number_ = 0;
+  EnergyAccount energy_;
+};
+
+}  // namespace graspbench

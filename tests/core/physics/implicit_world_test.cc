@@ -1,0 +1,106 @@
+#include "core/physics/implicit_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/physics/known_answers/small_scenes.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+// What ImplicitWorld does to bodies and hands is on the sheet of known answers; here is what is
+// left.
+
+// A load of known size moves a free body as Newton says, and its work is accounted for.
+TEST(ImplicitWorld, AnExternalLoadDoesItsWork) {
+  SimConfig config;
+  config.step = 0.002;
+  SmallWorld body(MakeBlock(0.5), config);
+  body.start().gravity_W.setZero();
+  body.start().p_WOcm = Vector3d(0.0, 0.0, 1.0);
+  body.Reset();
+  const double I_xx = MakeBlock(0.5).mass_properties.I_OOcm(0, 0), t = 0.5;
+  body.world().SetExternalLoad(Vector3d(0.0, 2.0, 0.0), Vector3d(1e-4, 0.0, 0.0));
+  body.Run(t);
+  EXPECT_NEAR(body.state().p_WOcm.y(), 0.5 * (2.0 / 0.5) * t * t, 1e-9);
+  EXPECT_NEAR(body.state().w_WO.x(), 1e-4 / I_xx * t, 1e-6);
+  const double work = 2.0 * 0.5 + 0.5 * 1e-4 * 1e-4 / I_xx * t * t;
+  EXPECT_NEAR(body.world().energy().external, work, 1e-6);
+  EXPECT_LT(std::abs(body.world().CalcEnergyResidual()), 1e-9);
+  body.Reset();
+  body.Step();
+  EXPECT_EQ(body.state().v_WOcm.norm(), 0.0);
+}
+
+/** A squeezed prism that turns and slips between two fingers, on its way down. */
+class SlippingScene : public SmallWorld {
+ public:
+  SlippingScene()
+      : SmallWorld(MakeSqueezeHand(2, 0.02, 1.0, 0.003),
+                   MakeSolid(MakePrism(4, 0.02, 0.06), 0.3, 0.4, 0.3), SimConfig()) {
+    start().X_WH = MakePose(Vector3d(0.0, 0.0, 1.0 + kSqueezeLever));
+    start().p_WOcm = Vector3d(0.0, 0.0, 1.0);
+    start().w_WO = Vector3d(0.3, 0.1, 0.2);
+    Reset();
+  }
+};
+
+// A clone leaves nothing behind: it goes on to the same bits, whatever happens to the other.
+TEST(ImplicitWorld, ACloneGoesOnToTheSameBits) {
+  SlippingScene scene;
+  for (int i = 0; i < 40; ++i) scene.Step();
+  ASSERT_GT(scene.Step().grip_force, 0.0);
+  scene.world().SetExternalLoad(Vector3d(0.1, 0.0, 0.0), Vector3d(0.0, 1e-4, 0.0));
+  const std::unique_ptr<World> clone = scene.world().Clone();
+  WorldCommand command;
+  command.q = scene.state().q;
+  command.X_WH = scene.state().X_WH;
+  std::vector<WorldState> expected;
+  for (int i = 0; i < 60; ++i) {
+    scene.world().Step(command);
+    expected.push_back(scene.state());
+  }
+  const double residual = scene.world().CalcEnergyResidual();
+  scene.Reset();
+  for (const WorldState& state : expected) {
+    clone->Step(command);
+    ASSERT_EQ(clone->state().q, state.q);
+    ASSERT_EQ(clone->state().u, state.u);
+    ASSERT_EQ(clone->state().R_WO, state.R_WO);
+    ASSERT_EQ(clone->state().v_WOcm, state.v_WOcm);
+    ASSERT_EQ(clone->state().w_WO, state.w_WO);
+  }
+  EXPECT_EQ(clone->CalcEnergyResidual(), residual);
+}
+
+TEST(ImplicitWorld, ResetLeavesNoContact) {
+  SlippingScene scene;
+  for (int i = 0; i < 40; ++i) scene.Step();
+  std::vector<HandContact> contacts;
+  scene.world().FindHandContacts(contacts);
+  ASSERT_FALSE(contacts.empty());
+  scene.Reset();
+  scene.world().FindHandContacts(contacts);
+  EXPECT_TRUE(contacts.empty());
+}
+
+// Turned scene, turned motion: the direction of gravity is the only one that counts in free fall.
+TEST(ImplicitWorld, FreeFallTurnsWithGravity) {
+  SmallWorld body(MakeBlock(0.5), SimConfig());
+  body.start().p_WOcm = Vector3d(0.0, 0.0, 5.0);
+  const double t = 0.3;
+  for (const Vector3d& gravity_W : {Vector3d(0, 0, -9.0), Vector3d(3.0, -4.0, 2.0)}) {
+    body.Reset();
+    body.world().SetGravity(gravity_W);
+    body.Run(t);
+    EXPECT_LT((body.state().v_WOcm - t * gravity_W).norm(), 1e-12);
+    EXPECT_LT((body.state().p_WOcm - Vector3d(0, 0, 5) - 0.5 * t * t * gravity_W).norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,124 @@
+// A trial in steps: the result does not depend on who steps it, where it was saved, or how often it
+// was restored. The oracle is always the same trial, run in one go.
+
+#include "core/trial/trial_course.h"
+
+#include <gtest/gtest.h>
+
+#include "core/physics/implicit_world.h"
+#include "tests/core/trial/trial_setups.h"
+
+namespace graspbench {
+namespace {
+
+TrialCourse MakeCourse(const TrialSetup& setup) {
+  return {std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup};
+}
+
+std::string Finish(TrialCourse& course) {
+  while (course.Advance()) {
+  }
+  return ToJson(course.End()).dump();
+}
+
+class TrialCourseTest : public testing::TestWithParam<const char*> {
+ protected:
+  TrialSetup MakeHeld() const { return MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5)); }
+  /** Too slippery to be lifted: it ends before the hold. */
+  TrialSetup MakeLost() const { return MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.02)); }
+};
+
+void ExpectEqualFromEveryInstant(const TrialSetup& setup, int interval) {
+  TrialCourse course = MakeCourse(setup);
+  const std::string expected = ToJson(MakeCourse(setup).Run()).dump();
+  std::vector<TrialInstant> instants;
+  course.Begin();
+  for (int step = 0;; ++step) {
+    if (step % interval == 0) instants.push_back(course.Save());
+    if (!course.Advance()) break;
+  }
+  instants.push_back(course.Save());
+  EXPECT_EQ(ToJson(course.End()).dump(), expected) << "saving disturbs";
+  ASSERT_GT(instants.size(), 10u);
+  TrialCourse other = MakeCourse(setup);  // has not begun
+  for (auto instant = instants.rbegin(); instant != instants.rend(); ++instant) {
+    other.Restore(*instant);
+    EXPECT_EQ(other.time(), instant->notes.time);
+    EXPECT_EQ(Finish(other), expected) << "from " << instant->notes.time << " s";
+  }
+}
+
+TEST_P(TrialCourseTest, GoesOnToTheSameBytesFromEverySavedInstant) {
+  // No divisor of any of the meters' intervals, so that all parts of a cycle are met.
+  ExpectEqualFromEveryInstant(MakeHeld(), 67);
+  ExpectEqualFromEveryInstant(MakeLost(), 67);
+}
+
+TEST_P(TrialCourseTest, AnInstantIsAValue) {
+  const TrialSetup setup = MakeHeld();
+  TrialCourse course = MakeCourse(setup);
+  course.Begin();
+  for (int step = 0; step < 900; ++step) ASSERT_TRUE(course.Advance());
+  const TrialInstant instant = course.Save(), copy = instant;
+  const WorldState at_saving = course.world().state();
+  const std::string expected = Finish(course);
+  for (const TrialInstant* saved : {&instant, &copy, &instant}) {
+    EXPECT_EQ(saved->world->state().p_WOcm, at_saving.p_WOcm);
+    EXPECT_EQ(saved->world->state().q, at_saving.q);
+    course.Restore(*saved);
+    EXPECT_EQ(Finish(course), expected);
+  }
+}
+
+TEST_P(TrialCourseTest, ABranchTakesItsOwnWay) {
+  const TrialSetup setup = MakeHeld();
+  TrialCourse course = MakeCourse(setup);
+  course.Begin();
+  while (course.time() < 2.0 && course.Advance()) {
+  }
+  const TrialInstant instant = course.Save();
+  const std::string expected = Finish(course);
+  course.Restore(instant);
+  course.world().SetGravity(Eigen::Vector3d(0.0, 0.0, -30.0));
+  EXPECT_NE(Finish(course), expected) << "the change reaches the branch";
+  course.Restore(instant);
+  EXPECT_EQ(Finish(course), expected) << "and the branch only";
+}
+
+TEST_P(TrialCourseTest, IsOverOnceAndForAll) {
+  const TrialSetup setup = MakeHeld();
+  TrialCourse course = MakeCourse(setup);
+  EXPECT_FALSE(course.is_held());
+  course.Begin();
+  int num_steps = 0;
+  while (course.Advance()) {
+    ++num_steps;
+    ASSERT_NEAR(course.time(), num_steps * setup.sim.step, 1e-9);
+    ASSERT_FALSE(course.is_held());
+  }
+  EXPECT_TRUE(course.is_held());
+  const std::string first = ToJson(course.End()).dump();
+  const Eigen::VectorXd q = course.world().state().q;
+  EXPECT_FALSE(course.Advance());
+  EXPECT_EQ(course.world().state().q, q);
+  EXPECT_EQ(ToJson(course.End()).dump(), first) << "asking twice changes nothing";
+  EXPECT_EQ(course.End().num_steps, num_steps);
+  EXPECT_EQ(ToJson(TrialRunner(setup.hand, setup.object).Run(setup)).dump(), first);
+}
+
+TEST_P(TrialCourseTest, PhasesFollowEachOtherAsPlanned) {
+  const TrialSetup setup = MakeHeld();
+  const TrialResult result = MakeCourse(setup).Run();
+  ASSERT_EQ(result.phases.size(), 5u);
+  const char* const names[] = {"closure", "stabilisation", "lift-off", "hold", "done"};
+  for (size_t i = 0; i < 5; ++i) EXPECT_EQ(result.phases[i].name, names[i]);
+  EXPECT_EQ(result.phases[0].time, 0.0);
+  EXPECT_NEAR(result.phases[3].time - result.phases[2].time, setup.strategy.lift_time, 0.0021);
+  EXPECT_NEAR(result.phases[4].time - result.phases[3].time, setup.strategy.hold_time, 0.0021);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, TrialCourseTest, testing::Values("tum", "shadow"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+}  // namespace
+}  // namespace graspbench
