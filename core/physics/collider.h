@@ -29,7 +29,7 @@ class Collider {
   void Reset();
 
   /** Fills `contacts` for the hand's current positions and the object at X_WO, p_WOcm.
-  Object freedoms are numbered from dynamics.num_dofs(): w_WO (3), v_WOcm (3).
+  The degrees of freedom of the object are numbered from dynamics.num_dofs(): w_WO (3), v_WOcm (3).
   @param v_WH  velocity of the hand's root at the end of the step. */
   void FindContacts(const HandDynamics& dynamics, const Pose& X_WO, const Eigen::Vector3d& p_WOcm,
                     const Eigen::Vector3d& v_WH, int step_number,

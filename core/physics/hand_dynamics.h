@@ -31,9 +31,9 @@ class HandDynamics {
   int num_dofs() const { return num_dofs_; }
   int num_joints() const { return static_cast<int>(joint_link_.size()); }
   int dof_of_joint(int joint) const { return dof_of_joint_[joint]; }
-  /** The joint a freedom is named after (its middle joint when coupled). */
+  /** The joint a degree of freedom is named after (its middle joint when coupled). */
   int joint_of_dof(int dof) const { return joint_of_dof_[dof]; }
-  /** The distal joint that shares the freedom; -1: none. */
+  /** The distal joint that shares the degree of freedom; -1: none. */
   int distal_of_dof(int dof) const { return distal_of_dof_[dof]; }
   double rate_of_joint(int joint) const { return rate_[joint]; }
   void SetRate(int joint, double rate) { rate_[joint] = rate; }

@@ -19,7 +19,7 @@ factor of at most 30 unknowns per iteration, none when the last speeds solve the
 
 namespace graspbench {
 
-/** A force on one freedom, piecewise linear in its speed:
+/** A force on one degree of freedom, piecewise linear in its speed:
 tau = clamp(offset - gain v, lower, upper). Drives and joint limits. */
 struct ScalarForce {
   int dof = -1;

@@ -54,7 +54,7 @@ void World::ChooseDistalModes(const WorldCommand& command, double& stop_work) {
         FindDistalMode(state_.q[middle], state_.q[distal], hand_->joints[middle].upper,
                        command.q[middle] > theta, blocked, modes_[dof]);
     if (mode == modes_[dof]) continue;
-    // What moved hits its stop: the freedom starts from rest in its new direction.
+    // What moved hits its stop: the joint starts from rest in its new direction.
     const double before = CalcKineticEnergy();
     state_.u[dof] = 0.0;
     if (mode == DistalMode::kMiddleMoves) state_.q[distal] = std::max(state_.q[distal], 0.0);

@@ -31,7 +31,7 @@ VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
   return v;
 }
 
-/** Every joint with its own freedom. */
+/** Every joint with its own degree of freedom. */
 Hand MakeUncoupled(Hand hand) {
   for (HandJoint& joint : hand.joints) joint.coupled_to = -1;
   return hand;

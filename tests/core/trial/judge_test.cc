@@ -62,7 +62,7 @@ TEST(Judge, TheSmallestOfSixIsTheBreakingForce) {
   EXPECT_EQ(ToJson(JudgementFromJson(Json::parse(text))).dump(), text);
 }
 
-// Sigma foretells the pull that breaks the pinch before anybody pulls.
+// Sigma predicts the pull that breaks the pinch before anybody pulls.
 TEST(Judge, SigmaForetellsIt) {
   for (const double force : {1.5, 3.0, 6.0}) {
     TestPinch pinch(force, kMass, kMu, kDown);
