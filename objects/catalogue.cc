@@ -1,5 +1,7 @@
 #include "objects/catalogue.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -30,10 +32,8 @@ Eigen::AlignedBox3d FindBox(const TriMesh& mesh) {
 }
 
 std::string FormatSize(const Eigen::Vector3d& size) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.2f x %.2f x %.2f mm", MmFromM(size.x()), MmFromM(size.y()),
-                MmFromM(size.z()));
-  return text;
+  return fmt::format("{:.2f} x {:.2f} x {:.2f} mm", MmFromM(size.x()), MmFromM(size.y()),
+                     MmFromM(size.z()));
 }
 
 // Of everything that the simulation depends on; names and colours may change.

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "core/base/csv.h"
-#include "reports/format.h"
+#include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "reports/layout.h"
 #include "reports/svg_parts.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
 

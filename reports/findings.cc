@@ -1,6 +1,6 @@
 #include "reports/findings.h"
 
-#include "reports/format.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {

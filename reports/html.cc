@@ -1,38 +1,16 @@
 #include "reports/html.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstring>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
-/** One code point at the front of `bytes`, after Unicode's table 3-7. Size 0: not valid UTF-8. */
-struct CodePoint {
-  char32_t value = 0;
-  size_t size = 0;
-};
-CodePoint FindCodePoint(std::string_view bytes) {
-  const auto byte = [&](size_t i) { return static_cast<unsigned char>(bytes[i]); };
-  if (byte(0) < 0x80) return {byte(0), 1};
-  const size_t size = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
-  if (byte(0) < 0xC2 || byte(0) > 0xF4 || bytes.size() < size) return {};
-  char32_t value = byte(0) & (0x7F >> size);
-  for (size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    value = (value << 6) | (byte(i) & 0x3F);
-  }
-  constexpr std::array<char32_t, 5> kSmallestOfSize = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
-  if (value < kSmallestOfSize[size] || value > 0x10FFFF || is_surrogate) return {};
-  return {value, size};
-}
 
 bool IsControl(char32_t c) {
   return (c < 0x20 && c != '\t' && c != '\n') || (c >= 0x7F && c < 0xA0) || c == 0xFFFE ||
@@ -46,7 +24,7 @@ bool IsDirectionMark(char32_t c) {
 
 void AppendEscaped(std::string_view text, std::string& markup) {
   while (!text.empty()) {
-    const CodePoint c = FindCodePoint(text);
+    const CodePoint c = ReadCodePoint(text);
     if (c.size == 0 || IsControl(c.value) || IsDirectionMark(c.value)) {
       markup += kReplacement;
     } else if (c.value == '&') {

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "reports/format.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {

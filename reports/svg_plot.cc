@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/session_summary.h"
 #include "reports/svg_parts.h"
 

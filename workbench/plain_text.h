@@ -4,7 +4,7 @@
 
 namespace graspbench {
 
-/** Text of reports/format.h for a terminal: no-break spaces become spaces. */
+/** Text of core/base/text.h for a terminal: no-break spaces become spaces. */
 std::string MakePlainText(std::string text);
 
 }  // namespace graspbench

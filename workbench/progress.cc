@@ -9,7 +9,8 @@
 #include <limits>
 #include <numeric>
 
-#include "reports/format.h"
+#include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "workbench/plain_text.h"
 
 namespace graspbench {

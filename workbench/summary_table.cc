@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "reports/format.h"
+#include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "workbench/plain_text.h"
 #include "workbench/text_table.h"
 

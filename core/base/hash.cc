@@ -1,8 +1,7 @@
 #include "core/base/hash.h"
 
+#include <fmt/core.h>
 #include <xxhash.h>
-
-#include <cstdio>
 
 namespace graspbench {
 
@@ -11,9 +10,7 @@ uint64_t CalcHash64(std::string_view bytes, uint64_t seed) {
 }
 
 std::string CalcHashHex(std::string_view bytes) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(CalcHash64(bytes)));
-  return text;
+  return fmt::format("{:016x}", CalcHash64(bytes));
 }
 
 }  // namespace graspbench

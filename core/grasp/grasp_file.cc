@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/posture_yaml.h"
@@ -19,16 +19,10 @@ constexpr char kFormat[] = "graspbench grasp";
 constexpr int kFormatVersion = 1;
 constexpr double kUnitTolerance = 1e-3;  ///< of vectors that should have length one
 
-std::string FormatFixedNumber(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value == 0.0 ? 0.0 : value);
-  return text;
-}
-
 std::string FormatList(const std::vector<double>& values) {
   std::string text;
   for (const double value : values) {
-    text += (text.empty() ? "" : ", ") + FormatFixedNumber(value, 9);
+    text += (text.empty() ? "" : ", ") + FormatFixed(value, 9);
   }
   return "[" + text + "]";
 }
@@ -57,12 +51,12 @@ Placement ReadPlacement(const YAML::Node& node, const std::string& file, Diagnos
   const Quaterniond quaternion(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   if (std::abs(quaternion.norm() - 1.0) > kUnitTolerance) {
     map.Fail("orientation_wxyz", "expected a quaternion of length one, found length " +
-                                     FormatFixedNumber(quaternion.norm(), 3));
+                                     FormatFixed(quaternion.norm(), 3));
     return placement;
   }
   if (std::abs(placement.approach_W.norm() - 1.0) > kUnitTolerance) {
     map.Fail("approach", "expected a direction of length one, found length " +
-                             FormatFixedNumber(placement.approach_W.norm(), 3));
+                             FormatFixed(placement.approach_W.norm(), 3));
     return placement;
   }
   if (!(placement.closing_at_contact >= 0.0 && placement.closing_at_contact <= 1.0)) {
@@ -173,7 +167,7 @@ std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
                      "\nformat_version: " + std::to_string(kFormatVersion) + "\nid: " + grasp.id +
                      "\nhand: " + hand.id + "\nmade_from: " + made_from;
   if (!grasp.object.empty()) text += "\nobject: " + grasp.object;
-  text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixedNumber(DegFromRad(grasp.tilt), 6) +
+  text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixed(DegFromRad(grasp.tilt), 6) +
           "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false") +
           "\n# driven joints of each digit, from base to tip\npre_deg: " +
           FormatPosture(hand, grasp.q_pre) +
@@ -184,8 +178,7 @@ std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
     text += "placement:\n  position_m: " + FormatList({p.x(), p.y(), p.z()}) +
             "\n  orientation_wxyz: " + FormatList({q.w(), q.x(), q.y(), q.z()}) +
             "\n  approach: " + FormatList({a.x(), a.y(), a.z()}) +
-            "\n  closing_at_contact: " + FormatFixedNumber(grasp.placement->closing_at_contact, 9) +
-            "\n";
+            "\n  closing_at_contact: " + FormatFixed(grasp.placement->closing_at_contact, 9) + "\n";
   }
   return text;
 }
@@ -201,15 +194,15 @@ std::string FormatIsaacGrasp(const Hand& hand, const StandardGrasp& grasp,
     std::string lines;
     for (int joint = 0; joint < hand.num_joints(); ++joint) {
       lines += "      " + hand.joints[static_cast<size_t>(joint)].name + ": " +
-               FormatFixedNumber(angles[joint], 9) + "\n";
+               FormatFixed(angles[joint], 9) + "\n";
     }
     return lines;
   };
   return "format: isaac_grasp\nformat_version: 1.0\n\nobject_frame: " + object_id +
          "\ngripper_frame: " + hand.links.front().name + "\n\ngrasps:\n  \"" + grasp.id +
-         "\":\n    confidence: " + FormatFixedNumber(confidence, 3) +
+         "\":\n    confidence: " + FormatFixed(confidence, 3) +
          "\n    position: " + FormatList({p.x(), p.y(), p.z()}) +
-         "\n    orientation: {w: " + FormatFixedNumber(q.w(), 9) +
+         "\n    orientation: {w: " + FormatFixed(q.w(), 9) +
          ", xyz: " + FormatList({q.x(), q.y(), q.z()}) + "}\n    cspace_position:\n" +
          format_joints(grasp.q_target) + "    pregrasp_cspace_position:\n" +
          format_joints(grasp.q_pre);

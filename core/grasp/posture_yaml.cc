@@ -1,7 +1,8 @@
 #include "core/grasp/posture_yaml.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 #include "core/base/units.h"
@@ -45,9 +46,7 @@ std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q) {
     text += (text.empty() ? "" : ", ") + digit.id + ": [";
     const char* separator = "";
     for (const int joint : FindDrivenJoints(hand, digit)) {
-      char number[32];
-      std::snprintf(number, sizeof number, "%s%.6f", separator, DegFromRad(q[joint]));
-      text += number;
+      text += fmt::format("{}{:.6f}", separator, DegFromRad(q[joint]));
       separator = ", ";
     }
     text += "]";

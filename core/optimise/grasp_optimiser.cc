@@ -12,6 +12,7 @@
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
 #include "core/hand/coupling.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
@@ -252,15 +253,12 @@ int CountSuccesses(const std::vector<LearningTrial>& trials) {
 }
 
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
-  if (trials.empty()) return kUnset;
   std::vector<double> ratios;
   for (const LearningTrial& trial : trials) {
     const double ratio = trial.timing.gft_ratio;
     ratios.push_back(std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
   }
-  std::sort(ratios.begin(), ratios.end());
-  const size_t middle = ratios.size() / 2;
-  return ratios.size() % 2 == 1 ? ratios[middle] : 0.5 * (ratios[middle - 1] + ratios[middle]);
+  return CalcMedian(std::move(ratios));
 }
 
 double CalcMeanSigma(const std::vector<LearningTrial>& trials) {

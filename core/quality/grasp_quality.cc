@@ -1,8 +1,9 @@
 #include "core/quality/grasp_quality.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/quality/force_closure.h"
 #include "core/quality/wrench_hull.h"
@@ -10,11 +11,7 @@
 namespace graspbench {
 namespace {
 
-std::string FormatNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string FormatNumber(double value) { return fmt::format("{:.6g}", value); }
 
 WrenchSpace MakeWrenchSpace(const QualityRequest& request) {
   const QualityConvention& convention = request.convention;

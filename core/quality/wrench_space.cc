@@ -1,8 +1,9 @@
 #include "core/quality/wrench_space.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -36,11 +37,7 @@ Eigen::Vector3d CalcFirstTangent(const GraspContact& contact) {
   return (direction - direction.dot(contact.nhat_O) * contact.nhat_O).normalized();
 }
 
-std::string FormatNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
+std::string FormatNumber(double value) { return fmt::format("{:.9g}", value); }
 
 }  // namespace
 

@@ -1,11 +1,13 @@
 #include "core/shape/mesh_check.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/mesh_edges.h"
@@ -20,14 +22,7 @@ constexpr double kMinFlatness = 1e-9;  // volume against the cube of the extent:
 constexpr double kMinAspect = 1e-7;    // height against the longest edge: without area below
 
 std::string FormatPoint(const Eigen::Vector3d& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g)", MmFromM(p.x()), MmFromM(p.y()),
-                MmFromM(p.z()));
-  return text;
-}
-
-std::string FormatCount(size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", MmFromM(p.x()), MmFromM(p.y()), MmFromM(p.z()));
 }
 
 // "a, b, c and 9 more".
@@ -161,19 +156,17 @@ class Checker {
     for (const Eigen::Vector3d& p : mesh_.vertices) box.extend(p);
     report_.extent = box.sizes();
     const double largest = report_.extent.maxCoeff();
-    char text[200];
     if (largest > kMaxMeshExtent) {
-      std::snprintf(text, sizeof text,
-                    "the mesh is %.4g m long; a thing to grasp measures %.0f mm to %.0f m. If its "
-                    "numbers are millimetres, say so (unit mm); else scale it",
-                    largest, MmFromM(kMinMeshExtent), kMaxMeshExtent);
-      Add(MeshFault::kSize, text);
+      Add(MeshFault::kSize,
+          fmt::format("the mesh is {:.4g} m long; a thing to grasp measures {:.0f} mm to {:.0f} m. "
+                      "If its numbers are millimetres, say so (unit mm); else scale it",
+                      largest, MmFromM(kMinMeshExtent), kMaxMeshExtent));
     } else if (largest < kMinMeshExtent) {
-      std::snprintf(text, sizeof text,
-                    "the mesh is %.4g mm long; a thing to grasp measures %.0f mm to %.0f m. If its "
-                    "numbers are metres, say so (unit m); else scale it",
-                    MmFromM(largest), MmFromM(kMinMeshExtent), kMaxMeshExtent);
-      Add(MeshFault::kSize, text);
+      Add(MeshFault::kSize,
+          fmt::format(
+              "the mesh is {:.4g} mm long; a thing to grasp measures {:.0f} mm to {:.0f} m. "
+              "If its numbers are metres, say so (unit m); else scale it",
+              MmFromM(largest), MmFromM(kMinMeshExtent), kMaxMeshExtent));
     }
   }
 

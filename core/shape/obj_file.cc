@@ -1,9 +1,10 @@
 #include "core/shape/obj_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -79,16 +80,13 @@ TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& 
 
 std::string FormatObj(const TriMesh& mesh, double units_per_metre) {
   std::string text;
-  char line[128];
   for (const Eigen::Vector3d& p : mesh.vertices) {
     // Adding zero turns "-0.000000" into "0.000000".
     const Eigen::Vector3d rounded = (p * units_per_metre * 1e6).array().round() / 1e6 + 0.0;
-    std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\n", rounded.x(), rounded.y(), rounded.z());
-    text += line;
+    text += fmt::format("v {:.6f} {:.6f} {:.6f}\n", rounded.x(), rounded.y(), rounded.z());
   }
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
-    text += line;
+    text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
   }
   return text;
 }

@@ -1,10 +1,11 @@
 #include "core/shape/signed_distance_field.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <map>
 
@@ -138,9 +139,7 @@ SignedDistanceField SignedDistanceField::Build(const TriMesh& mesh) {
 std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadOrBuild(
     const TriMesh& mesh, const std::filesystem::path& cache_folder) {
   const uint64_t mesh_hash = CalcMeshHash(mesh);
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.sdf", static_cast<unsigned long long>(mesh_hash));
-  const std::filesystem::path path = cache_folder / name;
+  const std::filesystem::path path = cache_folder / fmt::format("{:016x}.sdf", mesh_hash);
 
   std::error_code status;
   if (std::filesystem::exists(path, status)) {

@@ -20,12 +20,6 @@ struct NoAnswer {
   std::string reason;
 };
 
-/** "1 person", "3 persons": for reasons. */
-template <typename Count>
-std::string FormatCount(Count count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 template <typename T>
 class Answer {
  public:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
@@ -57,6 +58,20 @@ double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_su
     if (log_probability(k) <= limit) p += std::exp(log_probability(k));
   }
   return std::min(p, 1.0);
+}
+
+std::string FormatRate(int num_successes, int num_trials) {
+  const std::string counts =
+      std::to_string(num_successes) + " of " + FormatCount(num_trials, "trial");
+  if (num_trials == 0) return counts;
+  return counts + " (" + FormatPercent(static_cast<double>(num_successes) / num_trials) +
+         ", 95\u00A0% interval " + FormatRateInterval(num_successes, num_trials) + "\u00A0%)";
+}
+
+std::string FormatRateInterval(int num_successes, int num_trials) {
+  if (num_trials == 0) return "n/a";
+  const Interval interval = CalcWilsonInterval(num_successes, num_trials);
+  return FormatFixed(100.0 * interval.low, 1) + " to " + FormatFixed(100.0 * interval.high, 1);
 }
 
 }  // namespace graspbench

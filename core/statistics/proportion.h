@@ -14,6 +14,8 @@ Fisher's exact test, two-sided: the sum of the hypergeometric probabilities, mar
 tables that are at most as probable as the observed one (R. A. Fisher, "The design of experiments",
 1935). */
 
+#include <string>
+
 namespace graspbench {
 
 struct Interval {
@@ -29,5 +31,12 @@ Interval CalcWilsonInterval(int num_successes, int num_trials);
 @pre as above, for both. Cost grows with the sum of the trials. */
 double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_successes_b,
                                int num_trials_b);
+
+/** A rate as it must be printed, with its counts and Wilson interval: "9 of 10 trials (90.0 %,
+95 % interval 59.6 to 98.2 %)"; "0 of 0 trials" without any. @pre as above. */
+std::string FormatRate(int num_successes, int num_trials);
+
+/** The interval alone, in per cent: "59.6 to 98.2"; "n/a" without trials. */
+std::string FormatRateInterval(int num_successes, int num_trials);
 
 }  // namespace graspbench

@@ -31,6 +31,24 @@ Moments CalcMoments(const std::vector<double>& values, double scale) {
   return moments;
 }
 
+double CalcMedian(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  // The two in the middle are enough; sorting all of them is what an analysis would wait for.
+  const auto above = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), above, values.end());
+  if (values.size() % 2 == 1) return *above;
+  const double below = *std::max_element(values.begin(), above);
+  // Equal ones may be infinite, and inf - inf is not a number.
+  return below == *above ? below : below + 0.5 * (*above - below);
+}
+
+double CalcMedianOfFinite(std::vector<double> values) {
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [](double value) { return !std::isfinite(value); }),
+               values.end());
+  return CalcMedian(std::move(values));
+}
+
 double CalcSortedQuantile(const std::vector<double>& sorted, double probability) {
   const double position = probability * static_cast<double>(sorted.size() - 1);
   const size_t below = static_cast<size_t>(position);

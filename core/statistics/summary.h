@@ -39,6 +39,14 @@ struct Moments {
 from, when that is more than their own: differences inherit the rounding of what was subtracted. */
 Moments CalcMoments(const std::vector<double>& values, double scale = 0.0);
 
+/** The middle of the values, half-way between the two in the middle of an even number: the type 7
+quantile at 1/2, without sorting all. Infinite values keep their place; NaN without values.
+@pre no NaN among the values. */
+double CalcMedian(std::vector<double> values);
+
+/** The same of the finite values alone. */
+double CalcMedianOfFinite(std::vector<double> values);
+
 /** Quantile of sorted values, type 7. @pre not empty, 0 <= probability <= 1. */
 double CalcSortedQuantile(const std::vector<double>& sorted, double probability);
 

@@ -1,7 +1,8 @@
 #include "core/trial/trial_outcome.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/units.h"
 
@@ -19,12 +20,6 @@ constexpr double kTippedShare = 0.1;    ///< change of the height of an object t
 constexpr double kMaxUnconvergedTime = 0.1;
 /** The object counts as lost when the hand has not touched it for this long [s]. */
 constexpr double kLostTime = 0.15;
-
-std::string Format(const char* format, double a, double b = 0.0) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
 
 }  // namespace
 
@@ -55,16 +50,17 @@ bool IsDecided(const TrialFacts& facts) {
 OutcomeReason FindOutcome(const TrialFacts& facts) {
   if (!facts.is_finite) {
     return {Outcome::kNumericalFailure,
-            Format("positions or speeds became infinite %.3f s into the trial", facts.time)};
+            fmt::format("positions or speeds became infinite {:.3f} s into the trial", facts.time)};
   }
   if (facts.unconverged_time > kMaxUnconvergedTime) {
     return {Outcome::kNumericalFailure,
-            Format("the solver did not converge for %.2f s, up to %.3f s into the trial",
-                   facts.unconverged_time, facts.time)};
+            fmt::format("the solver did not converge for {:.2f} s, up to {:.3f} s into the trial",
+                        facts.unconverged_time, facts.time)};
   }
   if (facts.phase < Phase::kLiftOff) {
-    return {Outcome::kPushedAway, Format("the object was pushed %.0f mm aside before it was held",
-                                         MmFromM(facts.displacement))};
+    return {Outcome::kPushedAway,
+            fmt::format("the object was pushed {:.0f} mm aside before it was held",
+                        MmFromM(facts.displacement))};
   }
   const bool was_lifted = facts.phase == Phase::kHold || facts.phase == Phase::kDone;
   if (IsHeld(facts)) {
@@ -72,13 +68,13 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
       return {Outcome::kSuccess, ""};
     }
     return {Outcome::kDroppedWhileHolding,
-            Format("still moving in the hand at %.1f mm/s at the end of the hold",
-                   MmFromM(facts.relative_speed))};
+            fmt::format("still moving in the hand at {:.1f} mm/s at the end of the hold",
+                        MmFromM(facts.relative_speed))};
   }
   if (was_lifted && facts.rise < kLiftedShare * facts.lift_distance &&
       facts.last_touch > facts.time - facts.time_in_phase) {
     return {Outcome::kDroppedWhileHolding,
-            Format("fell out of the hand %.2f s into the hold", facts.time_in_phase)};
+            fmt::format("fell out of the hand {:.2f} s into the hold", facts.time_in_phase)};
   }
   if (std::abs(facts.extent - facts.rest_extent) > kTippedShare * facts.rest_extent) {
     return {Outcome::kKnockedOver, "the object tipped over and stayed behind"};
@@ -94,15 +90,17 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
   }
   if (num_touched < 2) return {Outcome::kNoContact, "never touched by " + untouched};
   if (facts.displacement > kPushedAway) {
-    return {Outcome::kPushedAway, Format("the object was pushed %.0f mm aside and stayed behind",
-                                         MmFromM(facts.displacement))};
+    return {Outcome::kPushedAway,
+            fmt::format("the object was pushed {:.0f} mm aside and stayed behind",
+                        MmFromM(facts.displacement))};
   }
   if (!untouched.empty()) return {Outcome::kNoContact, "never touched by " + untouched};
   if (facts.closed_grip_force == 0.0) {
     return {Outcome::kLostWhileClosing, "all digits had touched, but none did before lift-off"};
   }
-  return {Outcome::kSlippedInLiftOff,
-          Format("gripped with %.2f N in all, but it stayed behind", facts.closed_grip_force)};
+  return {
+      Outcome::kSlippedInLiftOff,
+      fmt::format("gripped with {:.2f} N in all, but it stayed behind", facts.closed_grip_force)};
 }
 
 }  // namespace graspbench

@@ -1,7 +1,8 @@
 #include "core/trial/trial_runner.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 #include "core/physics/implicit_world.h"
@@ -16,12 +17,6 @@ using Eigen::VectorXd;
 
 /** Largest relative difference from Simbody's mass matrix and bias. */
 constexpr double kSimbodyTolerance = 1e-9;
-
-std::string Format(const char* format, double value) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 bool IsSame(const SimConfig& a, const SimConfig& b) {
   bool same = true;
@@ -120,7 +115,8 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged) {
     if (const double difference = CalcSimbodyDifference(course.world());
         !(difference < kSimbodyTolerance)) {
       result.outcome = Outcome::kNumericalFailure;
-      result.reason = Format("mass matrix or bias differs from Simbody's by %.1e", difference);
+      result.reason =
+          fmt::format("mass matrix or bias differs from Simbody's by {:.1e}", difference);
       return trial;
     }
     if (is_judged && course.is_held()) trial.judgement = course.Judge();

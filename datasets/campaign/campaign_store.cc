@@ -283,14 +283,6 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
   return tasks;
 }
 
-double CalcMedianOfFinite(std::vector<double> values) {
-  values.erase(std::remove_if(values.begin(), values.end(),
-                              [](double value) { return !std::isfinite(value); }),
-               values.end());
-  std::sort(values.begin(), values.end());
-  return values.empty() ? kUnset : CalcSortedQuantile(values, 0.5);
-}
-
 std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {
   std::vector<VariantSummary> summaries;
   std::vector<const TrialRecord*> cell;

@@ -106,9 +106,6 @@ struct VariantSummary {
 };
 std::vector<VariantSummary> SummariseVariants(const Session& benchmark);
 
-/** NaN when none is finite. */
-double CalcMedianOfFinite(std::vector<double> values);
-
 struct ComparisonRun {
   std::string hand, object, method;
   int seed = 0;

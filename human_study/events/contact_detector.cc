@@ -1,11 +1,13 @@
 #include "human_study/events/contact_detector.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/statistics/summary.h"
 #include "human_study/events/detectors/detector_list.h"
 
 namespace graspbench {
@@ -87,17 +89,13 @@ std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& di
                         const ContactOptions& options) {
   const double speed = CalcHoldMedian(digit.speed, evidence.hold);
   if (std::isnan(speed)) return "the digit is hidden in the hold";
-  char text[120];
   if (digit.hold_distance > options.max_pad_offset) {
-    std::snprintf(text, sizeof text, "in the hold its marker is %.0f mm from the surface",
-                  MmFromM(digit.hold_distance));
-    return text;
+    return fmt::format("in the hold its marker is {:.0f} mm from the surface",
+                       MmFromM(digit.hold_distance));
   }
   // Below four standard deviations noise alone may look like motion.
   if (speed > std::max(options.speed_threshold, 4.0 * digit.speed.noise)) {
-    std::snprintf(text, sizeof text, "in the hold it moves at %.0f mm/s against the object",
-                  MmFromM(speed));
-    return text;
+    return fmt::format("in the hold it moves at {:.0f} mm/s against the object", MmFromM(speed));
   }
   return "";
 }

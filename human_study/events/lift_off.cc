@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {

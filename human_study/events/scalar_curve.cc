@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/butterworth.h"
 
 namespace graspbench {
@@ -78,16 +79,6 @@ EventTime TraceBackOnce(const ScalarCurve& curve, size_t from, size_t first, dou
 }
 
 }  // namespace
-
-double CalcMedian(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  // The two in the middle are enough; sorting all of them is what an analysis would wait for.
-  const auto above = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), above, values.end());
-  if (values.size() % 2 == 1) return *above;
-  const double below = *std::max_element(values.begin(), above);
-  return below + 0.5 * (*above - below);
-}
 
 SampleState CombineStates(SampleState a, SampleState b) { return std::max(a, b); }
 

@@ -25,9 +25,6 @@ struct ScalarCurve {
   double Interval() const { return times[1] - times[0]; }  ///< [s] @pre size() >= 2
 };
 
-/** NaN without any. */
-double CalcMedian(std::vector<double> values);
-
 /** Worse of two: a value computed from both is filled when one is, invalid when one is. */
 SampleState CombineStates(SampleState a, SampleState b);
 

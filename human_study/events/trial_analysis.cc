@@ -1,8 +1,9 @@
 #include "human_study/events/trial_analysis.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 
@@ -20,11 +21,10 @@ void CheckPositive(const char* key, double value) {
 void CheckCutoff(const char* key, double cutoff, double rate) {
   const double limit = 0.4 * rate;  // as MakeLowPass
   if (cutoff < limit) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%s is %g; this recording of %g Hz allows less than %g, so choose a lower one", key,
-                cutoff, rate, limit);
-  throw Error(ErrorKind::kRange, text);
+  throw Error(ErrorKind::kRange,
+              fmt::format("{} is {:.6g}; this recording of {:.6g} Hz allows less than {:.6g}, so "
+                          "choose a lower one",
+                          key, cutoff, rate, limit));
 }
 
 /** Path whose speed is the movement's: the wrist, else the centroid of the tips. */

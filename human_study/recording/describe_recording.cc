@@ -1,6 +1,7 @@
 #include "human_study/recording/describe_recording.h"
 
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <set>
 
 namespace graspbench {
@@ -16,11 +17,7 @@ std::string FormatUnit(const Recording& recording) {
   return text;
 }
 
-std::string FormatShort(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string FormatShort(double value) { return fmt::format("{:.6g}", value); }
 
 /** Appends without looking for the key first, which would cost the square of the number of labels;
 labels are unique. */

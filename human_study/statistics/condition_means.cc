@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/statistics/distributions.h"
 #include "human_study/statistics/multiple_tests.h"
 

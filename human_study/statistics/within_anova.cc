@@ -7,6 +7,7 @@
 #include <optional>
 #include <unsupported/Eigen/KroneckerProduct>
 
+#include "core/base/text.h"
 #include "core/statistics/distributions.h"
 
 namespace graspbench {

@@ -1,5 +1,7 @@
 #include "human_study/study/motion_bids.h"
 
+#include <fmt/core.h>
+
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -13,10 +15,7 @@ namespace {
 
 /** Microseconds and micrometres: below what any tracker resolves. */
 std::string FormatFine(double value) {
-  if (!std::isfinite(value)) return "n/a";
-  char text[64];
-  return std::string(
-      text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 6).ptr);
+  return std::isfinite(value) ? fmt::format("{:.6f}", value) : "n/a";
 }
 
 /** Names of the tracked points and their paths. */

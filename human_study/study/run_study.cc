@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/study/prepare_recording.h"

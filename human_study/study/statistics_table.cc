@@ -1,15 +1,11 @@
 #include "human_study/study/statistics_table.h"
 
-#include <cstdio>
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
 
-std::string Format(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string Format(double value) { return FormatSignificant(value, 3); }
 
 StatisticRow MakeRow(const MeasureStatistics& statistics, const char* analysis,
                      const std::string& effect) {

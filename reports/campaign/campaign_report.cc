@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/files.h"
-#include "reports/format.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 

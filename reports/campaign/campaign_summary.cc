@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-double CalcMedian(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? kMissing : CalcSortedQuantile(values, 0.5);
-}
-
 const TrialRecord* FindTrial(const CellSummary& cell, int trial) {
   for (const TrialRecord* record : cell.records) {
     if (record->plan.trial == trial) return record;

@@ -1,5 +1,6 @@
+#include "core/base/text.h"
 #include "core/base/units.h"
-#include "reports/format.h"
+#include "core/statistics/proportion.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/statistics/proportion.h"
 #include "reports/contact_strip.h"
-#include "reports/format.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
 #include "reports/sections/section.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/trial/verdicts.h"
-#include "reports/format.h"
 #include "reports/judge_evidence.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"

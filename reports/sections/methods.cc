@@ -1,6 +1,6 @@
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "reports/format.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/statistics/proportion.h"
 #include "reports/findings.h"
-#include "reports/format.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 #include "reports/svg_plot.h"

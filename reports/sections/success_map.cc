@@ -1,6 +1,7 @@
 #include <limits>
 
-#include "reports/format.h"
+#include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 #include "reports/svg_plot.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "reports/format.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/files.h"
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/study/study_section.h"
 
 namespace graspbench {

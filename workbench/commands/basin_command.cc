@@ -6,10 +6,10 @@
 #include <string>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_plan.h"
 #include "reports/basin_page.h"
-#include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/batch_runner.h"
 #include "workbench/experiments/interrupt.h"

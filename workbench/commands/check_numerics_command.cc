@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "datasets/session/session_store.h"
-#include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/numerics_check.h"
 #include "workbench/numerics_tables.h"

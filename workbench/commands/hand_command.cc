@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/coupling.h"
 #include "core/hand/load_hand.h"
-#include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/diagnostics_output.h"
 #include "workbench/text_table.h"

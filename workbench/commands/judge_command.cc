@@ -8,8 +8,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/base/text.h"
 #include "datasets/session/judgement_store.h"
-#include "reports/format.h"
 #include "reports/judge_evidence.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"

@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "objects/catalogue.h"
 #include "objects/check_mesh_file.h"
-#include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"
 

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/quality/contacts_json.h"
 #include "core/quality/grasp_quality.h"
-#include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"
 

@@ -12,8 +12,8 @@
 
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "core/base/text.h"
 #include "datasets/session/session_store.h"
-#include "reports/format.h"
 #include "reports/session_report.h"
 #include "reports/session_summary.h"
 #include "workbench/commands/command.h"

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/base/text.h"
 #include "core/physics/known_answers/known_answer.h"
-#include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"
 

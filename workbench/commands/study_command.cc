@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/text.h"
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/study/demo_study.h"
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/run_study.h"
 #include "human_study/study/study_tables.h"
-#include "reports/format.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/physics/sim_config.h"
 #include "core/trial/compliant_trial.h"

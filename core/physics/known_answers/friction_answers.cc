@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "core/physics/known_answers/small_scenes.h"
@@ -16,11 +17,7 @@ using Eigen::Vector3d;
 
 const Vector3d kDown_W(0.0, 0.0, -kStandardGravity);
 
-std::string FormatShort(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
+std::string FormatShort(double value) { return FormatSignificant(value, 6); }
 
 /** Stiff bristles keep the block's elastic swaying short of the 1 % by which it shall slide. */
 constexpr double kInclineStiffness = 4e4;

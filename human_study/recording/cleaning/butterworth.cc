@@ -1,8 +1,9 @@
 #include "human_study/recording/cleaning/butterworth.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -36,12 +37,11 @@ Eigen::Index CalcSettlingLength(const Biquad& pass) {
 Biquad MakeLowPass(double cutoff, double rate) {
   const double pass_correction = std::pow(std::sqrt(2.0) - 1.0, 0.25);
   if (!(cutoff > 0.0 && cutoff < 0.8 * rate / 2.0)) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the cut-off is %g Hz; expected more than 0 and less than %g Hz, 80 %% of half "
-                  "the sampling rate of %g Hz",
-                  cutoff, 0.4 * rate, rate);
-    throw Error(ErrorKind::kRange, text);
+    throw Error(
+        ErrorKind::kRange,
+        fmt::format("the cut-off is {:.6g} Hz; expected more than 0 and less than {:.6g} Hz, "
+                    "80 % of half the sampling rate of {:.6g} Hz",
+                    cutoff, 0.4 * rate, rate));
   }
   const double w = std::tan(kPi * cutoff / rate) / pass_correction;
   const double scale = 1.0 + std::sqrt(2.0) * w + w * w;

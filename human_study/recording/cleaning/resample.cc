@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/statistics/summary.h"
+
 namespace graspbench {
 
 SamplingReport FindSampling(const std::vector<double>& times) {
@@ -13,10 +15,10 @@ SamplingReport FindSampling(const std::vector<double>& times) {
   }
   std::vector<double> intervals;
   for (size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
-  std::sort(intervals.begin(), intervals.end());
-  report.shortest_interval = intervals.front();
-  report.longest_interval = intervals.back();
-  report.median_interval = intervals[intervals.size() / 2];
+  const auto [shortest, longest] = std::minmax_element(intervals.begin(), intervals.end());
+  report.shortest_interval = *shortest;
+  report.longest_interval = *longest;
+  report.median_interval = CalcMedian(std::move(intervals));
   report.is_even = report.longest_interval <= 1.01 * report.median_interval &&
                    report.shortest_interval >= 0.99 * report.median_interval;
   return report;

@@ -1,5 +1,7 @@
 #include "human_study/recording/importers/delimited_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -91,10 +93,8 @@ double ParseHeaderNumber(std::string_view cell, const std::string& what, double 
                          const LineReader& reader) {
   double value = 0.0;
   if (!ParsePlain(cell, value) || !(value >= min && value <= max)) {
-    std::string limits(64, '\0');
-    limits.resize(static_cast<size_t>(
-        std::snprintf(limits.data(), limits.size(), "from %.15g to %.15g", min, max)));
-    reader.Fail(what + " is " + Quote(cell) + "; expected a number " + limits);
+    reader.Fail(what + " is " + Quote(cell) + "; expected a number " +
+                fmt::format("from {:.15g} to {:.15g}", min, max));
   }
   return value;
 }

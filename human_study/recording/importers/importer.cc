@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "human_study/recording/importers/delimited_text.h"
 #include "human_study/recording/importers/importer_list.h"
 
@@ -40,36 +41,6 @@ std::string ReadHead(std::istream& stream) {
   stream.clear();
   stream.seekg(0);
   return head;
-}
-
-/** Bytes of the UTF-8 character at `i`, 0 when there is none. */
-size_t FindCharacterLength(const std::string& text, size_t i) {
-  const auto byte = [&](size_t k) {
-    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
-  };
-  const unsigned first = byte(i), second = byte(i + 1);
-  const auto continues = [&](size_t k) { return (byte(k) & 0xc0u) == 0x80u; };
-  if (first < 0x80) return 1;
-  if (first >= 0xc2 && first <= 0xdf) return continues(i + 1) ? 2 : 0;
-  if (first >= 0xe0 && first <= 0xef) {
-    const bool is_overlong = first == 0xe0 && second < 0xa0;
-    const bool is_surrogate = first == 0xed && second >= 0xa0;
-    return continues(i + 1) && continues(i + 2) && !is_overlong && !is_surrogate ? 3 : 0;
-  }
-  if (first >= 0xf0 && first <= 0xf4) {
-    const bool is_outside = (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
-    return continues(i + 1) && continues(i + 2) && continues(i + 3) && !is_outside ? 4 : 0;
-  }
-  return 0;
-}
-
-bool IsUtf8(const std::string& text) {
-  for (size_t i = 0; i < text.size();) {
-    const size_t length = FindCharacterLength(text, i);
-    if (length == 0) return false;
-    i += length;
-  }
-  return true;
 }
 
 /** True when the text had to be changed. */

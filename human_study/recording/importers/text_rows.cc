@@ -1,19 +1,17 @@
 #include "human_study/recording/importers/text_rows.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/statistics/summary.h"
 #include "human_study/recording/importers/import_errors.h"
 
 namespace graspbench {
 namespace {
 
-std::string FormatShort(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string FormatShort(double value) { return fmt::format("{:.6g}", value); }
 
 /** First byte and one past the last byte of a line, without its ending. */
 std::pair<size_t, size_t> FindLineBounds(const std::string& bytes, int line) {
@@ -94,10 +92,7 @@ void SettleTimes(std::vector<double> times, int first_line, const std::string& f
   };
   if (!std::isfinite(recording.rate)) {
     const double mean_rate = static_cast<double>(intervals.size()) / (times.back() - times[0]);
-    std::vector<double> sorted = intervals;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2),
-                     sorted.end());
-    recording.rate = is_even(mean_rate) ? mean_rate : 1.0 / sorted[sorted.size() / 2];
+    recording.rate = is_even(mean_rate) ? mean_rate : 1.0 / CalcMedian(intervals);
     recording.Note("rate_from_times", "time column",
                    "no rate is stated; the intervals give " + FormatShort(recording.rate) + " Hz");
   }

@@ -1,8 +1,9 @@
 #include "human_study/study/synthetic/synthetic_study.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "core/base/csv.h"
@@ -315,12 +316,6 @@ void CheckSyntheticOptions(const SyntheticOptions& options) {
   check("the push", options.push >= 0.0 && options.push <= 0.02, "0 to 0.02 m");
 }
 
-std::string FormatNumber(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 }  // namespace
 
 std::vector<Eigen::Vector3d> SyntheticMarkerPlaces(double diameter) {
@@ -332,7 +327,7 @@ std::vector<SyntheticTrial> MakeSyntheticStudy(const SyntheticOptions& options) 
   CheckSyntheticOptions(options);
   std::vector<SyntheticTrial> trials;
   for (int p = 1; p <= options.num_people; ++p) {
-    const std::string person_id = FormatNumber("%02.0f", p);
+    const std::string person_id = fmt::format("{:02}", p);
     const Person person = DrawPerson(options, person_id);
     std::vector<double> diameters;
     for (int repetition = 0; repetition < options.trials_per_size; ++repetition) {
@@ -394,7 +389,7 @@ ReachTrial MakeReachTrial(const SyntheticTrial& trial) {
 }
 
 std::string SyntheticFileName(const SyntheticTrial& trial, SyntheticFormat format) {
-  return "sub-" + trial.person + FormatNumber("_trial-%03.0f", trial.trial) +
+  return "sub-" + trial.person + fmt::format("_trial-{:03}", trial.trial) +
          (format == SyntheticFormat::kC3d ? ".c3d" : ".tsv");
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/format.h"
 #include "reports/line_plot.h"
 
 namespace graspbench {

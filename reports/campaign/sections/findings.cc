@@ -1,6 +1,6 @@
+#include "core/base/text.h"
 #include "datasets/session/judgement_store.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/format.h"
 
 namespace graspbench {
 namespace {

@@ -1,7 +1,7 @@
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/format.h"
 
 namespace graspbench {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/format.h"
 
 namespace graspbench {
 namespace {

@@ -1,10 +1,10 @@
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/cell_pictures.h"
 #include "reports/contact_strip.h"
-#include "reports/format.h"
 
 namespace graspbench {
 namespace {

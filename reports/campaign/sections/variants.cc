@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "core/base/text.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/format.h"
 
 namespace graspbench {
 namespace {

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "core/base/config.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
-#include "reports/format.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/study/study_section.h"
 #include "reports/svg_plot.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/statistics/summary.h"
-#include "reports/format.h"
 #include "reports/line_plot.h"
 #include "reports/models.h"
 #include "reports/session_summary.h"

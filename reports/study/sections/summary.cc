@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "human_study/study/statistics_table.h"
-#include "reports/format.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

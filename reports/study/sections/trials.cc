@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "reports/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"

@@ -87,6 +87,14 @@ TEST(FisherExact, AgreesWithCountingAllTables) {
   }
 }
 
+// 9 of 10: 59.58 to 98.21 % (Wilson 1927; table in Newcombe 1998 for the method).
+TEST(Rate, ComesWithCountsAndInterval) {
+  EXPECT_EQ(FormatRate(9, 10),
+            "9 of 10 trials (90.0\u00A0%, 95\u00A0% interval 59.6 to 98.2\u00A0%)");
+  EXPECT_EQ(FormatRate(0, 0), "0 of 0 trials");
+  EXPECT_EQ(FormatRateInterval(0, 0), "n/a");
+}
+
 TEST(FisherExact, DoesNotCareWhichComesFirstAndHoldsForMany) {
   EXPECT_NEAR(CalcFisherExactTwoSided(7, 10, 2, 12), CalcFisherExactTwoSided(2, 12, 7, 10), 1e-14);
   EXPECT_NEAR(CalcFisherExactTwoSided(5000, 10000, 5000, 10000), 1.0, 1e-9);

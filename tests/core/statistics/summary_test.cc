@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/base/random.h"
 
 namespace graspbench {
 namespace {
@@ -55,6 +58,30 @@ TEST(Summary, SaysWhatItCannotKnow) {
   ASSERT_TRUE(single);
   EXPECT_EQ(single->mean, 7);
   EXPECT_FALSE(single->standard_deviation.has_value());
+}
+
+TEST(Median, IsTheMiddleWhateverTheOrder) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(CalcMedian({3, 1, 2}), 2);
+  EXPECT_EQ(CalcMedian({4, 1, 3, 2}), 2.5);
+  EXPECT_EQ(CalcMedian({7}), 7);
+  EXPECT_TRUE(std::isnan(CalcMedian({})));
+  EXPECT_EQ(CalcMedian({infinity, 1, 2}), 2);
+  EXPECT_EQ(CalcMedian({infinity, 1, infinity, 2}), infinity);
+  EXPECT_EQ(CalcMedian({infinity, 1, infinity, infinity}), infinity);
+  EXPECT_EQ(CalcMedianOfFinite({infinity, std::nan(""), 1, 2}), 1.5);
+  EXPECT_TRUE(std::isnan(CalcMedianOfFinite({infinity})));
+}
+
+TEST(Median, IsTheSortedQuantileAtOneHalf) {
+  RandomStream random("summary_test", "median");
+  for (int size = 1; size < 60; ++size) {
+    std::vector<double> values;
+    for (int i = 0; i < size; ++i) values.push_back(random.NextNormal());
+    const double median = CalcMedian(values);
+    std::sort(values.begin(), values.end());
+    EXPECT_EQ(median, CalcSortedQuantile(values, 0.5));
+  }
 }
 
 TEST(Moments, ConstantMeansEqualUpToRounding) {

@@ -1,0 +1,51 @@
+#include "core/base/text.h"
+
+#include <fmt/core.h>
+#include <utf8cpp/utf8.h>
+
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+constexpr char kNoBreakSpace[] = "\u00A0";
+
+std::string DropSignOfZero(std::string text) {
+  const bool is_minus_zero = text[0] == '-' && text.find_first_of("123456789") == std::string::npos;
+  return is_minus_zero ? text.substr(1) : text;
+}
+
+}  // namespace
+
+std::string FormatFixed(double value, int decimals) {
+  return std::isfinite(value) ? DropSignOfZero(fmt::format("{:.{}f}", value, decimals)) : "n/a";
+}
+
+std::string FormatSignificant(double value, int digits) {
+  return std::isfinite(value) ? DropSignOfZero(fmt::format("{:.{}g}", value, digits)) : "n/a";
+}
+
+std::string FormatPercent(double ratio) {
+  return std::isfinite(ratio) ? FormatFixed(100.0 * ratio, 1) + kNoBreakSpace + "%" : "n/a";
+}
+
+std::string FormatCount(int64_t count, const std::string& singular) {
+  return FormatCount(count, singular, singular + "s");
+}
+
+std::string FormatCount(int64_t count, const std::string& singular, const std::string& plural) {
+  return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
+bool IsUtf8(std::string_view bytes) { return utf8::is_valid(bytes.begin(), bytes.end()); }
+
+CodePoint ReadCodePoint(std::string_view bytes) {
+  // Judged by itself: only what begins at the front counts, and no character has more bytes.
+  const std::string_view front = bytes.substr(0, 4);
+  if (utf8::find_invalid(front.begin(), front.end()) == front.begin()) return {};
+  auto next = front.begin();
+  const char32_t value = utf8::unchecked::next(next);
+  return {value, static_cast<size_t>(next - front.begin())};
+}
+
+}  // namespace graspbench
