@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/csv.h"
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
+#include "datasets/analysis/basin_summary.h"
 #include "reports/layout.h"
 #include "reports/svg_parts.h"
 
@@ -45,14 +44,7 @@ Html DrawSample(const BasinSample& sample, double left, double most_sigma) {
   return Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(r)}}, hint);
 }
 
-double FindMostSigma(const std::vector<BasinSample>& samples) {
-  double most_sigma = 0.0;
-  for (const BasinSample& sample : samples) most_sigma = std::fmax(most_sigma, sample.sigma);
-  return most_sigma;
-}
-
-Html DrawMap(const std::vector<BasinSample>& samples) {
-  const double most_sigma = FindMostSigma(samples);
+Html DrawMap(const std::vector<BasinSample>& samples, double most_sigma) {
   Html content;
   for (int slice = 0; slice < kNumSlices; ++slice) {
     const double left = 40.0 + slice * (kPanel + kGap);
@@ -85,46 +77,23 @@ Html DrawMap(const std::vector<BasinSample>& samples) {
 }  // namespace
 
 std::string MakeBasinPage(const std::string& title, const std::vector<BasinSample>& samples) {
-  const auto num_successes =
-      static_cast<int>(std::count_if(samples.begin(), samples.end(), [](const BasinSample& sample) {
-        return sample.outcome == Outcome::kSuccess;
-      }));
-  const double radius = CalcBasinRadius(samples);
+  const BasinSummary summary = SummariseBasin(samples);
   const Html body =
       MakeParagraph(
-          "Basin radius " + FormatFixed(radius, 2) +
+          "Basin radius " + FormatFixed(summary.radius, 2) +
           " of at most 1: every offset that was tried within " +
-          FormatFixed(MmFromM(radius * kBasinOffset), 1) + " mm and " +
-          FormatFixed(DegFromRad(radius * kBasinYaw), 1) +
+          FormatFixed(MmFromM(summary.radius_offset), 1) + " mm and " +
+          FormatFixed(DegFromRad(summary.radius_yaw), 1) +
           " degrees (an ellipsoid) succeeded; more samples can only lower it. In the whole box " +
-          FormatRate(num_successes, static_cast<int>(samples.size())) + " succeeded.") +
+          summary.rate + " succeeded.") +
       MakeFigure(
           "The object's offset from where the hand expects it, y upwards [mm]; joints without "
           "error. Discs are successes, their area is sigma (the largest " +
-              FormatFixed(FindMostSigma(samples), 1) + " N); crosses are failures.",
+              FormatFixed(summary.most_sigma, 1) + " N); crosses are failures.",
           "crosses near the middle; crosses on one side only: the hand should stand farther to "
           "that side; discs that shrink towards an edge.",
-          MakeScroll("Success by the object's offset", DrawMap(samples)));
+          MakeScroll("Success by the object's offset", DrawMap(samples, summary.most_sigma)));
   return MakePage("Robustness basin", title, {}, body);
-}
-
-std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
-  const auto number = [](auto take) {
-    return [take](const BasinSample& sample) { return JsonNumber(take(sample)); };
-  };
-  const std::vector<CsvColumn<BasinSample>> columns = {
-      {"offset_x_m", "number", "m", "of the object",
-       number([](const BasinSample& sample) { return sample.offset_x; })},
-      {"offset_y_m", "number", "m", "of the object",
-       number([](const BasinSample& sample) { return sample.offset_y; })},
-      {"yaw_rad", "number", "rad", "of the object",
-       number([](const BasinSample& sample) { return sample.yaw; })},
-      {"distance", "number", "", "1 at the edge of the range", number(CalcBasinDistance)},
-      {"outcome", "string", "", "how the trial ended",
-       [](const BasinSample& sample) { return Json(NameOf(sample.outcome)); }},
-      {"sigma", "number", "N", "stability",
-       number([](const BasinSample& sample) { return sample.sigma; })}};
-  return FormatCsv(columns, samples);
 }
 
 }  // namespace graspbench

@@ -12,7 +12,4 @@ namespace graspbench {
 /** A self-contained page like the session's report. `title` names hand, object and grasp. */
 std::string MakeBasinPage(const std::string& title, const std::vector<BasinSample>& samples);
 
-/** One row per sample: offset_x_m, offset_y_m, yaw_rad, distance, outcome, sigma. */
-std::string FormatBasinCsv(const std::vector<BasinSample>& samples);
-
 }  // namespace graspbench

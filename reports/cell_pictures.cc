@@ -77,7 +77,7 @@ CellPictures RenderCellPictures(const SessionSummary& summary, const SessionMode
     }
     try {
       if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
-      pictures.by_cell[cell.anchor] = {
+      pictures.by_cell[cell.key] = {
           record, RenderSnapshots(record->result.snapshots, hand, object, *renderer)};
     } catch (const Error& e) {
       pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());

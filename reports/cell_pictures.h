@@ -10,8 +10,8 @@ camera does not move; it stands as near as the three scenes allow. */
 #include <vector>
 
 #include "core/render/scene.h"
+#include "datasets/analysis/session_summary.h"
 #include "reports/models.h"
-#include "reports/session_summary.h"
 
 namespace graspbench {
 

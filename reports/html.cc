@@ -92,27 +92,6 @@ Html LinkTo(const std::string& anchor, std::string_view text) {
   return Element("a", {{"href", "#" + anchor}}, text);
 }
 
-std::string MakeAnchor(const std::vector<std::string>& names) {
-  std::string anchor, full;
-  bool is_exact = true;
-  for (const std::string& name : names) {
-    if (!anchor.empty()) anchor += '-';
-    is_exact = is_exact && !name.empty();
-    for (char c : name) {
-      const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-      is_exact = is_exact && is_plain;
-      if (is_plain) {
-        anchor += c;
-      } else if (!anchor.empty() && anchor.back() != '-') {
-        anchor += '-';
-      }
-    }
-    full += name;
-    full += '\0';
-  }
-  return is_exact ? anchor : anchor + "-" + CalcHashHex(full);
-}
-
 std::string MakeDataUri(std::string_view media_type, std::string_view bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string uri = "data:" + std::string(media_type) + ";base64,";

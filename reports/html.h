@@ -52,11 +52,6 @@ Html Element(const char* tag, const Attributes& attributes, std::string_view tex
 /** A link within the page. */
 Html LinkTo(const std::string& anchor, std::string_view text);
 
-/** An id for elements and links: lower-case letters, digits and underscores of each name, joined by
-hyphens. Names with anything else get a hash of the full name as well, so different names never
-share an anchor. */
-std::string MakeAnchor(const std::vector<std::string>& names);
-
 /** "data:<type>;base64,..." for an image inside the page. */
 std::string MakeDataUri(std::string_view media_type, std::string_view bytes);
 

@@ -9,7 +9,7 @@ The hands and objects of a session, as far as they can still be loaded, for name
 
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
-#include "reports/session_summary.h"
+#include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
 

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "reports/session_summary.h"
 #include "reports/svg_parts.h"
 
 namespace graspbench {
@@ -160,7 +159,6 @@ Html DrawDotStrips(const DotStrips& plot) {
     const double middle = kRow * (static_cast<double>(r) + 0.5);
     content += Label("end", left - kPlotGap, middle, row.label);
     if (r > 0) content += Line("grid", left, kRow * r, left + kPlot, kRow * r);
-    std::vector<double> values;
     int num_missing = 0;
     for (size_t i = 0; i < row.dots.size(); ++i) {
       const DotStrips::Dot& dot = row.dots[i];
@@ -168,7 +166,6 @@ Html DrawDotStrips(const DotStrips& plot) {
         ++num_missing;
         continue;
       }
-      values.push_back(dot.value);
       const double x = place_x(dot.value);
       const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(row.dots.size());
       const double y = middle + kSpread * (place - 0.5);
@@ -182,9 +179,8 @@ Html DrawDotStrips(const DotStrips& plot) {
                      {"d", "M" + Px(x - kDot) + " " + Px(y - kDot) + "l6.4 6.4m0 -6.4l-6.4 6.4"}},
                     Hint(dot.hint));
     }
-    const Spread spread = CalcSpread(values);
-    if (spread.n > 0) {
-      const double x = place_x(spread.median);
+    if (std::isfinite(row.median)) {
+      const double x = place_x(row.median);
       content += Line("median", x, middle - kRow / 2.0 + 3.0, x, middle + kRow / 2.0 - 3.0);
     }
     if (num_missing > 0) {

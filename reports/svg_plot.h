@@ -9,6 +9,7 @@ cells and segments carry text, marks differ in shape. */
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "reports/html.h"
 #include "reports/svg_parts.h"
 
@@ -69,7 +70,8 @@ struct DotStrips {
   };
   struct Row {
     std::string label;
-    std::vector<Dot> dots;  ///< from top to bottom of the strip
+    std::vector<Dot> dots;   ///< from top to bottom of the strip
+    double median = kUnset;  ///< of those that are drawn; NaN: no tick
   };
   PlotText text;
   std::string axis;     ///< with unit

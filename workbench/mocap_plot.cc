@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "human_study/recording/cleaning/trajectory.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
@@ -90,7 +91,7 @@ std::string MakeRecordingPage(const std::string& name, const Recording& recordin
     AddSpans(path, SampleState::kInvalid, kMissing, row);
     gaps.rows.push_back(std::move(row));
 
-    const std::string anchor = MakeAnchor({"point", point.label});
+    const std::string anchor = MakePlainKey({"point", point.label});
     contents.push_back({anchor, point.label});
     points += Element("section", {{"id", anchor}}, Element("h2", {}, point.label));
     const PointCurves curves = MakeCurves(path);

@@ -1,6 +1,6 @@
 #include "workbench/numerics_tables.h"
 
-#include "reports/format.h"
+#include "core/base/text.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {

@@ -6,7 +6,7 @@ The end of a session in a few lines: success per hand, and what the failures wer
 #include <string>
 
 #include "core/base/json.h"
-#include "reports/session_summary.h"
+#include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/base/hash.h"
+
 namespace graspbench {
 namespace {
 
@@ -35,6 +37,27 @@ std::string FormatCount(int64_t count, const std::string& singular) {
 
 std::string FormatCount(int64_t count, const std::string& singular, const std::string& plural) {
   return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
+std::string MakePlainKey(const std::vector<std::string>& names) {
+  std::string anchor, full;
+  bool is_exact = true;
+  for (const std::string& name : names) {
+    if (!anchor.empty()) anchor += '-';
+    is_exact = is_exact && !name.empty();
+    for (char c : name) {
+      const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+      is_exact = is_exact && is_plain;
+      if (is_plain) {
+        anchor += c;
+      } else if (!anchor.empty() && anchor.back() != '-') {
+        anchor += '-';
+      }
+    }
+    full += name;
+    full += '\0';
+  }
+  return is_exact ? anchor : anchor + "-" + CalcHashHex(full);
 }
 
 bool IsUtf8(std::string_view bytes) { return utf8::is_valid(bytes.begin(), bytes.end()); }

@@ -97,6 +97,8 @@ std::vector<OpeningReliability> CalcOpeningReliability(const StudyResult& result
     const std::vector<PersonTrials> open = collect_open(i);
     row.open = CalcSummary(ListAll(open));
     row.within_person_sd = CalcWithinSd(open);
+    if (row.open) row.within_person_cv = row.within_person_sd / row.open->mean;
+    row.minimal_detectable_change = CalcMinimalDetectableChange(row.within_person_sd);
     row.reliability = CalcReliability(open);
     CalcSeparations(
         open, CollectTrials(result, [i](const StudyTrial& t) { return t.openings[i].closed; }),

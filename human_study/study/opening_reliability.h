@@ -20,7 +20,9 @@ struct StudyResult;
 struct OpeningReliability {
   const HandOpening* opening = nullptr;
   Answer<Summary> open;           ///< largest opening of the trials, conditions taken out [m]
-  double within_person_sd = NAN;  ///< [m]; also for one person
+  double within_person_sd = NAN;  ///< [m]; also for one person, as the next two
+  double within_person_cv = NAN;  ///< within_person_sd over the mean
+  double minimal_detectable_change = NAN;  ///< [m]
   Answer<Reliability> reliability;
   int num_separated = 0;  ///< persons with a d'
   double d_prime = NAN;   ///< mean of theirs, open against closed hand

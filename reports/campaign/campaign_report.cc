@@ -10,7 +10,7 @@ namespace graspbench {
 std::vector<CampaignSection> ListCampaignSections() {
   return {
 #define GRASPBENCH_CAMPAIGN_SECTION(name) name##_campaign_section(),
-#include "reports/campaign/section_list.inc"
+#include "reports/campaign/sections/section_list.inc"
 #undef GRASPBENCH_CAMPAIGN_SECTION
   };
 }

@@ -6,7 +6,7 @@ of the page. */
 
 #include <vector>
 
-#include "reports/campaign/campaign_summary.h"
+#include "datasets/analysis/campaign_summary.h"
 #include "reports/campaign/variant_pictures.h"
 #include "reports/models.h"
 #include "reports/sectioned_page.h"
@@ -32,7 +32,7 @@ using CampaignSection = PageSection<CampaignData>;
 std::vector<CampaignSection> ListCampaignSections();
 
 #define GRASPBENCH_CAMPAIGN_SECTION(name) CampaignSection name##_campaign_section();
-#include "reports/campaign/section_list.inc"
+#include "reports/campaign/sections/section_list.inc"
 #undef GRASPBENCH_CAMPAIGN_SECTION
 
 }  // namespace graspbench

@@ -40,7 +40,7 @@ VariantPictures RenderVariantPictures(const std::vector<SceneVariants>& scenes,
       if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
       const std::vector<Picture> drawn = RenderSnapshots(snapshots, hand, object, *renderer);
       for (size_t i = 0; i < drawn.size(); ++i) {
-        pictures.by_scene[scene.anchor][variants[i]] = drawn[i];
+        pictures.by_scene[scene.key][variants[i]] = drawn[i];
       }
     } catch (const Error& e) {
       pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/campaign/campaign_summary.h"
+#include "datasets/analysis/campaign_summary.h"
 #include "reports/cell_pictures.h"
 
 namespace graspbench {

@@ -1,6 +1,5 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/statistics/proportion.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 
@@ -64,13 +63,13 @@ Html Draw(const ReportData& data) {
   for (const CellSummary& cell : data.summary.cells) {
     const Tally& tally = cell.tally;
     const std::string early = cell.num_early > 0 ? kEarly : "";
-    table.AddRow({LinkTo(cell.anchor, data.models.NameOfObject(cell.object)),
+    table.AddRow({LinkTo(cell.key, data.models.NameOfObject(cell.object)),
                   Text(data.models.NameOfHand(cell.hand)),
                   Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
                   Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),
-                  DrawRate(tally), Text(FormatRateInterval(tally.successes(), tally.finished)),
-                  ListFailures(tally), Text(FormatFixed(cell.gct.median, 3)),
-                  Text(FormatFixed(cell.gft.median, 3)), Text(FormatFixed(cell.got.median, 3)),
+                  DrawRate(tally), Text(FormatRateInterval(tally)), ListFailures(tally),
+                  Text(FormatFixed(cell.gct.median, 3)), Text(FormatFixed(cell.gft.median, 3)),
+                  Text(FormatFixed(cell.got.median, 3)),
                   Text(FormatFixed(100.0 * cell.gft_ratio.median, 1) + early),
                   Text(FormatFixed(100.0 * cell.got_ratio.median, 1) + early),
                   Text(FormatFixed(MmFromM(tally.worst_penetration), 2))});

@@ -3,7 +3,6 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/statistics/proportion.h"
 #include "reports/contact_strip.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
@@ -32,7 +31,7 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
 }
 
 Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
-  const auto found = data.pictures.by_cell.find(cell.anchor);
+  const auto found = data.pictures.by_cell.find(cell.key);
   if (found == data.pictures.by_cell.end()) {
     return Element("p", {{"class", "missing"}},
                    Text("No pictures of this cell") +
@@ -93,6 +92,7 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
   for (const std::string& digit : digits) {
     DotStrips::Row row;
     row.label = data.models.NameOfDigit(cell.hand, digit);
+    row.median = CalcContactSpread(cell, digit).median;
     for (const TrialRecord* record : cell.records) {
       const double time = FindContactTime(record->result, digit);
       row.dots.push_back({time, record->result.outcome == Outcome::kSuccess,
@@ -221,7 +221,7 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
                   std::to_string(tally.successes()) + " of " + std::to_string(tally.finished)));
   std::string facts = DescribeObject(cell, data.models);
   if (tally.finished > 0) {
-    facts += " Success in " + FormatRate(tally.successes(), tally.finished) + ".";
+    facts += " Success in " + FormatRate(tally) + ".";
   }
   if (tally.finished < tally.planned) {
     facts += " " + std::to_string(tally.planned - tally.finished) + " of " +
@@ -238,7 +238,7 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
     if (!events.empty()) content += MakeDetails("Contact events of one trial", events);
     content += DrawTrials(cell, digits, data);
   }
-  return Element("section", {{"id", cell.anchor}, {"class", "cell"}}, content);
+  return Element("section", {{"id", cell.key}, {"class", "cell"}}, content);
 }
 
 Html Draw(const ReportData& data) {

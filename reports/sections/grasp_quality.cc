@@ -3,7 +3,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/trial/verdicts.h"
-#include "reports/judge_evidence.h"
+#include "datasets/analysis/judge_evidence.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
 #include "reports/sections/section.h"
@@ -97,23 +97,13 @@ Html DrawCells(const ReportData& data) {
                {"Breaking moment [N mm]", number, "smallest of six twists"},
                {"sigma [N]", number, "what the contacts' forces foretell"},
                {"epsilon", number, "ferrari-canny, before lift-off"}});
-  for (const CellSummary& cell : data.summary.cells) {
-    std::vector<double> force, moment, sigma, epsilon;
-    for (const TrialRecord* record : cell.records) {
-      if (!record->judgement) continue;
-      force.push_back(record->judgement->breaking_force);
-      moment.push_back(MmFromM(record->judgement->breaking_moment));
-      sigma.push_back(record->result.stability.sigma);
-      epsilon.push_back(record->result.stability.stabilisation.quality);
-    }
-    if (force.empty()) continue;
-    const Spread force_spread = CalcSpread(force);
-    table.AddRow({LinkTo(cell.anchor, NameOfCell(cell, data.models)),
-                  Text(std::to_string(force.size())), Text(FormatFixed(force_spread.median, 2)),
-                  Text(FormatFixed(force_spread.lowest, 2)),
-                  Text(FormatFixed(CalcSpread(moment).median, 1)),
-                  Text(FormatFixed(CalcSpread(sigma).median, 2)),
-                  Text(FormatFixed(CalcSpread(epsilon).median, 3))});
+  for (const CellLoads& loads : ListCellLoads(data.summary)) {
+    table.AddRow({LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)),
+                  Text(std::to_string(loads.num_judged)), Text(FormatFixed(loads.force.median, 2)),
+                  Text(FormatFixed(loads.force.lowest, 2)),
+                  Text(FormatFixed(MmFromM(loads.moment.median), 1)),
+                  Text(FormatFixed(loads.sigma.median, 2)),
+                  Text(FormatFixed(loads.epsilon.median, 3))});
   }
   return MakeDetails("Breaking loads of every cell", table.ToHtml());
 }

@@ -37,7 +37,7 @@ Html DrawFailures(const ReportData& data) {
   for (const CellSummary& cell : data.summary.cells) {
     for (const TrialRecord* record : cell.records) {
       if (record->result.outcome != Outcome::kNumericalFailure) continue;
-      table.AddRow({LinkTo(cell.anchor, NameOfCell(cell, data.models)),
+      table.AddRow({LinkTo(cell.key, NameOfCell(cell, data.models)),
                     Text(std::to_string(record->plan.trial)), Element("code", {}, record->plan.id),
                     Text(record->result.reason)});
     }

@@ -21,7 +21,7 @@ Html DrawHand(const std::string& hand, const ReportData& data) {
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.hand != hand) continue;
     plot.rows.push_back(
-        MakeRow(data.models.NameOfObject(cell.object) + " " + cell.grasp, cell.anchor, cell.tally));
+        MakeRow(data.models.NameOfObject(cell.object) + " " + cell.grasp, cell.key, cell.tally));
   }
   return MakeFigure("Outcomes of all finished trials with the " + name + ".",
                     "one class of failure over many objects (the strategy's fault) against "

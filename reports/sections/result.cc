@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "reports/findings.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
@@ -20,7 +19,7 @@ std::string DescribeRates(const ReportData& data) {
     const Tally tally = data.summary.TallyOf(hands[i]);
     sentence += i == 0 ? "The " : i + 1 == hands.size() ? " and the " : ", the ";
     sentence += data.models.NameOfHand(hands[i]) + " succeeded in ";
-    sentence += FormatRate(tally.successes(), tally.finished);
+    sentence += FormatRate(tally);
   }
   return sentence + ". ";
 }
@@ -47,9 +46,9 @@ Html DescribeFailures(const ReportData& data) {
                (without.size() == 1 ? " has" : " have") + " no success: ");
   for (size_t i = 0; i < std::min(without.size(), kMaxNamedCells); ++i) {
     if (i > 0) text += Text(", ");
-    text += LinkTo(without[i]->anchor, data.models.NameOfHand(without[i]->hand) + " on " +
-                                           data.models.NameOfObject(without[i]->object) + " (" +
-                                           without[i]->grasp + ")");
+    text += LinkTo(without[i]->key, data.models.NameOfHand(without[i]->hand) + " on " +
+                                        data.models.NameOfObject(without[i]->object) + " (" +
+                                        without[i]->grasp + ")");
   }
   if (without.size() > kMaxNamedCells) {
     text += Text(" and " + std::to_string(without.size() - kMaxNamedCells) + " more");
@@ -61,13 +60,12 @@ RateBars::Bar MakeBar(const std::string& label, const Tally& tally) {
   RateBars::Bar bar;
   bar.label = label;
   bar.text = std::to_string(tally.successes()) + " of " + std::to_string(tally.finished);
-  bar.rate = std::numeric_limits<double>::quiet_NaN();
+  bar.rate = tally.rate();
   if (tally.finished == 0) return bar;
-  const Interval interval = CalcWilsonInterval(tally.successes(), tally.finished);
-  bar.rate = static_cast<double>(tally.successes()) / tally.finished;
+  const Interval interval = tally.rate_interval();
   bar.low = interval.low;
   bar.high = interval.high;
-  bar.text += ", " + FormatRateInterval(tally.successes(), tally.finished) + " %";
+  bar.text += ", " + FormatRateInterval(tally) + " %";
   return bar;
 }
 

@@ -5,10 +5,10 @@ line in section_list.inc, which fixes the order of the page. */
 
 #include <vector>
 
+#include "datasets/analysis/session_summary.h"
 #include "reports/cell_pictures.h"
 #include "reports/models.h"
 #include "reports/sectioned_page.h"
-#include "reports/session_summary.h"
 
 namespace graspbench {
 

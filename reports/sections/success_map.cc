@@ -1,7 +1,6 @@
 #include <limits>
 
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 #include "reports/svg_plot.h"
@@ -51,12 +50,11 @@ HeatMap::Cell MakeCell(const CellSummary* cell, const MapColumn& column,
   HeatMap::Cell drawn;
   if (cell == nullptr) return drawn;
   const int n = cell->tally.finished;
-  drawn.rate = n > 0 ? static_cast<double>(cell->tally.successes()) / n
-                     : std::numeric_limits<double>::quiet_NaN();
+  drawn.rate = cell->tally.rate();
   drawn.text = std::to_string(cell->tally.successes()) + " / " + std::to_string(n);
   if (column.grasp.empty()) drawn.text += "  " + cell->grasp;
-  drawn.hint = NameOfCell(*cell, models) + ": " + FormatRate(cell->tally.successes(), n);
-  drawn.anchor = cell->anchor;
+  drawn.hint = NameOfCell(*cell, models) + ": " + FormatRate(cell->tally);
+  drawn.anchor = cell->key;
   return drawn;
 }
 

@@ -11,7 +11,7 @@ namespace graspbench {
 std::vector<StudySection> ListStudySections() {
   return {
 #define GRASPBENCH_STUDY_SECTION(name) name##_study_section(),
-#include "reports/study/section_list.inc"
+#include "reports/study/sections/section_list.inc"
 #undef GRASPBENCH_STUDY_SECTION
   };
 }

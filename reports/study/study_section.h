@@ -21,7 +21,7 @@ using StudySection = PageSection<StudyPageData>;
 std::vector<StudySection> ListStudySections();
 
 #define GRASPBENCH_STUDY_SECTION(name) StudySection name##_study_section();
-#include "reports/study/section_list.inc"
+#include "reports/study/sections/section_list.inc"
 #undef GRASPBENCH_STUDY_SECTION
 
 }  // namespace graspbench

@@ -71,16 +71,6 @@ TEST(Html, VoidElementsAreClosedInTheirTag) {
   EXPECT_EQ(Element("td", {}).markup(), "<td></td>");
 }
 
-TEST(Html, AnchorsAreReadableAndNeverShared) {
-  EXPECT_EQ(MakeAnchor({"tum", "adhesive_tape", "g3"}), "tum-adhesive_tape-g3");
-  const std::string hostile = MakeAnchor({"/home/me/My Hand", "\"><b>", "g1"});
-  EXPECT_EQ(hostile.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_"), std::string::npos)
-      << hostile;
-  EXPECT_NE(MakeAnchor({"a-b", "c"}), MakeAnchor({"a", "b-c"}));
-  EXPECT_NE(MakeAnchor({"A"}), MakeAnchor({"a"}));
-  EXPECT_NE(MakeAnchor({"", "a"}), MakeAnchor({"a"}));
-}
-
 TEST(Html, DataUrisFollowRfc4648) {
   // The RFC's own examples (section 10).
   EXPECT_EQ(MakeDataUri("t/x", ""), "data:t/x;base64,");

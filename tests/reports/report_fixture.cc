@@ -7,48 +7,6 @@
 
 namespace graspbench {
 
-TrialRecord MakeRecord(const PlannedTrial& plan, Outcome outcome) {
-  TrialRecord record;
-  record.plan = plan;
-  TrialResult& result = record.result;
-  result.outcome = outcome;
-  if (outcome != Outcome::kSuccess) result.reason = "the thumb came late";
-  const double late = 0.01 * plan.trial;
-  result.contacts = {
-      {"FF", false, 0.4 + late}, {"MF", false, 0.6 + late}, {"TH", true, 0.5 + late}};
-  result.touches.resize(result.contacts.size());
-  result.timing = CalcContactTiming(result.contacts, 0.0);
-  result.lift_height = 0.0987;
-  result.hold_slip = 0.0012;
-  result.end_speed = 0.0034;
-  result.grip_force = 5.67;
-  result.worst_penetration = 0.00043 + 0.0001 * plan.trial;
-  result.energy_residual = -0.000321;
-  result.num_steps = 1234;
-  result.num_unconverged = plan.trial;
-  result.simulated_time = 4.5;
-  return record;
-}
-
-Session MakeSession(const std::vector<std::string>& hands, const std::vector<std::string>& objects,
-                    const std::string& grasp, int trials) {
-  Session session;
-  session.config.hands = hands;
-  session.config.objects = objects;
-  session.config.grasps = {grasp};
-  session.config.trials = trials;
-  for (const std::string& hand : hands) {
-    for (const std::string& object : objects) {
-      for (int trial = 0; trial < trials; ++trial) {
-        const std::string number = std::to_string(session.plan.size());
-        session.plan.push_back({"id" + number, hand, object, grasp, trial});
-        session.records.push_back(MakeRecord(session.plan.back(), Outcome::kSuccess));
-      }
-    }
-  }
-  return session;
-}
-
 std::string MakePageOf(const Session& session) {
   return MakeSessionReport(session, SummariseSession(session), SessionModels(), CellPictures());
 }

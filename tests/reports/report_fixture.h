@@ -1,23 +1,15 @@
 #pragma once
-/** @file A small session made of known numbers, and pages read back by an XML parser. */
+/** @file Pages of results made of known numbers, read back by an XML parser. */
 
 #include <tinyxml2.h>
 
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_store.h"
 #include "reports/session_report.h"
+#include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {
-
-/** A finished trial of thumb and two fingers that touch at 0.4, 0.5 and 0.6 s plus 0.01 s for every
-trial, so that GCT = 0.6 + 0.01 k, GFT = 0.2 and GOT = 0.1. */
-TrialRecord MakeRecord(const PlannedTrial& plan, Outcome outcome);
-
-/** Every hand on every object with one grasp; every trial a success. */
-Session MakeSession(const std::vector<std::string>& hands, const std::vector<std::string>& objects,
-                    const std::string& grasp, int trials);
 
 /** The page without models and pictures, under whose names the ids show. */
 std::string MakePageOf(const Session& session);

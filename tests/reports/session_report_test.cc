@@ -203,7 +203,7 @@ TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
   CellPictures pictures;
   const std::string webp(45000, 'x');  // more than a picture of this size takes
   for (const CellSummary& cell : summary.cells) {
-    pictures.by_cell[cell.anchor] = {
+    pictures.by_cell[cell.key] = {
         cell.records[0], {{"pregrasp", 0, webp}, {"closed", 1, webp}, {"lifted", 2, webp}}};
   }
   const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);

@@ -71,7 +71,7 @@ TEST(DrawDotStrips, MarksAreToScaleAndMissingOnesAreCounted) {
   plot.text = {"t", "d"};
   plot.axis = "time [s]";
   plot.missing = "never";
-  plot.rows = {{"thumb", {{0.2, true, "a"}, {0.4, true, "b"}, {0.9, false, "c"}}},
+  plot.rows = {{"thumb", {{0.2, true, "a"}, {0.4, true, "b"}, {0.9, false, "c"}}, 0.4},
                {"index", {{std::nan(""), false, "d"}}}};
   const Drawing drawing(DrawDotStrips(plot));
   const auto dots = drawing.Find("circle", "dot");

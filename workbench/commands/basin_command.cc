@@ -7,6 +7,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "datasets/analysis/basin_summary.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_plan.h"
 #include "reports/basin_page.h"

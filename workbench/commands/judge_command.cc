@@ -9,8 +9,8 @@
 #include <unordered_map>
 
 #include "core/base/text.h"
+#include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
-#include "reports/judge_evidence.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"

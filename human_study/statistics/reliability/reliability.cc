@@ -44,6 +44,10 @@ Answer<TrialsNeeded> CalcTrialsNeeded(const Icc& single, double wanted_icc) {
   return needed;
 }
 
+double CalcMinimalDetectableChange(double within_person_sd) {
+  return CalcNormalQuantile(0.975) * std::sqrt(2.0) * within_person_sd;
+}
+
 Answer<Reliability> CalcReliability(const std::vector<PersonTrials>& persons, double wanted_icc) {
   Reliability result;
   std::vector<std::vector<double>> groups;
@@ -78,8 +82,7 @@ Answer<Reliability> CalcReliability(const std::vector<PersonTrials>& persons, do
   } else {
     result.within_person_cv = NoAnswer{"a value is not positive"};
   }
-  result.minimal_detectable_change =
-      CalcNormalQuantile(0.975) * std::sqrt(2.0) * result.within_person_sd;
+  result.minimal_detectable_change = CalcMinimalDetectableChange(result.within_person_sd);
   result.one_way = one_way;
   result.agreement = CalcIcc(persons, IccForm::kAgreement);
   result.consistency = CalcIcc(persons, IccForm::kConsistency);

@@ -25,7 +25,7 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
       if (scene.hand != hand) continue;
       IntervalPlot::Row row;
       row.label = data.models.NameOfObject(scene.object);
-      row.anchor = scene.anchor;
+      row.anchor = scene.key;
       row.series = hand == data.benchmark.hands.front() ? 0 : 1;
       const std::vector<double> pairs = ListPairedDifferences(measure, scene, before, after);
       const auto difference = CalcPairedDifference(measure, scene, before, after);

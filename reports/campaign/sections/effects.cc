@@ -71,31 +71,14 @@ std::string DescribeLower(const CampaignData& data, const Step& step) {
 
 /** GFT% where the object stands as expected, of the pre-grasp before and after step 1. */
 Html DescribeWithoutVariation(const CampaignData& data) {
-  std::vector<double> before, after;
-  for (const SceneVariants& scene : data.scenes) {
-    const auto step = scene.scene->result.find("pregrasp_step");
-    if (step == scene.scene->result.end() || !step->contains("standard")) continue;
-    const auto find_ratio = [](const Json& score) {
-      return NumberFrom(score.at("gft_ratio_without_variation"));
-    };
-    const double standard = find_ratio(step->at("standard"));
-    double taken = standard;
-    for (const Json& shot : step->at("shots")) {
-      if (shot.at("name") == step->at("taken")) taken = find_ratio(shot.at("score"));
-    }
-    if (!std::isfinite(standard) || !std::isfinite(taken)) continue;
-    before.push_back(standard);
-    after.push_back(taken);
-  }
-  if (before.empty()) return {};
+  const GftWithoutVariation gft = CalcGftWithoutVariation(data.scenes);
+  if (gft.num_scenes == 0) return {};
   return MakeParagraph(
       "The object's place and the hand's joints vary from trial to trial, and no pre-grasp can "
       "make up for what it does not know. Where nothing varies, step 1 brings the median GFT% "
       "from " +
-      FormatPercent(CalcMedianOfFinite(before)) + " to " +
-      FormatPercent(CalcMedianOfFinite(after)) + " (" +
-      FormatCount(static_cast<int>(before.size()), "scene") +
-      " in which all digits touch before and after).");
+      FormatPercent(gft.median_before) + " to " + FormatPercent(gft.median_after) + " (" +
+      FormatCount(gft.num_scenes, "scene") + " in which all digits touch before and after).");
 }
 
 Html Draw(const CampaignData& data) {

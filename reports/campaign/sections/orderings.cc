@@ -4,90 +4,20 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "datasets/analysis/grasp_course.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {
 namespace {
 
-const SceneVariants* FindScene(const CampaignData& data, const char* hand, const char* object) {
-  for (const SceneVariants& scene : data.scenes) {
-    if (scene.hand == hand && scene.object == object && scene.IsComplete()) return &scene;
-  }
-  return nullptr;
-}
-
-double CalcMean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (double value : values) sum += value;
-  return values.empty() ? std::nan("") : sum / static_cast<double>(values.size());
-}
-
-double FindContact(const TrialResult& result, const char* digit) {
-  for (const DigitContact& contact : result.contacts) {
-    if (contact.digit == digit) return contact.time;
-  }
-  return std::nan("");
-}
-
-/** Mean time between the first touches of index and middle finger [s]. */
-double CalcFingerGap(const CellSummary& cell) {
-  std::vector<double> gaps;
-  for (const TrialRecord* record : cell.records) {
-    const double gap =
-        std::abs(FindContact(record->result, "FF") - FindContact(record->result, "MF"));
-    if (std::isfinite(gap)) gaps.push_back(gap);
-  }
-  return CalcMean(gaps);
-}
-
 /** In how many trials each digit came first, as text: "thumb 6, index 4". */
-struct FirstTouches {
+std::string FormatFirstTouches(const CellSummary& cell, const SessionModels& models) {
   std::string text;
-  std::string most;  ///< id of the digit that came first most often
-};
-
-FirstTouches CountFirstTouches(const CellSummary& cell, const SessionModels& models) {
-  std::map<std::string, int> counts;
-  for (const TrialRecord* record : cell.records) {
-    const DigitContact* first = nullptr;
-    for (const DigitContact& contact : record->result.contacts) {
-      if (std::isfinite(contact.time) && (!first || contact.time < first->time)) first = &contact;
-    }
-    if (first) ++counts[first->digit];
+  for (const auto& [digit, count] : CountFirstTouches(cell)) {
+    text += (text.empty() ? "" : ", ") + models.NameOfDigit(cell.hand, digit) + " " +
+            std::to_string(count);
   }
-  FirstTouches touches;
-  int most = 0;
-  for (const auto& [digit, count] : counts) {
-    touches.text += (touches.text.empty() ? "" : ", ") + models.NameOfDigit(cell.hand, digit) +
-                    " " + std::to_string(count);
-    if (count > most) touches.most = digit;
-    most = std::max(most, count);
-  }
-  return touches;
-}
-
-/** Where the pad of the thumb stands when the grasp is closed. */
-struct ThumbPlace {
-  double height = 0.0;          ///< above the object's lowest plane [m]
-  double from_blade_deg = 0.0;  ///< horizontal angle from the nearest blade's axis, 0..45
-};
-
-ThumbPlace CalcThumbPlace(const CellSummary& cell, const Hand& hand, const GraspObject& object) {
-  std::vector<double> heights, angles;
-  const auto thumb = std::find_if(hand.digits.begin(), hand.digits.end(),
-                                  [](const Digit& digit) { return digit.is_thumb; });
-  for (const TrialRecord* record : cell.records) {
-    for (const SceneSnapshot& snapshot : record->result.snapshots) {
-      if (snapshot.name != "closed" || thumb == hand.digits.end()) continue;
-      if (snapshot.q.size() != hand.num_joints()) continue;
-      const Pose X_HL = CalcLinkPoses(hand, snapshot.q)[static_cast<size_t>(thumb->distal_link)];
-      const Eigen::Vector3d p_OPad = snapshot.X_WO.inverse() * snapshot.X_WH * X_HL * thumb->p_LPad;
-      heights.push_back(p_OPad.z() + 0.5 * object.size.z());
-      const double angle = DegFromRad(std::atan2(std::abs(p_OPad.y()), std::abs(p_OPad.x())));
-      angles.push_back(std::min(angle, 90.0 - angle));
-    }
-  }
-  return {CalcMean(heights), CalcMean(angles)};
+  return text;
 }
 
 void AddRow(Table& table, const std::string& what, const std::string& found, bool holds) {
@@ -112,11 +42,12 @@ Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
     sigma[v] = CalcCellValue(FindVariantMeasure("sigma"), *scene.cells[v]);
   }
   AddRow(table, "Every variant succeeds in all ten trials.", rates, num_all == kNumVariants);
-  const FirstTouches first = CountFirstTouches(scene.cell(kStandardGrasp), models);
   AddRow(table, "Standard grasp: the index finger touches first and drags the tape to the thumb.",
-         "trials in which a digit touched first: " + first.text, first.most == "FF");
-  const double before = CalcFingerGap(scene.cell(kStandardGrasp));
-  const double after = CalcFingerGap(scene.cell(kNewPreGrasp));
+         "trials in which a digit touched first: " +
+             FormatFirstTouches(scene.cell(kStandardGrasp), models),
+         FindFirstDigit(scene.cell(kStandardGrasp)) == "FF");
+  const double before = CalcContactGap(scene.cell(kStandardGrasp), "FF", "MF");
+  const double after = CalcContactGap(scene.cell(kNewPreGrasp), "FF", "MF");
   AddRow(table, "After step 1 index and middle finger arrive together.",
          "mean time between them " + FormatFixed(MsFromS(before), 0) + " ms before, " +
              FormatFixed(MsFromS(after), 0) + " ms after",
@@ -165,21 +96,21 @@ Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObje
 }
 
 Html LinkToPictures(const SceneVariants& scene) {
-  return Element("p", {}, LinkTo(scene.anchor, "Pictures and contacts of the three variants"));
+  return Element("p", {}, LinkTo(scene.key, "Pictures and contacts of the three variants"));
 }
 
 Html Draw(const CampaignData& data) {
   Html html = MakeParagraph(
       "Two courses of events are known from the thesis. Means are over the benchmark's trials; "
       "the thumb's place is that of its pad when the grasp is closed.");
-  if (const SceneVariants* scene = FindScene(data, "tum", "adhesive_tape")) {
+  if (const SceneVariants* scene = FindScene(data.scenes, "tum", "adhesive_tape")) {
     html += DrawTape(*scene, data.models) + LinkToPictures(*scene);
   } else {
     html += MakeParagraph("The adhesive tape with the TUM Hand is not among the finished scenes.");
   }
   const auto hand = data.models.FindHand("tum");
   const auto object = data.models.FindObject("toy_propeller");
-  const SceneVariants* scene = FindScene(data, "tum", "toy_propeller");
+  const SceneVariants* scene = FindScene(data.scenes, "tum", "toy_propeller");
   if (scene && hand && object) {
     html += DrawPropeller(*scene, *hand, *object) + LinkToPictures(*scene);
   } else {

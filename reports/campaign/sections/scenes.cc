@@ -10,7 +10,7 @@ namespace graspbench {
 namespace {
 
 Html DrawPictures(const SceneVariants& scene, const CampaignData& data) {
-  const auto found = data.pictures.by_scene.find(scene.anchor);
+  const auto found = data.pictures.by_scene.find(scene.key);
   if (found == data.pictures.by_scene.end()) {
     return Element("p", {{"class", "missing"}}, "No pictures of this scene.");
   }
@@ -79,7 +79,7 @@ Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
       content += DrawThumb(*step, scene, data);
     }
   }
-  return Element("section", {{"id", scene.anchor}, {"class", "cell"}}, content);
+  return Element("section", {{"id", scene.key}, {"class", "cell"}}, content);
 }
 
 Html Draw(const CampaignData& data) {

@@ -27,7 +27,7 @@ Html Draw(const CampaignData& data) {
       "are means over the trials, the others medians over the trials that have them.",
       columns);
   for (const SceneVariants& scene : data.scenes) {
-    std::vector<Html> row = {LinkTo(scene.anchor, data.NameOfScene(scene)),
+    std::vector<Html> row = {LinkTo(scene.key, data.NameOfScene(scene)),
                              Text(NameOfGrasp(scene.grasp))};
     for (const VariantMeasure& measure : ListVariantMeasures()) {
       row.push_back(Text(FormatThree(measure, scene)));

@@ -41,12 +41,12 @@ Html DrawReliability(const std::vector<OpeningReliability>& rows) {
        {"d' open, closed", number, "mean over persons"}});
   for (const OpeningReliability& row : rows) {
     const double mean = row.open ? row.open->mean : std::nan("");
-    const double change = 1.96 * std::sqrt(2.0) * row.within_person_sd;
     table.AddRow({Element("code", {}, row.opening->id), Text(FormatValue(mean, "m")),
                   Text(FormatValue(row.within_person_sd, "m")),
-                  Text(FormatFixed(100.0 * row.within_person_sd / mean, 1)),
-                  Text(FormatValue(change, "m")), Text(FormatIcc(row)), Text(FormatAgainst(row)),
-                  Text(FormatNeeded(row)), Text(FormatFixed(row.d_prime, 2))});
+                  Text(FormatFixed(100.0 * row.within_person_cv, 1)),
+                  Text(FormatValue(row.minimal_detectable_change, "m")), Text(FormatIcc(row)),
+                  Text(FormatAgainst(row)), Text(FormatNeeded(row)),
+                  Text(FormatFixed(row.d_prime, 2))});
   }
   return table.ToHtml();
 }

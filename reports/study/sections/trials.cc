@@ -121,7 +121,7 @@ Html Draw(const StudyPageData& data) {
   }
   Html html = MakeParagraph(text);
   for (const StudyTrial* trial : trials) {
-    const std::string anchor = MakeAnchor({"trial", trial->participant, trial->trial});
+    const std::string anchor = MakePlainKey({"trial", trial->participant, trial->trial});
     html += Element(
         "div", {{"id", anchor}},
         MakeDetails(DescribeTrial(*trial), Element("div", {{"class", "pair"}},

@@ -47,9 +47,10 @@ TEST(Format, EveryDigitIsThatOfTheStandardLibrary) {
     char text[128];
     const char* end =
         std::to_chars(text, text + sizeof text, -value, std::chars_format::general, digits).ptr;
-    ASSERT_EQ(FormatSignificant(-value, digits), std::string(text, end));
+    ASSERT_EQ(FormatSignificant(-value, digits),
+              std::string(text, static_cast<size_t>(end - text)));
     end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
-    ASSERT_EQ(FormatFixed(value, digits), std::string(text, end));
+    ASSERT_EQ(FormatFixed(value, digits), std::string(text, static_cast<size_t>(end - text)));
     ++num_compared;
   }
   EXPECT_EQ(num_compared, 20000);
@@ -60,6 +61,16 @@ TEST(Format, CountsKnowTheirPlural) {
   EXPECT_EQ(FormatCount(0, "trial"), "0 trials");
   EXPECT_EQ(FormatCount(2, "vertex is", "vertices are"), "2 vertices are");
   EXPECT_EQ(FormatCount(5'000'000'000, "byte"), "5000000000 bytes");
+}
+
+TEST(PlainKey, IsReadableAndNeverShared) {
+  EXPECT_EQ(MakePlainKey({"tum", "adhesive_tape", "g3"}), "tum-adhesive_tape-g3");
+  const std::string hostile = MakePlainKey({"/home/me/My Hand", "\"><b>", "g1"});
+  EXPECT_EQ(hostile.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_"), std::string::npos)
+      << hostile;
+  EXPECT_NE(MakePlainKey({"a-b", "c"}), MakePlainKey({"a", "b-c"}));
+  EXPECT_NE(MakePlainKey({"A"}), MakePlainKey({"a"}));
+  EXPECT_NE(MakePlainKey({"", "a"}), MakePlainKey({"a"}));
 }
 
 /** The bytes of a code point by the table in RFC 3629, section 3. */

@@ -9,7 +9,7 @@ come from drawing cells (hand, object, grasp), because trials of one cell are al
 
 #include "core/base/json.h"
 #include "core/statistics/bootstrap.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
 
@@ -38,6 +38,18 @@ struct JudgeEvidence {
   std::vector<std::string> rules;   ///< names
   std::vector<std::vector<Agreement>> agreements;  ///< (rules x rules)
 };
+
+/** What the judge found about the held grasps of one cell. */
+struct CellLoads {
+  const CellSummary* cell = nullptr;
+  int num_judged = 0;
+  Spread force;   ///< smallest of six pulls, on top of the weight [N]
+  Spread moment;  ///< smallest of six twists [N m]
+  Spread sigma;   ///< [N]
+  Spread epsilon;
+};
+/** Of the cells that have a judged trial. The result points into `summary`. */
+std::vector<CellLoads> ListCellLoads(const SessionSummary& summary);
 
 JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records);
 Json ToJson(const JudgeEvidence& evidence);

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What the sections of a campaign's report show, counted once from its stored results: three variants
+What a campaign's stored results say, counted once for the terminal, JSON and the report: three variants
 of every scene's grasp, tried on the same trial poses, so that trials of the same number are pairs.
 
 A cell's value of a measure is the mean over its trials for what every trial has (success, sigma,
@@ -12,8 +12,8 @@ breaking force) and the median over the trials that have it for the others. */
 #include <vector>
 
 #include "core/statistics/bootstrap.h"
+#include "datasets/analysis/session_summary.h"
 #include "datasets/campaign/campaign_store.h"
-#include "reports/session_summary.h"
 
 namespace graspbench {
 
@@ -37,8 +37,8 @@ const VariantMeasure& FindVariantMeasure(const std::string& name);
 
 struct SceneVariants {
   const SceneRecord* scene = nullptr;
-  std::string hand, object, grasp;  ///< ids; the grasp is the standard one
-  std::string anchor;
+  std::string hand, object, grasp;                       ///< ids; the grasp is the standard one
+  std::string key;                                       ///< one plain word: "tum-can"
   std::array<const CellSummary*, kNumVariants> cells{};  ///< null: not tried
   const CellSummary& cell(Variant variant) const { return *cells[variant]; }
   bool IsComplete() const;  ///< all variants have a finished trial
@@ -69,6 +69,27 @@ StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<Scene
 std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
                                                          Variant a, Variant b);
 
+/** GFT% of the pre-grasp before and after step 1 where neither the object's place nor the hand varies,
+over the scenes in which all digits touch both times. */
+struct GftWithoutVariation {
+  int num_scenes = 0;
+  double median_before = kUnset, median_after = kUnset;
+};
+GftWithoutVariation CalcGftWithoutVariation(const std::vector<SceneVariants>& scenes);
+
+/** A variant's values of two hands on the objects that both have grasped. */
+struct HandComparison {
+  int num_objects = 0;
+  double median_a = kUnset, median_b = kUnset;
+  int num_a_better = 0, num_b_better = 0;
+};
+HandComparison CompareHands(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
+                            Variant variant, const std::string& hand_a, const std::string& hand_b);
+
+/** The complete scene of a hand and an object; null: none. */
+const SceneVariants* FindScene(const std::vector<SceneVariants>& scenes, const std::string& hand,
+                               const std::string& object);
+
 /** All scenes of the campaign in its order. The result points into its arguments. */
 std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSummary& benchmark);
 
@@ -81,7 +102,7 @@ struct MethodCurve {
   double final_median = 0.0;
   double median_evaluations_to_90 = 0.0;  ///< NaN: most seeds never got there
 };
-/** In the order of scenes and methods of the stored runs. */
+/** In the order of scenes and methods of the stored runs; those of a scene follow each other. */
 std::vector<MethodCurve> ListMethodCurves(const Campaign& campaign);
 
 }  // namespace graspbench

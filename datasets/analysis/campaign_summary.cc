@@ -1,4 +1,4 @@
-#include "reports/campaign/campaign_summary.h"
+#include "datasets/analysis/campaign_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
-#include "reports/html.h"
 
 namespace graspbench {
 namespace {
@@ -102,8 +102,8 @@ Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
     return sum / static_cast<double>(members.size());
   };
   constexpr int kResamples = 1999;
-  return CalcBootstrap(differences.size(), mean,
-                       scene.anchor + " " + measure.name + " " + NameOf(b), kResamples);
+  return CalcBootstrap(differences.size(), mean, scene.key + " " + measure.name + " " + NameOf(b),
+                       kResamples);
 }
 
 StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
@@ -153,6 +153,57 @@ std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<Scene
   return lower;
 }
 
+GftWithoutVariation CalcGftWithoutVariation(const std::vector<SceneVariants>& scenes) {
+  std::vector<double> before, after;
+  for (const SceneVariants& scene : scenes) {
+    const auto step = scene.scene->result.find("pregrasp_step");
+    if (step == scene.scene->result.end() || !step->contains("standard")) continue;
+    const auto find_ratio = [](const Json& score) {
+      return NumberFrom(score.at("gft_ratio_without_variation"));
+    };
+    const double standard = find_ratio(step->at("standard"));
+    double taken = standard;
+    for (const Json& shot : step->at("shots")) {
+      if (shot.at("name") == step->at("taken")) taken = find_ratio(shot.at("score"));
+    }
+    if (!std::isfinite(standard) || !std::isfinite(taken)) continue;
+    before.push_back(standard);
+    after.push_back(taken);
+  }
+  return {static_cast<int>(before.size()), CalcMedian(before), CalcMedian(after)};
+}
+
+const SceneVariants* FindScene(const std::vector<SceneVariants>& scenes, const std::string& hand,
+                               const std::string& object) {
+  for (const SceneVariants& scene : scenes) {
+    if (scene.hand == hand && scene.object == object && scene.IsComplete()) return &scene;
+  }
+  return nullptr;
+}
+
+HandComparison CompareHands(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
+                            Variant variant, const std::string& hand_a, const std::string& hand_b) {
+  HandComparison comparison;
+  std::vector<double> a, b;
+  for (const SceneVariants& scene_a : scenes) {
+    if (scene_a.hand != hand_a || !scene_a.IsComplete()) continue;
+    const SceneVariants* scene_b = FindScene(scenes, hand_b, scene_a.object);
+    if (scene_b == nullptr) continue;
+    const double value_a = CalcCellValue(measure, scene_a.cell(variant));
+    const double value_b = CalcCellValue(measure, scene_b->cell(variant));
+    if (!std::isfinite(value_a) || !std::isfinite(value_b)) continue;
+    a.push_back(value_a);
+    b.push_back(value_b);
+    const double lead = measure.is_larger_better ? value_a - value_b : value_b - value_a;
+    comparison.num_a_better += lead > 0.0 ? 1 : 0;
+    comparison.num_b_better += lead < 0.0 ? 1 : 0;
+  }
+  comparison.num_objects = static_cast<int>(a.size());
+  comparison.median_a = CalcMedian(a);
+  comparison.median_b = CalcMedian(b);
+  return comparison;
+}
+
 std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSummary& benchmark) {
   std::vector<SceneVariants> scenes;
   for (const SceneRecord& record : campaign.scenes) {
@@ -161,7 +212,7 @@ std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSum
     scene.hand = record.config.hand;
     scene.object = record.config.object;
     scene.grasp = record.config.grasp;
-    scene.anchor = MakeAnchor({scene.hand, scene.object});
+    scene.key = MakePlainKey({scene.hand, scene.object});
     const std::array<std::string, kNumVariants> grasps = {scene.grasp, "new-pregrasp",
                                                           "new-target"};
     for (int variant = 0; variant < kNumVariants; ++variant) {

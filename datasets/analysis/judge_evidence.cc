@@ -1,4 +1,4 @@
-#include "reports/judge_evidence.h"
+#include "datasets/analysis/judge_evidence.h"
 
 #include <cmath>
 #include <map>
@@ -157,6 +157,24 @@ JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records) {
     }
   }
   return evidence;
+}
+
+std::vector<CellLoads> ListCellLoads(const SessionSummary& summary) {
+  std::vector<CellLoads> loads;
+  for (const CellSummary& cell : summary.cells) {
+    std::vector<double> force, moment, sigma, epsilon;
+    for (const TrialRecord* record : cell.records) {
+      if (!record->judgement) continue;
+      force.push_back(record->judgement->breaking_force);
+      moment.push_back(record->judgement->breaking_moment);
+      sigma.push_back(record->result.stability.sigma);
+      epsilon.push_back(record->result.stability.stabilisation.quality);
+    }
+    if (force.empty()) continue;
+    loads.push_back({&cell, static_cast<int>(force.size()), CalcSpread(force), CalcSpread(moment),
+                     CalcSpread(sigma), CalcSpread(epsilon)});
+  }
+  return loads;
 }
 
 Json ToJson(const JudgeEvidence& evidence) {

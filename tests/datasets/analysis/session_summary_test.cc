@@ -1,10 +1,10 @@
-#include "reports/session_summary.h"
+#include "datasets/analysis/session_summary.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/reports/report_fixture.h"
+#include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {
 namespace {
@@ -80,6 +80,28 @@ TEST(SummariseSession, AnEmptySessionHasNoWorstValue) {
   const SessionSummary summary = SummariseSession(Session());
   EXPECT_TRUE(summary.cells.empty());
   EXPECT_TRUE(std::isnan(summary.total.worst_penetration));
+}
+
+TEST(Tally, RateComesWithItsInterval) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 10);
+  session.records[3].result.outcome = Outcome::kPushedAway;
+  const Tally tally = SummariseSession(session).total;
+  EXPECT_EQ(tally.rate(), 0.9);
+  EXPECT_NEAR(tally.rate_interval().low, 0.5958, 1e-4);  // Wilson 1927
+  EXPECT_EQ(FormatRateInterval(tally), "59.6 to 98.2");
+  EXPECT_EQ(FormatRate(tally), FormatRate(9, 10));
+  EXPECT_TRUE(std::isnan(Tally().rate()));
+}
+
+TEST(CalcContactSpread, IsOfOneDigit) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  session.records[2].result.contacts[0].time = std::nan("");
+  const CellSummary cell = SummariseSession(session).cells.at(0);
+  const Spread first = CalcContactSpread(cell, "FF");
+  EXPECT_EQ(first.n, 2);
+  EXPECT_NEAR(first.median, 0.405, 1e-12);
+  EXPECT_NEAR(CalcContactSpread(cell, "MF").median, 0.61, 1e-12);
+  EXPECT_EQ(CalcContactSpread(cell, "LF").n, 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "reports/session_summary.h"
+#include "datasets/analysis/session_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,8 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "reports/html.h"
+#include "core/base/text.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
@@ -108,13 +109,33 @@ Spread CalcSpread(std::vector<double> values) {
       values.end());
   constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {0, kMissing, kMissing, kMissing};
-  std::sort(values.begin(), values.end());
-  const size_t n = values.size();
-  const double median = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-  return {static_cast<int>(n), median, values.front(), values.back()};
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  return {static_cast<int>(values.size()), CalcMedian(values), *lowest, *highest};
 }
 
 int Tally::CountOf(Outcome outcome) const { return outcomes[IndexOf(outcome)]; }
+
+double Tally::rate() const {
+  return finished > 0 ? static_cast<double>(successes()) / finished : kUnset;
+}
+
+Interval Tally::rate_interval() const { return CalcWilsonInterval(successes(), finished); }
+
+std::string FormatRate(const Tally& tally) { return FormatRate(tally.successes(), tally.finished); }
+
+std::string FormatRateInterval(const Tally& tally) {
+  return FormatRateInterval(tally.successes(), tally.finished);
+}
+
+Spread CalcContactSpread(const CellSummary& cell, const std::string& digit) {
+  std::vector<double> times;
+  for (const TrialRecord* record : cell.records) {
+    for (const DigitContact& contact : record->result.contacts) {
+      if (contact.digit == digit) times.push_back(contact.time);
+    }
+  }
+  return CalcSpread(times);
+}
 
 const CellSummary* SessionSummary::FindCell(const std::string& hand, const std::string& object,
                                             const std::string& grasp) const {
@@ -146,7 +167,7 @@ SessionSummary SummariseSession(const Session& session) {
       cell.hand = trial.hand;
       cell.object = trial.object;
       cell.grasp = trial.grasp;
-      cell.anchor = MakeAnchor({trial.hand, trial.object, trial.grasp});
+      cell.key = MakePlainKey({trial.hand, trial.object, trial.grasp});
       cell.tally = EmptyTally();
       summary.cells.push_back(cell);
     }

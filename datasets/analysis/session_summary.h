@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-What the sections show, counted once from the session's records.
+What a session's records say, counted once for the terminal, JSON and the report.
 
 A rate is always kept with its counts, so that it is never printed without n and its interval. Time
 measures are summarised by median and range over the trials in which they are defined: a digit that
@@ -12,6 +12,7 @@ count as not successful and are left out of every other figure. */
 #include <utility>
 #include <vector>
 
+#include "core/statistics/proportion.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -43,12 +44,19 @@ struct Tally {
 
   int CountOf(Outcome outcome) const;
   int successes() const { return CountOf(Outcome::kSuccess); }
+  double rate() const;             ///< of success; NaN without a finished trial
+  Interval rate_interval() const;  ///< 95 %, Wilson
 };
+
+/** "9 of 10 trials (90.0 %, 95 % interval 59.6 to 98.2 %)" and the interval alone; see
+core/statistics/proportion.h. */
+std::string FormatRate(const Tally& tally);
+std::string FormatRateInterval(const Tally& tally);
 
 /** One hand on one object with one grasp. */
 struct CellSummary {
   std::string hand, object, grasp;  ///< ids
-  std::string anchor;               ///< of the cell's section in the page
+  std::string key;                  ///< one plain word: "tum-can-g3"
   std::vector<const TrialRecord*> records;
   Tally tally;
   Spread gct, gft, got;         ///< [s]
@@ -71,6 +79,9 @@ struct SessionSummary {
   /** Over the cells of this hand; `grasp` narrows it further unless empty. */
   Tally TallyOf(const std::string& hand, const std::string& grasp = {}) const;
 };
+
+/** First touches of one digit over the cell's trials [s]; those that never touched are left out. */
+Spread CalcContactSpread(const CellSummary& cell, const std::string& digit);
 
 /** The summary points into `session`, which must outlive it. */
 SessionSummary SummariseSession(const Session& session);

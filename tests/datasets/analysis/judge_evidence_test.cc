@@ -1,9 +1,9 @@
-#include "reports/judge_evidence.h"
+#include "datasets/analysis/judge_evidence.h"
 
 #include <gtest/gtest.h>
 
 #include "core/trial/verdicts.h"
-#include "tests/reports/report_fixture.h"
+#include "tests/datasets/analysis/made_results.h"
 
 namespace graspbench {
 namespace {
@@ -88,6 +88,23 @@ TEST(JudgeEvidence, TheReportShowsIt) {
   const std::string page = MakePageOf(MakeJudgedSession());
   EXPECT_NE(page.find("24 judged grasps"), std::string::npos);
   EXPECT_NE(page.find("18 of 24"), std::string::npos);
+}
+
+TEST(JudgeEvidence, LoadsOfACellAreThoseOfItsJudgedTrials) {
+  Session session = MakeJudgedSession();  // forces 1 and 2 in the first cell
+  session.records[2].judgement.reset();   // force 3 of 3 and 4 in the second
+  session.records[4].judgement.reset();
+  session.records[5].judgement.reset();
+  const SessionSummary summary = SummariseSession(session);
+  const std::vector<CellLoads> loads = ListCellLoads(summary);
+  ASSERT_EQ(loads.size(), 11u);
+  EXPECT_EQ(loads[0].num_judged, 2);
+  EXPECT_EQ(loads[0].force.median, 1.5);
+  EXPECT_EQ(loads[0].force.lowest, 1.0);
+  EXPECT_EQ(loads[0].sigma.median, 0.5 * (0.5 + 2.0));
+  EXPECT_EQ(loads[1].num_judged, 1);
+  EXPECT_EQ(loads[1].force.median, 4.0);
+  EXPECT_EQ(loads[2].cell, &summary.cells[3]);
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#pragma once
+/** @file
+The mean of each condition of a measure with all kinds of error bars, as figures and tables show
+them. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/study/measure_statistics.h"
+
+namespace graspbench {
+
+struct ConditionEstimates {
+  std::vector<std::string> cells;  ///< as ListCells() orders them
+  std::vector<double> means;       ///< over people of their means, else over trials; NaN: no trial
+  std::vector<int> num_trials;     ///< with a value
+  std::vector<Answer<Eigen::VectorXd>> half_widths;  ///< of each of ListBarKinds()
+  /** Of the figure: Loftus and Masson's, whose lengths let conditions be compared by eye; where
+  these cannot be, the ones between persons. */
+  Answer<Eigen::VectorXd> drawn;
+  std::string drawn_kind;  ///< for the caption: which, or why there are none
+};
+ConditionEstimates CalcConditionEstimates(const MeasureStatistics& statistics);
+
+}  // namespace graspbench

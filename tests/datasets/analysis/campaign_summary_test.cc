@@ -1,0 +1,90 @@
+#include "datasets/analysis/campaign_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/datasets/analysis/made_results.h"
+
+namespace graspbench {
+namespace {
+
+TEST(CampaignSummary, StepsAreRatiosOfMediansOverScenes) {
+  const Summarised summarised(MakeCampaign());
+  const StepEffect gft =
+      CalcStepEffect(FindVariantMeasure("GFT%"), summarised.scenes, kStandardGrasp, kNewPreGrasp);
+  EXPECT_EQ(gft.num_scenes, 2);
+  EXPECT_NEAR(gft.median_before, 0.4045, 1e-12);
+  EXPECT_NEAR(gft.median_after, 0.2045, 1e-12);
+  EXPECT_TRUE(gft.worse.empty());
+  EXPECT_EQ(gft.ratio.reason(), "2 to draw from; expected 5 or more");
+  const StepEffect success =
+      CalcStepEffect(FindVariantMeasure("success"), summarised.scenes, kNewPreGrasp, kNewTarget);
+  ASSERT_EQ(success.worse.size(), 1U);
+  EXPECT_EQ(success.worse[0]->object, "can");
+}
+
+TEST(CampaignSummary, TrialsOfOnePoseArePairs) {
+  const Summarised summarised(MakeCampaign());
+  const std::vector<double> differences = ListPairedDifferences(
+      FindVariantMeasure("sigma"), summarised.scenes[1], kStandardGrasp, kNewTarget);
+  ASSERT_EQ(differences.size(), 10U);
+  for (double difference : differences) EXPECT_NEAR(difference, 2.0, 1e-12);
+}
+
+TEST(CampaignSummary, FourOfTenAfterTenOfTenIsSignificant) {
+  // Fisher, two-sided: 10/10 against 4/10 has p = 0.011.
+  const Summarised summarised(MakeCampaign());
+  const auto lower = ListSignificantlyLower(summarised.scenes, kNewPreGrasp, kNewTarget);
+  ASSERT_EQ(lower.size(), 1U);
+  EXPECT_EQ(lower[0]->object, "can");
+  EXPECT_TRUE(ListSignificantlyLower(summarised.scenes, kStandardGrasp, kNewPreGrasp).empty());
+}
+
+TEST(CampaignSummary, CurvesAreTheBestSoFar) {
+  const std::vector<MethodCurve> curves = ListMethodCurves(MakeCampaign());
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[0].median, (std::vector<double>{0.0, 1.0, 2.0, 2.0}));
+  EXPECT_EQ(curves[1].median, (std::vector<double>{0.0, 0.5, 0.5, 1.0}));
+  EXPECT_EQ(curves[0].median_evaluations_to_90, 3.0);
+  EXPECT_TRUE(std::isnan(curves[1].median_evaluations_to_90));
+}
+
+TEST(CampaignSummary, WithoutVariationTheMedianIsOverTheScenes) {
+  Campaign campaign = MakeCampaign();
+  campaign.scenes[1].result["pregrasp_step"]["standard"]["gft_ratio_without_variation"] = 0.4;
+  const Summarised summarised(campaign);
+  const GftWithoutVariation gft = CalcGftWithoutVariation(summarised.scenes);
+  EXPECT_EQ(gft.num_scenes, 2);
+  EXPECT_NEAR(gft.median_before, 0.3, 1e-12);
+  EXPECT_NEAR(gft.median_after, 0.05, 1e-12);
+  campaign.scenes[0].result.erase("pregrasp_step");
+  EXPECT_EQ(CalcGftWithoutVariation(Summarised(campaign).scenes).num_scenes, 1);
+}
+
+// The second hand repeats the first one's can with sigma one higher and has no cup.
+TEST(CampaignSummary, HandsAreComparedOnWhatBothGrasped) {
+  Campaign campaign = MakeCampaign();
+  campaign.scenes.push_back(campaign.scenes[0]);
+  campaign.scenes.back().config.hand = "shadow";
+  const std::vector<TrialRecord> records = campaign.benchmark.records;
+  for (TrialRecord record : records) {
+    if (record.plan.object != "can") continue;
+    record.plan.hand = "shadow";
+    record.plan.id += "s";
+    record.result.stability.sigma += 1.0;
+    campaign.benchmark.plan.push_back(record.plan);
+    campaign.benchmark.records.push_back(record);
+  }
+  const Summarised summarised(campaign);
+  const HandComparison sigma =
+      CompareHands(FindVariantMeasure("sigma"), summarised.scenes, kStandardGrasp, "tum", "shadow");
+  EXPECT_EQ(sigma.num_objects, 1);
+  EXPECT_NEAR(sigma.median_a, 1.045, 1e-12);
+  EXPECT_NEAR(sigma.median_b, 2.045, 1e-12);
+  EXPECT_EQ(sigma.num_a_better, 0);
+  EXPECT_EQ(sigma.num_b_better, 1);
+}
+
+}  // namespace
+}  // namespace graspbench
