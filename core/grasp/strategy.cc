@@ -16,26 +16,6 @@ constexpr double kSteadyTime = 0.1;
 
 }  // namespace
 
-const char* NameOf(Phase phase) {
-  switch (phase) {
-    case Phase::kPreGrasp:
-      return "pre-grasp";
-    case Phase::kPlacing:
-      return "placing";
-    case Phase::kClosure:
-      return "closure";
-    case Phase::kStabilisation:
-      return "stabilisation";
-    case Phase::kLiftOff:
-      return "lift-off";
-    case Phase::kHold:
-      return "hold";
-    case Phase::kDone:
-      return "done";
-  }
-  return "";
-}
-
 GraspStrategy::GraspStrategy(const StrategyConfig& config, double distance)
     : config_(config), distance_(distance) {}
 

@@ -16,10 +16,21 @@ one can drive a simulation or a replay. Closing is linear in the joint angles,
 
 and goes on after the first touch until s = 1: what the object prevents becomes force. */
 
+#include "core/base/enum_table.h"
+
 namespace graspbench {
 
 enum class Phase { kPreGrasp, kPlacing, kClosure, kStabilisation, kLiftOff, kHold, kDone };
-const char* NameOf(Phase phase);  ///< "pre-grasp", "placing", ...
+struct PhaseRow {
+  Phase value;
+  const char* name;
+};
+inline constexpr PhaseRow kPhases[] = {
+    {Phase::kPreGrasp, "pre-grasp"}, {Phase::kPlacing, "placing"},
+    {Phase::kClosure, "closure"},    {Phase::kStabilisation, "stabilisation"},
+    {Phase::kLiftOff, "lift-off"},   {Phase::kHold, "hold"},
+    {Phase::kDone, "done"}};
+inline const char* NameOf(Phase phase) { return RowOf(kPhases, phase).name; }
 
 /** Times of the phases. Proposed by graspbench; the thesis names phases, not seconds. */
 struct StrategyConfig {

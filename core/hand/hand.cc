@@ -1,7 +1,17 @@
 #include "core/hand/hand.h"
 
+#include "core/base/enum_table.h"
+
 namespace graspbench {
 namespace {
+
+struct CouplingRuleRow {
+  CouplingRule value;
+  const char* name;
+};
+constexpr CouplingRuleRow kCouplingRules[] = {{CouplingRule::kMiddleFirst, "middle-first"},
+                                              {CouplingRule::kEven, "even"},
+                                              {CouplingRule::kFixed, "fixed"}};
 
 template <class Item>
 int FindByName(const std::vector<Item>& items, const std::string& name) {
@@ -13,21 +23,14 @@ int FindByName(const std::vector<Item>& items, const std::string& name) {
 
 }  // namespace
 
-std::string NameOf(CouplingRule rule) {
-  switch (rule) {
-    case CouplingRule::kMiddleFirst:
-      return "middle-first";
-    case CouplingRule::kEven:
-      return "even";
-    case CouplingRule::kFixed:
-      break;
-  }
-  return "fixed";
-}
+std::string NameOf(CouplingRule rule) { return RowOf(kCouplingRules, rule).name; }
 
 const std::vector<CouplingRule>& ListCouplingRules() {
-  static const std::vector<CouplingRule> rules = {CouplingRule::kMiddleFirst, CouplingRule::kEven,
-                                                  CouplingRule::kFixed};
+  static const std::vector<CouplingRule> rules = [] {
+    std::vector<CouplingRule> all;
+    for (const CouplingRuleRow& row : kCouplingRules) all.push_back(row.value);
+    return all;
+  }();
   return rules;
 }
 

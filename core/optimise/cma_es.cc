@@ -79,4 +79,10 @@ void CmaEs::Learn(const std::vector<Individual>& generation) {
   axes_ = eigen.eigenvalues().cwiseMax(kSmallestEigenvalue).cwiseSqrt();
 }
 
+SearchMethodRow CmaEsRow() {
+  return {"cmaes", [](const SearchSpace& space, int, RandomStream stream) {
+            return std::unique_ptr<SearchMethod>(std::make_unique<CmaEs>(space, stream));
+          }};
+}
+
 }  // namespace graspbench

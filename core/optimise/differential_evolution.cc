@@ -1,7 +1,5 @@
 #include "core/optimise/differential_evolution.h"
 
-#include "core/optimise/plain_search.h"
-
 namespace graspbench {
 namespace {
 
@@ -63,6 +61,13 @@ void DifferentialEvolution::Learn(const std::vector<Individual>& generation) {
       population_[place] = generation[place];
     }
   }
+}
+
+SearchMethodRow DifferentialEvolutionRow() {
+  return {"de", [](const SearchSpace& space, int, RandomStream stream) {
+            return std::unique_ptr<SearchMethod>(
+                std::make_unique<DifferentialEvolution>(space, stream));
+          }};
 }
 
 }  // namespace graspbench

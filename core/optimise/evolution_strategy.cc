@@ -63,4 +63,11 @@ void EvolutionStrategy::Learn(const std::vector<Individual>& generation) {
   }
 }
 
+SearchMethodRow EvolutionStrategyRow() {
+  return {
+      "es", [](const SearchSpace& space, int, RandomStream stream) {
+        return std::unique_ptr<SearchMethod>(std::make_unique<EvolutionStrategy>(space, stream));
+      }};
+}
+
 }  // namespace graspbench

@@ -57,10 +57,6 @@ StandardGrasp RoundAngles(const Hand& hand, const StandardGrasp& grasp,
   return ParseGraspFile(FormatGraspFile(hand, grasp, made_from), grasp.id, {&hand}).grasp;
 }
 
-bool IsOutOfReach(Outcome outcome) {
-  return outcome == Outcome::kPushedAway || outcome == Outcome::kKnockedOver;
-}
-
 struct WidthChoice {
   const char* name;
   PreGraspWidth width;

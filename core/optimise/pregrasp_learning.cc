@@ -100,18 +100,6 @@ DigitCase FindCase(double touch) {
 
 }  // namespace
 
-const char* NameOf(DigitCase digit_case) {
-  switch (digit_case) {
-    case DigitCase::kLearned:
-      return "learned";
-    case DigitCase::kNeverTouched:
-      return "never touched";
-    case DigitCase::kTouchedAtOnce:
-      return "touched at once";
-  }
-  return "";
-}
-
 double CalcOpening(const Hand& hand, const StandardGrasp& grasp, const VectorXd& q) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
   const std::string& opposing = hand.digits[FindOpposingDigit(hand, grasp)].id;

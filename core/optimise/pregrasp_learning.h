@@ -29,6 +29,7 @@ object before the closure begins is opened. */
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
@@ -36,7 +37,14 @@ object before the closure begins is opened. */
 namespace graspbench {
 
 enum class DigitCase { kLearned, kNeverTouched, kTouchedAtOnce };
-const char* NameOf(DigitCase digit_case);  ///< "learned", "never touched", "touched at once"
+struct DigitCaseRow {
+  DigitCase value;
+  const char* name;
+};
+inline constexpr DigitCaseRow kDigitCases[] = {{DigitCase::kLearned, "learned"},
+                                               {DigitCase::kNeverTouched, "never touched"},
+                                               {DigitCase::kTouchedAtOnce, "touched at once"}};
+inline const char* NameOf(DigitCase digit_case) { return RowOf(kDigitCases, digit_case).name; }
 
 /** How far the digits are opened, by the common s*. */
 enum class PreGraspWidth {

@@ -4,27 +4,46 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/optimise/cma_es.h"
-#include "core/optimise/differential_evolution.h"
-#include "core/optimise/evolution_strategy.h"
-#include "core/optimise/plain_search.h"
 
 namespace graspbench {
 
+namespace {
+
+const std::vector<SearchMethodRow>& ListRows() {
+  static const std::vector<SearchMethodRow> rows = {
+#define GRASPBENCH_SEARCH_METHOD(Class) Class##Row(),
+#include "core/optimise/search_method_list.inc"
+#undef GRASPBENCH_SEARCH_METHOD
+  };
+  return rows;
+}
+
+}  // namespace
+
 const std::vector<std::string>& ListSearchMethods() {
-  static const std::vector<std::string> methods = {"es", "cmaes", "de", "random", "grid"};
-  return methods;
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const SearchMethodRow& row : ListRows()) all.push_back(row.name);
+    return all;
+  }();
+  return names;
 }
 
 std::unique_ptr<SearchMethod> MakeSearchMethod(const std::string& name, const SearchSpace& space,
                                                int num_evaluations, RandomStream stream) {
-  if (name == "es") return std::make_unique<EvolutionStrategy>(space, stream);
-  if (name == "cmaes") return std::make_unique<CmaEs>(space, stream);
-  if (name == "de") return std::make_unique<DifferentialEvolution>(space, stream);
-  if (name == "random") return std::make_unique<RandomSearch>(space, stream);
-  if (name == "grid") return std::make_unique<GridSearch>(space, num_evaluations - 1);
+  for (const SearchMethodRow& row : ListRows()) {
+    if (name == row.name) return row.make(space, num_evaluations, stream);
+  }
   throw Error(ErrorKind::kNotFound,
               "no search method \"" + name + "\"" + SuggestNames(name, ListSearchMethods()));
+}
+
+Eigen::VectorXd DrawUniformPoint(const SearchSpace& space, RandomStream& stream) {
+  Eigen::VectorXd point(space.size());
+  for (Eigen::Index i = 0; i < point.size(); ++i) {
+    point[i] = stream.NextUniform(space.lower[i], space.upper[i]);
+  }
+  return point;
 }
 
 SearchResult RunSearch(const std::string& name, const SearchSpace& space, int num_evaluations,

@@ -54,7 +54,17 @@ class SearchMethod {
   virtual void Learn(const std::vector<Individual>& generation) = 0;
 };
 
-/** "es", "cmaes", "de", "random", "grid". */
+/** A method by its name; given by <Class>Row() beside the class of each line of the list. */
+struct SearchMethodRow {
+  const char* name;
+  std::unique_ptr<SearchMethod> (*make)(const SearchSpace& space, int num_evaluations,
+                                        RandomStream stream);
+};
+#define GRASPBENCH_SEARCH_METHOD(Class) SearchMethodRow Class##Row();
+#include "core/optimise/search_method_list.inc"
+#undef GRASPBENCH_SEARCH_METHOD
+
+/** "es", "cmaes", ...: all of the list. */
 const std::vector<std::string>& ListSearchMethods();
 
 /** @param num_evaluations  how many there will be in all.
@@ -75,6 +85,10 @@ struct SearchResult {
 generation is cut. */
 SearchResult RunSearch(const std::string& method, const SearchSpace& space, int num_evaluations,
                        RandomStream stream, const EvaluateGeneration& evaluate);
+
+Eigen::VectorXd DrawUniformPoint(const SearchSpace& space, RandomStream& stream);
+/** Points at a time of a method that does not learn: as many as the evolution strategy's. */
+inline constexpr int kPlainGeneration = 20;
 
 /** Points outside are mirrored at the box's faces until they are inside. */
 Eigen::VectorXd ReflectInto(const SearchSpace& space, Eigen::VectorXd point);

@@ -25,6 +25,7 @@ Source: read in the tools' own code. Differences kept: Simox divides by the same
 points sampled on the whole surface, which contacts alone do not tell; GraspIt! and Simox joggle
 their hull, which turns exact zeros into tiny numbers; here a flat set is exactly flat. */
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,13 @@ enum class EpsilonRule {
   kTwoMinus,        ///< 2 - distance from the origin: smaller is better
 };
 
+/** What tools take their lengths from. */
+struct ObjectExtent {
+  double radius = 0.0;  ///< largest distance of the surface from the centre of mass [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< of the bounding box [m]
+};
+
+/** A new convention is a row of the table and a line of the list above. */
 struct QualityConvention {
   std::string id;
   UnitForce unit_force;
@@ -52,6 +60,8 @@ struct QualityConvention {
   int num_edges;                          ///< unless the caller says otherwise
   std::optional<double> without_closure;  ///< reported then; unset: the distance as it is
   std::string torque_scale_meaning;       ///< in words
+  /** Where the caller gives it: the length the tool itself would take [m]. */
+  double (*calc_torque_scale)(const ObjectExtent& object);
 };
 
 /** All rows in the order of the table. */

@@ -1,7 +1,6 @@
 #include "core/trial/contact_events.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -12,10 +11,6 @@ namespace {
 
 constexpr double kSettledTime = 0.01;  ///< [s]
 constexpr double kSlipSpeed = 1e-3;    ///< [m/s]
-
-constexpr std::array<ContactEventKind, 4> kKinds = {
-    ContactEventKind::kTouch, ContactEventKind::kLost, ContactEventKind::kRegained,
-    ContactEventKind::kSlip};
 
 /** What a link does in one step. */
 struct LinkNow {
@@ -36,20 +31,6 @@ bool HasSettled(bool condition, double time, double& since) {
 }
 
 }  // namespace
-
-const char* NameOf(ContactEventKind kind) {
-  switch (kind) {
-    case ContactEventKind::kTouch:
-      return "touch";
-    case ContactEventKind::kLost:
-      return "lost";
-    case ContactEventKind::kRegained:
-      return "regained";
-    case ContactEventKind::kSlip:
-      return "slip";
-  }
-  return "";
-}
 
 ContactEventRecorder::ContactEventRecorder(const Hand& hand, double step)
     : hand_(&hand), step_(step), links_(hand.links.size()) {}
@@ -115,11 +96,7 @@ ContactEvent ContactEventFromJson(const Json& json) {
   ContactEvent event;
   event.time = NumberFrom(json.at("time_s"));
   const auto name = json.at("kind").get<std::string>();
-  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](ContactEventKind candidate) {
-    return name == NameOf(candidate);
-  });
-  if (kind == kKinds.end()) throw Error(ErrorKind::kFormat, "no contact event \"" + name + "\"");
-  event.kind = *kind;
+  event.kind = RowFromName(kContactEvents, name, "contact event").value;
   event.digit = json.at("digit").get<std::string>();
   event.link = json.at("link").get<std::string>();
   if (event.kind == ContactEventKind::kLost) event.impulse = NumberFrom(json.at("impulse_ns"));

@@ -13,6 +13,7 @@ interruptions are the chatter of points that roll over edges. */
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/base/json.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
@@ -22,7 +23,15 @@ namespace graspbench {
 struct HandContact;
 
 enum class ContactEventKind { kTouch, kLost, kRegained, kSlip };
-const char* NameOf(ContactEventKind kind);  ///< "touch", "lost", "regained", "slip"
+struct ContactEventRow {
+  ContactEventKind value;
+  const char* name;
+};
+inline constexpr ContactEventRow kContactEvents[] = {{ContactEventKind::kTouch, "touch"},
+                                                     {ContactEventKind::kLost, "lost"},
+                                                     {ContactEventKind::kRegained, "regained"},
+                                                     {ContactEventKind::kSlip, "slip"}};
+inline const char* NameOf(ContactEventKind kind) { return RowOf(kContactEvents, kind).name; }
 
 struct ContactEvent {
   double time = 0.0;  ///< [s]
@@ -63,5 +72,6 @@ class ContactEventRecorder {
 Json ToJson(const ContactEvent& event);
 /** @throws Json::exception or Error(kFormat). */
 ContactEvent ContactEventFromJson(const Json& json);
+inline void ReadJson(const Json& json, ContactEvent& event) { event = ContactEventFromJson(json); }
 
 }  // namespace graspbench

@@ -1,7 +1,6 @@
 #include "core/trial/judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -68,23 +67,16 @@ BreakingLoad FindBreakingLoad(const HeldObject& held, const Vector3d& direction_
 void JudgeQuality(const HeldObject& held, const std::vector<GraspContact>& contacts,
                   Judgement& judgement) {
   if (contacts.size() < 2) return;
-  const Vector3d size = held.object().size;
   for (const QualityConvention& convention : ListQualityConventions()) {
     QualityRequest request;
     request.contacts = contacts;
     request.convention = convention;
     if (contacts.size() > kMostFineContacts) request.num_edges = 4;
-    request.torque_scale = held.radius();
-    if (convention.id == "simox") request.torque_scale = 0.5 * size.norm();
-    if (convention.id == "dex-net") {
-      std::array<double, 3> corner = {0.5 * size.x(), 0.5 * size.y(), 0.5 * size.z()};
-      std::sort(corner.begin(), corner.end());
-      request.torque_scale = corner[1];
-    }
+    request.torque_scale = convention.calc_torque_scale({held.radius(), held.object().size});
     if (!ListProblems(request).empty()) continue;
     const GraspQuality quality = CalcGraspQuality(request);
     judgement.epsilons.push_back({convention.id, quality.epsilon});
-    if (convention.id == "ferrari-canny") judgement.volume = quality.volume;
+    if (convention.id == ListQualityConventions().front().id) judgement.volume = quality.volume;
   }
 }
 

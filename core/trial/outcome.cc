@@ -1,51 +1,40 @@
 #include "core/trial/outcome.h"
 
-#include "core/base/error.h"
-
 namespace graspbench {
 
-const char* NameOf(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kNotRun:
-      return "not run";
-    case Outcome::kSuccess:
-      return "success";
-    case Outcome::kNoContact:
-      return "no contact";
-    case Outcome::kPushedAway:
-      return "pushed away";
-    case Outcome::kKnockedOver:
-      return "knocked over";
-    case Outcome::kLostWhileClosing:
-      return "lost while closing";
-    case Outcome::kSlippedInLiftOff:
-      return "slipped in lift-off";
-    case Outcome::kDroppedWhileHolding:
-      return "dropped while holding";
-    case Outcome::kNumericalFailure:
-      return "numerical failure";
-  }
-  return "";
+const char* NameOf(Outcome outcome) { return RowOf(kOutcomes, outcome).name; }
+const char* CodeOf(Outcome outcome) { return RowOf(kOutcomes, outcome).code; }
+
+bool IsSuccess(Outcome outcome) { return RowOf(kOutcomes, outcome).kind == OutcomeKind::kSuccess; }
+
+bool IsNumericalFailure(Outcome outcome) {
+  return RowOf(kOutcomes, outcome).kind == OutcomeKind::kNumerical;
+}
+
+bool IsOutOfReach(Outcome outcome) {
+  return RowOf(kOutcomes, outcome).kind == OutcomeKind::kOutOfReach;
+}
+
+bool MayBeInHand(Outcome outcome) {
+  return IsSuccess(outcome) || RowOf(kOutcomes, outcome).kind == OutcomeKind::kMaybeInHand;
 }
 
 const std::vector<Outcome>& ListOutcomes() {
-  static const std::vector<Outcome> outcomes = {Outcome::kSuccess,
-                                                Outcome::kNoContact,
-                                                Outcome::kPushedAway,
-                                                Outcome::kKnockedOver,
-                                                Outcome::kLostWhileClosing,
-                                                Outcome::kSlippedInLiftOff,
-                                                Outcome::kDroppedWhileHolding,
-                                                Outcome::kNumericalFailure};
+  static const std::vector<Outcome> outcomes = [] {
+    std::vector<Outcome> all;
+    for (const OutcomeRow& row : kOutcomes) {
+      if (row.kind != OutcomeKind::kNone) all.push_back(row.value);
+    }
+    return all;
+  }();
   return outcomes;
 }
 
 Outcome OutcomeFromName(const std::string& name) {
+  const OutcomeRow* row = FindRow(kOutcomes, name);
+  if (row && row->kind != OutcomeKind::kNone) return row->value;
   std::vector<std::string> known;
-  for (Outcome outcome : ListOutcomes()) {
-    if (name == NameOf(outcome)) return outcome;
-    known.push_back(NameOf(outcome));
-  }
+  for (const Outcome outcome : ListOutcomes()) known.push_back(NameOf(outcome));
   throw Error(ErrorKind::kFormat, "no outcome \"" + name + "\"" + SuggestNames(name, known));
 }
 

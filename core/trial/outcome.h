@@ -1,9 +1,13 @@
 #pragma once
 /** @file
-What a trial is called in the end. */
+What a trial is called in the end: one table, in which every rule that depends on the outcome
+stands. A new outcome is a value, a row, and its condition in trial_outcome.cc. */
 
 #include <string>
 #include <vector>
+
+#include "core/base/enum_table.h"
+#include "core/base/json.h"
 
 namespace graspbench {
 
@@ -18,9 +22,54 @@ enum class Outcome {
   kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
   kNumericalFailure,     ///< the simulation gave up; `reason` says why
 };
+
+/** What an outcome says about the trial. */
+enum class OutcomeKind {
+  kNone,
+  kSuccess,
+  kFailure,
+  kOutOfReach,   ///< a failure that moved the object away, so that later touches tell nothing
+  kMaybeInHand,  ///< a failure at whose end the object may still be in the hand
+  kNumerical,    ///< tells nothing about the grasp: counts as not successful, and in no measure
+};
+
+struct OutcomeRow {
+  Outcome value;
+  const char* name;  ///< in files and for people
+  const char* code;  ///< two letters for where there is no room
+  OutcomeKind kind;
+};
+
+/** In the order in which results are shown, which is that of the enum. */
+inline constexpr OutcomeRow kOutcomes[] = {
+    {Outcome::kNotRun, "not run", "", OutcomeKind::kNone},
+    {Outcome::kSuccess, "success", "OK", OutcomeKind::kSuccess},
+    {Outcome::kNoContact, "no contact", "NC", OutcomeKind::kFailure},
+    {Outcome::kPushedAway, "pushed away", "PA", OutcomeKind::kOutOfReach},
+    {Outcome::kKnockedOver, "knocked over", "KO", OutcomeKind::kOutOfReach},
+    {Outcome::kLostWhileClosing, "lost while closing", "LC", OutcomeKind::kFailure},
+    {Outcome::kSlippedInLiftOff, "slipped in lift-off", "SL", OutcomeKind::kFailure},
+    {Outcome::kDroppedWhileHolding, "dropped while holding", "DH", OutcomeKind::kMaybeInHand},
+    {Outcome::kNumericalFailure, "numerical failure", "NF", OutcomeKind::kNumerical},
+};
+/** Without kNotRun. */
+inline constexpr int kNumOutcomes = static_cast<int>(std::size(kOutcomes)) - 1;
+
 const char* NameOf(Outcome outcome);  ///< "success", "no contact", ...
-/** All outcomes but kNotRun, in the order above. */
+const char* CodeOf(Outcome outcome);  ///< "OK", "NC", ...
+bool IsSuccess(Outcome outcome);
+bool IsNumericalFailure(Outcome outcome);
+bool IsOutOfReach(Outcome outcome);  ///< the object was moved away
+bool MayBeInHand(Outcome outcome);   ///< at the end of the hold, so that there may be a judgement
+
+/** All outcomes but kNotRun, in the order of the table. */
 const std::vector<Outcome>& ListOutcomes();
+/** @throws Error(kFormat) for another name, and for that of kNotRun. */
 Outcome OutcomeFromName(const std::string& name);
+
+inline Json ToJson(Outcome outcome) { return NameOf(outcome); }
+inline void ReadJson(const Json& json, Outcome& outcome) {
+  outcome = OutcomeFromName(json.get<std::string>());
+}
 
 }  // namespace graspbench

@@ -29,28 +29,6 @@ double CalcWeakestHoldingForce(const GraspInstant& instant) {
   return *std::min_element(forces.begin(), forces.end());
 }
 
-Json ToJson(const StabilityPart& part) {
-  return Json{{"sigma_n", JsonNumber(part.sigma)},
-              {"sigma_proposed", JsonNumber(part.sigma_proposed)},
-              {"quality", JsonNumber(part.quality)},
-              {"normal_force_n", JsonNumber(part.normal_force)},
-              {"slip_speed_m_per_s", JsonNumber(part.slip_speed)},
-              {"opposition", JsonNumber(part.opposition)},
-              {"num_samples", part.num_samples}};
-}
-
-StabilityPart StabilityPartFromJson(const Json& json) {
-  StabilityPart part;
-  part.sigma = NumberFrom(json.at("sigma_n"));
-  part.sigma_proposed = NumberFrom(json.at("sigma_proposed"));
-  part.quality = NumberFrom(json.at("quality"));
-  part.normal_force = NumberFrom(json.at("normal_force_n"));
-  part.slip_speed = NumberFrom(json.at("slip_speed_m_per_s"));
-  part.opposition = NumberFrom(json.at("opposition"));
-  part.num_samples = IntFrom(json.at("num_samples"));
-  return part;
-}
-
 }  // namespace
 
 StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples) {
@@ -75,24 +53,6 @@ StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples) {
     part.opposition += share * opposition;
   }
   return part;
-}
-
-Json ToJson(const Stability& stability) {
-  return Json{{"sigma_n", JsonNumber(stability.sigma)},
-              {"sigma_proposed", JsonNumber(stability.sigma_proposed)},
-              {"stabilisation", ToJson(stability.stabilisation)},
-              {"lift", ToJson(stability.lift)},
-              {"hold", ToJson(stability.hold)}};
-}
-
-Stability StabilityFromJson(const Json& json) {
-  Stability stability;
-  stability.sigma = NumberFrom(json.at("sigma_n"));
-  stability.sigma_proposed = NumberFrom(json.at("sigma_proposed"));
-  stability.stabilisation = StabilityPartFromJson(json.at("stabilisation"));
-  stability.lift = StabilityPartFromJson(json.at("lift"));
-  stability.hold = StabilityPartFromJson(json.at("hold"));
-  return stability;
 }
 
 }  // namespace graspbench

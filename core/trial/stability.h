@@ -26,6 +26,7 @@ Both are proposals of graspbench (the thesis names a stability without a formula
 #include <vector>
 
 #include "core/base/json.h"
+#include "core/base/record_fields.h"
 #include "core/base/units.h"
 #include "core/quality/holding_force.h"
 
@@ -48,6 +49,17 @@ struct StabilityPart {
   double slip_speed = kUnset;    ///< v [m/s]
   double opposition = kUnset;    ///< o, a share
   int num_samples = 0;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("sigma_n", &StabilityPart::sigma);
+    field("sigma_proposed", &StabilityPart::sigma_proposed);
+    field("quality", &StabilityPart::quality);
+    field("normal_force_n", &StabilityPart::normal_force);
+    field("slip_speed_m_per_s", &StabilityPart::slip_speed);
+    field("opposition", &StabilityPart::opposition);
+    field("num_samples", &StabilityPart::num_samples);
+  }
 };
 
 struct Stability {
@@ -57,12 +69,18 @@ struct Stability {
   StabilityPart stabilisation;     ///< its last 0.5 s
   StabilityPart lift;
   StabilityPart hold;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("sigma_n", &Stability::sigma);
+    field("sigma_proposed", &Stability::sigma_proposed);
+    field("stabilisation", &Stability::stabilisation);
+    field("lift", &Stability::lift);
+    field("hold", &Stability::hold);
+  }
 };
 
 /** Cost: some 0.3 ms for a sample of ten contacts. */
 StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples);
-
-Json ToJson(const Stability& stability);
-Stability StabilityFromJson(const Json& json);
 
 }  // namespace graspbench

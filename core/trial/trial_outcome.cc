@@ -11,10 +11,9 @@ namespace {
 
 // Proposed by graspbench (method: the object has left the table, stays in the hand, is slower than
 // 5 mm/s relative to the palm at the end).
-constexpr double kLiftedShare = 0.5;    ///< of the lift height
-constexpr double kSteadySpeed = 0.005;  ///< [m/s]
-constexpr double kPushedAway = 0.05;    ///< horizontal displacement of a free object [m]
-constexpr double kTippedShare = 0.1;    ///< change of the height of an object that lies anew
+constexpr double kLiftedShare = 0.5;  ///< of the lift height
+constexpr double kPushedAway = 0.05;  ///< horizontal displacement of a free object [m]
+constexpr double kTippedShare = 0.1;  ///< change of the height of an object that lies anew
 
 /** A trial is given up after this long without the solver converging [s]. */
 constexpr double kMaxUnconvergedTime = 0.1;

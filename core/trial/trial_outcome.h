@@ -36,6 +36,9 @@ struct TrialFacts {
   std::vector<DigitContact> contacts;
 };
 
+/** A held object that moves no faster against the palm is steady. Proposed by graspbench [m/s] */
+inline constexpr double kSteadySpeed = 0.005;
+
 struct OutcomeReason {
   Outcome outcome = Outcome::kNotRun;
   std::string reason;  ///< one sentence for a person; empty for a success

@@ -8,6 +8,7 @@ What is known of a trial after it was carried out. */
 
 #include "core/base/json.h"
 #include "core/base/pose.h"
+#include "core/base/record_fields.h"
 #include "core/base/units.h"
 #include "core/grasp/contact_order.h"
 #include "core/trial/contact_events.h"
@@ -23,6 +24,15 @@ struct SceneSnapshot {
   Pose X_WH = Pose::Identity();
   Pose X_WO = Pose::Identity();
   Eigen::VectorXd q;  ///< (num_joints) [rad]
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("name", &SceneSnapshot::name);
+    field("time_s", &SceneSnapshot::time);
+    field("X_WH", &SceneSnapshot::X_WH);
+    field("X_WO", &SceneSnapshot::X_WO);
+    field("q_rad", &SceneSnapshot::q);
+  }
 };
 
 /** How a grasping digit met the object. */
@@ -36,8 +46,20 @@ struct DigitTouch {
 struct PhaseStart {
   std::string name;   ///< "placing", "closure", ...
   double time = 0.0;  ///< since the start of closure [s]
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("name", &PhaseStart::name);
+    field("time_s", &PhaseStart::time);
+  }
 };
 
+struct TrialResult;
+/** Contacts and touches of the grasping digits, one object each. */
+Json DigitsToJson(const TrialResult& result);
+void ReadDigits(const Json& json, TrialResult& result);
+
+/** A new field is a member and a line in ListFields here, and the place that finds it. */
 struct TrialResult {
   Outcome outcome = Outcome::kNotRun;
   std::string reason;                  ///< one sentence for a person; empty for a success
@@ -61,6 +83,39 @@ struct TrialResult {
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
   std::vector<SceneSnapshot> snapshots;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using R = TrialResult;
+    field("outcome", &R::outcome);
+    field("reason", &R::reason);
+    field("contacts", &DigitsToJson, &ReadDigits);
+    field("lift_height_m", &R::lift_height,
+          FieldColumn{"m", "height of the object's centre above rest at the end"});
+    field("hold_slip_m", &R::hold_slip,
+          FieldColumn{"m", "motion of the object relative to the palm while held"});
+    field("hold_creep_m", &R::hold_creep,
+          FieldColumn{"m",
+                      "motion of the object in the palm's frame in the second half of the hold"});
+    field("end_speed_m_per_s", &R::end_speed,
+          FieldColumn{"m/s", "speed of the object relative to the palm at the end"});
+    field("grip_force_n", &R::grip_force,
+          FieldColumn{"N", "sum of the normal forces on the object before lift-off"});
+    field("worst_penetration_m", &R::worst_penetration,
+          FieldColumn{"m", "deepest finger contact of the whole trial"});
+    field("steady_penetration_m", &R::steady_penetration,
+          FieldColumn{"m", "deepest finger contact at the end of the hold"});
+    field("stability", &R::stability);
+    field("phases", &R::phases);
+    field("contact_events", &R::contact_events);
+    field("energy_residual_j", &R::energy_residual,
+          FieldColumn{"J", "energy of the whole trial that nothing explains"});
+    field("num_steps", &R::num_steps, FieldColumn{"", "simulation steps"});
+    field("num_unconverged", &R::num_unconverged,
+          FieldColumn{"", "steps whose solve did not reach its tolerance"});
+    field("simulated_time_s", &R::simulated_time, FieldColumn{"s", "length of the trial"});
+    field("snapshots", &R::snapshots);
+  }
 };
 
 /** A first contact is known to the step of the physics in which it was seen: digits that touched in

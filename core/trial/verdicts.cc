@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/trial/judge.h"
+#include "core/trial/trial_outcome.h"
 
 namespace graspbench {
 namespace {
@@ -32,7 +33,6 @@ double FindFallTime(const HeldObject& held, const Vector3d& gravity_W, double di
 }
 
 Verdict JudgeLiftOff(const HeldObject& held) {
-  constexpr double kSteadySpeed = 0.005;  // of the trial's own outcome [m/s]
   const bool passed = held.CalcSpeed() <= kSteadySpeed;
   return {"lift_off", passed, passed ? 1.0 : 0.0};
 }

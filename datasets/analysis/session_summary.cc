@@ -54,7 +54,7 @@ void FinishCell(CellSummary& cell) {
     ++cell.tally.outcomes[IndexOf(result.outcome)];
     cell.tally.num_steps += result.num_steps;
     cell.tally.num_unconverged += result.num_unconverged;
-    if (result.outcome == Outcome::kNumericalFailure) continue;
+    if (IsNumericalFailure(result.outcome)) continue;
     RaiseTo(result.worst_penetration, cell.tally.worst_penetration);
     RaiseTo(std::abs(result.energy_residual), cell.tally.worst_energy_residual);
     cell.num_early += result.timing.contact_before_start;
@@ -78,30 +78,6 @@ void FinishCell(CellSummary& cell) {
 }
 
 }  // namespace
-
-const char* CodeOf(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kNotRun:
-      return "";
-    case Outcome::kSuccess:
-      return "OK";
-    case Outcome::kNoContact:
-      return "NC";
-    case Outcome::kPushedAway:
-      return "PA";
-    case Outcome::kKnockedOver:
-      return "KO";
-    case Outcome::kLostWhileClosing:
-      return "LC";
-    case Outcome::kSlippedInLiftOff:
-      return "SL";
-    case Outcome::kDroppedWhileHolding:
-      return "DH";
-    case Outcome::kNumericalFailure:
-      return "NF";
-  }
-  return "";
-}
 
 Spread CalcSpread(std::vector<double> values) {
   values.erase(

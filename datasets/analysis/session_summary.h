@@ -27,11 +27,6 @@ struct Spread {
 /** Values that are not finite are left out. */
 Spread CalcSpread(std::vector<double> values);
 
-constexpr int kNumOutcomes = 8;
-
-/** Two letters for where there is no room for the name: "OK", "NC", "SL". */
-const char* CodeOf(Outcome outcome);
-
 /** Results of some trials: of a cell, a hand, a grasp. */
 struct Tally {
   int planned = 0;

@@ -77,9 +77,7 @@ std::vector<PlannedTrial> FindUnjudged(const Session& session) {
   std::vector<PlannedTrial> trials;
   for (const TrialRecord& record : session.records) {
     const Outcome outcome = record.result.outcome;
-    const bool may_be_held =
-        (outcome == Outcome::kSuccess || outcome == Outcome::kDroppedWhileHolding) &&
-        !std::isnan(record.result.steady_penetration);
+    const bool may_be_held = MayBeInHand(outcome) && !std::isnan(record.result.steady_penetration);
     if (may_be_held && !record.judgement) trials.push_back(record.plan);
   }
   return trials;

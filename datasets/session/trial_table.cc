@@ -14,12 +14,6 @@ using Value = std::function<Json(const TrialRecord&)>;
 Value TakePlan(std::string PlannedTrial::*field) {
   return [field](const TrialRecord& record) { return Json(record.plan.*field); };
 }
-Value TakeNumber(double TrialResult::*field) {
-  return [field](const TrialRecord& record) { return JsonNumber(record.result.*field); };
-}
-Value TakeCount(int TrialResult::*field) {
-  return [field](const TrialRecord& record) { return Json(record.result.*field); };
-}
 Value TakeTiming(double ContactTiming::*field) {
   return [field](const TrialRecord& record) { return JsonNumber(record.result.timing.*field); };
 }
@@ -145,51 +139,9 @@ void AddDigitColumns(const std::string& digit, std::vector<TrialColumn>& columns
        })});
 }
 
-}  // namespace
-
-std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records) {
-  const auto is_success = [](const TrialRecord& record) {
-    return Json(record.result.outcome == Outcome::kSuccess ? 1 : 0);
-  };
-  std::vector<TrialColumn> columns = {
-      {"trial_id", "string", "", "hash of everything that matters for the result",
-       TakePlan(&PlannedTrial::id)},
-      {"hand", "string", "", "id of the hand", TakePlan(&PlannedTrial::hand)},
-      {"object", "string", "", "id of the object", TakePlan(&PlannedTrial::object)},
-      {"grasp", "string", "", "id of the standard grasp, g1 to g5, or of an optimised one",
-       TakePlan(&PlannedTrial::grasp)},
-      {"trial", "integer", "", "number of the trial within its hand, object and grasp, from 0",
-       [](const TrialRecord& record) { return Json(record.plan.trial); }},
-      {"outcome", "string", "", "how the trial ended",
-       [](const TrialRecord& record) { return Json(NameOf(record.result.outcome)); }},
-      {"success", "boolean", "", "1 when the outcome is success, else 0", is_success},
-      {"gct_s", "number", "s", "grasp closure time: start of closure to the last first contact",
-       TakeTiming(&ContactTiming::gct)},
-      {"gft_s", "number", "s", "grasp forming time: first to last of the first contacts",
-       TakeTiming(&ContactTiming::gft)},
-      {"got_s", "number", "s", "grasp opposing time: between the thumb and the earliest finger",
-       TakeTiming(&ContactTiming::got)},
-      {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
-      {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
-      {"contact_order", "string", "",
-       "grasping digits by first contact: < before, = in the same step of the physics; digits that "
-       "never touched are left out",
-       [](const TrialRecord& record) { return Json(FindContactOrder(record.result).Format()); }},
-      {"lift_height_m", "number", "m", "height of the object's centre above rest at the end",
-       TakeNumber(&TrialResult::lift_height)},
-      {"hold_slip_m", "number", "m", "motion of the object relative to the palm while held",
-       TakeNumber(&TrialResult::hold_slip)},
-      {"hold_creep_m", "number", "m",
-       "motion of the object in the palm's frame in the second half of the hold",
-       TakeNumber(&TrialResult::hold_creep)},
-      {"end_speed_m_per_s", "number", "m/s", "speed of the object relative to the palm at the end",
-       TakeNumber(&TrialResult::end_speed)},
-      {"grip_force_n", "number", "N", "sum of the normal forces on the object before lift-off",
-       TakeNumber(&TrialResult::grip_force)},
-      {"worst_penetration_m", "number", "m", "deepest finger contact of the whole trial",
-       TakeNumber(&TrialResult::worst_penetration)},
-      {"steady_penetration_m", "number", "m", "deepest finger contact at the end of the hold",
-       TakeNumber(&TrialResult::steady_penetration)},
+/** Columns of what a trial's stability is made of. */
+std::vector<TrialColumn> ListStabilityColumns() {
+  return {
       {"sigma", "number", "N",
        "stability: smallest pull along the palm's axes that the contacts stand in the hold, as "
        "their forces tell; 0 when the object was lost",
@@ -217,15 +169,58 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        TakePart(&Stability::stabilisation, &StabilityPart::slip_speed)},
       {"opposition", "number", "",
        "share of the time before lift-off in which opposed digits touched",
-       TakePart(&Stability::stabilisation, &StabilityPart::opposition)},
-      {"energy_residual_j", "number", "J", "energy of the whole trial that nothing explains",
-       TakeNumber(&TrialResult::energy_residual)},
-      {"num_steps", "integer", "", "simulation steps", TakeCount(&TrialResult::num_steps)},
-      {"num_unconverged", "integer", "", "steps whose solve did not reach its tolerance",
-       TakeCount(&TrialResult::num_unconverged)},
-      {"simulated_time_s", "number", "s", "length of the trial",
-       TakeNumber(&TrialResult::simulated_time)},
+       TakePart(&Stability::stabilisation, &StabilityPart::opposition)}};
+}
+
+/** The fields of the result that have a column, in their order; the stability has many. */
+struct ResultColumns {
+  std::vector<TrialColumn>& columns;
+
+  template <class T>
+  void operator()(const char* key, T TrialResult::*member, const FieldColumn& about) const {
+    columns.push_back(MakeFieldColumn<TrialRecord>(
+        key, member, about,
+        [](const TrialRecord& record) -> const TrialResult& { return record.result; }));
+  }
+  void operator()(const char*, Stability TrialResult::*) const {
+    for (TrialColumn& column : ListStabilityColumns()) columns.push_back(std::move(column));
+  }
+  template <class... Other>
+  void operator()(const char*, const Other&...) const {}
+};
+
+}  // namespace
+
+std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records) {
+  const auto is_success = [](const TrialRecord& record) {
+    return Json(IsSuccess(record.result.outcome) ? 1 : 0);
   };
+  std::vector<TrialColumn> columns = {
+      {"trial_id", "string", "", "hash of everything that matters for the result",
+       TakePlan(&PlannedTrial::id)},
+      {"hand", "string", "", "id of the hand", TakePlan(&PlannedTrial::hand)},
+      {"object", "string", "", "id of the object", TakePlan(&PlannedTrial::object)},
+      {"grasp", "string", "", "id of the standard grasp, g1 to g5, or of an optimised one",
+       TakePlan(&PlannedTrial::grasp)},
+      {"trial", "integer", "", "number of the trial within its hand, object and grasp, from 0",
+       [](const TrialRecord& record) { return Json(record.plan.trial); }},
+      {"outcome", "string", "", "how the trial ended",
+       [](const TrialRecord& record) { return Json(NameOf(record.result.outcome)); }},
+      {"success", "boolean", "", "1 when the outcome is success, else 0", is_success},
+      {"gct_s", "number", "s", "grasp closure time: start of closure to the last first contact",
+       TakeTiming(&ContactTiming::gct)},
+      {"gft_s", "number", "s", "grasp forming time: first to last of the first contacts",
+       TakeTiming(&ContactTiming::gft)},
+      {"got_s", "number", "s", "grasp opposing time: between the thumb and the earliest finger",
+       TakeTiming(&ContactTiming::got)},
+      {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
+      {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
+      {"contact_order", "string", "",
+       "grasping digits by first contact: < before, = in the same step of the physics; digits that "
+       "never touched are left out",
+       [](const TrialRecord& record) { return Json(FindContactOrder(record.result).Format()); }},
+  };
+  TrialResult::ListFields(ResultColumns{columns});
   AddJudgementColumns(columns);
   for (const std::string& digit : ListDigits(records)) {
     AddDigitColumns(digit, columns);

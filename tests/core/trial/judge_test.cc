@@ -74,42 +74,5 @@ TEST(Judge, SigmaForetellsIt) {
   }
 }
 
-std::vector<Verdict> JudgeAll(const HeldObject& held) {
-  std::vector<Verdict> verdicts;
-  for (const VerdictRule& rule : ListVerdictRules()) verdicts.push_back(rule.judge(held));
-  return verdicts;
-}
-
-TEST(Verdicts, AFirmPinchPassesAll) {
-  const TestPinch pinch(3.0, kMass, kMu, kDown);
-  for (const Verdict& verdict : JudgeAll(pinch.MakeHeldObject())) {
-    EXPECT_TRUE(verdict.passed) << verdict.rule;
-  }
-}
-
-// Friction of 0.47 N under a weight of 0.49 N: held in free fall only. DexGraspBench pulls with
-// 0.5 N along six axes, of which the fingers stop two.
-TEST(Verdicts, AWeakPinchFailsThoseThatLoadIt) {
-  const double force = 0.47 / (2.0 * kMu);
-  const TestPinch pinch(force, kMass, kMu, Vector3d::Zero());
-  const std::vector<Verdict> verdicts = JudgeAll(pinch.MakeHeldObject());
-  ASSERT_EQ(verdicts.size(), 5u);
-  EXPECT_TRUE(verdicts[0].passed);
-  EXPECT_FALSE(verdicts[1].passed);
-  EXPECT_EQ(verdicts[1].score, 2.0);
-  EXPECT_TRUE(verdicts[2].passed);  // it turns nothing where there is no gravity
-  EXPECT_FALSE(verdicts[3].passed);
-  EXPECT_LT(verdicts[3].score, 6.0);
-  EXPECT_FALSE(verdicts[4].passed);
-  EXPECT_NEAR(verdicts[4].score, 0.47, 0.02);
-}
-
-TEST(Verdicts, AnEmptyHandFailsAll) {
-  const Judgement judgement = MakeEmptyHandJudgement();
-  EXPECT_EQ(judgement.breaking_force, 0.0);
-  ASSERT_EQ(judgement.verdicts.size(), ListVerdictRules().size());
-  for (const Verdict& verdict : judgement.verdicts) EXPECT_FALSE(verdict.passed);
-}
-
 }  // namespace
 }  // namespace graspbench

@@ -1,11 +1,9 @@
-#include "core/optimise/plain_search.h"
+#include "core/optimise/grid_search.h"
 
 #include "core/base/error.h"
 
 namespace graspbench {
 namespace {
-
-constexpr int kGeneration = 20;  // as many as the evolution strategy
 
 int CalcPower(int base, int exponent) {
   int power = 1;
@@ -14,20 +12,6 @@ int CalcPower(int base, int exponent) {
 }
 
 }  // namespace
-
-Eigen::VectorXd DrawUniformPoint(const SearchSpace& space, RandomStream& stream) {
-  Eigen::VectorXd point(space.size());
-  for (Eigen::Index i = 0; i < point.size(); ++i) {
-    point[i] = stream.NextUniform(space.lower[i], space.upper[i]);
-  }
-  return point;
-}
-
-std::vector<Individual> RandomSearch::MakeGeneration() {
-  std::vector<Individual> generation(kGeneration);
-  for (Individual& individual : generation) individual.genome = DrawUniformPoint(space_, stream_);
-  return generation;
-}
 
 GridSearch::GridSearch(const SearchSpace& space, int num_points) : space_(space) {
   if (space.size() > 3) {
@@ -47,7 +31,7 @@ GridSearch::GridSearch(const SearchSpace& space, int num_points) : space_(space)
 
 std::vector<Individual> GridSearch::MakeGeneration() {
   std::vector<Individual> generation;
-  for (; next_ < num_points_ && generation.size() < kGeneration; ++next_) {
+  for (; next_ < num_points_ && generation.size() < kPlainGeneration; ++next_) {
     Individual individual;
     individual.genome = space_.lower;
     for (int i = 0, rest = next_; i < space_.size(); ++i, rest /= points_each_) {
@@ -57,6 +41,13 @@ std::vector<Individual> GridSearch::MakeGeneration() {
     generation.push_back(individual);
   }
   return generation;
+}
+
+SearchMethodRow GridSearchRow() {
+  return {"grid", [](const SearchSpace& space, int num_evaluations, RandomStream) {
+            return std::unique_ptr<SearchMethod>(
+                std::make_unique<GridSearch>(space, num_evaluations - 1));  // after the start
+          }};
 }
 
 }  // namespace graspbench

@@ -1,23 +1,9 @@
 #pragma once
-/** @file Searches that learn nothing: the yardsticks. */
+/** @file A search over a regular grid, for few coordinates. */
 
 #include "core/optimise/search.h"
 
 namespace graspbench {
-
-Eigen::VectorXd DrawUniformPoint(const SearchSpace& space, RandomStream& stream);
-
-/** Uniform in the box. */
-class RandomSearch : public SearchMethod {
- public:
-  RandomSearch(const SearchSpace& space, RandomStream stream) : space_(space), stream_(stream) {}
-  std::vector<Individual> MakeGeneration() override;
-  void Learn(const std::vector<Individual>&) override {}
-
- private:
-  SearchSpace space_;
-  RandomStream stream_;
-};
 
 /** As many equal distances in each coordinate as `num_points` allow, faces included. */
 class GridSearch : public SearchMethod {

@@ -1,0 +1,170 @@
+#pragma once
+/** @file
+Records as plain structs. A struct lists each of its fields once:
+
+    struct Throw {
+      double height = 0.0;  ///< [m]
+      std::string reason;
+
+      template <class V>
+      static void ListFields(V&& field) {
+        field("height_m", &Throw::height, FieldColumn{"m", "of the highest point"});
+        field("reason", &Throw::reason);
+      }
+    };
+
+and that one listing drives writing and reading JSON, and, for the fields with a FieldColumn, the
+columns of a table with their schema. A field is a double (null: not finite), int, bool, text,
+vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
+ReadJson(json, value) in its namespace. A field that is no member is listed with two functions,
+Json(const Record&) and void(const Json&, Record&). */
+
+#include <Eigen/Core>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/base/csv.h"
+#include "core/base/json.h"
+
+namespace graspbench {
+
+/** What a table says of a field besides its name and type. */
+struct FieldColumn {
+  const char* unit;     ///< "s", "m", ...; empty: none
+  const char* meaning;  ///< one sentence
+};
+
+template <class Record>
+Json RecordToJson(const Record& record);
+/** @throws Json::exception or Error(kFormat) when a key is missing or of another type. */
+template <class Record>
+void ReadRecord(const Json& json, Record& record);
+
+namespace internal {
+
+struct AnyField {
+  template <class... T>
+  void operator()(const char*, T&&...) const {}
+};
+template <class T, class = void>
+struct HasFields : std::false_type {};
+template <class T>
+struct HasFields<T, std::void_t<decltype(T::ListFields(AnyField()))>> : std::true_type {};
+
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+
+template <class T>
+Json FieldToJson(const T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    return JsonNumber(value);
+  } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+    return std::vector<double>(value.begin(), value.end());
+  } else if constexpr (std::is_same_v<T, Pose>) {
+    return JsonPose(value);
+  } else if constexpr (HasFields<T>::value) {
+    return RecordToJson(value);
+  } else if constexpr (IsVector<T>::value) {
+    Json json = Json::array();
+    for (const auto& item : value) json.push_back(FieldToJson(item));
+    return json;
+  } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+    return value;
+  } else {
+    return ToJson(value);
+  }
+}
+
+template <class T>
+void ReadField(const Json& json, T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    value = NumberFrom(json);
+  } else if constexpr (std::is_same_v<T, int>) {
+    value = IntFrom(json);
+  } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+    const auto values = json.get<std::vector<double>>();
+    value =
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  } else if constexpr (std::is_same_v<T, Pose>) {
+    value = PoseFrom(json);
+  } else if constexpr (HasFields<T>::value) {
+    ReadRecord(json, value);
+  } else if constexpr (IsVector<T>::value) {
+    value.clear();
+    for (const Json& item : json) ReadField(item, value.emplace_back());
+  } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+    value = json.get<T>();
+  } else {
+    ReadJson(json, value);
+  }
+}
+
+template <class Record>
+struct FieldWriter {
+  const Record& record;
+  Json& json;
+
+  template <class T, class... About>
+  void operator()(const char* key, T Record::*member, const About&...) const {
+    json[key] = FieldToJson(record.*member);
+  }
+  void operator()(const char* key, Json (*write)(const Record&),
+                  void (*)(const Json&, Record&)) const {
+    json[key] = write(record);
+  }
+};
+
+template <class Record>
+struct FieldReader {
+  const Json& json;
+  Record& record;
+
+  template <class T, class... About>
+  void operator()(const char* key, T Record::*member, const About&...) const {
+    ReadField(json.at(key), record.*member);
+  }
+  void operator()(const char* key, Json (*)(const Record&),
+                  void (*read)(const Json&, Record&)) const {
+    read(json.at(key), record);
+  }
+};
+
+template <class T>
+constexpr const char* ColumnTypeOf() {
+  if constexpr (std::is_same_v<T, double>) return "number";
+  if constexpr (std::is_same_v<T, int>) return "integer";
+  if constexpr (std::is_same_v<T, bool>) return "boolean";
+  return "string";
+}
+
+}  // namespace internal
+
+/** In the order of the listing. */
+template <class Record>
+Json RecordToJson(const Record& record) {
+  Json json = Json::object();
+  Record::ListFields(internal::FieldWriter<Record>{record, json});
+  return json;
+}
+
+template <class Record>
+void ReadRecord(const Json& json, Record& record) {
+  Record::ListFields(internal::FieldReader<Record>{json, record});
+}
+
+/** A column of a table whose rows hold the record. @param take  const Record&(const Row&). */
+template <class Row, class Record, class T, class Take>
+CsvColumn<Row> MakeFieldColumn(const char* key, T Record::*member, const FieldColumn& about,
+                               Take take) {
+  return {key, internal::ColumnTypeOf<T>(), about.unit, about.meaning,
+          [member, take](const Row& row) {
+            const Json value = internal::FieldToJson(take(row).*member);
+            return value.is_boolean() ? Json(value.get<bool>() ? 1 : 0) : value;
+          }};
+}
+
+}  // namespace graspbench
