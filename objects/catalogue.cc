@@ -49,8 +49,13 @@ std::string CalcContentHash(const GraspObject& object) {
   append(&object.mass_properties.mass, 1);
   append(object.mass_properties.p_OOcm.data(), 3);
   append(object.mass_properties.I_OOcm.data(), 9);
-  append(&object.friction_static, 1);
-  append(&object.friction_dynamic, 1);
+  // Most objects say nothing of their surface but the friction.
+  std::vector<double> surface;
+  SurfaceMaterial copy = object.surface;
+  copy.Visit([&](const char*, double& value, double, double) { surface.push_back(value); });
+  const bool is_friction_all =
+      std::all_of(surface.begin() + 2, surface.end(), [](double v) { return std::isnan(v); });
+  append(surface.data(), is_friction_all ? 2 : surface.size());
   return CalcHashHex(bytes);
 }
 
@@ -89,8 +94,7 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
     }
     object->mass_properties.p_OOcm = file.p_OOcm;
   }
-  object->friction_static = file.friction_static;
-  object->friction_dynamic = file.friction_dynamic;
+  object->surface = file.surface;
   object->best_grasp = file.best_grasp;
   if (!file.grasp_order.empty()) object->grasp_order = file.grasp_order;
   object->colour = file.colour.cast<float>();

@@ -50,13 +50,11 @@ ObjectFile LoadObjectFile(const std::filesystem::path& path) {
   CheckPositive("mass_kg", file.mass, map);
   CheckPositive("density_kg_per_m3", file.density, map);
 
-  map.Read("friction_static", file.friction_static);
-  map.Read("friction_dynamic", file.friction_dynamic);
-  CheckPositive("friction_static", file.friction_static, map);
-  CheckPositive("friction_dynamic", file.friction_dynamic, map);
-  if (file.friction_dynamic > file.friction_static) {
-    map.Fail("friction_dynamic", "is larger than friction_static; swap the two?");
-  }
+  map.Read("friction_static", file.surface.friction_static);
+  map.Read("friction_dynamic", file.surface.friction_dynamic);
+  CheckPositive("friction_static", file.surface.friction_static, map);
+  CheckPositive("friction_dynamic", file.surface.friction_dynamic, map);
+  ReadSurface(map, file.surface);
 
   map.Read("size_m", file.size, Needed::kNo);
   map.Read("size_of_sight_m", file.size_of_sight, Needed::kNo);

@@ -9,6 +9,9 @@ object.yaml: what is known of a thing to grasp beside its mesh.
     friction_static: 0.45           # against the hand
     friction_dynamic: 0.40          # at most the static one
     # the rest may be left out
+    contact_stiffness_n_per_m: 5e4        # of one contact point; else as the session has it
+    contact_dissipation_s_per_m: 20       # likewise
+    torsion_radius_m: 0.003               # of a soft surface
     size_m: [0.12, 0.085, 0.09]           # the mesh must have it within 0.1 mm
     size_of_sight_m: [0.12, 0.085, 0.09]  # if soft: the size before it is squeezed
     centre_of_mass_m: [0.01, 0, 0]        # from the middle of the bounding box; else homogeneous
@@ -23,6 +26,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 #include <string>
 #include <vector>
 
+#include "core/shape/surface_material.h"
 #include "objects/length_unit.h"
 
 namespace graspbench {
@@ -36,8 +40,7 @@ struct ObjectFile {
   LengthUnit mesh_unit = LengthUnit::kM;
   double mass = kUnset;     ///< [kg]; either this
   double density = kUnset;  ///< [kg/m^3]; or this
-  double friction_static = kUnset;
-  double friction_dynamic = kUnset;
+  SurfaceMaterial surface;
   Eigen::Vector3d size = Eigen::Vector3d::Constant(kUnset);           ///< [m]
   Eigen::Vector3d size_of_sight = Eigen::Vector3d::Constant(kUnset);  ///< [m]
   Eigen::Vector3d p_OOcm = Eigen::Vector3d::Constant(kUnset);         ///< [m]

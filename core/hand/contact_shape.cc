@@ -34,7 +34,7 @@ void AddRows(const CollisionShape& shape, double radius, int along, int wide, bo
       return shape.X_LS * p_SP;
     };
     for (double position : Spread(half_along, spacing)) {
-      hand.contact_spheres.push_back({shape.link, place(position), radius, is_pad});
+      hand.contact_spheres.push_back({shape.link, place(position), radius});
     }
     hand.capsules.push_back({shape.link, place(-half_along), place(half_along), radius});
   }

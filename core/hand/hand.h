@@ -16,6 +16,7 @@ joints are part of q but no degrees of freedom of their own: see coupling.h. */
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/shape/surface_material.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -25,7 +26,6 @@ struct ContactSphere {
   int link = -1;                                   ///< index into Hand::links
   Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< centre in the link's frame [m]
   double radius = 0.0;                             ///< [m]
-  bool is_pad = false;                             ///< soft flesh of a fingertip
 };
 
 /** A capsule of a link, for contact of the hand with itself. */
@@ -52,6 +52,7 @@ struct HandLink {
   double mass = 0.0;                                 ///< [kg]
   Eigen::Vector3d p_LLcm = Eigen::Vector3d::Zero();  ///< centre of mass [m]
   Eigen::Matrix3d I_LLcm = Eigen::Matrix3d::Zero();  ///< about the centre of mass, axes of L
+  SurfaceMaterial surface;  ///< a link that carries a pad has a torsion radius
 };
 
 /** Position drive: tau = clamp(stiffness (q_cmd - q) - damping qdot, +-torque_limit). */
@@ -96,7 +97,6 @@ struct Hand {
   CouplingRule coupling = CouplingRule::kMiddleFirst;
   double fixed_coupling_ratio = 0.8;  ///< J1 = ratio * J2 under kFixed
   double joint_accuracy = 0.0;  ///< half-width of the per-trial uniform error of each drive [rad]
-  double pad_torsion_radius = 0.004;  ///< largest pad moment about the normal per mu and newton [m]
   std::vector<ContactSphere> contact_spheres;
   std::vector<LinkCapsule> capsules;
   std::vector<LinkVisual> visuals;

@@ -28,9 +28,16 @@ class HandYamlReader {
       map.Fail("joint_accuracy_deg", "expected 0 to 45 degrees");
     }
     hand_.joint_accuracy = RadFromDeg(accuracy_deg);
-    map.Read("pad_torsion_radius_m", hand_.pad_torsion_radius, Needed::kNo);
-    if (hand_.pad_torsion_radius < 0.0) map.Fail("pad_torsion_radius_m", "must not be negative");
+    double pad_torsion_radius = 0.004;
+    map.Read("pad_torsion_radius_m", pad_torsion_radius, Needed::kNo);
+    if (pad_torsion_radius < 0.0) map.Fail("pad_torsion_radius_m", "must not be negative");
     ReadDigits(map.Child("digits"));
+    for (const Digit& digit : hand_.digits) {
+      if (digit.distal_link < 0) continue;
+      hand_.links[digit.distal_link].surface.torsion_radius = pad_torsion_radius;
+    }
+    const YAML::Node surfaces = map.Child("surfaces", Needed::kNo);
+    if (map.Has("surfaces")) ReadSurfaces(surfaces);
     if (map.Has("coupling")) ReadCoupling(map.Child("coupling"));
     ReadDrives(map.Child("drives"));
     map.Child("grasps", Needed::kNo);
@@ -63,6 +70,7 @@ class HandYamlReader {
   void ReadDigit(const YAML::Node& node);
   void ReadCoupling(const YAML::Node& node);
   void ReadDrives(const YAML::Node& node);
+  void ReadSurfaces(const YAML::Node& node);
 
   std::string file_;
   const UrdfOutline& outline_;
@@ -235,6 +243,29 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
                      "drives: joint \"" + name +
                          "\" has neither drive nor "
                          "coupling");
+    }
+  }
+}
+
+void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
+  int number = 0;
+  for (const YAML::Node& item : Items(node, "surfaces")) {
+    const std::string where = "surfaces, entry " + std::to_string(++number);
+    YamlMap map(item, file_, where, problems_);
+    std::vector<std::string> links;
+    map.Read("links", links);
+    SurfaceMaterial surface;
+    ReadSurface(map, surface);
+    map.FinishKnownKeys();
+    for (const std::string& name : links) {
+      if (!CheckName(name, "link", LineOf(item), where)) continue;
+      const int link = hand_.FindLink(name);
+      if (link < 0) continue;  // the URDF is broken, which has been told
+      const double pad_radius = hand_.links[link].surface.torsion_radius;
+      hand_.links[link].surface = surface;
+      if (std::isnan(surface.torsion_radius)) {
+        hand_.links[link].surface.torsion_radius = pad_radius;
+      }
     }
   }
 }

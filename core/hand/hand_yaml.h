@@ -8,7 +8,7 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
       centre_m: [0, 0, 0]      # middle of the palm's surface, in the palm's frame
       normal: [0, 0, 1]        # out of the palm, in the palm's frame
     joint_accuracy_deg: 2      # half-width of the per-trial uniform error of every drive
-    pad_torsion_radius_m: 0.004
+    pad_torsion_radius_m: 0.004   # of the links that carry the pads
     digits:                    # their order is the order of the hand's joints
       - id: TH
         name: thumb
@@ -25,6 +25,13 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
         stiffness_nm_per_rad: 3.0
         damping_nms_per_rad: 0.03
         torque_limit_nm: 1.0
+    surfaces:                  # absent: all as the session has it; what is left out, too
+      - links: [palm]
+        contact_stiffness_n_per_m: 2e5   # of one contact point
+        contact_dissipation_s_per_m: 20
+        friction_static: 0.6             # with the object's: core/physics/combine_surfaces.h
+        friction_dynamic: 0.5
+        torsion_radius_m: 0.002
     grasps: ...                # see core/grasp/standard_grasp.h */
 
 #include <string>

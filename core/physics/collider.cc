@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/units.h"
+#include "core/physics/combine_surfaces.h"
 
 namespace graspbench {
 namespace {
@@ -80,6 +81,14 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
       capsules_(hand.capsules),
       field_(object.field.get()),
       support_points_(FindSupportPoints(object.mesh)) {
+  for (const Vector3d& p : support_points_) object_radius_ = std::max(object_radius_, p.norm());
+  GroupSpheres();
+  FindCapsulePairs(hand);
+  CombineMaterials(hand, object.surface, config);
+  Reset();
+}
+
+void Collider::GroupSpheres() {
   std::stable_sort(spheres_.begin(), spheres_.end(),
                    [](const ContactSphere& a, const ContactSphere& b) { return a.link < b.link; });
   for (int first = 0; first < static_cast<int>(spheres_.size());) {
@@ -97,10 +106,11 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
     link_spheres_.push_back(group);
     first += group.count;
   }
-  for (const Vector3d& p : support_points_) object_radius_ = std::max(object_radius_, p.norm());
+}
 
-  // Fingers against each other and against the palm; a finger cannot reach itself, and what touches
-  // in the rest posture is built that way.
+/** Fingers against each other and against the palm; a finger cannot reach itself, and what touches
+in the rest posture is built that way. */
+void Collider::FindCapsulePairs(const Hand& hand) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   for (int a = 0; a < static_cast<int>(capsules_.size()); ++a) {
     for (int b = a + 1; b < static_cast<int>(capsules_.size()); ++b) {
@@ -109,29 +119,35 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
       const ClosestPoints rest =
           FindClosestPoints(X_HL[ca.link] * ca.p_LA, X_HL[ca.link] * ca.p_LB,
                             X_HL[cb.link] * cb.p_LA, X_HL[cb.link] * cb.p_LB);
-      if ((rest.on_a - rest.on_b).norm() > ca.radius + cb.radius) {
-        pairs_.push_back({a, b, 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm())});
-      }
+      if ((rest.on_a - rest.on_b).norm() <= ca.radius + cb.radius) continue;
+      CapsulePair& pair = pairs_.emplace_back();
+      pair.a = a;
+      pair.b = b;
+      pair.half_lengths = 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm());
     }
   }
+}
 
-  link_material_ = {config.contact_stiffness,    config.contact_dissipation,
-                    config.tangential_stiffness, object.friction_static,
-                    object.friction_dynamic,     0.0};
-  pad_material_ = link_material_;
-  pad_material_.torsion_radius = hand.pad_torsion_radius;
-  table_material_ = link_material_;
-  table_material_.friction_static = config.table_friction_static;
-  table_material_.friction_dynamic = config.table_friction_dynamic;
-  self_material_ = link_material_;
-  self_material_.tangential_stiffness = 0.0;
-  Reset();
+void Collider::CombineMaterials(const Hand& hand, const SurfaceMaterial& object,
+                                const SimConfig& config) {
+  const SurfaceMaterial table = MakeTableSurface(config);
+  for (const HandLink& link : hand.links) {
+    link_object_.push_back(CombineSurfaces(link.surface, object, config));
+    link_table_.push_back(CombineSurfaces(link.surface, table, config));
+  }
+  SurfaceMaterial object_underside = object;  // its friction is that against a hand
+  object_underside.friction_static = object_underside.friction_dynamic = SurfaceMaterial::kUnset;
+  object_table_ = CombineSurfaces(object_underside, table, config);
+  for (CapsulePair& pair : pairs_) {
+    pair.material = CombineSurfaces(hand.links[capsules_[pair.a].link].surface,
+                                    hand.links[capsules_[pair.b].link].surface, config);
+  }
 }
 
 void Collider::Reset() {
-  hand_object_.assign(spheres_.size(), ContactMemory());
-  hand_table_.assign(spheres_.size(), ContactMemory());
-  object_table_.assign(support_points_.size(), ContactMemory());
+  hand_object_memory_.assign(spheres_.size(), ContactMemory());
+  hand_table_memory_.assign(spheres_.size(), ContactMemory());
+  object_table_memory_.assign(support_points_.size(), ContactMemory());
 }
 
 void Collider::AddHandRows(const HandDynamics& dynamics, int link, double sign,
@@ -203,13 +219,13 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       const double gap = field_->CalcDistance(p_OS) - sphere.radius;
       if (gap > kMargin) continue;
       ContactPoint& contact = contacts.emplace_back();
-      contact.material = sphere.is_pad ? pad_material_ : link_material_;
+      contact.material = link_object_[group.link];
       contact.nhat_BA_W = R_WO * field_->Query(p_OS).gradient;
       contact.p_WC = p_WS - (sphere.radius + 0.5 * gap) * contact.nhat_BA_W;
       contact.depth = -gap;
       contact.link = group.link;
       contact.is_on_object = true;
-      contact.memory = &hand_object_[i];
+      contact.memory = &hand_object_memory_[i];
       PrepareContact(h_, step_number, contact);
       AddHandRows(dynamics, group.link, 1.0, v_WH, contact);
       AddObjectRows(dynamics.num_dofs(), p_WOcm, -1.0, contact);
@@ -228,15 +244,40 @@ void Collider::FindHandTable(const HandDynamics& dynamics, const Vector3d& v_WH,
       const double gap = p_WS.z() - sphere.radius;
       if (gap > kMargin) continue;
       ContactPoint& contact = contacts.emplace_back();
-      contact.material = table_material_;
+      contact.material = link_table_[group.link];
       contact.nhat_BA_W = Vector3d::UnitZ();
       contact.p_WC = Vector3d(p_WS.x(), p_WS.y(), 0.5 * gap);
       contact.depth = -gap;
       contact.link = group.link;
-      contact.memory = &hand_table_[i];
+      contact.memory = &hand_table_memory_[i];
       PrepareContact(h_, step_number, contact);
       AddHandRows(dynamics, group.link, 1.0, v_WH, contact);
     }
+  }
+}
+
+void Collider::ChooseCarrying(const std::vector<double>& heights, double lowest,
+                              const Vector3d& up_O, std::vector<int>& chosen) const {
+  thread_local std::vector<int> carrying;
+  carrying.clear();
+  for (size_t i = 0; i < support_points_.size(); ++i) {
+    if (heights[i] <= lowest + kSupportBand) carrying.push_back(static_cast<int>(i));
+  }
+  chosen.clear();
+  if (carrying.size() <= kMaxTableContacts) {
+    chosen = carrying;
+    return;
+  }
+  // The outermost ones hold the object; fixed directions of O keep the choice steady from step to
+  // step.
+  const Vector3d e1 = up_O.unitOrthogonal(), e2 = up_O.cross(e1);
+  for (int k = 0; k < kMaxTableContacts; ++k) {
+    const double angle = 2.0 * kPi * k / kMaxTableContacts;
+    const Vector3d direction = std::cos(angle) * e1 + std::sin(angle) * e2;
+    const int point = *std::max_element(carrying.begin(), carrying.end(), [&](int a, int b) {
+      return direction.dot(support_points_[a]) < direction.dot(support_points_[b]);
+    });
+    if (std::find(chosen.begin(), chosen.end(), point) == chosen.end()) chosen.push_back(point);
   }
 }
 
@@ -255,43 +296,16 @@ void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
   }
   if (lowest > kMargin) return;
 
-  // Among the vertices that carry, the outermost ones hold the object; fixed directions of O keep
-  // the choice steady from step to step.
-  thread_local std::vector<int> carrying;
-  carrying.clear();
-  for (size_t i = 0; i < support_points_.size(); ++i) {
-    if (heights[i] <= lowest + kSupportBand) carrying.push_back(static_cast<int>(i));
-  }
-  std::array<int, kMaxTableContacts> chosen{};
-  int num_chosen = 0;
-  const auto choose = [&](int point) {
-    if (std::find(chosen.begin(), chosen.begin() + num_chosen, point) ==
-        chosen.begin() + num_chosen) {
-      chosen[num_chosen++] = point;
-    }
-  };
-  if (carrying.size() <= kMaxTableContacts) {
-    for (int point : carrying) choose(point);
-  } else {
-    const Vector3d up = up_O.transpose();
-    const Vector3d e1 = up.unitOrthogonal(), e2 = up.cross(e1);
-    for (int k = 0; k < kMaxTableContacts; ++k) {
-      const double angle = 2.0 * kPi * k / kMaxTableContacts;
-      const Vector3d direction = std::cos(angle) * e1 + std::sin(angle) * e2;
-      choose(*std::max_element(carrying.begin(), carrying.end(), [&](int a, int b) {
-        return direction.dot(support_points_[a]) < direction.dot(support_points_[b]);
-      }));
-    }
-  }
-  for (int k = 0; k < num_chosen; ++k) {
-    const int point = chosen[k];
+  thread_local std::vector<int> chosen;
+  ChooseCarrying(heights, lowest, up_O.transpose(), chosen);
+  for (int point : chosen) {
     ContactPoint& contact = contacts.emplace_back();
-    contact.material = table_material_;
+    contact.material = object_table_;
     contact.nhat_BA_W = Vector3d::UnitZ();
     contact.p_WC = X_WO * support_points_[point];
     contact.depth = -heights[point];
     contact.is_on_object = true;
-    contact.memory = &object_table_[point];
+    contact.memory = &object_table_memory_[point];
     PrepareContact(h_, step_number, contact);
     AddObjectRows(dynamics.num_dofs(), p_WOcm, 1.0, contact);
   }
@@ -316,7 +330,7 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, const Vector3d& v_
     const double distance = apart.norm();
     if (distance > radii + kMargin || distance < 1e-9) continue;
     ContactPoint& contact = contacts.emplace_back();
-    contact.material = self_material_;
+    contact.material = pair.material;
     contact.nhat_BA_W = apart / distance;
     contact.p_WC = nearest.on_b + (b.radius + 0.5 * (distance - radii)) * contact.nhat_BA_W;
     contact.depth = radii - distance;

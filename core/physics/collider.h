@@ -46,8 +46,12 @@ class Collider {
   struct CapsulePair {
     int a, b;             // indices into capsules_
     double half_lengths;  // sum of both axes' half lengths
+    ContactMaterial material;
   };
 
+  void GroupSpheres();
+  void FindCapsulePairs(const Hand& hand);
+  void CombineMaterials(const Hand& hand, const SurfaceMaterial& object, const SimConfig& config);
   void AddHandRows(const HandDynamics& dynamics, int link, double sign, const Eigen::Vector3d& v_WH,
                    ContactPoint& contact) const;
   static void AddObjectRows(int first_dof, const Eigen::Vector3d& p_WOcm, double sign,
@@ -60,6 +64,9 @@ class Collider {
   void FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
                        const Eigen::Vector3d& p_WOcm, int step_number,
                        std::vector<ContactPoint>& contacts);
+  /** The outermost of the support points that carry, at `heights`, seen along `up_O`. */
+  void ChooseCarrying(const std::vector<double>& heights, double lowest,
+                      const Eigen::Vector3d& up_O, std::vector<int>& chosen) const;
   void FindSelfContacts(const HandDynamics& dynamics, const Eigen::Vector3d& v_WH, int step_number,
                         std::vector<ContactPoint>& contacts);
 
@@ -76,10 +83,11 @@ class Collider {
   std::vector<CapsulePair> pairs_;
   std::vector<std::array<Eigen::Vector3d, 2>> capsule_ends_;  // in W, of the current step
   const SignedDistanceField* field_;
-  double object_radius_ = 0.0;                   // of a ball around the object's O
-  std::vector<Eigen::Vector3d> support_points_;  // of the object, for the table
-  ContactMaterial pad_material_, link_material_, table_material_, self_material_;
-  std::vector<ContactMemory> hand_object_, hand_table_, object_table_;
+  double object_radius_ = 0.0;                             // of a ball around the object's O
+  std::vector<Eigen::Vector3d> support_points_;            // of the object, for the table
+  std::vector<ContactMaterial> link_object_, link_table_;  // by link
+  ContactMaterial object_table_;
+  std::vector<ContactMemory> hand_object_memory_, hand_table_memory_, object_table_memory_;
 };
 
 }  // namespace graspbench

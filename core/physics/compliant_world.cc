@@ -222,7 +222,7 @@ Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig&
   contact.setTransitionVelocity(kTransitionSpeed);
   SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -kStandardGravity));
   const SimTK::ContactMaterial skin =
-      MakeMaterial(sim, grasp_object.friction_static, grasp_object.friction_dynamic);
+      MakeMaterial(sim, grasp_object.surface.friction_static, grasp_object.surface.friction_dynamic);
   AddTable(grasp_object, sim);
   AddLinks(hand, skin, X_WH, course);
   AddObject(grasp_object, skin);
@@ -241,9 +241,9 @@ SimTK::ContactMaterial Model::MakeMaterial(const SimConfig& sim, double mu_s, do
 }
 
 void Model::AddTable(const GraspObject& grasp_object, const SimConfig& sim) {
-  const double mu_s = CalcPartnerFriction(sim.table_friction_static, grasp_object.friction_static);
+  const double mu_s = CalcPartnerFriction(sim.table_friction_static, grasp_object.surface.friction_static);
   const double mu_d =
-      CalcPartnerFriction(sim.table_friction_dynamic, grasp_object.friction_dynamic);
+      CalcPartnerFriction(sim.table_friction_dynamic, grasp_object.surface.friction_dynamic);
   // A half-space fills x > 0 of its frame.
   matter.updGround().updBody().addContactSurface(
       SimTK::Transform(SimTK::Rotation(0.5 * SimTK::Pi, SimTK::YAxis)),
@@ -470,7 +470,7 @@ void CompliantWorld::AddHandContact(int link, const SimTK::ContactForce& force, 
   touch.normal_force = f_W.dot(touch.nhat_W);
   if (touch.normal_force <= 0.0) return;
   touch.friction_W = f_W - touch.normal_force * touch.nhat_W;
-  touch.mu = object_.friction_static;
+  touch.mu = object_.surface.friction_static;
   contacts_.push_back(touch);
   report.grip_force += touch.normal_force;
   report.link_touches_object[link] = true;

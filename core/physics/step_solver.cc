@@ -88,41 +88,68 @@ double StepSolver::CalcSlope(const StepProblem& problem, const Eigen::VectorXd& 
   return slope;
 }
 
-bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
+/** M + h J^T G J in the lower triangle of H_. */
+void StepSolver::CalcHessian(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double h = problem.h;
+  H_ = problem.M;
+  for (const ScalarForce& scalar : problem.scalars) {
+    if (IsInsideClamp(scalar, v[scalar.dof])) H_(scalar.dof, scalar.dof) += h * scalar.gain;
+  }
+  for (size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactPoint& contact = problem.contacts[c];
+    const ContactForces& f = forces_[c];
+    const auto& J = contact.jacobian;
+    const bool has_tangent = contact.memory && f.tangent_gain[0] + f.tangent_gain[2] > 0.0;
+    if (f.normal_gain == 0.0 && !has_tangent && f.spin_gain == 0.0) continue;
+    for (int i = 0; i < contact.num_dofs; ++i) {
+      const double gn = h * f.normal_gain * J[kNormalRow][i];
+      double g1 = 0.0, g2 = 0.0, gs = 0.0;
+      if (has_tangent) {
+        g1 = h * (f.tangent_gain[0] * J[kTangentRow1][i] + f.tangent_gain[1] * J[kTangentRow2][i]);
+        g2 = h * (f.tangent_gain[1] * J[kTangentRow1][i] + f.tangent_gain[2] * J[kTangentRow2][i]);
+      }
+      if (f.spin_gain > 0.0) gs = h * f.spin_gain * J[kSpinRow][i];
+      for (int j = 0; j <= i; ++j) {
+        double value = gn * J[kNormalRow][j];
+        if (has_tangent) value += g1 * J[kTangentRow1][j] + g2 * J[kTangentRow2][j];
+        if (f.spin_gain > 0.0) value += gs * J[kSpinRow][j];
+        // Dofs of a contact ascend, so this stays in the lower triangle.
+        H_(contact.dofs[i], contact.dofs[j]) += value;
+      }
+    }
+  }
+}
+
+/** The slope along the direction rises monotonically; its zero when the full step overshoots. */
+double StepSolver::SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v) const {
+  double alpha = 1.0;
+  const double slope_at_start = residual_.dot(direction_);
+  double slope = CalcSlope(problem, v, alpha);
+  if (slope > 0.1 * std::abs(slope_at_start)) {
+    double low = 0.0, high = 1.0, slope_low = slope_at_start, slope_high = slope;
+    for (int k = 0; k < 20 && std::abs(slope) > 0.1 * std::abs(slope_at_start); ++k) {
+      alpha = low - slope_low * (high - low) / (slope_high - slope_low);
+      // Regula falsi may stick to one end; bisect every third time.
+      if (k % 3 == 2) alpha = 0.5 * (low + high);
+      slope = CalcSlope(problem, v, alpha);
+      if (slope > 0.0) {
+        high = alpha;
+        slope_high = slope;
+      } else {
+        low = alpha;
+        slope_low = slope;
+      }
+    }
+  }
+  return alpha;
+}
+
+bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     CalcResidual(problem, v);
     if (!(residual_.cwiseAbs().maxCoeff() > kTolerance)) return residual_.allFinite();
 
-    H_ = problem.M;
-    for (const ScalarForce& scalar : problem.scalars) {
-      if (IsInsideClamp(scalar, v[scalar.dof])) H_(scalar.dof, scalar.dof) += h * scalar.gain;
-    }
-    for (size_t c = 0; c < problem.contacts.size(); ++c) {
-      const ContactPoint& contact = problem.contacts[c];
-      const ContactForces& f = forces_[c];
-      const auto& J = contact.jacobian;
-      const bool has_tangent = contact.memory && f.tangent_gain[0] + f.tangent_gain[2] > 0.0;
-      if (f.normal_gain == 0.0 && !has_tangent && f.spin_gain == 0.0) continue;
-      for (int i = 0; i < contact.num_dofs; ++i) {
-        const double gn = h * f.normal_gain * J[kNormalRow][i];
-        double g1 = 0.0, g2 = 0.0, gs = 0.0;
-        if (has_tangent) {
-          g1 =
-              h * (f.tangent_gain[0] * J[kTangentRow1][i] + f.tangent_gain[1] * J[kTangentRow2][i]);
-          g2 =
-              h * (f.tangent_gain[1] * J[kTangentRow1][i] + f.tangent_gain[2] * J[kTangentRow2][i]);
-        }
-        if (f.spin_gain > 0.0) gs = h * f.spin_gain * J[kSpinRow][i];
-        for (int j = 0; j <= i; ++j) {
-          double value = gn * J[kNormalRow][j];
-          if (has_tangent) value += g1 * J[kTangentRow1][j] + g2 * J[kTangentRow2][j];
-          if (f.spin_gain > 0.0) value += gs * J[kSpinRow][j];
-          // Dofs of a contact ascend, so this stays in the lower triangle.
-          H_(contact.dofs[i], contact.dofs[j]) += value;
-        }
-      }
-    }
+    CalcHessian(problem, v);
     factor_.compute(H_);
     if (factor_.info() != Eigen::Success) return false;
     direction_ = factor_.solve(-residual_);
@@ -130,28 +157,7 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
     M_direction_.noalias() = problem.M * direction_;
     CalcRates(problem, direction_, false, direction_rates_);
 
-    // The slope along the direction rises monotonically; find its zero when the full step
-    // overshoots.
-    double alpha = 1.0;
-    const double slope_at_start = residual_.dot(direction_);
-    double slope = CalcSlope(problem, v, alpha);
-    if (slope > 0.1 * std::abs(slope_at_start)) {
-      double low = 0.0, high = 1.0, slope_low = slope_at_start, slope_high = slope;
-      for (int k = 0; k < 20 && std::abs(slope) > 0.1 * std::abs(slope_at_start); ++k) {
-        alpha = low - slope_low * (high - low) / (slope_high - slope_low);
-        // Regula falsi may stick to one end; bisect every third time.
-        if (k % 3 == 2) alpha = 0.5 * (low + high);
-        slope = CalcSlope(problem, v, alpha);
-        if (slope > 0.0) {
-          high = alpha;
-          slope_high = slope;
-        } else {
-          low = alpha;
-          slope_low = slope;
-        }
-      }
-    }
-    v += alpha * direction_;
+    v += SearchAlong(problem, v) * direction_;
   }
   CalcResidual(problem, v);
   return residual_.cwiseAbs().maxCoeff() <= kTolerance;

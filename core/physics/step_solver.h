@@ -65,6 +65,8 @@ class StepSolver {
 
  private:
   bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
+  void CalcHessian(const StepProblem& problem, const Eigen::VectorXd& v);
+  double SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v) const;
   /** Returns whether a limit that matters was off; only then moves them. */
   bool RefreshFrictionLimits(StepProblem& problem);
   void MixLimits(StepProblem& problem) const;

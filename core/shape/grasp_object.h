@@ -11,6 +11,7 @@ from a user's mesh; shared read-only between threads. */
 
 #include "core/shape/mass_properties.h"
 #include "core/shape/signed_distance_field.h"
+#include "core/shape/surface_material.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -25,8 +26,7 @@ struct GraspObject {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();           ///< of grasp: length, width, height [m]
   Eigen::Vector3d size_of_sight = Eigen::Vector3d::Zero();  ///< what a camera sees [m]
   MassProperties mass_properties;
-  double friction_static = 0.0;   ///< Coulomb coefficient against the hand
-  double friction_dynamic = 0.0;  ///< <= friction_static
+  SurfaceMaterial surface;  ///< its friction is that against the hand
   /** Best-suited standard grasp, "g1".."g5", by hand id; hands not named here use grasp_order. */
   std::map<std::string, std::string> best_grasp;
   /** Grasps by falling suitability; a hand without an entry in best_grasp takes the first of them

@@ -26,8 +26,9 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
   for (double side : object->size)
     size += (size.empty() ? "" : " × ") + FormatFixed(MmFromM(side), 1);
   return FormatFixed(GFromKg(object->mass_properties.mass), 1) + " g, " + size +
-         " mm (length × width × height), friction " + FormatFixed(object->friction_static, 2) +
-         " static and " + FormatFixed(object->friction_dynamic, 2) + " dynamic.";
+         " mm (length × width × height), friction " +
+         FormatFixed(object->surface.friction_static, 2) + " static and " +
+         FormatFixed(object->surface.friction_dynamic, 2) + " dynamic.";
 }
 
 Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {

@@ -104,8 +104,8 @@ Html DrawObjects(const ReportData& data) {
                              Text(FormatFixed(GFromKg(object->mass_properties.mass), 1))};
     for (double side : object->size) row.push_back(Text(FormatFixed(MmFromM(side), 1)));
     row.push_back(Text(FormatFixed(MmFromM(object->mass_properties.p_OOcm.x()), 1)));
-    row.push_back(Text(FormatFixed(object->friction_static, 2)));
-    row.push_back(Text(FormatFixed(object->friction_dynamic, 2)));
+    row.push_back(Text(FormatFixed(object->surface.friction_static, 2)));
+    row.push_back(Text(FormatFixed(object->surface.friction_dynamic, 2)));
     row.push_back(Element("code", {}, object->content_hash));
     table.AddRow(row);
   }

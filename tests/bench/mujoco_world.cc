@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iomanip>
 #include <set>
@@ -62,7 +63,11 @@ class SceneWriter {
 
   std::string Write(const Pose& X_WRoot, const std::vector<Vector3d>& slides_W,
                     const LinkPairs& apart) {
-    const double mu = object_.friction_static;
+    const double mu = object_.surface.friction_static;
+    double torsion_radius = 0.0;  // of the pads
+    for (const HandLink& link : hand_.links) {
+      torsion_radius = std::fmax(torsion_radius, link.surface.torsion_radius);
+    }
     text_ << "<mujoco>\n<compiler angle='radian'/>\n<size njmax='800' nconmax='200'/>\n"
           << "<option timestep='" << config_.step << "' gravity='0 0 " << -kStandardGravity
           << "' cone='elliptic' impratio='" << config_.impratio
@@ -70,8 +75,8 @@ class SceneWriter {
           << "' noslip_tolerance='" << config_.noslip_tolerance << "'/>\n"
           << "<default>\n<geom solref='" << config_.time_constant << " 1' solimp='"
           << config_.impedance_min << ' ' << config_.impedance_max << " 0.001' friction='" << mu
-          << ' ' << mu * hand_.pad_torsion_radius << " 0'/>\n<equality solref='"
-          << config_.time_constant << " 1'/>\n<joint solreflimit='" << config_.time_constant
+          << ' ' << mu * torsion_radius << " 0'/>\n<equality solref='" << config_.time_constant
+          << " 1'/>\n<joint solreflimit='" << config_.time_constant
           << " 1'/>\n</default>\n<worldbody>\n<geom name='table' type='plane' size='1 1 1' "
           << "priority='1' friction='" << sim_.table_friction_static << " 0 0' " << kTableBits
           << "/>\n";
@@ -100,7 +105,8 @@ class SceneWriter {
     for (const ContactSphere& sphere : hand_.contact_spheres) {
       if (sphere.link != link) continue;
       text_ << "<geom type='sphere' size='" << sphere.radius << "' pos='" << Format(sphere.p_LS)
-            << "' condim='" << (sphere.is_pad ? 4 : 3) << "' " << kSphereBits << "/>\n";
+            << "' condim='" << (hand_.links[link].surface.torsion_radius > 0.0 ? 4 : 3) << "' "
+            << kSphereBits << "/>\n";
     }
     for (const LinkCapsule& capsule : hand_.capsules) {
       if (capsule.link != link) continue;

@@ -25,8 +25,8 @@ TEST(LoadCatalogueTest, EveryObjectIsThatOfTheTable) {
     EXPECT_TRUE((object->size_of_sight.array() >= object->size.array() - 1e-9).all());
     EXPECT_NEAR(GFromKg(object->mass_properties.mass), row.mass_g, 1e-9);
     EXPECT_NEAR(MmFromM(object->mass_properties.p_OOcm.x()), row.offset_mm, 1e-9);
-    EXPECT_EQ(object->friction_static, row.friction_static);
-    EXPECT_EQ(object->friction_dynamic, row.friction_dynamic);
+    EXPECT_EQ(object->surface.friction_static, row.friction_static);
+    EXPECT_EQ(object->surface.friction_dynamic, row.friction_dynamic);
 
     // A rigid body's principal moments obey the triangle inequality.
     const Eigen::Vector3d moments =

@@ -23,8 +23,8 @@ Json MakeObjectJson(const GraspObject& object) {
           {"size_m", JsonVector(object.size)},
           {"size_of_sight_m", JsonVector(object.size_of_sight)},
           {"centre_of_mass_m", JsonVector(object.mass_properties.p_OOcm)},
-          {"friction_static", object.friction_static},
-          {"friction_dynamic", object.friction_dynamic},
+          {"friction_static", object.surface.friction_static},
+          {"friction_dynamic", object.surface.friction_dynamic},
           {"best_grasp", object.best_grasp},
           {"triangles", object.mesh.num_triangles()}};
 }
@@ -49,8 +49,8 @@ void ListObjectsCommand(bool json) {
     const auto object = LoadObject(id);
     list.push_back(MakeObjectJson(*object));
     table.AddRow({id, FormatFixed(GFromKg(object->mass_properties.mass), 1),
-                  FormatSize(object->size), FormatFixed(object->friction_static, 2),
-                  FormatFixed(object->friction_dynamic, 2), FormatBestGrasps(*object)});
+                  FormatSize(object->size), FormatFixed(object->surface.friction_static, 2),
+                  FormatFixed(object->surface.friction_dynamic, 2), FormatBestGrasps(*object)});
   }
   if (json) {
     PrintJson({{"objects", list}});
@@ -73,8 +73,8 @@ void ShowObject(const std::string& id, bool json) {
             << FormatFixed(MmFromM(solid.p_OOcm.x()), 1) << ", "
             << FormatFixed(MmFromM(solid.p_OOcm.y()), 1) << ", "
             << FormatFixed(MmFromM(solid.p_OOcm.z()), 1) << ") mm from the centre\nfriction        "
-            << FormatFixed(object->friction_static, 2) << " static, "
-            << FormatFixed(object->friction_dynamic, 2) << " dynamic\nbest grasp      "
+            << FormatFixed(object->surface.friction_static, 2) << " static, "
+            << FormatFixed(object->surface.friction_dynamic, 2) << " dynamic\nbest grasp      "
             << FormatBestGrasps(*object) << "\nmesh            " << object->mesh.num_triangles()
             << " triangles\n";
 }

@@ -91,7 +91,7 @@ class SqueezeScene {
     const double scale = squeeze.mass / object.mass_properties.mass;
     object.mass_properties.mass = squeeze.mass;
     object.mass_properties.I_OOcm *= scale;
-    object.friction_static = object.friction_dynamic = squeeze.mu;
+    object.surface.friction_static = object.surface.friction_dynamic = squeeze.mu;
     return object;
   }
   static SimConfig MakeConfig(const Squeeze& squeeze) {

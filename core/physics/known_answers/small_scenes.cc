@@ -17,8 +17,8 @@ GraspObject MakeSolid(TriMesh mesh, double mass, double mu_s, double mu_d) {
   object.mesh = std::move(mesh);
   object.field = std::make_shared<SignedDistanceField>(SignedDistanceField::Build(object.mesh));
   object.mass_properties = CalcSolidMassProperties(object.mesh, mass);
-  object.friction_static = mu_s;
-  object.friction_dynamic = mu_d;
+  object.surface.friction_static = mu_s;
+  object.surface.friction_dynamic = mu_d;
   return object;
 }
 
@@ -72,7 +72,6 @@ void AddRodLink(Hand& hand, int parent, const Pose& X_PJ, const Vector3d& axis, 
 Hand MakeSqueezeHand(int num_fingers, double radius, double force, double pad_torsion_radius) {
   constexpr double kBall = 0.008;
   Hand hand = MakeBareHand();
-  hand.pad_torsion_radius = pad_torsion_radius;
   for (int i = 0; i < num_fingers; ++i) {
     const double angle = 2.0 * kPi * i / num_fingers;
     const Vector3d outwards(std::cos(angle), std::sin(angle), 0.0);
@@ -80,10 +79,10 @@ Hand MakeSqueezeHand(int num_fingers, double radius, double force, double pad_to
     AddRodLink(hand, 0, MakePose(radius * outwards), axis, 0.01, kSqueezeLever);
     HandLink& finger = hand.links.back();
     finger.p_LLcm.setZero();
+    finger.surface.torsion_radius = pad_torsion_radius;
     hand.joints.back().drive = {1e3, 0.0, force * kSqueezeLever};
-    hand.contact_spheres.push_back({hand.joints.back().link,
-                                    kBall * outwards - kSqueezeLever * Vector3d::UnitZ(), kBall,
-                                    true});
+    hand.contact_spheres.push_back(
+        {hand.joints.back().link, kBall * outwards - kSqueezeLever * Vector3d::UnitZ(), kBall});
   }
   return hand;
 }

@@ -269,14 +269,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadHand{"yaml", "digits:", "digits: [",
                 "hand.yaml:8: error: not valid YAML: illegal block entry"},
-        BadHand{"yaml", "name: Two", "nmae: Two",
-                "hand.yaml:1: error: hand: the key \"name\" is missing\n"
-                "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
-                "joint_accuracy_deg, pad_torsion_radius_m, digits, coupling, drives, grasps"},
-        BadHand{"yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
-                "hand.yaml:6: error: hand, joint_accuracy_deg: expected 0 to 45 degrees\n"
-                "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
-                "joint_accuracy_deg, pad_torsion_radius_m, digits, coupling, drives, grasps"},
+        BadHand{
+            "yaml", "name: Two", "nmae: Two",
+            "hand.yaml:1: error: hand: the key \"name\" is missing\n"
+            "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
+            "joint_accuracy_deg, pad_torsion_radius_m, digits, surfaces, coupling, drives, grasps"},
+        BadHand{
+            "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
+            "hand.yaml:6: error: hand, joint_accuracy_deg: expected 0 to 45 degrees\n"
+            "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
+            "joint_accuracy_deg, pad_torsion_radius_m, digits, surfaces, coupling, drives, grasps"},
         BadHand{"yaml", "link: palm", "link: plam",
                 "hand.yaml:3: error: palm: hand.urdf has no link \"plam\". Known: palm, proximal, "
                 "distal, tip"},

@@ -69,7 +69,7 @@ TEST_P(EveryHand, HasCompleteDigits) {
     // The pad lies on the balls within a millimetre, and the tip is the far end of the last one.
     double pad_gap = 1e9, reach = 0.0;
     for (const ContactSphere& sphere : hand_.contact_spheres) {
-      EXPECT_EQ(sphere.is_pad,
+      EXPECT_EQ(hand_.links[sphere.link].surface.torsion_radius > 0.0,
                 hand_.FindDigitOfLink(sphere.link) >= 0 &&
                     hand_.links[sphere.link].name.find("distal") != std::string::npos);
       if (sphere.link != digit.distal_link) continue;

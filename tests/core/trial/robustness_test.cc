@@ -75,8 +75,8 @@ void PrintAndCheck(const std::string& what, const Tally& tally) {
 std::shared_ptr<const GraspObject> Change(GraspObject object, double mass, double mu) {
   object.mass_properties.I_OOcm *= mass / object.mass_properties.mass;
   object.mass_properties.mass = mass;
-  object.friction_static = mu;
-  object.friction_dynamic = 0.9 * mu;
+  object.surface.friction_static = mu;
+  object.surface.friction_dynamic = 0.9 * mu;
   return std::make_shared<const GraspObject>(object);
 }
 

@@ -23,15 +23,15 @@ class TestPinch {
   TestPinch(double force, double mass, double mu, const Eigen::Vector3d& gravity_W) {
     constexpr double kTip = 0.005;
     auto hand = std::make_shared<Hand>(MakeBareHand());
-    hand->pad_torsion_radius = kTorsionRadius;
     command_.q = Eigen::Vector2d(force, -force) * (kLength / kStiffness);
     for (const double side : {-1.0, 1.0}) {
       Pose X_PJ = MakePose(Eigen::Vector3d(side * (0.5 * kSide + kTip), 0.0, 0.0));
       X_PJ.rotate(Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()));
       AddRodLink(*hand, 0, X_PJ, Eigen::Vector3d::UnitY(), 0.02, kLength);
       const int link = static_cast<int>(hand->links.size()) - 1;
+      hand->links.back().surface.torsion_radius = kTorsionRadius;
       hand->joints.back().drive = {kStiffness, 0.02, 100.0};
-      hand->contact_spheres.push_back({link, Eigen::Vector3d(0.0, 0.0, kLength), kTip, true});
+      hand->contact_spheres.push_back({link, Eigen::Vector3d(0.0, 0.0, kLength), kTip});
       Digit digit;
       digit.id = side < 0.0 ? "TH" : "FF";
       digit.is_thumb = side < 0.0;

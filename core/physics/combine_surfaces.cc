@@ -1,0 +1,51 @@
+#include "core/physics/combine_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+/** The value of the one side that gives it, or of `both`; `neither` when none does. */
+template <class Both>
+double Combine(double a, double b, double neither, Both&& both) {
+  if (std::isnan(a)) return std::isnan(b) ? neither : b;
+  return std::isnan(b) ? a : both(a, b);
+}
+
+double CombineFriction(double a, double b) {
+  return Combine(a, b, 0.0, [](double mu_a, double mu_b) {
+    return mu_a + mu_b > 0.0 ? 2.0 * mu_a * mu_b / (mu_a + mu_b) : 0.0;
+  });
+}
+
+}  // namespace
+
+ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial& b,
+                                const SimConfig& config) {
+  const auto or_session = [&](double k) { return std::isnan(k) ? config.contact_stiffness : k; };
+  const double k_a = or_session(a.stiffness), k_b = or_session(b.stiffness);
+  ContactMaterial pair;
+  pair.stiffness = Combine(a.stiffness, b.stiffness, config.contact_stiffness,
+                           [](double ka, double kb) { return ka * kb / (ka + kb); });
+  pair.dissipation =
+      Combine(a.dissipation, b.dissipation, config.contact_dissipation,
+              [&](double d_a, double d_b) { return (k_b * d_a + k_a * d_b) / (k_a + k_b); });
+  pair.friction_static = CombineFriction(a.friction_static, b.friction_static);
+  pair.friction_dynamic = CombineFriction(a.friction_dynamic, b.friction_dynamic);
+  pair.torsion_radius = Combine(a.torsion_radius, b.torsion_radius, 0.0,
+                                [](double r_a, double r_b) { return std::min(r_a, r_b); });
+  pair.tangential_stiffness =
+      config.tangential_stiffness * (pair.stiffness / config.contact_stiffness);
+  return pair;
+}
+
+SurfaceMaterial MakeTableSurface(const SimConfig& config) {
+  SurfaceMaterial table;
+  table.friction_static = config.table_friction_static;
+  table.friction_dynamic = config.table_friction_dynamic;
+  table.torsion_radius = 0.0;
+  return table;
+}
+
+}  // namespace graspbench
