@@ -221,8 +221,8 @@ Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig&
              const Pose& X_WH, const HandDynamics& dynamics, const Course& course) {
   contact.setTransitionVelocity(kTransitionSpeed);
   SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -kStandardGravity));
-  const SimTK::ContactMaterial skin =
-      MakeMaterial(sim, grasp_object.surface.friction_static, grasp_object.surface.friction_dynamic);
+  const SimTK::ContactMaterial skin = MakeMaterial(sim, grasp_object.surface.friction_static,
+                                                   grasp_object.surface.friction_dynamic);
   AddTable(grasp_object, sim);
   AddLinks(hand, skin, X_WH, course);
   AddObject(grasp_object, skin);
@@ -241,7 +241,8 @@ SimTK::ContactMaterial Model::MakeMaterial(const SimConfig& sim, double mu_s, do
 }
 
 void Model::AddTable(const GraspObject& grasp_object, const SimConfig& sim) {
-  const double mu_s = CalcPartnerFriction(sim.table_friction_static, grasp_object.surface.friction_static);
+  const double mu_s =
+      CalcPartnerFriction(sim.table_friction_static, grasp_object.surface.friction_static);
   const double mu_d =
       CalcPartnerFriction(sim.table_friction_dynamic, grasp_object.surface.friction_dynamic);
   // A half-space fills x > 0 of its frame.
