@@ -211,5 +211,11 @@ TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
   ExpectSoundPage(page);
 }
 
+TEST(SessionReport, ShowsWhatTheJudgeFound) {
+  const std::string page = MakePageOf(MakeJudgedSession());
+  EXPECT_NE(page.find("24 judged grasps"), std::string::npos);
+  EXPECT_NE(page.find("18 of 24"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace graspbench

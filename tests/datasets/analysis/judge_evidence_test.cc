@@ -8,23 +8,6 @@
 namespace graspbench {
 namespace {
 
-/** 12 cells of two trials; sigma ranks like the breaking force, epsilon against it. */
-Session MakeJudgedSession() {
-  Session session = MakeSession({"tum", "shadow"}, {"a", "b", "c", "d", "e", "f"}, "g1", 2);
-  double force = 0.0;
-  for (TrialRecord& record : session.records) {
-    force += 1.0;
-    record.result.stability.sigma = 0.5 * force * force;
-    record.result.stability.stabilisation.quality = 1.0 / force;
-    Judgement judgement = MakeEmptyHandJudgement();
-    judgement.breaking_force = force;
-    judgement.verdicts[0].passed = true;
-    judgement.verdicts[1].passed = force > 6.0;
-    record.judgement = judgement;
-  }
-  return session;
-}
-
 TEST(JudgeEvidence, RanksMeasuresAgainstTheBreakingForce) {
   const JudgeEvidence evidence = CalcJudgeEvidence(MakeJudgedSession().records);
   EXPECT_EQ(evidence.num_judged, 24);
@@ -82,12 +65,6 @@ TEST(JudgeEvidence, ASessionWithoutJudgementsHasNone) {
   const JudgeEvidence evidence = CalcJudgeEvidence(MakeSession({"tum"}, {"a"}, "g1", 2).records);
   EXPECT_EQ(evidence.num_judged, 0);
   EXPECT_TRUE(evidence.ranks.empty());
-}
-
-TEST(JudgeEvidence, TheReportShowsIt) {
-  const std::string page = MakePageOf(MakeJudgedSession());
-  EXPECT_NE(page.find("24 judged grasps"), std::string::npos);
-  EXPECT_NE(page.find("18 of 24"), std::string::npos);
 }
 
 TEST(JudgeEvidence, LoadsOfACellAreThoseOfItsJudgedTrials) {

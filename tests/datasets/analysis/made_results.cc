@@ -44,6 +44,22 @@ Session MakeSession(const std::vector<std::string>& hands, const std::vector<std
   return session;
 }
 
+Session MakeJudgedSession() {
+  Session session = MakeSession({"tum", "shadow"}, {"a", "b", "c", "d", "e", "f"}, "g1", 2);
+  double force = 0.0;
+  for (TrialRecord& record : session.records) {
+    force += 1.0;
+    record.result.stability.sigma = 0.5 * force * force;
+    record.result.stability.stabilisation.quality = 1.0 / force;
+    Judgement judgement = MakeEmptyHandJudgement();
+    judgement.breaking_force = force;
+    judgement.verdicts[0].passed = true;
+    judgement.verdicts[1].passed = force > 6.0;
+    record.judgement = judgement;
+  }
+  return session;
+}
+
 Campaign MakeCampaign() {
   Campaign campaign;
   campaign.config.session.trials = 10;

@@ -16,6 +16,9 @@ TrialRecord MakeRecord(const PlannedTrial& plan, Outcome outcome);
 Session MakeSession(const std::vector<std::string>& hands, const std::vector<std::string>& objects,
                     const std::string& grasp, int trials);
 
+/** 12 cells of two trials; sigma ranks like the breaking force, epsilon against it. */
+Session MakeJudgedSession();
+
 /** Two scenes of ten trials. Sigma is 1, 2, 3 for the three variants, plus 0.01 per trial; GFT% is
 40, 20, 10 %; on the can the new target grasp fails in six trials. */
 Campaign MakeCampaign();
