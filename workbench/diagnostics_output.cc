@@ -1,8 +1,7 @@
 #include "workbench/diagnostics_output.h"
 
-#include <iostream>
-
 #include "core/base/text.h"
+#include "workbench/terminal.h"
 
 namespace graspbench {
 
@@ -18,7 +17,7 @@ Json MakeJson(const Diagnostics& problems) {
 }
 
 void PrintFindings(const Diagnostics& problems) {
-  if (!problems.entries().empty()) std::cout << problems.Format() << '\n';
+  if (!problems.entries().empty()) PrintResult(problems.Format() + "\n");
 }
 
 std::string FormatFindingCounts(const Diagnostics& problems) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,13 +17,19 @@ namespace graspbench {
 namespace {
 
 /** The examples, kept in the footer, come first. */
-class ExamplesFirst : public CLI::Formatter {
+class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override {
     return "Examples:\n" + app->get_footer() + "\n\n" + CLI::Formatter::make_help(app, name, mode);
   }
   std::string make_footer(const CLI::App*) const override { return {}; }
+  /** The default stands at the end, taken from where the program has it. */
+  std::string make_option_desc(const CLI::Option* option) const override {
+    const std::string text = CLI::Formatter::make_option_desc(option);
+    const std::string value = option->get_default_str();
+    return value.empty() ? text : text + " (default " + value + ")";
+  }
 };
 
 /** The command that the user was typing when the parser gave up. */
@@ -78,8 +84,8 @@ std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
 }
 
 void PrintFault(const std::string& message) {
-  std::cout.flush();
-  std::fprintf(stderr, "graspbench: %s\n", message.c_str());
+  std::fflush(stdout);
+  PrintMessage("graspbench: " + message);
 }
 
 }  // namespace
@@ -93,15 +99,18 @@ CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::st
 
 void AddListOption(CLI::App& command, const std::string& name, std::vector<std::string>& list,
                    const std::string& text, const std::string& form) {
-  command.add_option(name, list, text)->delimiter(',')->allow_extra_args(false)->option_text(form);
+  std::string names;
+  for (const std::string& item : list) names += (names.empty() ? "" : ",") + item;
+  command.add_option(name, list, text)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text(form)
+      ->default_str(names);
 }
 
-void AddSceneOptions(CLI::App& command, std::vector<std::string>& hands,
-                     std::vector<std::string>& objects) {
-  AddListOption(command, "--hand", hands, "hands by id or folder, or all (default tum,shadow)",
-                "H,..");
-  AddListOption(command, "--object", objects, "objects by id or folder, or all (default all)",
-                "O,..");
+void AddSceneOptions(CLI::App& command, SessionConfig& config) {
+  AddListOption(command, "--hand", config.hands, "hands by id or folder, or all", "H,..");
+  AddListOption(command, "--object", config.objects, "objects by id or folder, or all", "O,..");
 }
 
 void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
@@ -111,20 +120,36 @@ void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
       ->option_text("KEY=VALUE");
 }
 
-void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
-  num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  command.add_option("--jobs", num_workers, what + " at a time (default: processors)")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
+void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of) {
+  command.add_option("--evaluations", config.evaluations, of)
+      ->option_text("N")
+      ->capture_default_str();
+  command
+      .add_option("--fitness-trials", config.fitness_trials,
+                  "trials of an evaluation: 1 without variation, or so many drawn ones")
+      ->option_text("N")
+      ->capture_default_str();
 }
 
-void PrintJson(const Json& json) { std::cout << json.dump(2) << '\n'; }
+void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
+  num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  command.add_option("--jobs", num_workers, what + " at a time")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N")
+      ->default_str("processors");
+}
+
+std::string ListNames(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
 
 int RunProgram(int argc, const char* const* argv) {
   ExitCode exit_code = kExitOk;
   CLI::App program("Grasping experiments with simulated robot hands.", "graspbench");
   try {
-    program.formatter(std::make_shared<ExamplesFirst>());
+    program.formatter(std::make_shared<HelpFormatter>());
     program.footer(
         "  graspbench run                       both hands, 21 objects, then a report\n"
         "  graspbench render shadow can g3 --phase closed --out can.png");
@@ -133,11 +158,15 @@ int RunProgram(int argc, const char* const* argv) {
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
     program.parse(argc, argv);
-    std::cout.flush();
-    if (!std::cout) throw Error(ErrorKind::kIo, "cannot write to the standard output");
+    FlushResults();
     return exit_code;
   } catch (const CLI::ParseError& fault) {
-    if (fault.get_exit_code() == 0) return program.exit(fault);  // --help
+    if (fault.get_exit_code() == 0) {  // --help
+      std::ostringstream help, none;
+      program.exit(fault, help, none);
+      PrintResult(help.str());
+      return kExitOk;
+    }
     PrintFault(Explain(fault, program));
     return kExitUsage;
   } catch (const Error& error) {

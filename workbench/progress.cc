@@ -9,9 +9,11 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/escape.h"
 #include "core/base/text.h"
 #include "core/statistics/proportion.h"
 #include "workbench/plain_text.h"
+#include "workbench/terminal.h"
 
 namespace graspbench {
 namespace {
@@ -146,10 +148,12 @@ ProgressState Progress::MakeState() const {
   for (const auto& [outcome, count] : status_.outcomes) state.outcomes[outcome] += count;
   state.num_done = std::accumulate(state.outcomes.begin(), state.outcomes.end(), 0,
                                    [](int sum, const auto& item) { return sum + item.second; });
-  for (const PlannedTrial* trial : status_.busy) {
-    state.workers.push_back(trial ? trial->hand + "  " + trial->object + "  " + trial->grasp +
-                                        "  #" + std::to_string(trial->trial)
-                                  : "");
+  for (const std::optional<PlannedTrial>& trial : status_.busy) {
+    state.workers.push_back(
+        trial ? EscapeForTerminal(trial->hand + "  " + trial->object + "  " + trial->grasp,
+                                  LineFeeds::kEscape) +
+                    "  #" + std::to_string(trial->trial)
+              : "");
   }
   state.rate = pace_.rate();
   return state;
@@ -157,8 +161,7 @@ ProgressState Progress::MakeState() const {
 
 void Progress::Draw() {
   if (!is_terminal_) {
-    std::fprintf(stream_, "%s\n", FormatLine(MakeState()).c_str());
-    std::fflush(stream_);
+    PrintControlled(stream_, FormatLine(MakeState()) + "\n");
     return;
   }
   std::string text;
@@ -167,8 +170,7 @@ void Progress::Draw() {
   for (const std::string& line : lines) text += "\r" + line + "\x1b[K\n";
   text += "\x1b[J";  // what a key press or a longer block has left below
   num_lines_drawn_ = static_cast<int>(lines.size());
-  std::fputs(text.c_str(), stream_);
-  std::fflush(stream_);
+  PrintControlled(stream_, text);
 }
 
 void Progress::Show(const BatchStatus& status, double time) {
@@ -187,10 +189,9 @@ void Progress::Finish() {
 void Progress::Say(const std::string& message) {
   std::string text;
   if (num_lines_drawn_ > 0) text = "\x1b[" + std::to_string(num_lines_drawn_) + "A\r\x1b[J";
-  text += message + "\n";
+  text += EscapeForTerminal(message) + "\n";
   num_lines_drawn_ = 0;
-  std::fputs(text.c_str(), stream_);
-  std::fflush(stream_);
+  PrintControlled(stream_, text);
 }
 
 }  // namespace graspbench

@@ -13,7 +13,7 @@ The rate is that of the last half minute, so that it follows what the machine do
 #include <vector>
 
 #include "core/trial/outcome.h"
-#include "workbench/experiments/batch_runner.h"
+#include "workbench/experiments/observer.h"
 
 namespace graspbench {
 

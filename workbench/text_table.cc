@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/escape.h"
 
 namespace graspbench {
 namespace {
@@ -20,10 +21,14 @@ size_t CalcWidth(const std::string& cell) {
 
 }  // namespace
 
-TextTable::TextTable(std::vector<std::string> head) { rows_.push_back(std::move(head)); }
+TextTable::TextTable(std::vector<std::string> head) {
+  for (std::string& cell : head) cell = EscapeForTerminal(cell, LineFeeds::kEscape);
+  rows_.push_back(std::move(head));
+}
 
 void TextTable::AddRow(std::vector<std::string> row) {
   GRASPBENCH_DEMAND(row.size() == rows_.front().size(), std::to_string(row.size()));
+  for (std::string& cell : row) cell = EscapeForTerminal(cell, LineFeeds::kEscape);
   rows_.push_back(std::move(row));
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 Columns for the terminal: each as wide as its widest cell, separated by two spaces. Columns of
-numbers are aligned to the right. */
+numbers are aligned to the right. Cells are escaped for the terminal: a name from a file can neither
+break its line nor shift its column. */
 
 #include <string>
 #include <vector>

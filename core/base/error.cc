@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "core/base/escape.h"
+
 namespace graspbench {
 namespace {
 
@@ -67,7 +69,7 @@ namespace internal {
 void DemandFailed(const char* condition, const char* file, int line, const std::string& values) {
   std::fprintf(stderr,
                "graspbench: internal error at %s:%d: %s is false (%s). Please report this.\n", file,
-               line, condition, values.c_str());
+               line, condition, EscapeForTerminal(values).c_str());
   std::abort();
 }
 

@@ -1,12 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/numerics_check.h"
 #include "workbench/numerics_tables.h"
 
@@ -23,44 +22,32 @@ struct CheckOptions {
   bool json = false;
 };
 
-void CheckNumerics(const CheckOptions& options) {
+/** A line before each variant; its few trials need no more. */
+class VariantLines : public Observer {
+ public:
+  void BeginStage(const Stage& stage) override {
+    PrintMessage(stage.name + ": " + FormatCount(stage.num_all, "trial"));
+  }
+};
+
+void Check(const CheckOptions& options) {
   const Session session = LoadSession(options.folder);
-  if (!session.findings.entries().empty()) std::cerr << session.findings.Format() << '\n';
-  const SessionInputs inputs = LoadSessionInputs(session.config);
-  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  const std::vector<TrialRecord> trials = ChooseTrials(session.records, options.trials);
-  if (trials.empty()) {
-    throw Error(ErrorKind::kUsage, "the session in \"" + options.folder +
-                                       "\" has no finished trial; graspbench run --resume --out " +
-                                       options.folder + " runs them");
-  }
-
-  std::vector<NumericsComparison> comparisons;
-  std::vector<NumericsSummary> summaries;
-  for (const NumericsVariant& variant : ListNumericsVariants(session.config.sim)) {
-    const std::vector<TrialRecord> covered = FindCovered(trials, variant, inputs);
-    std::cerr << variant.id << ": " << FormatCount(static_cast<int>(covered.size()), "trial")
-              << '\n';
-    const std::vector<TrialResult> results =
-        RerunTrials(covered, variant, session.config, inputs, options.num_workers);
-    for (size_t i = 0; i < covered.size(); ++i) {
-      comparisons.push_back({variant.id, covered[i], results[i]});
-    }
-    summaries.push_back(SummariseNumerics(variant.id, comparisons));
-  }
-
+  if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
+  VariantLines observer;
+  const NumericsCheck check = CheckNumerics(options.folder, session, options.trials,
+                                            options.num_workers, observer, CatchInterrupts());
   const fs::path out = options.out.empty() ? fs::path(options.folder) / "check" / "numerics.csv"
                                            : fs::path(options.out);
   if (out.has_parent_path()) MakeFolder(out.parent_path());
-  WriteFileAtomically(out, FormatNumericsCsv(comparisons));
+  WriteFileAtomically(out, FormatNumericsCsv(check.comparisons));
   if (options.json) {
-    Json json = MakeNumericsJson(summaries, comparisons);
+    Json json = MakeNumericsJson(check.summaries, check.comparisons);
     json["session"] = options.folder;
     json["data"] = out.string();
     PrintJson(json);
   } else {
-    std::cout << FormatNumericsTables(summaries, comparisons) << "\ndata     " << out.string()
-              << '\n';
+    PrintResult(FormatNumericsTables(check.summaries, check.comparisons) + "\ndata     " +
+                out.string() + "\n");
   }
 }
 
@@ -69,7 +56,7 @@ void CheckNumerics(const CheckOptions& options) {
 void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
   CLI::App& command =
       AddSubcommand(program, "check-numerics",
-                    "Runs trials again with other numerics and lists the verdicts that flip.",
+                    "Run trials again with other numerics and list the verdicts that flip.",
                     "  graspbench check-numerics results/benchmark-1a2b3c4d\n"
                     "  graspbench check-numerics results/pilot --trials 10 --json");
   const auto options = std::make_shared<CheckOptions>();
@@ -78,16 +65,16 @@ void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
       ->option_text("DIR");
   command
       .add_option("--trials", options->trials,
-                  "finished trials of each hand, object, grasp to take (default 1)")
+                  "finished trials of each hand, object, grasp to take")
       ->check(CLI::Range(1, 100000))
-      ->option_text("N");
+      ->option_text("N")
+      ->capture_default_str();
   AddJobsOption(command, options->num_workers);
-  command
-      .add_option("--out", options->out,
-                  "table of all comparisons (default: check/numerics.csv in the session)")
-      ->option_text("FILE");
-  command.add_flag("--json", options->json, "one JSON object");
-  command.callback([options] { CheckNumerics(*options); });
+  command.add_option("--out", options->out, "table of all comparisons")
+      ->option_text("FILE")
+      ->default_str("check/numerics.csv in the session");
+  command.add_flag("--json", options->json, "print one JSON object");
+  command.callback([options] { Check(*options); });
 }
 
 }  // namespace graspbench

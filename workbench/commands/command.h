@@ -9,7 +9,9 @@ Results go to stdout, messages and progress to stderr. `--json` prints one objec
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/json.h"
+#include "core/optimise/grasp_optimiser.h"
+#include "datasets/session/session_config.h"
+#include "workbench/terminal.h"
 
 namespace CLI {
 class App;
@@ -27,20 +29,21 @@ CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::st
 
 /** Options that several commands share. */
 ///@{
-/** A list in one word: "--object can,cup". */
+/** A list in one word: "--object can,cup"; what it holds is shown as the default. */
 void AddListOption(CLI::App& command, const std::string& name, std::vector<std::string>& list,
                    const std::string& text, const std::string& form);
-/** "--hand" and "--object". */
-void AddSceneOptions(CLI::App& command, std::vector<std::string>& hands,
-                     std::vector<std::string>& objects);
+/** "--hand" and "--object", with the configuration's defaults. */
+void AddSceneOptions(CLI::App& command, SessionConfig& config);
 /** "--set KEY=VALUE", again and again. */
 void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
                        const std::string& example);
+/** "--evaluations" and "--fitness-trials". */
+void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
 ///@}
 
-/** A whole JSON value and a line feed on stdout. */
-void PrintJson(const Json& json);
+/** "a, b, c", for help texts. */
+std::string ListNames(const std::vector<std::string>& names);
 
 }  // namespace graspbench

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "datasets/session/session_store.h"
@@ -9,16 +8,16 @@ namespace graspbench {
 
 void AddExportCommand(CLI::App& program, ExitCode&) {
   CLI::App& command =
-      AddSubcommand(program, "export", "Writes the trials of a session as CSV and SQLite.",
+      AddSubcommand(program, "export", "Write the trials of a session as CSV and SQLite.",
                     "  graspbench export results/benchmark-1a2b3c4d\n"
                     "  column -ts, \"$(graspbench export results/pilot)\" | less -S");
   const auto folder = std::make_shared<std::string>();
   command.add_option("folder", *folder, "folder of the session")->required()->option_text("DIR");
   command.callback([folder] {
     const Session session = LoadSession(*folder);
-    if (!session.findings.entries().empty()) std::cerr << session.findings.Format() << '\n';
+    if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
     ExportSession(*folder, session);
-    std::cout << (std::filesystem::path(*folder) / "export" / "trials.csv").string() << '\n';
+    PrintResult((std::filesystem::path(*folder) / "export" / "trials.csv").string() + "\n");
   });
 }
 

@@ -1,21 +1,15 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <iostream>
-#include <map>
 #include <memory>
 #include <string>
-#include <unordered_map>
 
 #include "core/base/text.h"
 #include "datasets/analysis/judge_evidence.h"
-#include "datasets/session/judgement_store.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/session_worker.h"
-#include "workbench/progress.h"
+#include "workbench/experiments/run_session.h"
+#include "workbench/terminal_observer.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {
@@ -27,32 +21,7 @@ struct JudgeOptions {
   bool json = false;
 };
 
-void JudgeTrials(const JudgeOptions& options, const Session& session) {
-  const SessionInputs inputs = LoadSessionInputs(session.config);
-  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  const std::vector<PlannedTrial> trials = FindUnjudged(session);
-  const int num_trials = static_cast<int>(trials.size());
-  std::cerr << options.folder << ": " << FormatCount(num_trials, "held grasp") << " to judge\n";
-  if (trials.empty()) return;
-
-  Progress progress(stderr, num_trials, {});
-  const std::atomic<bool>& stop = CatchInterrupts();
-  const auto start = std::chrono::steady_clock::now();
-  const auto show = [&](const BatchStatus& status) {
-    progress.Show(status,
-                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  };
-  const bool is_complete = RunBatch(trials, std::min(options.num_workers, num_trials),
-                                    MakeJudgeWorkers(session, inputs, options.folder), show, stop);
-  progress.Finish();
-  if (!is_complete) {
-    throw Error(ErrorKind::kInterrupted,
-                "stopped; what was judged is kept. Continue with the same command");
-  }
-}
-
 void PrintEvidence(const JudgeEvidence& evidence) {
-  std::cout << FormatCount(evidence.num_judged, "held grasp") << " judged\n\n";
   TextTable table({"Measure", "Rank correlation with breaking force", "95 % interval"});
   for (const RankEvidence& rank : evidence.ranks) {
     table.AddRow({rank.measure,
@@ -61,7 +30,32 @@ void PrintEvidence(const JudgeEvidence& evidence) {
                                          FormatFixed(rank.correlation->interval.high, 3)
                                    : rank.correlation.reason()});
   }
-  std::cout << table.Format();
+  PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged\n\n" + table.Format());
+}
+
+void Judge(const JudgeOptions& options) {
+  const std::filesystem::path folder = options.folder;
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer(
+      [&](const Stage& stage) {
+        return options.folder + ": " + FormatCount(stage.num_left, "held grasp") + " to judge";
+      },
+      stop);
+  if (!JudgeSession(folder, options.num_workers, observer, stop)) {
+    throw Error(ErrorKind::kInterrupted,
+                "stopped; what was judged is kept. Continue with the same command");
+  }
+  const Session session = LoadSession(folder);
+  ExportSession(folder, session);
+  const std::filesystem::path report = WriteSessionReport(folder, session);
+  const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
+  if (options.json) {
+    PrintJson(ToJson(evidence));
+  } else {
+    PrintEvidence(evidence);
+    PrintResult("\nreport   " + report.string() + "\ndata     " +
+                (folder / "export" / "trials.csv").string() + "\n");
+  }
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ void PrintEvidence(const JudgeEvidence& evidence) {
 void AddJudgeCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
       program, "judge",
-      "Pulls and twists the held objects of a finished session until they leave the hand.",
+      "Pull and twist the held objects of a finished session until they leave the hand.",
       "  graspbench judge results/pilot             breaking loads, verdicts, evidence\n"
       "  graspbench judge results/pilot --jobs 1    the same bytes, on one processor");
   const auto options = std::make_shared<JudgeOptions>();
@@ -78,21 +72,7 @@ void AddJudgeCommand(CLI::App& program, ExitCode&) {
       ->option_text("DIR");
   AddJobsOption(command, options->num_workers, "grasps");
   command.add_flag("--json", options->json, "print the evidence as one JSON object");
-  command.callback([options] {
-    const std::filesystem::path folder = options->folder;
-    JudgeTrials(*options, LoadSession(folder));
-    const Session session = LoadSession(folder);
-    ExportSession(folder, session);
-    const std::filesystem::path report = WriteSessionReport(folder, session);
-    const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
-    if (options->json) {
-      PrintJson(ToJson(evidence));
-    } else {
-      PrintEvidence(evidence);
-      std::cout << "\nreport   " << report.string() << "\ndata     "
-                << (folder / "export" / "trials.csv").string() << '\n';
-    }
-  });
+  command.callback([options] { Judge(*options); });
 }
 
 }  // namespace graspbench

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "core/base/files.h"
@@ -32,7 +31,7 @@ void CheckDifferentFiles(const MocapOptions& options) {
 
 void PrintFindings(const Recording& recording) {
   for (const ImportFinding& finding : recording.findings) {
-    std::cerr << finding.code << " at " << finding.where << ": " << finding.text << '\n';
+    PrintMessage(finding.code + " at " + finding.where + ": " + finding.text);
   }
 }
 
@@ -53,9 +52,9 @@ void AddImportOptions(CLI::App& command, const SharedOptions& options) {
   command.add_option("--trial", options->import.trial,
                      "plain table with several trials: the one to read");
   command.add_flag("--accept-truncated", options->import.accept_truncated,
-                   "reads a file that is cut off as far as it goes");
+                   "read a file that is cut off as far as it goes");
   command.add_flag("--trust-residuals", options->import.trust_residuals,
-                   "C3D: believes residuals that call every sample invalid");
+                   "C3D: believe residuals that call every sample invalid");
 }
 
 void ShowRecording(const MocapOptions& options) {
@@ -63,7 +62,7 @@ void ShowRecording(const MocapOptions& options) {
   if (options.json) {
     PrintJson(DescribeRecording(recording));
   } else {
-    std::cout << FormatRecording(recording);
+    PrintResult(FormatRecording(recording));
   }
 }
 
@@ -73,9 +72,9 @@ void ConvertRecording(const MocapOptions& options) {
   PrintFindings(recording);
   const size_t num_left_out = SaveRecording(options.out, recording);
   if (num_left_out > 0) {
-    std::cerr << num_left_out << " points are no positions and were left out\n";
+    PrintMessage(std::to_string(num_left_out) + " points are no positions and were left out");
   }
-  std::cout << options.out << '\n';
+  PrintResult(options.out + "\n");
 }
 
 void PlotRecording(const MocapOptions& options) {
@@ -84,54 +83,54 @@ void PlotRecording(const MocapOptions& options) {
   PrintFindings(recording);
   const std::string name = std::filesystem::path(options.in).filename().string();
   WriteFileAtomically(options.out, MakeRecordingPage(name, recording));
-  std::cout << options.out << '\n';
+  PrintResult(options.out + "\n");
 }
 
 void RedactFile(const MocapOptions& options) {
   CheckDifferentFiles(options);
   const std::vector<PersonalField> fields = RedactRecording(options.in, options.out);
   for (const PersonalField& field : fields) {
-    std::cerr << "blanked " << field.where << ": " << field.text << '\n';
+    PrintMessage("blanked " + field.where + ": " + field.text);
   }
-  if (fields.empty()) std::cerr << "no personal data found in the places this format has for it\n";
-  std::cout << options.out << '\n';
+  if (fields.empty()) PrintMessage("no personal data found in the places this format has for it");
+  PrintResult(options.out + "\n");
 }
 
 }  // namespace
 
 void AddMocapCommand(CLI::App& program, ExitCode&) {
   CLI::App& group =
-      AddSubcommand(program, "mocap", "Shows, draws, converts and redacts motion capture.",
+      AddSubcommand(program, "mocap", "Show, draw, convert and redact motion capture.",
                     "  graspbench mocap info reach01.c3d\n"
                     "  graspbench mocap convert reach01.tsv reach01.c3d");
   group.require_subcommand(1);
   const auto options = std::make_shared<MocapOptions>();
 
   CLI::App& info =
-      AddSubcommand(group, "info", "Shows what a recording holds and what had to be assumed.",
+      AddSubcommand(group, "info", "Show what a recording holds and what had to be assumed.",
                     "  graspbench mocap info reach01.c3d\n"
                     "  graspbench mocap info table.txt --mapping columns.yaml --json");
   AddImportOptions(info, options);
-  info.add_flag("--json", options->json, "one JSON object, with the mean of every point");
+  info.add_flag("--json", options->json, "print one JSON object, with the mean of every point");
   info.callback([options] { ShowRecording(*options); });
 
   CLI::App& convert = AddSubcommand(group, "convert",
-                                    "Writes a recording as .c3d, .tsv (Qualisys) or .csv (metres).",
+                                    "Write a recording as .c3d, .tsv (Qualisys) or .csv (metres).",
                                     "  graspbench mocap convert reach01.n3d reach01.c3d\n"
                                     "  graspbench mocap convert take.csv take.c3d --unit mm");
   AddImportOptions(convert, options);
   convert.add_option("out", options->out, "file to write")->required()->option_text("OUT");
   convert.callback([options] { ConvertRecording(*options); });
 
-  CLI::App& plot = AddSubcommand(group, "plot",
-                                 "Draws gaps, height and speed of every point into one HTML page.",
-                                 "  graspbench mocap plot reach01.c3d reach01.html");
+  CLI::App& plot =
+      AddSubcommand(group, "plot", "Draw gaps, height and speed of every point into one HTML page.",
+                    "  graspbench mocap plot reach01.c3d reach01.html");
   AddImportOptions(plot, options);
   plot.add_option("out", options->out, "HTML file to write")->required()->option_text("OUT");
   plot.callback([options] { PlotRecording(*options); });
 
   CLI::App& redact = AddSubcommand(
-      group, "redact", "Copies a recording with names, dates and paths blanked; data stay.",
+      group, "redact", "Copy a recording with names, dates and paths blanked; data stay.",
       "  graspbench mocap redact reach01.c3d share/reach01.c3d");
   redact.add_option("file", options->in, "recording")->required()->option_text("FILE");
   redact.add_option("out", options->out, "file to write")->required()->option_text("OUT");

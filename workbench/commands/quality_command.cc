@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "core/base/files.h"
@@ -18,18 +17,18 @@ void ShowQuality(const std::string& path, bool json) {
     PrintJson(ToJson(quality));
     return;
   }
-  std::cout << quality.description << "\n\nforce closure          "
-            << (quality.force_closure ? "yes" : "no") << "\nepsilon                "
-            << FormatSignificant(quality.epsilon, 6) << "\nvolume                 "
-            << FormatSignificant(quality.volume, 6) << "\nmin singular value     "
-            << FormatSignificant(quality.min_singular_value, 6)
-            << "\n\nLargest load along a direction per newton of normal force, in N or N m:\n";
   TextTable table({"direction", "1 N in total", "1 N at each contact"});
   for (const TaskForce& force : quality.task_forces) {
     table.AddRow({force.direction, FormatSignificant(force.sum_limited, 4),
                   FormatSignificant(force.each_limited, 4)});
   }
-  std::cout << table.Format();
+  PrintResult(quality.description + "\n\nforce closure          " +
+              (quality.force_closure ? "yes" : "no") + "\nepsilon                " +
+              FormatSignificant(quality.epsilon, 6) + "\nvolume                 " +
+              FormatSignificant(quality.volume, 6) + "\nmin singular value     " +
+              FormatSignificant(quality.min_singular_value, 6) +
+              "\n\nLargest load along a direction per newton of normal force, in N or N m:\n" +
+              table.Format());
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ void AddQualityCommand(CLI::App& program, ExitCode&) {
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   CLI::App& command =
-      AddSubcommand(program, "quality", "Measures how well a set of contacts holds an object.",
+      AddSubcommand(program, "quality", "Measure how well a set of contacts holds an object.",
                     "  graspbench quality contacts.json\n"
                     "  graspbench quality contacts.json --json\n\n"
                     "contacts.json, lengths in metres:\n"
@@ -55,7 +54,7 @@ void AddQualityCommand(CLI::App& program, ExitCode&) {
   command.add_option("contacts", *path, "file of contacts")
       ->required()
       ->option_text("CONTACTS.json");
-  command.add_flag("--json", *json, "one JSON object");
+  command.add_flag("--json", *json, "print one JSON object");
   command.callback([path, json] { ShowQuality(*path, *json); });
 }
 

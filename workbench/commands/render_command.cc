@@ -1,7 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/base/files.h"
 #include "core/hand/load_hand.h"
@@ -15,6 +16,9 @@ namespace {
 
 constexpr int kWidth = 960;
 constexpr int kHeight = 720;
+
+/** The moments of a trial that are kept. */
+const std::vector<std::string> kPhases = {"pregrasp", "closed", "lifted"};
 
 struct RenderOptions {
   std::string hand, object, grasp;
@@ -71,16 +75,15 @@ void Render(const RenderOptions& options) {
   const Camera camera = FrameScenes(scenes, to_eye, static_cast<double>(kWidth) / kHeight);
   Renderer renderer(kWidth, kHeight);
   WriteFileAtomically(options.out, EncodePng(renderer.Render(scenes[shown_index], camera)));
-  std::cout << options.out << '\n';
-  std::cerr << hand->name << ", " << object->name << ", " << grasp.id << ": "
-            << NameOf(result.outcome) << '\n';
+  PrintResult(options.out + "\n");
+  PrintMessage(hand->name + ", " + object->name + ", " + grasp.id + ": " + NameOf(result.outcome));
 }
 
 }  // namespace
 
 void AddRenderCommand(CLI::App& program, ExitCode&) {
   CLI::App& command =
-      AddSubcommand(program, "render", "Runs one trial without variation and draws it.",
+      AddSubcommand(program, "render", "Run one trial without variation and draw it.",
                     "  graspbench render shadow can g3 --phase closed --out can.png\n"
                     "  graspbench render tum golf_ball g1 --phase lifted --out ball.png");
   const auto options = std::make_shared<RenderOptions>();
@@ -93,9 +96,10 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("grasp", options->grasp, "standard grasp: g1..g5")
       ->required()
       ->option_text("GRASP");
-  command.add_option("--phase", options->phase, "pregrasp, closed (default) or lifted")
-      ->check(CLI::IsMember({"pregrasp", "closed", "lifted"}))
-      ->option_text("PHASE");
+  command.add_option("--phase", options->phase, "when: " + ListNames(kPhases))
+      ->check(CLI::IsMember(kPhases))
+      ->option_text("PHASE")
+      ->capture_default_str();
   command.add_option("--out", options->out, "the picture (PNG)")
       ->required()
       ->option_text("FILE.PNG");

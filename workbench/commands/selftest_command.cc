@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 #include "core/base/text.h"
 #include "core/physics/known_answers/known_answer.h"
@@ -15,7 +14,6 @@ std::string FormatNumber(double value, const std::string& unit) {
 
 /** Runs a check and prints its part of the sheet; the number of answers that failed. */
 int PrintCheck(const KnownAnswerCheck& check, const std::vector<KnownAnswer>& answers) {
-  std::cout << check.name << ": " << check.source << '\n';
   TextTable table({"", "answer", "expected", "obtained", "tolerance"});
   int num_failed = 0;
   for (const KnownAnswer& answer : answers) {
@@ -24,7 +22,7 @@ int PrintCheck(const KnownAnswerCheck& check, const std::vector<KnownAnswer>& an
         {answer.passes() ? "pass" : "FAIL", answer.what, FormatNumber(answer.expected, answer.unit),
          FormatNumber(answer.obtained, answer.unit), FormatNumber(answer.tolerance, answer.unit)});
   }
-  std::cout << table.Format() << std::endl;
+  PrintResult(check.name + ": " + check.source + "\n" + table.Format() + "\n");
   return num_failed;
 }
 
@@ -57,8 +55,8 @@ ExitCode RunSelftest(bool json) {
   if (json) {
     PrintJson({{"num_answers", num_answers}, {"num_failed", num_failed}, {"checks", sheet}});
   } else {
-    std::cout << num_answers - num_failed << " of " << FormatCount(num_answers, "known answer")
-              << " obtained\n";
+    PrintResult(std::to_string(num_answers - num_failed) + " of " +
+                FormatCount(num_answers, "known answer") + " obtained\n");
   }
   return num_failed == 0 ? kExitOk : kExitFailed;
 }
@@ -67,10 +65,10 @@ ExitCode RunSelftest(bool json) {
 
 void AddSelftestCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command = AddSubcommand(
-      program, "selftest", "Runs the physics on problems with known answers and prints the sheet.",
+      program, "selftest", "Run the physics on problems with known answers and print the sheet.",
       "  graspbench selftest\n"
       "  graspbench selftest --json");
-  CLI::Option* json = command.add_flag("--json", "one JSON object");
+  CLI::Option* json = command.add_flag("--json", "print one JSON object");
   command.callback([json, &exit_code] { exit_code = RunSelftest(json->count() > 0); });
 }
 

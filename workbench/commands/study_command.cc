@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -37,7 +36,7 @@ std::optional<RobotSession> LoadRobot(const StudyOptions& options, const Study& 
 void ShowProgress(size_t num_done, size_t num_planned) {
   const size_t step = num_planned / 10;
   if (num_planned < 100 || num_done % step != 0) return;
-  std::cerr << num_done << " of " << num_planned << " trials\n";
+  PrintMessage(std::to_string(num_done) + " of " + std::to_string(num_planned) + " trials");
 }
 
 std::vector<MeasureTable> ListTables(const StudyResult& result) {
@@ -50,7 +49,7 @@ std::vector<MeasureTable> ListTables(const StudyResult& result) {
 
 StudyResult RunAndWrite(const StudyOptions& options) {
   const Study study = LoadStudy(options.study_file, options.data);
-  if (!study.warnings.entries().empty()) std::cerr << study.warnings.Format() << '\n';
+  if (!study.warnings.entries().empty()) PrintMessage(study.warnings.Format());
   const std::optional<RobotSession> robot = LoadRobot(options, study);
   const fs::path out = options.out;
   MotionBidsWriter bids(out / "bids", study);
@@ -64,22 +63,18 @@ StudyResult RunAndWrite(const StudyOptions& options) {
   WriteStudyTables(result, out);
   SaveTidyExport(ListTables(result), out / "tidy");
   const fs::path report = WriteStudyReport(out, result, robot ? &*robot : nullptr);
-  std::cout << "kept     " << result.CountKept() << " of "
-            << FormatCount(static_cast<int>(result.trials.size()), "trial") << "\ntables   "
-            << (out / "measures.csv").string() << "\nR        " << (out / "tidy").string()
-            << "\nBIDS     " << (out / "bids").string() << "\nreport   " << report.string() << '\n';
+  PrintResult("kept     " + std::to_string(result.CountKept()) + " of " +
+              FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
+              (out / "measures.csv").string() + "\nR        " + (out / "tidy").string() +
+              "\nBIDS     " + (out / "bids").string() + "\nreport   " + report.string() + "\n");
   return result;
 }
 
-void PrintError(const char* name, const Answer<Summary>& errors) {
-  std::cout << "  " << name;
-  if (!errors) {
-    std::cout << errors.reason() << '\n';
-    return;
-  }
-  std::cout << "bias " << FormatFixed(1e3 * errors->mean, 1) << " ms, SD "
-            << FormatFixed(1e3 * errors->standard_deviation.value_or(std::nan("")), 1) << " ms, n "
-            << errors->count << '\n';
+std::string FormatErrors(const Answer<Summary>& errors) {
+  if (!errors) return errors.reason();
+  return "bias " + FormatFixed(1e3 * errors->mean, 1) + " ms, SD " +
+         FormatFixed(1e3 * errors->standard_deviation.value_or(std::nan("")), 1) + " ms, n " +
+         std::to_string(errors->count);
 }
 
 void RunDemo(StudyOptions options) {
@@ -88,18 +83,18 @@ void RunDemo(StudyOptions options) {
   WriteDemoStudy(trials, input);
   options.study_file = (input / "study.yaml").string();
   const TruthComparison comparison = CompareWithTruth(RunAndWrite(options), trials);
-  std::cout << "truth    found - true over the trials that count\n";
-  PrintError("movement onset  ", comparison.onset);
-  PrintError("widest opening  ", comparison.closure_start);
-  PrintError("first contacts  ", comparison.contact);
-  PrintError("GFT             ", comparison.gft);
+  PrintResult("truth    found - true over the trials that count\n  movement onset  " +
+              FormatErrors(comparison.onset) + "\n  widest opening  " +
+              FormatErrors(comparison.closure_start) + "\n  first contacts  " +
+              FormatErrors(comparison.contact) + "\n  GFT             " +
+              FormatErrors(comparison.gft) + "\n");
 }
 
 }  // namespace
 
 void AddStudyCommand(CLI::App& program, ExitCode&) {
   CLI::App& group =
-      AddSubcommand(program, "study", "Analyses people's reaching and grasping from recordings.",
+      AddSubcommand(program, "study", "Analyse people's reaching and grasping from recordings.",
                     "  graspbench study demo --out demo\n"
                     "  graspbench study run study.yaml --out results/pilot");
   group.require_subcommand(1);
@@ -115,19 +110,20 @@ void AddStudyCommand(CLI::App& program, ExitCode&) {
   };
 
   CLI::App& run = AddSubcommand(
-      group, "run", "From recordings to tables, statistics and a report.",
+      group, "run", "Turn recordings into tables, statistics and a report.",
       "  graspbench study run study.yaml --out results/pilot\n"
       "  graspbench study run study.yaml --data /data/mocap --out out --robot results/benchmark");
   run.add_option("study", options->study_file, "what was recorded and every choice")
       ->required()
       ->option_text("STUDY.YAML");
-  run.add_option("--data", options->data, "folder of the recordings (default: that of study.yaml)")
-      ->option_text("DIR");
+  run.add_option("--data", options->data, "folder of the recordings")
+      ->option_text("DIR")
+      ->default_str("that of study.yaml");
   add_common(run);
   run.callback([options] { RunAndWrite(*options); });
 
   CLI::App& demo = AddSubcommand(
-      group, "demo", "Makes up a study with known contacts, analyses it and tells the errors.",
+      group, "demo", "Make up a study with known contacts, analyse it and report the errors.",
       "  graspbench study demo --out demo\n"
       "  graspbench study demo --out demo --robot results/benchmark-1a2b3c4d");
   add_common(demo);

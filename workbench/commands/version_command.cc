@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 #include "core/base/version.h"
 #include "workbench/build_info.h"
@@ -19,24 +18,24 @@ Json MakeVersion() {
 }
 
 void PrintVersion(const Json& version) {
-  std::cout << "graspbench " << version["graspbench"].get<std::string>() << "\ncompiler   "
-            << version["compiler"].get<std::string>() << "\nbuild type "
-            << version["build_type"].get<std::string>() << "\nflags      "
-            << version["flags"].get<std::string>() << "\nlibraries ";
+  std::string text = "graspbench " + version["graspbench"].get<std::string>() + "\ncompiler   " +
+                     version["compiler"].get<std::string>() + "\nbuild type " +
+                     version["build_type"].get<std::string>() + "\nflags      " +
+                     version["flags"].get<std::string>() + "\nlibraries ";
   for (const auto& [name, number] : version["libraries"].items()) {
-    std::cout << ' ' << name << ' ' << number.get<std::string>();
+    text += " " + name + " " + number.get<std::string>();
   }
-  std::cout << '\n';
+  PrintResult(text + "\n");
 }
 
 }  // namespace
 
 void AddVersionCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
-      program, "version", "Prints the versions of the program, its compiler and libraries.",
+      program, "version", "Print the versions of the program, its compiler and libraries.",
       "  graspbench version\n"
       "  graspbench version --json");
-  CLI::Option* json = command.add_flag("--json", "one JSON object");
+  CLI::Option* json = command.add_flag("--json", "print one JSON object");
   command.callback([json] {
     if (*json) {
       PrintJson(MakeVersion());

@@ -1,17 +1,14 @@
 #pragma once
 /** @file
-Runs planned trials on several threads, in the plan's order, and keeps each result as soon as it is
-there. A trial runs on one thread from start to end, and nothing passes from one trial to the next,
-so the results do not depend on the number of workers. */
+Runs planned trials in the pool of workers, in the plan's order, and keeps each result as soon as it
+is there. */
 
 #include <atomic>
 #include <functional>
-#include <map>
-#include <string>
 #include <vector>
 
-#include "datasets/session/session_plan.h"
 #include "datasets/session/session_store.h"
+#include "workbench/experiments/observer.h"
 
 namespace graspbench {
 
@@ -24,20 +21,17 @@ struct BatchWorker {
 /** Called in the worker's own thread. */
 using MakeBatchWorker = std::function<BatchWorker(int worker)>;
 
-struct BatchStatus {
-  int num_done = 0;                       ///< kept in this batch
-  std::map<Outcome, int> outcomes;        ///< of those
-  std::vector<const PlannedTrial*> busy;  ///< each worker's current trial; null: idle
-};
-/** Called about ten times a second in the caller's thread, and once at the end. */
 using ShowBatch = std::function<void(const BatchStatus&)>;
 
 /** Runs `trials` until all are done or `stop` is set; a trial that has begun is finished and kept.
-@param num_workers  at least 1; no more threads than trials are started.
-@returns whether all trials are done.
-@throws the first exception of a worker, after the others have kept their current trials. */
+@returns, @throws  as RunTasks of worker_pool.h. */
 bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, const ShowBatch& show,
               const std::atomic<bool>& stop);
+
+/** RunBatch as a stage that an observer sees. */
+bool RunBatchStage(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
+                   const MakeBatchWorker& make_worker, Observer& observer,
+                   const std::atomic<bool>& stop);
 
 }  // namespace graspbench

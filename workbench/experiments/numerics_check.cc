@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "core/base/text.h"
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/sim_config.h"
 #include "core/trial/compliant_trial.h"
@@ -107,7 +107,8 @@ std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
 
 std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
                                      const NumericsVariant& variant, const SessionConfig& config,
-                                     const SessionInputs& inputs, int num_workers) {
+                                     const SessionInputs& inputs, int num_workers,
+                                     Observer& observer, const std::atomic<bool>& stop) {
   SessionConfig changed = config;
   changed.sim = variant.sim;
   std::vector<PlannedTrial> plan;
@@ -129,9 +130,12 @@ std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
                          results[position.at(record.plan.id)] = record.result;
                        }};
   };
-  const std::atomic<bool> never = false;
-  RunBatch(
-      plan, num_workers, make_worker, [](const BatchStatus&) {}, never);
+  Stage stage;
+  stage.name = variant.id;
+  stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(plan.size());
+  if (!RunBatchStage(stage, plan, num_workers, make_worker, observer, stop)) {
+    throw Error(ErrorKind::kInterrupted, "stopped; nothing was written");
+  }
   return results;
 }
 
@@ -152,6 +156,30 @@ NumericsSummary SummariseNumerics(const std::string& variant,
   summary.got = SummariseChanges(variant, comparisons, kGot);
   summary.sigma = SummariseChanges(variant, comparisons, kSigma);
   return summary;
+}
+
+NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& session,
+                            int trials_per_cell, int num_workers, Observer& observer,
+                            const std::atomic<bool>& stop) {
+  const SessionInputs inputs = LoadSessionInputs(session.config);
+  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
+  const std::vector<TrialRecord> trials = ChooseTrials(session.records, trials_per_cell);
+  if (trials.empty()) {
+    throw Error(ErrorKind::kUsage, "the session in \"" + folder.string() +
+                                       "\" has no finished trial; graspbench run --resume --out " +
+                                       folder.string() + " runs them");
+  }
+  NumericsCheck check;
+  for (const NumericsVariant& variant : ListNumericsVariants(session.config.sim)) {
+    const std::vector<TrialRecord> covered = FindCovered(trials, variant, inputs);
+    const std::vector<TrialResult> results =
+        RerunTrials(covered, variant, session.config, inputs, num_workers, observer, stop);
+    for (size_t i = 0; i < covered.size(); ++i) {
+      check.comparisons.push_back({variant.id, covered[i], results[i]});
+    }
+    check.summaries.push_back(SummariseNumerics(variant.id, check.comparisons));
+  }
+  return check;
 }
 
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons) {

@@ -6,13 +6,17 @@ contact stiffnesses and another backend, compared one by one with the stored res
 A verdict flips when a success becomes a failure or the other way round; one failure that becomes
 another is no flip. Times of contacts are compared where both trials have them. */
 
+#include <atomic>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/json.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_inputs.h"
+#include "datasets/session/session_store.h"
 #include "datasets/session/trial_record.h"
+#include "workbench/experiments/observer.h"
 
 namespace graspbench {
 
@@ -34,10 +38,11 @@ std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
                                      const NumericsVariant& variant, const SessionInputs& inputs);
 
 /** Simulates the trials again. @returns their results in the same order; the same for any number of
-workers. @param config  of the session. */
+workers. @param config  of the session. @throws Error(kInterrupted). */
 std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
                                      const NumericsVariant& variant, const SessionConfig& config,
-                                     const SessionInputs& inputs, int num_workers);
+                                     const SessionInputs& inputs, int num_workers,
+                                     Observer& observer, const std::atomic<bool>& stop);
 
 /** One variant of one trial beside its stored result. */
 struct NumericsComparison {
@@ -68,6 +73,17 @@ struct NumericsSummary {
 };
 NumericsSummary SummariseNumerics(const std::string& variant,
                                   const std::vector<NumericsComparison>& comparisons);
+
+struct NumericsCheck {
+  std::vector<NumericsComparison> comparisons;
+  std::vector<NumericsSummary> summaries;
+};
+/** Runs the first `trials_per_cell` finished trials of each cell with every variant; each variant is
+a stage. @throws Error(kUsage) without a finished trial, and when hands, objects or physics have
+changed since; Error(kInterrupted). */
+NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& session,
+                            int trials_per_cell, int num_workers, Observer& observer,
+                            const std::atomic<bool>& stop);
 
 /** One row per comparison; missing = empty. */
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "core/base/json.h"
 #include "core/base/version.h"
 
 namespace graspbench {
@@ -59,6 +60,20 @@ void AppendRunRecord(const fs::path& folder, const RunRecord& record) {
                   {"trials", record.num_trials},
                   {"ending", record.ending}});
   WriteFileAtomically(folder / "run.json", FormatJson(Json{{"runs", runs}}, 2) + "\n");
+}
+
+RunRecorder::RunRecorder(fs::path folder, int num_workers, Observer& observer)
+    : folder_(std::move(folder)), observer_(observer) {
+  record_.started_utc = FormatUtcNow();
+  record_.num_workers = num_workers;
+}
+
+RunRecord RunRecorder::Keep(bool is_complete) {
+  record_.duration =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  record_.ending = is_complete ? "finished" : "interrupted";
+  AppendRunRecord(folder_, record_);
+  return record_;
 }
 
 bool HasRunOfAnotherBuild(const fs::path& folder) {

@@ -115,6 +115,29 @@ OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& 
   return optimised;
 }
 
+OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
+                             const SceneInputs& inputs, int num_workers, Observer& observer,
+                             const std::atomic<bool>& stop) {
+  Stage stage;
+  stage.name = "optimisation";
+  stage.num_all = stage.num_left = 1;
+  stage.num_trials = CountLearningTrials(config.optimise);
+  observer.BeginStage(stage);
+  TrialPool pool(num_workers, stop);
+  BatchStatus status;
+  const auto observe = [&](const LearningRequest& request, const LearningTrial& trial) {
+    ++status.num_done;
+    ++status.outcomes[trial.outcome];
+    status.busy = {PlannedTrial{"", inputs.hand->id, inputs.object->id,
+                                config.grasp + "  " + request.stage, request.individual.number}};
+    observer.ShowStatus(status, stage.num_trials);
+  };
+  OptimisedGrasp optimised = RunScene(folder, config, inputs, pool, observe);
+  observer.ShowStatus(status, status.num_done);
+  observer.EndStage();
+  return optimised;
+}
+
 void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,
                          const ObserveLearning& observe) {
   const CampaignScene& scene = *task.scene;

@@ -6,6 +6,7 @@ Optimises one scene in its folder: asks the journal first and the simulation for
 #include <functional>
 
 #include "datasets/campaign/campaign_store.h"
+#include "workbench/experiments/observer.h"
 #include "workbench/experiments/trial_pool.h"
 
 namespace graspbench {
@@ -28,6 +29,11 @@ SceneInputs LoadSceneInputs(SceneConfig& config);
 /** Starts or resumes the scene in `folder` and writes its results. @throws Error(kInterrupted). */
 OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& config,
                         const SceneInputs& inputs, TrialPool& pool, const ObserveLearning& observe);
+
+/** The same as a stage that an observer sees, its trials dealt to several workers. */
+OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
+                             const SceneInputs& inputs, int num_workers, Observer& observer,
+                             const std::atomic<bool>& stop);
 
 /** Starts or resumes one search of a comparison, from its scene's saved new pre-grasp. */
 void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,

@@ -1,6 +1,7 @@
 #include "workbench/experiments/session_worker.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/trial/verdicts.h"
@@ -23,25 +24,6 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
 }
 
 }  // namespace
-
-TrialRunner& PlannedTrialRunner::FindRunner(const TrialSetup& setup) {
-  if (setup.hand != hand_ || setup.object != object_) {
-    runner_ = std::make_unique<TrialRunner>(setup.hand, setup.object);
-    hand_ = setup.hand;
-    object_ = setup.object;
-  }
-  return *runner_;
-}
-
-TrialResult PlannedTrialRunner::Run(const PlannedTrial& planned) {
-  const TrialSetup setup = MakeTrialSetup(config_, inputs_, planned);
-  return FindRunner(setup).Run(setup);
-}
-
-JudgedTrial PlannedTrialRunner::Judge(const PlannedTrial& planned) {
-  const TrialSetup setup = MakeTrialSetup(config_, inputs_, planned);
-  return FindRunner(setup).Judge(setup);
-}
 
 MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
                                    const std::filesystem::path& folder) {

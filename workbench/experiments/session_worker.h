@@ -4,13 +4,12 @@ Connects the batch to the simulation and the store: a worker simulates the plann
 session and writes them into its own journal. */
 
 #include <filesystem>
-#include <memory>
 
-#include "core/trial/trial_runner.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_inputs.h"
 #include "workbench/experiments/batch_runner.h"
+#include "workbench/experiments/setup_runner.h"
 
 namespace graspbench {
 
@@ -20,18 +19,17 @@ class PlannedTrialRunner {
   /** @pre both outlive the runner. */
   PlannedTrialRunner(const SessionConfig& config, const SessionInputs& inputs)
       : config_(config), inputs_(inputs) {}
-  TrialResult Run(const PlannedTrial& planned);
-  JudgedTrial Judge(const PlannedTrial& planned);
+  TrialResult Run(const PlannedTrial& planned) {
+    return runner_.Run(MakeTrialSetup(config_, inputs_, planned));
+  }
+  JudgedTrial Judge(const PlannedTrial& planned) {
+    return runner_.Judge(MakeTrialSetup(config_, inputs_, planned));
+  }
 
  private:
-  TrialRunner& FindRunner(const TrialSetup& setup);
-
   const SessionConfig& config_;
   const SessionInputs& inputs_;
-  // Of the last hand and object: a plan has all trials of a pair in a row.
-  std::shared_ptr<const Hand> hand_;
-  std::shared_ptr<const GraspObject> object_;
-  std::unique_ptr<TrialRunner> runner_;
+  SetupRunner runner_;
 };
 
 /** @pre config, inputs and folder outlive the workers, and the plan was made from them. */

@@ -89,10 +89,13 @@ TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
   TrialRecord trial;
   trial.plan = MakePlan(config, inputs).back();
   std::vector<double> last_contacts;
+  Observer nobody;
+  const std::atomic<bool> never = false;
   for (const double step : {0.002, 0.00025}) {
     NumericsVariant variant{"", config.sim};
     variant.sim.step = step;
-    const TrialResult result = RerunTrials({trial}, variant, config, inputs, 1).front();
+    const TrialResult result =
+        RerunTrials({trial}, variant, config, inputs, 1, nobody, never).front();
     EXPECT_EQ(result.outcome, Outcome::kSuccess) << "step " << step;
     last_contacts.push_back(result.timing.gct);
   }

@@ -1,0 +1,22 @@
+# Every word of the program passes one escape on its way to a terminal: only these files write to
+# stdout and stderr.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+set(allowed
+  workbench/terminal.cc
+  core/base/error.cc                          # ends the program; escapes what it shows
+  core/hand/generate/generate_hand_visuals.cc # tools of the build, not of the program
+  objects/generate/main.cc)
+
+set(offences "")
+find_cxx_files(files ${ROOMS})
+foreach(file IN LISTS files)
+  if(file IN_LIST allowed)
+    continue()
+  endif()
+  file(STRINGS ${SOURCE}/${file} lines
+    REGEX "std::(cout|cerr|clog)|[^n]printf\\(|[^a-zA-Z_]f?puts\\(|putchar\\(|perror\\(")
+  foreach(line IN LISTS lines)
+    list(APPEND offences "${file}: ${line}")
+  endforeach()
+endforeach()
+fail_if_any("${offences}" "Only workbench/terminal.cc writes to stdout and stderr; use its functions:")

@@ -1,0 +1,17 @@
+#pragma once
+/** @file
+A campaign's results as tables for the terminal. */
+
+#include <string>
+
+#include "datasets/campaign/campaign_store.h"
+
+namespace graspbench {
+
+/** One row for each variant of the grasps, over all scenes. */
+std::string FormatVariantsTable(const Campaign& campaign);
+
+/** One row for each search method; empty when none were compared. */
+std::string FormatComparisonTable(const Campaign& campaign);
+
+}  // namespace graspbench

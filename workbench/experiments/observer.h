@@ -1,0 +1,68 @@
+#pragma once
+/** @file
+What an experiment reports while it runs. Experiments neither print nor know a terminal: whoever
+starts one passes an observer. */
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/trial/outcome.h"
+#include "datasets/session/session_plan.h"
+
+namespace graspbench {
+
+/** A part of an experiment with a progress of its own. */
+struct Stage {
+  std::string name;               ///< "run", "optimisation", "benchmark", "judge", ...
+  int num_all = 0;                ///< trials, scenes or searches, as the stage's name says
+  int num_left = 0;               ///< of those; 0: finished before, nothing runs
+  int num_trials = 0;             ///< at most, with those of earlier runs
+  std::map<Outcome, int> before;  ///< of trials that earlier runs finished
+};
+
+struct BatchStatus {
+  int num_done = 0;                               ///< trials, in this run
+  std::map<Outcome, int> outcomes;                ///< of those
+  std::vector<std::optional<PlannedTrial>> busy;  ///< each worker's current trial
+};
+
+/** Called in the thread that started the experiment. */
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void BeginStage(const Stage&) {}
+  /** About ten times a second. @param num_trials  those of the stage, as far as known by now. */
+  virtual void ShowStatus(const BatchStatus&, int num_trials) { static_cast<void>(num_trials); }
+  /** Not called for a stage in which nothing runs or that throws. */
+  virtual void EndStage() {}
+};
+
+/** The status that several workers change. */
+class StatusBoard {
+ public:
+  explicit StatusBoard(int num_workers) { status_.busy.resize(static_cast<size_t>(num_workers)); }
+
+  void SetBusy(int worker, std::optional<PlannedTrial> trial) {
+    const std::lock_guard lock(mutex_);
+    status_.busy[static_cast<size_t>(worker)] = std::move(trial);
+  }
+  void Count(Outcome outcome) {
+    const std::lock_guard lock(mutex_);
+    ++status_.num_done;
+    ++status_.outcomes[outcome];
+  }
+  BatchStatus Read() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  BatchStatus status_;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,80 @@
+#include "workbench/experiments/run_session.h"
+
+#include "core/base/hash.h"
+#include "datasets/session/judgement_store.h"
+#include "workbench/experiments/session_worker.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path FindFolder(const SessionRequest& request, const std::vector<PlannedTrial>& plan) {
+  if (!request.out.empty()) return request.out;
+  std::string ids;
+  for (const PlannedTrial& planned : plan) ids += planned.id;
+  return fs::path("results") / (request.name + "-" + CalcHashHex(ids).substr(0, 8));
+}
+
+}  // namespace
+
+PreparedSession PrepareSession(const SessionRequest& request) {
+  PreparedSession prepared;
+  const bool names_a_session = request.resume && !request.out.empty();
+  if (names_a_session) prepared.session = LoadSession(request.out);
+  if (request.config) {
+    prepared.config = *request.config;
+  } else if (names_a_session) {
+    prepared.config = prepared.session.config;
+  }
+  prepared.inputs = LoadSessionInputs(prepared.config);
+  const std::vector<PlannedTrial> plan = MakePlan(prepared.config, prepared.inputs);
+  prepared.folder = FindFolder(request, plan);
+  const bool may_continue = request.resume || request.out.empty();
+  if (!may_continue || !HasSession(prepared.folder)) {
+    CreateSession(prepared.folder, prepared.config, plan);
+  }
+  if (!names_a_session) prepared.session = LoadSession(prepared.folder);
+  CheckSameSession(prepared.session, prepared.config, plan);
+  return prepared;
+}
+
+Stage MakeSessionStage(const std::string& name, const Session& session, size_t num_unfinished) {
+  Stage stage;
+  stage.name = name;
+  stage.num_all = stage.num_trials = static_cast<int>(session.plan.size());
+  stage.num_left = static_cast<int>(num_unfinished);
+  for (const TrialRecord& finished : session.records) ++stage.before[finished.result.outcome];
+  return stage;
+}
+
+RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
+                     const std::atomic<bool>& stop) {
+  const std::vector<PlannedTrial> trials = FindUnfinished(prepared.session);
+  const Stage stage = MakeSessionStage("run", prepared.session, trials.size());
+  RunRecorder recorder(prepared.folder, num_workers, observer);
+  const bool is_complete = RunBatchStage(
+      stage, trials, num_workers,
+      MakeSessionWorkers(prepared.config, prepared.inputs, prepared.folder), recorder, stop);
+  return recorder.Keep(is_complete);
+}
+
+bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
+                  const std::atomic<bool>& stop) {
+  const Session session = LoadSession(folder);
+  const SessionInputs inputs = LoadSessionInputs(session.config);
+  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
+  return JudgeSession(session, inputs, folder, num_workers, observer, stop);
+}
+
+bool JudgeSession(const Session& session, const SessionInputs& inputs, const fs::path& folder,
+                  int num_workers, Observer& observer, const std::atomic<bool>& stop) {
+  const std::vector<PlannedTrial> trials = FindUnjudged(session);
+  Stage stage;
+  stage.name = "judge";
+  stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
+  return RunBatchStage(stage, trials, num_workers, MakeJudgeWorkers(session, inputs, folder),
+                       observer, stop);
+}
+
+}  // namespace graspbench

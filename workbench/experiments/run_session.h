@@ -1,0 +1,58 @@
+#pragma once
+/** @file
+A session from its configuration to the last trial in its folder. */
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "datasets/session/session_config.h"
+#include "datasets/session/session_inputs.h"
+#include "datasets/session/session_store.h"
+#include "workbench/experiments/observer.h"
+#include "workbench/experiments/run_record.h"
+
+namespace graspbench {
+
+struct SessionRequest {
+  std::optional<SessionConfig> config;  ///< none: that of the session to resume, or the benchmark
+  std::string name = "benchmark";       ///< of the folder without `out`
+  /** Empty: results/<name>-<hash of the plan>, so the same session always has the same folder and
+  another one never gets in its way; it is continued when it is there. */
+  std::filesystem::path out;
+  bool resume = false;  ///< continue the session in `out`
+};
+
+/** A new session, or the rest of one. */
+struct PreparedSession {
+  SessionConfig config;
+  SessionInputs inputs;
+  std::filesystem::path folder;
+  Session session;
+};
+
+/** Loads what the session needs and creates its folder, or finds it there.
+@throws Error(kUsage) for a folder with another session; what LoadSessionInputs, MakePlan,
+CreateSession and LoadSession throw. */
+PreparedSession PrepareSession(const SessionRequest& request);
+
+/** Runs the trials that are left and adds itself to run.json. @returns that record. */
+RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
+                     const std::atomic<bool>& stop);
+
+/** Breaks the held grasps of a finished session that are not judged yet.
+@returns whether all are judged now. @throws Error(kVersion) when a trial gives another result than
+its record; Error(kUsage) when hands, objects or physics have changed since. */
+bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
+                  const std::atomic<bool>& stop);
+
+/** The same for a session that is loaded with its inputs. */
+bool JudgeSession(const Session& session, const SessionInputs& inputs,
+                  const std::filesystem::path& folder, int num_workers, Observer& observer,
+                  const std::atomic<bool>& stop);
+
+/** A stage of trials that continues what `session` holds. */
+Stage MakeSessionStage(const std::string& name, const Session& session, size_t num_unfinished);
+
+}  // namespace graspbench

@@ -1,0 +1,80 @@
+#include "workbench/forward_kinematics.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/hand/coupling.h"
+#include "core/hand/load_hand.h"
+#include "workbench/terminal.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+/** Reads "FFJ3=30" into q. Joints are named in degrees; those outside their limits are noted. */
+void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& q) {
+  const size_t equals = assignment.find('=');
+  const std::string name = assignment.substr(0, equals);
+  const int joint = hand.FindJoint(name);
+  if (joint < 0) {
+    std::vector<std::string> known;
+    for (const HandJoint& candidate : hand.joints) known.push_back(candidate.name);
+    throw Error(ErrorKind::kUsage,
+                "the " + hand.name + " has no joint \"" + name + "\"" + SuggestNames(name, known));
+  }
+  double angle_deg = 0.0;
+  if (equals == std::string::npos ||
+      !CLI::detail::lexical_cast(assignment.substr(equals + 1), angle_deg) ||
+      !std::isfinite(angle_deg)) {
+    throw Error(
+        ErrorKind::kUsage,
+        "\"" + assignment + "\" is no joint angle; expected NAME=DEG, e.g. " + name + "=30");
+  }
+  q[joint] = RadFromDeg(angle_deg);
+  const HandJoint& limits = hand.joints[joint];
+  constexpr double kTolerance = 1e-9;  // [rad] limits in degrees are not exact in radians
+  if (q[joint] < limits.lower - kTolerance || q[joint] > limits.upper + kTolerance) {
+    PrintMessage("note: " + name + " = " + FormatSignificant(angle_deg, 4) +
+                 " deg is outside its limits " + FormatSignificant(DegFromRad(limits.lower), 4) +
+                 " .. " + FormatSignificant(DegFromRad(limits.upper), 4) + " deg");
+  }
+}
+
+}  // namespace
+
+void PrintForwardKinematics(const std::string& id, const std::vector<std::string>& joints,
+                            bool json) {
+  const Hand hand = LoadHand(id);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(hand.num_joints());
+  for (const std::string& assignment : joints) SetJoint(assignment, hand, q);
+  const Eigen::VectorXd named = q;
+  ApplyCoupling(hand, q);
+  for (const std::string& assignment : joints) {  // a coupled joint named explicitly is kept
+    const int joint = hand.FindJoint(assignment.substr(0, assignment.find('=')));
+    q[joint] = named[joint];
+  }
+
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  const Pose X_PalmH = X_HL[hand.palm_link].inverse();
+  Json frames = Json::object();
+  TextTable table({"digit", "x [mm]", "y [mm]", "z [mm]"});
+  for (const Digit& digit : hand.digits) {
+    const Pose X_PalmL = X_PalmH * X_HL[digit.distal_link];
+    const Eigen::Vector3d p = X_PalmL.translation();
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row) rows.push_back(JsonVector(X_PalmL.linear().row(row)));
+    frames[digit.id] = {{"p_m", JsonVector(p)}, {"R", rows}};
+    table.AddRow({digit.id, FormatFixed(MmFromM(p.x()), 2), FormatFixed(MmFromM(p.y()), 2),
+                  FormatFixed(MmFromM(p.z()), 2)});
+  }
+  if (json) {
+    PrintJson(frames);
+  } else {
+    PrintResult("origin of each digit's last link, in the palm's frame\n" + table.Format());
+  }
+}
+
+}  // namespace graspbench

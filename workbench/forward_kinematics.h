@@ -1,0 +1,16 @@
+#pragma once
+/** @file
+Where the digits' last links are for given joint angles. */
+
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+/** Prints the pose of each digit's last link in the palm's frame. @param joints  "FFJ3=30": angles
+in degrees; others are zero, coupled ones follow unless they are named.
+@throws Error(kUsage) for an unknown joint or no number. */
+void PrintForwardKinematics(const std::string& hand, const std::vector<std::string>& joints,
+                            bool json);
+
+}  // namespace graspbench

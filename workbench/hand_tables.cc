@@ -1,0 +1,105 @@
+#include "workbench/hand_tables.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/load_hand.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+int CountDrivenJoints(const Hand& hand) {
+  return static_cast<int>(std::count_if(hand.joints.begin(), hand.joints.end(),
+                                        [](const HandJoint& j) { return j.coupled_to < 0; }));
+}
+
+std::vector<std::string> ListDigits(const Hand& hand) {
+  std::vector<std::string> ids;
+  for (const Digit& digit : hand.digits) ids.push_back(digit.id);
+  return ids;
+}
+
+std::vector<std::string> ListGrasps(const Hand& hand) {
+  std::vector<std::string> ids;
+  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) ids.push_back(grasp.id);
+  return ids;
+}
+
+std::string JoinWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+}  // namespace
+
+DescribedHands DescribeHands() {
+  Json list = Json::array();
+  TextTable table({"id", "name", "digits", "joints", "driven", "grasps"});
+  for (const std::string& id : ListHands()) {
+    const Hand hand = LoadHand(id);
+    list.push_back({{"id", id},
+                    {"name", hand.name},
+                    {"digits", ListDigits(hand)},
+                    {"joints", hand.num_joints()},
+                    {"driven", CountDrivenJoints(hand)},
+                    {"grasps", ListGrasps(hand)}});
+    table.AddRow({id, hand.name, JoinWords(ListDigits(hand)), std::to_string(hand.num_joints()),
+                  std::to_string(CountDrivenJoints(hand)), JoinWords(ListGrasps(hand))});
+  }
+  return {Json{{"hands", list}}, table.Format()};
+}
+
+Json MakeHandJson(const Hand& hand) {
+  Json joints = Json::array();
+  for (const HandJoint& joint : hand.joints) {
+    Json entry = {{"name", joint.name},
+                  {"lower_deg", DegFromRad(joint.lower)},
+                  {"upper_deg", DegFromRad(joint.upper)}};
+    if (joint.coupled_to >= 0) {
+      entry["coupled_to"] = hand.joints[joint.coupled_to].name;
+    } else {
+      entry["stiffness_nm_per_rad"] = joint.drive.stiffness;
+      entry["damping_nms_per_rad"] = joint.drive.damping;
+      entry["torque_limit_nm"] = joint.drive.torque_limit;
+    }
+    joints.push_back(entry);
+  }
+  double mass = 0.0;
+  for (const HandLink& link : hand.links) mass += link.mass;
+  return {{"id", hand.id},
+          {"name", hand.name},
+          {"mass_kg", mass},
+          {"digits", ListDigits(hand)},
+          {"grasps", ListGrasps(hand)},
+          {"coupling", NameOf(hand.coupling)},
+          {"joint_accuracy_deg", DegFromRad(hand.joint_accuracy)},
+          {"joints", joints}};
+}
+
+std::string FormatHand(const Hand& hand) {
+  const Json description = MakeHandJson(hand);
+  std::string text = hand.name + " (" + hand.id + ")\n\nmass            " +
+                     FormatSignificant(description["mass_kg"].get<double>(), 3) +
+                     " kg\ndigits          " + JoinWords(ListDigits(hand)) + "\ngrasps          " +
+                     JoinWords(ListGrasps(hand)) + "\ncoupling        " + NameOf(hand.coupling) +
+                     "\njoint accuracy  +-" +
+                     FormatSignificant(DegFromRad(hand.joint_accuracy), 3) + " deg\n\n";
+  TextTable table({"joint", "lower [deg]", "upper [deg]", "stiffness [N m/rad]",
+                   "torque limit [N m]", "follows"});
+  for (const HandJoint& joint : hand.joints) {
+    const bool is_coupled = joint.coupled_to >= 0;
+    table.AddRow({joint.name, FormatFixed(DegFromRad(joint.lower), 1),
+                  FormatFixed(DegFromRad(joint.upper), 1),
+                  is_coupled ? "-" : FormatSignificant(joint.drive.stiffness, 3),
+                  is_coupled ? "-" : FormatSignificant(joint.drive.torque_limit, 3),
+                  is_coupled ? hand.joints[joint.coupled_to].name : ""});
+  }
+  return text + table.Format();
+}
+
+}  // namespace graspbench

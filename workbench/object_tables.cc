@@ -1,0 +1,74 @@
+#include "workbench/object_tables.h"
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "objects/catalogue.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatSize(const Eigen::Vector3d& size) {
+  return FormatFixed(MmFromM(size.x()), 1) + " x " + FormatFixed(MmFromM(size.y()), 1) + " x " +
+         FormatFixed(MmFromM(size.z()), 1);
+}
+
+std::string FormatBestGrasps(const GraspObject& object) {
+  std::string text;
+  for (const auto& [hand, grasp] : object.best_grasp) {
+    text += (text.empty() ? "" : ", ") + hand + " " + grasp;
+  }
+  return text;
+}
+
+}  // namespace
+
+Json MakeObjectJson(const GraspObject& object) {
+  return {{"id", object.id},
+          {"name", object.name},
+          {"mass_kg", object.mass_properties.mass},
+          {"size_m", JsonVector(object.size)},
+          {"size_of_sight_m", JsonVector(object.size_of_sight)},
+          {"centre_of_mass_m", JsonVector(object.mass_properties.p_OOcm)},
+          {"friction_static", object.surface.friction_static},
+          {"friction_dynamic", object.surface.friction_dynamic},
+          {"best_grasp", object.best_grasp},
+          {"triangles", object.mesh.num_triangles()}};
+}
+
+DescribedObjects DescribeObjects() {
+  Json list = Json::array();
+  TextTable table({"id", "mass [g]", "length x width x height [mm]", "mu_s", "mu_d", "best grasp"});
+  for (const std::string& id : ListObjects()) {
+    const auto object = LoadObject(id);
+    list.push_back(MakeObjectJson(*object));
+    table.AddRow({id, FormatFixed(GFromKg(object->mass_properties.mass), 1),
+                  FormatSize(object->size), FormatFixed(object->surface.friction_static, 2),
+                  FormatFixed(object->surface.friction_dynamic, 2), FormatBestGrasps(*object)});
+  }
+  return {Json{{"objects", list}}, table.Format()};
+}
+
+std::string FormatObject(const GraspObject& object) {
+  const MassProperties& solid = object.mass_properties;
+  return object.name + " (" + object.id + ")\n\nmass            " +
+         FormatFixed(GFromKg(solid.mass), 1) + " g\nsize of grasp   " + FormatSize(object.size) +
+         " mm\nsize of sight   " + FormatSize(object.size_of_sight) + " mm\ncentre of mass  (" +
+         FormatFixed(MmFromM(solid.p_OOcm.x()), 1) + ", " +
+         FormatFixed(MmFromM(solid.p_OOcm.y()), 1) + ", " +
+         FormatFixed(MmFromM(solid.p_OOcm.z()), 1) + ") mm from the centre\nfriction        " +
+         FormatFixed(object.surface.friction_static, 2) + " static, " +
+         FormatFixed(object.surface.friction_dynamic, 2) + " dynamic\nbest grasp      " +
+         FormatBestGrasps(object) + "\nmesh            " +
+         std::to_string(object.mesh.num_triangles()) + " triangles\n";
+}
+
+std::string FormatMeshSummary(const std::string& path, const MeshReport& report) {
+  return (report.problems.empty() ? "" : FormatProblems(report) + "\n") + path + ": " +
+         FormatCount(report.num_triangles, "triangle") + ", " +
+         (report.is_closed ? "closed" : FormatCount(report.num_open_edges, "open edge")) + ", " +
+         FormatSize(report.extent) + " mm; " +
+         (report.problems.empty() ? "can be used\n" : "cannot be used\n");
+}
+
+}  // namespace graspbench

@@ -1,0 +1,27 @@
+#pragma once
+/** @file
+Things to grasp and checked meshes for a person and for a program. */
+
+#include <string>
+
+#include "core/base/json.h"
+#include "core/shape/grasp_object.h"
+#include "objects/check_mesh_file.h"
+
+namespace graspbench {
+
+struct DescribedObjects {
+  Json json;          ///< {objects: [..]}
+  std::string table;  ///< one row each
+};
+/** The catalogue. */
+DescribedObjects DescribeObjects();
+
+/** Sizes, mass, friction and best grasps. */
+Json MakeObjectJson(const GraspObject& object);
+std::string FormatObject(const GraspObject& object);
+
+/** The problems, then what the mesh is and whether it can be used. */
+std::string FormatMeshSummary(const std::string& path, const MeshReport& report);
+
+}  // namespace graspbench

@@ -1,0 +1,78 @@
+#include "workbench/optimise_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/hand/hand.h"
+#include "workbench/plain_text.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatAngles(const Hand& hand, const StandardGrasp& grasp, const Eigen::VectorXd& q) {
+  const Digit& digit = hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
+  std::string text;
+  for (const int joint : FindDrivenJoints(hand, digit)) {
+    text += (text.empty() ? "" : " ") + FormatFixed(DegFromRad(q[joint]), 1);
+  }
+  return MakePlainText(text);
+}
+
+void AddDecision(const std::string& step, const std::vector<LearningTrial>& before,
+                 const std::vector<LearningTrial>& after, TextTable& table) {
+  const auto add_row = [&](const std::string& when, const std::vector<LearningTrial>& trials) {
+    if (trials.empty()) return;
+    const double median = CalcMedianGftRatio(trials);
+    table.AddRow({step, when,
+                  std::to_string(CountSuccesses(trials)) + " of " + std::to_string(trials.size()),
+                  FormatFixed(CalcMeanSigma(trials), 3),
+                  std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a"});
+  };
+  add_row("before", before);
+  add_row("after", after);
+}
+
+}  // namespace
+
+std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& config,
+                               const OptimisedGrasp& result) {
+  const Hand& hand = *inputs.hand;
+  const PreGraspStep& step1 = result.pregrasp_step;
+  const TargetStep& step2 = result.target_step;
+  TextTable decisions({"check trials", "", "success", "mean sigma", "median GFT%"});
+  TextTable angles(
+      {hand.digits[static_cast<size_t>(FindOpposingDigit(hand, inputs.grasp))].name + " [deg]",
+       "pre-grasp", "target"});
+  const auto add_angles = [&](const std::string& variant, const StandardGrasp& grasp) {
+    angles.AddRow({variant, FormatAngles(hand, grasp, grasp.q_pre),
+                   FormatAngles(hand, grasp, grasp.q_target)});
+  };
+  std::string text = "\n";
+  add_angles("standard grasp", inputs.grasp);
+  if (config.optimise.step != "2") {
+    text += "step 1   " + step1.verdict + "\n";
+    AddDecision("step 1", step1.standard_trials,
+                step1.shots.empty()
+                    ? std::vector<LearningTrial>()
+                    : step1.shots[static_cast<size_t>(std::max(step1.chosen, 0))].trials,
+                decisions);
+    add_angles("new pre-grasp", result.new_pregrasp);
+  }
+  if (config.optimise.step != "1") {
+    const SearchResult& search = step2.search;
+    text += "step 2   " + step2.verdict + "; fitness " +
+            FormatFixed(search.individuals.front().fitness, 3) + " -> " +
+            FormatFixed(search.individuals[static_cast<size_t>(search.best)].fitness, 3) + " in " +
+            FormatCount(static_cast<int>(search.individuals.size()), "evaluation") +
+            "; found number " + std::to_string(step2.found) + "\n";
+    AddDecision("step 2", step2.check_before, step2.check_after, decisions);
+    add_angles("new target grasp", result.new_target);
+  }
+  return text + "\n" + decisions.Format() + "\n" + angles.Format();
+}
+
+}  // namespace graspbench

@@ -1,0 +1,26 @@
+#include "workbench/terminal_observer.h"
+
+#include "workbench/terminal.h"
+
+namespace graspbench {
+
+void TerminalObserver::BeginStage(const Stage& stage) {
+  if (describe_) PrintMessage(describe_(stage));
+  if (stage.num_left == 0) return;
+  start_ = std::chrono::steady_clock::now();
+  progress_.emplace(stderr, stage.num_trials, stage.before);
+}
+
+void TerminalObserver::ShowStatus(const BatchStatus& status, int num_trials) {
+  if (stop_ && !has_told_) {
+    progress_->Say("stopping after the current trials; once more to stop at once");
+    has_told_ = true;
+  }
+  progress_->SetPlanned(num_trials);
+  progress_->Show(status,
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
+}
+
+void TerminalObserver::EndStage() { progress_->Finish(); }
+
+}  // namespace graspbench
