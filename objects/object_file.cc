@@ -50,11 +50,9 @@ ObjectFile LoadObjectFile(const std::filesystem::path& path) {
   CheckPositive("mass_kg", file.mass, map);
   CheckPositive("density_kg_per_m3", file.density, map);
 
-  map.Read("friction_static", file.surface.friction_static);
-  map.Read("friction_dynamic", file.surface.friction_dynamic);
+  ReadSurface(map, Needed::kYes, file.surface);
   CheckPositive("friction_static", file.surface.friction_static, map);
   CheckPositive("friction_dynamic", file.surface.friction_dynamic, map);
-  ReadSurface(map, file.surface);
 
   map.Read("size_m", file.size, Needed::kNo);
   map.Read("size_of_sight_m", file.size_of_sight, Needed::kNo);

@@ -255,7 +255,7 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
     std::vector<std::string> links;
     map.Read("links", links);
     SurfaceMaterial surface;
-    ReadSurface(map, surface);
+    ReadSurface(map, Needed::kNo, surface);
     map.FinishKnownKeys();
     for (const std::string& name : links) {
       if (!CheckName(name, "link", LineOf(item), where)) continue;

@@ -10,6 +10,7 @@ such: a link has as many points as its surface has balls. */
 
 namespace graspbench {
 
+enum class Needed;
 class YamlMap;
 
 /** Values that were left out are NaN: the other side of the contact, or the session, gives them. */
@@ -35,6 +36,6 @@ struct SurfaceMaterial {
 
 /** Reads the keys that are there into `surface` and reports what is out of range. Friction comes as
 a pair, the static coefficient not below the dynamic one. */
-void ReadSurface(YamlMap& map, SurfaceMaterial& surface);
+void ReadSurface(YamlMap& map, Needed friction, SurfaceMaterial& surface);
 
 }  // namespace graspbench

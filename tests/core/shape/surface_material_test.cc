@@ -12,7 +12,7 @@ namespace {
 std::string FindProblems(const std::string& text, SurfaceMaterial& surface) {
   Diagnostics problems;
   YamlMap map(ParseYaml(text, "surface.yaml", problems), "surface.yaml", "surface", problems);
-  ReadSurface(map, surface);
+  ReadSurface(map, Needed::kNo, surface);
   map.FinishKnownKeys();
   try {
     problems.ThrowIfErrors(ErrorKind::kFormat, "bad");
