@@ -13,29 +13,29 @@ ContactTiming CalcContactTiming(const std::vector<DigitContact>& contacts, doubl
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ContactTiming timing{kMissing, kMissing, kMissing, kMissing, kMissing, false};
 
-  double first = kInfinity, last = -kInfinity, first_finger = kInfinity, thumb = kMissing;
+  double first = kInfinity, last = -kInfinity, first_finger = kInfinity, opposing = kMissing;
   bool all_touched = !contacts.empty();
-  int num_thumbs = 0;
+  int num_opposing = 0;
   for (const DigitContact& contact : contacts) {
-    num_thumbs += contact.is_thumb;
-    if (contact.is_thumb) thumb = contact.time;
+    num_opposing += contact.is_opposing;
+    if (contact.is_opposing) opposing = contact.time;
     if (std::isnan(contact.time)) {
       all_touched = false;
       continue;
     }
     first = std::min(first, contact.time);
     last = std::max(last, contact.time);
-    if (!contact.is_thumb) first_finger = std::min(first_finger, contact.time);
+    if (!contact.is_opposing) first_finger = std::min(first_finger, contact.time);
   }
-  GRASPBENCH_DEMAND(num_thumbs <= 1, "thumbs: " + std::to_string(num_thumbs));
+  GRASPBENCH_DEMAND(num_opposing <= 1, "opposing digits: " + std::to_string(num_opposing));
 
   timing.contact_before_start = first < t0;
   if (all_touched) {
     timing.gct = last - t0;
     timing.gft = last - first;
   }
-  if (std::isfinite(thumb) && std::isfinite(first_finger)) {
-    timing.got = std::abs(thumb - first_finger);
+  if (std::isfinite(opposing) && std::isfinite(first_finger)) {
+    timing.got = std::abs(opposing - first_finger);
   }
   if (timing.gct > 0.0) {
     timing.gft_ratio = timing.gft / timing.gct;

@@ -19,9 +19,11 @@ contact comes after t0; with two digits GFT = GOT. */
 namespace graspbench {
 
 struct DigitContact {
-  std::string digit;      ///< "TH", "FF", ...
-  bool is_thumb = false;  ///< or takes its part: one digit of a grasp opposes the others
-  double time = 0.0;      ///< first contact [s]; NaN: never touched
+  std::string digit;  ///< "TH", "FF", ...
+  /** The one digit of a grasp that opposes the others: the thumb where it takes part. Records keep
+  it under the name `is_thumb`. */
+  bool is_opposing = false;
+  double time = 0.0;  ///< first contact [s]; NaN: never touched
 };
 
 struct ContactTiming {

@@ -25,7 +25,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_p
     trial.closings.push_back(result.touches[d].closing);
     if (keep_postures) trial.touch_postures.push_back(result.touches[d].q);
     const double gap = result.touches[d].smallest_gap;
-    if (result.contacts[d].is_thumb && std::isfinite(gap)) trial.opposing_gap = gap;
+    if (result.contacts[d].is_opposing && std::isfinite(gap)) trial.opposing_gap = gap;
   }
   return trial;
 }
@@ -34,7 +34,7 @@ double CalcFitness(const LearningTrial& trial) {
   const bool is_missing =
       trial.contacts.empty() ||  // the simulation gave up
       std::any_of(trial.contacts.begin(), trial.contacts.end(), [](const DigitContact& contact) {
-        return contact.is_thumb && std::isnan(contact.time);
+        return contact.is_opposing && std::isnan(contact.time);
       });
   return is_missing ? -trial.opposing_gap : trial.sigma;
 }
@@ -50,7 +50,7 @@ Json ToJson(const LearningTrial& trial) {
   Json digits = Json::array();
   for (size_t d = 0; d < trial.contacts.size(); ++d) {
     digits.push_back({{"digit", trial.contacts[d].digit},
-                      {"is_thumb", trial.contacts[d].is_thumb},
+                      {"is_thumb", trial.contacts[d].is_opposing},
                       {"time_s", JsonNumber(trial.contacts[d].time)},
                       {"closing", JsonNumber(trial.closings[d])}});
     if (trial.touch_postures.empty()) continue;
@@ -89,7 +89,7 @@ LearningTrial LearningTrialFromJson(const Json& json) {
       trial.touch_postures.push_back(
           Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())));
     }
-    num_thumbs += trial.contacts.back().is_thumb;
+    num_thumbs += trial.contacts.back().is_opposing;
   }
   if (num_thumbs > 1) throw Error(ErrorKind::kFormat, "digits: more than one thumb");
   trial.timing = CalcContactTiming(trial.contacts, 0.0);

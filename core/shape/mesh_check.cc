@@ -19,7 +19,6 @@ namespace {
 constexpr int kMaxListed = 4;          // places told per problem
 constexpr int kMaxCrossings = 1000;    // then counting stops
 constexpr double kMinFlatness = 1e-9;  // volume against the cube of the extent: flat below
-constexpr double kMinAspect = 1e-7;    // height against the longest edge: without area below
 
 std::string FormatPoint(const Eigen::Vector3d& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", MmFromM(p.x()), MmFromM(p.y()), MmFromM(p.z()));

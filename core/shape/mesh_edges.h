@@ -1,5 +1,7 @@
 #pragma once
-/** @file The edges of a mesh and how many triangles run along each, in either direction. */
+/** @file
+The edges of a mesh, how many triangles run along each in either direction, and which triangles
+count as ones without area. */
 
 #include <vector>
 
@@ -16,6 +18,9 @@ struct MeshEdge {
   int first_triangle = -1;  ///< one of them
   int last_triangle = -1;   ///< another one, when there are more
 };
+
+/** A triangle whose height against its longest edge is smaller has no area. */
+inline constexpr double kMinAspect = 1e-7;
 
 /** Ordered by (from, to). In a closed, consistent mesh both counts are 1 everywhere. */
 std::vector<MeshEdge> ListEdges(const TriMesh& mesh);

@@ -16,8 +16,7 @@ namespace graspbench {
 namespace {
 
 constexpr double kRelativeWeldTolerance = 1e-6;
-constexpr double kMinAspect = 1e-7;  // as in mesh_check.cc
-constexpr int kMaxShells = 64;       // more is a soup of triangles, not solids and cavities
+constexpr int kMaxShells = 64;  // more is a soup of triangles, not solids and cavities
 
 double CalcExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;

@@ -9,8 +9,8 @@
 namespace graspbench {
 namespace {
 
-constexpr double kMostLoads = 10.0;  ///< Q F / (m g) counts up to here
-constexpr double kSlipSpeed = 0.01;  ///< [m/s]
+constexpr double kMostLoads = 10.0;          ///< Q F / (m g) counts up to here
+constexpr double kProposedSlipSpeed = 0.01;  ///< [m/s]
 
 double CalcQuality(const LoadedGrasp& grasp) {
   if (grasp.contacts.size() < 2) return 0.0;
@@ -46,7 +46,8 @@ StabilityPart CalcStabilityPart(const std::vector<GraspInstant>& samples) {
     const double loads = std::min(kMostLoads, quality * normal_force / grasp.weight.norm());
     const double opposition = instant.is_opposed ? 1.0 : 0.0;
     part.sigma += share * CalcWeakestHoldingForce(instant);
-    part.sigma_proposed += share * loads * std::exp(-instant.slip_speed / kSlipSpeed) * opposition;
+    part.sigma_proposed +=
+        share * loads * std::exp(-instant.slip_speed / kProposedSlipSpeed) * opposition;
     part.quality += share * quality;
     part.normal_force += share * normal_force;
     part.slip_speed += share * instant.slip_speed;

@@ -20,7 +20,7 @@ Json DigitsToJson(const TrialResult& result) {
     const DigitContact& contact = result.contacts[i];
     const DigitTouch& touch = result.touches[i];
     digits.push_back({{"digit", contact.digit},
-                      {"is_thumb", contact.is_thumb},
+                      {"is_thumb", contact.is_opposing},
                       {"time_s", JsonNumber(contact.time)},
                       {"closing", JsonNumber(touch.closing)},
                       {"q_rad", std::vector<double>(touch.q.begin(), touch.q.end())},
@@ -39,7 +39,7 @@ void ReadDigits(const Json& json, TrialResult& result) {
     touch.smallest_gap = NumberFrom(digit.at("smallest_gap_m"));
   }
   if (std::count_if(result.contacts.begin(), result.contacts.end(),
-                    [](const DigitContact& contact) { return contact.is_thumb; }) > 1) {
+                    [](const DigitContact& contact) { return contact.is_opposing; }) > 1) {
     throw Error(ErrorKind::kFormat, "contacts: more than one thumb");
   }
 }

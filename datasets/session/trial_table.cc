@@ -65,15 +65,16 @@ void AddJudgementColumns(std::vector<TrialColumn>& columns) {
        TakeJudgement([](const Judgement& judgement) { return JsonNumber(judgement.volume); })});
   for (const QualityConvention& convention : ListQualityConventions()) {
     const std::string id = convention.id;
-    columns.push_back(
-        {"epsilon_" + ReplaceDashes(id), "number", "",
-         "at the end of the hold, convention " + id + ", 8 edges (4 with more than 8 contacts)",
-         TakeJudgement([id](const Judgement& judgement) {
-           for (const ConventionEpsilon& epsilon : judgement.epsilons) {
-             if (epsilon.convention == id) return JsonNumber(epsilon.epsilon);
-           }
-           return Json();
-         })});
+    std::string edges = std::to_string(convention.num_edges) + " edges";
+    if (convention.num_edges > 4) edges += " (4 with more than 8 contacts)";
+    columns.push_back({"epsilon_" + ReplaceDashes(id), "number", "",
+                       "at the end of the hold, convention " + id + ", " + edges,
+                       TakeJudgement([id](const Judgement& judgement) {
+                         for (const ConventionEpsilon& epsilon : judgement.epsilons) {
+                           if (epsilon.convention == id) return JsonNumber(epsilon.epsilon);
+                         }
+                         return Json();
+                       })});
   }
   for (const VerdictRule& rule : ListVerdictRules()) {
     const std::string id = rule.id;

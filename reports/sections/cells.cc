@@ -59,15 +59,15 @@ Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
   return Element("div", {{"class", "film"}}, frames) + Element("p", {{"class", "small"}}, trial);
 }
 
-/** Ids of the digits of any trial, thumb first, then in the order of the records. */
+/** Ids of the digits of any trial, the opposing one first, then in the order of the records. */
 std::vector<std::string> ListDigits(const CellSummary& cell) {
   std::vector<std::string> digits;
-  for (bool is_thumb : {true, false}) {
+  for (bool is_opposing : {true, false}) {
     for (const TrialRecord* record : cell.records) {
       for (const DigitContact& contact : record->result.contacts) {
         const bool is_known =
             std::find(digits.begin(), digits.end(), contact.digit) != digits.end();
-        if (contact.is_thumb == is_thumb && !is_known) digits.push_back(contact.digit);
+        if (contact.is_opposing == is_opposing && !is_known) digits.push_back(contact.digit);
       }
     }
   }

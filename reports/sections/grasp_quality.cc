@@ -95,7 +95,7 @@ Html DrawCells(const ReportData& data) {
                {"Breaking force [N]", number, "smallest of six pulls, on top of the weight"},
                {"Lowest [N]", number},
                {"Breaking moment [N mm]", number, "smallest of six twists"},
-               {"sigma [N]", number, "what the contacts' forces foretell"},
+               {"sigma [N]", number, "what the contacts' forces predict"},
                {"epsilon", number, "ferrari-canny, before lift-off"}});
   for (const CellLoads& loads : ListCellLoads(data.summary)) {
     table.AddRow({LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)),
