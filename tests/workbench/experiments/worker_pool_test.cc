@@ -1,0 +1,68 @@
+#include "workbench/experiments/worker_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+TEST(WorkerPool, StartsNoMoreThreadsThanTasks) {
+  EXPECT_EQ(CalcNumWorkers(4, 100), 4);
+  EXPECT_EQ(CalcNumWorkers(4, 3), 3);
+  EXPECT_EQ(CalcNumWorkers(4, 0), 1);
+  EXPECT_EQ(CalcNumWorkers(-1, 7), 1);
+}
+
+// The caller's thread works when there is nothing to show: a pool within a pool starts no thread.
+TEST(WorkerPool, OneWorkerWithoutAShowIsTheCaller) {
+  const std::atomic<bool> never = false;
+  std::set<std::thread::id> threads;
+  const auto make_runner = [&](int, const std::atomic<bool>&) -> RunTask {
+    return [&](size_t) { threads.insert(std::this_thread::get_id()); };
+  };
+  EXPECT_TRUE(RunTasks(5, 1, make_runner, {}, never));
+  EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
+  EXPECT_TRUE(RunTasks(
+      5, 1, make_runner, [] {}, never));
+  EXPECT_EQ(threads.size(), 2u);
+}
+
+// A failure stops a long task of another worker through must_stop, and is what comes out.
+TEST(WorkerPool, AFailureEndsLongTasksOfTheOthers) {
+  const std::atomic<bool> never = false;
+  const auto make_runner = [](int, const std::atomic<bool>& must_stop) -> RunTask {
+    return [&must_stop](size_t task) {
+      if (task == 0) throw Error(ErrorKind::kIo, "disk full");
+      while (!must_stop) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      throw Error(ErrorKind::kInterrupted, "gave up");
+    };
+  };
+  try {
+    RunTasks(2, 2, make_runner, {}, never);
+    FAIL() << "the error must come out";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kIo);
+  }
+}
+
+TEST(WorkerPool, ATaskThatGivesUpIsNotDone) {
+  std::atomic<bool> stop = false;
+  const auto make_runner = [&](int, const std::atomic<bool>& must_stop) -> RunTask {
+    return [&](size_t) {
+      stop = true;
+      while (!must_stop) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      throw Error(ErrorKind::kInterrupted, "gave up");
+    };
+  };
+  EXPECT_FALSE(RunTasks(
+      3, 1, make_runner, [] {}, stop));
+}
+
+}  // namespace
+}  // namespace graspbench
