@@ -18,7 +18,7 @@ constexpr int kWidth = 960;
 constexpr int kHeight = 720;
 
 /** The moments of a trial that are kept. */
-const std::vector<std::string> kPhases = {"pregrasp", "closed", "lifted"};
+const std::vector<std::string> kMoments = {"pregrasp", "closed", "lifted"};
 
 struct RenderOptions {
   std::string hand, object, grasp;
@@ -96,8 +96,8 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("grasp", options->grasp, "standard grasp: g1..g5")
       ->required()
       ->option_text("GRASP");
-  command.add_option("--phase", options->phase, "when: " + ListNames(kPhases))
-      ->check(CLI::IsMember(kPhases))
+  command.add_option("--phase", options->phase, "when: " + ListNames(kMoments))
+      ->check(CLI::IsMember(kMoments))
       ->option_text("PHASE")
       ->capture_default_str();
   command.add_option("--out", options->out, "the picture (PNG)")
