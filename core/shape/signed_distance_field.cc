@@ -17,7 +17,7 @@ namespace graspbench {
 namespace {
 
 // Raise when the stored layout or the rule that fills it changes.
-constexpr char kCacheMagic[8] = {'g', 'b', 's', 'd', 'f', '0', '0', '1'};
+constexpr char kCacheMagic[8] = {'g', 'b', 's', 'd', 'f', '0', '0', '2'};
 
 // Normals that tell inside from outside for a nearest point on a face, an edge or a vertex.
 class PseudoNormals {
@@ -89,17 +89,20 @@ uint64_t CalcMeshHash(const TriMesh& mesh) {
 // What stands before the values in a cache file.
 struct CacheHeader {
   char magic[8];
+  uint64_t content_hash;  // of all that follows: the rest of the header and the values
   uint64_t mesh_hash;
-  uint64_t values_hash;
   double lower[3];
   double cell;
   int32_t num_nodes[3];
   int32_t padding;
 };
 static_assert(sizeof(CacheHeader) == 72);
+constexpr size_t kHashedFrom = 16;
 
-std::string_view BytesOf(const std::vector<float>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+std::filesystem::path FindCacheFile(const std::filesystem::path& folder, uint64_t mesh_hash) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx.sdf", static_cast<unsigned long long>(mesh_hash));
+  return folder / name;
 }
 
 }  // namespace
@@ -135,55 +138,71 @@ SignedDistanceField SignedDistanceField::Build(const TriMesh& mesh) {
   return field;
 }
 
-std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadOrBuild(
-    const TriMesh& mesh, const std::filesystem::path& cache_folder) {
-  const uint64_t mesh_hash = CalcMeshHash(mesh);
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.sdf", static_cast<unsigned long long>(mesh_hash));
-  const std::filesystem::path path = cache_folder / name;
-
-  std::error_code status;
-  if (std::filesystem::exists(path, status)) {
-    try {
-      const std::string bytes = ReadFile(path);
-      CacheHeader header;
-      SignedDistanceField field;
-      if (bytes.size() > sizeof header) {
-        std::memcpy(&header, bytes.data(), sizeof header);
-        field.lower_ = Eigen::Map<const Eigen::Vector3d>(header.lower);
-        field.cell_ = header.cell;
-        field.num_nodes_ = Eigen::Map<const Eigen::Vector3i>(header.num_nodes);
-        const std::string_view values = std::string_view(bytes).substr(sizeof header);
-        if (std::memcmp(header.magic, kCacheMagic, sizeof kCacheMagic) == 0 &&
-            header.mesh_hash == mesh_hash && CalcHash64(values) == header.values_hash &&
-            (field.num_nodes_.array() > 1).all() && (field.num_nodes_.array() <= kMaxNodes).all() &&
-            static_cast<size_t>(field.num_nodes_.cast<int64_t>().prod()) * sizeof(float) ==
-                values.size()) {
-          field.values_.resize(values.size() / sizeof(float));
-          std::memcpy(field.values_.data(), values.data(), values.size());
-          return std::make_shared<const SignedDistanceField>(std::move(field));
-        }
-      }
-    } catch (const Error&) {
-      // Unreadable: as good as absent.
-    }
-  }
-
-  auto field = std::make_shared<const SignedDistanceField>(Build(mesh));
+std::string SignedDistanceField::FormatCache(uint64_t mesh_hash) const {
   CacheHeader header = {};
   std::memcpy(header.magic, kCacheMagic, sizeof kCacheMagic);
   header.mesh_hash = mesh_hash;
-  header.values_hash = CalcHash64(BytesOf(field->values_));
-  Eigen::Map<Eigen::Vector3d>(header.lower) = field->lower_;
-  header.cell = field->cell_;
-  Eigen::Map<Eigen::Vector3i>(header.num_nodes) = field->num_nodes_;
+  Eigen::Map<Eigen::Vector3d>(header.lower) = lower_;
+  header.cell = cell_;
+  Eigen::Map<Eigen::Vector3i>(header.num_nodes) = num_nodes_;
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
-  bytes += BytesOf(field->values_);
+  bytes.append(reinterpret_cast<const char*>(values_.data()), values_.size() * sizeof(float));
+  header.content_hash = CalcHash64(std::string_view(bytes).substr(kHashedFrom));
+  std::memcpy(bytes.data(), &header, sizeof header);
+  return bytes;
+}
+
+bool SignedDistanceField::ParseCache(const std::string& bytes, uint64_t mesh_hash) {
+  CacheHeader header;
+  if (bytes.size() < sizeof header) return false;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (std::memcmp(header.magic, kCacheMagic, sizeof kCacheMagic) != 0 ||
+      header.mesh_hash != mesh_hash ||
+      header.content_hash != CalcHash64(std::string_view(bytes).substr(kHashedFrom))) {
+    return false;
+  }
+  lower_ = Eigen::Map<const Eigen::Vector3d>(header.lower);
+  cell_ = header.cell;
+  num_nodes_ = Eigen::Map<const Eigen::Vector3i>(header.num_nodes);
+  const size_t size = bytes.size() - sizeof header;
+  if (!lower_.allFinite() || !std::isfinite(cell_) || !(cell_ >= kMinCell) ||
+      (num_nodes_.array() < 2).any() || (num_nodes_.array() > kMaxNodes).any() ||
+      static_cast<size_t>(num_nodes_.cast<int64_t>().prod()) * sizeof(float) != size) {
+    return false;
+  }
+  values_.resize(size / sizeof(float));
+  std::memcpy(values_.data(), bytes.data() + sizeof header, size);
+  return std::all_of(values_.begin(), values_.end(), [](float v) { return std::isfinite(v); });
+}
+
+std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadCached(
+    const TriMesh& mesh, const std::filesystem::path& cache_folder) {
+  const uint64_t mesh_hash = CalcMeshHash(mesh);
+  const std::filesystem::path path = FindCacheFile(cache_folder, mesh_hash);
+  std::error_code status;
+  if (!IsPrivateFolder(cache_folder) ||
+      !std::filesystem::is_regular_file(std::filesystem::symlink_status(path, status))) {
+    return nullptr;
+  }
   try {
-    std::filesystem::create_directories(cache_folder, status);
-    WriteFileAtomically(path, bytes);
+    auto field = std::make_shared<SignedDistanceField>();
+    if (field->ParseCache(ReadFile(path), mesh_hash)) return field;
   } catch (const Error&) {
-    // A read-only or full disk costs the next start some seconds, nothing else.
+    // Unreadable: as good as absent.
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const SignedDistanceField> SignedDistanceField::LoadOrBuild(
+    const TriMesh& mesh, const std::filesystem::path& cache_folder) {
+  if (auto cached = LoadCached(mesh, cache_folder)) return cached;
+  auto field = std::make_shared<const SignedDistanceField>(Build(mesh));
+  try {
+    MakePrivateFolder(cache_folder);
+    const uint64_t mesh_hash = CalcMeshHash(mesh);
+    WriteFileAtomically(FindCacheFile(cache_folder, mesh_hash), field->FormatCache(mesh_hash));
+  } catch (const Error&) {
+    // A read-only, full or foreign folder costs the next start some seconds, nothing else.
   }
   return field;
 }

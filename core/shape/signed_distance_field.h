@@ -11,8 +11,10 @@ next to a sharp edge it is up to about half a cell, so query a few millimetres a
 (sphere centres), where the field is smooth. */
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/shape/tri_mesh.h"
@@ -29,10 +31,15 @@ class SignedDistanceField {
   for 5,000 triangles. */
   static SignedDistanceField Build(const TriMesh& mesh);
 
-  /** Build, or read what an earlier call stored under the mesh's hash in `cache_folder`. A damaged
-  or foreign cache file is rebuilt; a cache that cannot be written is done without. The result is
-  the same bits either way. */
+  /** Build, or read what an earlier call stored under the mesh's hash in `cache_folder`. The file
+  carries a hash of all its content; a damaged or foreign one is rebuilt. The folder is made
+  readable for its owner alone; one that is not private, or cannot be written, is done without. The
+  result is the same bits either way. */
   static std::shared_ptr<const SignedDistanceField> LoadOrBuild(
+      const TriMesh& mesh, const std::filesystem::path& cache_folder);
+
+  /** What LoadOrBuild would read; nothing when it would build. */
+  static std::shared_ptr<const SignedDistanceField> LoadCached(
       const TriMesh& mesh, const std::filesystem::path& cache_folder);
 
   struct Sample {
@@ -56,6 +63,9 @@ class SignedDistanceField {
     Eigen::Vector3d share;  // position in the cell, in [0, 1]
     double beyond;          // distance from the grid [m]
   };
+  std::string FormatCache(uint64_t mesh_hash) const;
+  // False, and the field is of no use, when the bytes are not those of a whole cache file.
+  bool ParseCache(const std::string& bytes, uint64_t mesh_hash);
   Cell FindCell(const Eigen::Vector3d& p_O) const;
   double Interpolate(const Eigen::Vector3i& node, const Eigen::Vector3d& share) const;
   double CalcDistance(const Cell& cell) const;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 
 #include "core/base/files.h"
+#include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/shape/primitives.h"
 
@@ -216,6 +218,75 @@ TEST_F(SdfCacheTest, DamagedFilesAreRebuilt) {
     ExpectSameBits(*built, *SignedDistanceField::LoadOrBuild(mesh_, folder_));
     EXPECT_EQ(ReadFile(OnlyFile()), good);
   }
+}
+
+TEST_F(SdfCacheTest, EveryFlippedBitIsSeen) {
+  const auto built = SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  const fs::path path = OnlyFile();
+  const std::string good = ReadFile(path);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const auto put = [&](size_t byte, int change) {
+    file.seekp(static_cast<std::streamoff>(byte));
+    file.put(static_cast<char>(good[byte] ^ change)).flush();
+  };
+  const auto is_seen = [&](size_t bit) {
+    put(bit / 8, 1 << (bit % 8));
+    const bool is_refused = SignedDistanceField::LoadCached(mesh_, folder_) == nullptr;
+    put(bit / 8, 0);
+    return is_refused;
+  };
+  for (size_t bit = 0; bit < 8 * 72; ++bit) ASSERT_TRUE(is_seen(bit)) << "header, bit " << bit;
+  RandomStream random("cache", "flips");
+  for (int i = 0; i < 424; ++i) {
+    const size_t byte = static_cast<size_t>(random.NextIndex(static_cast<int>(good.size())));
+    ASSERT_TRUE(is_seen(8 * byte + random.NextIndex(8))) << "byte " << byte;
+  }
+  ASSERT_NE(SignedDistanceField::LoadCached(mesh_, folder_), nullptr) << "put back, it is good";
+  put(50, 1);
+  ExpectSameBits(*built, *SignedDistanceField::LoadOrBuild(mesh_, folder_));
+  EXPECT_EQ(ReadFile(path), good);
+}
+
+// A file whose hash is right, as another program's fault or a malicious one would write it.
+TEST_F(SdfCacheTest, NumbersThatAreNoneAreRefused) {
+  SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  const fs::path path = OnlyFile();
+  const std::string good = ReadFile(path);
+  const auto with = [&](size_t offset, const auto& value) {
+    std::string bad = good;
+    std::memcpy(bad.data() + offset, &value, sizeof value);
+    const uint64_t hash = CalcHash64(std::string_view(bad).substr(16));
+    std::memcpy(bad.data() + 8, &hash, sizeof hash);
+    return bad;
+  };
+  constexpr size_t kLower = 24, kCell = 48, kNodes = 56, kValues = 72;
+  WriteFile(path, with(kNodes + 12, int32_t{0}));
+  ASSERT_NE(SignedDistanceField::LoadCached(mesh_, folder_), nullptr) << "the hash is not right";
+  for (const std::string& bad :
+       {with(kLower, NAN * 1.0), with(kCell, NAN * 1.0), with(kCell, 0.0), with(kCell, -1.0),
+        with(kCell, INFINITY * 1.0), with(kNodes, int32_t{-1}), with(kNodes, int32_t{1}),
+        with(kNodes, int32_t{1 << 30}), with(kValues, NAN), with(good.size() - 4, INFINITY)}) {
+    WriteFile(path, bad);
+    EXPECT_EQ(SignedDistanceField::LoadCached(mesh_, folder_), nullptr);
+  }
+}
+
+TEST_F(SdfCacheTest, TheFolderIsPrivateAndAForeignOneIsDoneWithout) {
+  SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  EXPECT_EQ(fs::status(folder_).permissions(), fs::perms::owner_all);
+  ASSERT_NE(SignedDistanceField::LoadCached(mesh_, folder_), nullptr);
+
+  fs::permissions(folder_, fs::perms::others_all, fs::perm_options::add);
+  EXPECT_EQ(SignedDistanceField::LoadCached(mesh_, folder_), nullptr);
+  SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  EXPECT_EQ(fs::status(folder_).permissions(), fs::perms::owner_all);
+
+  const fs::path link = folder_.string() + "_link";
+  fs::remove(link);
+  fs::create_directory_symlink(folder_, link);
+  EXPECT_EQ(SignedDistanceField::LoadCached(mesh_, link), nullptr);
+  EXPECT_NE(SignedDistanceField::LoadOrBuild(mesh_, link), nullptr);
+  fs::remove(link);
 }
 
 TEST_F(SdfCacheTest, AFolderThatCannotBeWrittenIsDoneWithout) {
