@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "objects/catalogue.h"
 #include "objects/check_mesh_file.h"
+#include "objects/load_mesh.h"
 #include "reports/format.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"
@@ -172,7 +173,9 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
                                   "  graspbench object check mug.stl --unit mm\n"
                                   "  graspbench object check mug.stl --unit mm --repair");
   const auto options = std::make_shared<MeshCheckOptions>();
-  check.add_option("path", options->path, "mesh file, or folder with object.yaml and a mesh")
+  check
+      .add_option("path", options->path,
+                  "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh")
       ->required()
       ->option_text("PATH");
   check
