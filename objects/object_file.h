@@ -3,7 +3,7 @@
 object.yaml: what is known of a thing to grasp beside its mesh.
 
     name: coffee mug
-    mesh: mesh.stl                  # beside this file; any format assimp reads
+    mesh: mesh.stl                  # beside this file; OBJ, STL, PLY, GLB or glTF
     mesh_unit: mm                   # m or mm
     mass_kg: 0.31                   # or density_kg_per_m3
     friction_static: 0.45           # against the hand

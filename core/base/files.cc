@@ -9,8 +9,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "core/base/error.h"
 
@@ -73,7 +71,7 @@ fs::path FindCacheRoot() {
   if (const char* home = std::getenv("HOME"); home && *home) {
     return fs::path(home) / ".cache" / "graspbench";
   }
-  return fs::temp_directory_path() / "graspbench";
+  return fs::temp_directory_path() / ("graspbench-" + std::to_string(::geteuid()));
 }
 
 std::string ReadFile(const fs::path& path) {
@@ -84,13 +82,33 @@ std::string ReadFile(const fs::path& path) {
   if (fs::is_directory(path, status)) {
     throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
   }
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream content;
-  content << in.rdbuf();
-  if (!in) {
-    throw Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
+  const auto fail = [&]() {
+    return Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
+  };
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // no wait for a FIFO
+  if (file < 0) throw fail();
+  struct stat properties = {};
+  if (::fstat(file, &properties) != 0 || !S_ISREG(properties.st_mode)) {
+    ::close(file);
+    throw Error(ErrorKind::kIo,
+                "\"" + path.string() + "\" is a device, a pipe or a socket; a file was expected");
   }
-  return std::move(content).str();
+  std::string content(static_cast<size_t>(properties.st_size) + 1, '\0');
+  size_t size = 0;
+  for (ssize_t count = 1; count != 0;) {
+    if (size == content.size()) content.resize(2 * size);
+    count = ::read(file, content.data() + size, content.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const Error error = fail();
+      ::close(file);
+      throw error;
+    }
+    size += static_cast<size_t>(count);
+  }
+  ::close(file);
+  content.resize(size);
+  return content;
 }
 
 void MakeFolder(const fs::path& folder) {
@@ -100,6 +118,29 @@ void MakeFolder(const fs::path& folder) {
     throw Error(ErrorKind::kIo,
                 "cannot create folder \"" + folder.string() + "\": " + status.message());
   }
+}
+
+void MakePrivateFolder(const fs::path& folder) {
+  if (folder.has_parent_path()) MakeFolder(folder.parent_path());
+  const bool is_made = ::mkdir(folder.c_str(), 0700) == 0;
+  if (!is_made && errno != EEXIST) {
+    throw Error(ErrorKind::kIo,
+                "cannot create folder \"" + folder.string() + "\": " + std::strerror(errno));
+  }
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  const bool is_private = file >= 0 && ::fchmod(file, 0700) == 0;
+  if (file >= 0) ::close(file);
+  if (!is_private || !IsPrivateFolder(folder)) {
+    throw Error(ErrorKind::kIo, "\"" + folder.string() +
+                                    "\" is not a folder of this user's own; remove it, or name "
+                                    "another one");
+  }
+}
+
+bool IsPrivateFolder(const fs::path& folder) {
+  struct stat status = {};
+  return ::lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+         status.st_uid == ::geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
 void SyncFolder(const fs::path& folder) {

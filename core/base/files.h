@@ -13,15 +13,24 @@ GRASPBENCH_HOME, else the source folder this program was built from. */
 std::filesystem::path FindDataRoot();
 
 /** Folder for things that can be rebuilt at any time: $XDG_CACHE_HOME/graspbench, else
-$HOME/.cache/graspbench, else the system's temporary folder. */
+$HOME/.cache/graspbench, else a folder of this user's own in the system's temporary folder. */
 std::filesystem::path FindCacheRoot();
 
-/** @throws Error(kNotFound, kIo) naming the file and the system's reason. */
+/** Regular files only: a device or a pipe is refused, not waited for.
+@throws Error(kNotFound, kIo) naming the file and the system's reason. */
 std::string ReadFile(const std::filesystem::path& path);
 
 /** Creates a folder and those above it; one that is there is fine.
 @throws Error(kIo) with the system's reason. */
 void MakeFolder(const std::filesystem::path& folder);
+
+/** Creates a folder that only its owner can enter, and those above it; one that is there is made
+so.
+@throws Error(kIo) when it belongs to somebody else, is no folder, or with the system's reason. */
+void MakePrivateFolder(const std::filesystem::path& folder);
+
+/** A folder, not a link to one, that belongs to this user and that nobody else can write into. */
+bool IsPrivateFolder(const std::filesystem::path& folder);
 
 /** Makes the names of new and renamed files in a folder survive a power failure.
 @throws Error(kIo) with the system's reason. */

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
+#include <cstdint>
 #include <string_view>
 #include <vector>
+
+#include "core/shape/polygon.h"
 
 namespace graspbench {
 namespace {
@@ -25,6 +27,7 @@ std::vector<std::string_view> SplitWords(std::string_view line) {
 }
 
 bool ParseCoordinate(std::string_view word, double& value) {
+  if (!word.empty() && word[0] == '+') word.remove_prefix(1);
   const char* const end = word.data() + word.size();
   const auto [next, status] = std::from_chars(word.data(), end, value);
   return status == std::errc() && next == end && std::isfinite(value);
@@ -40,37 +43,74 @@ bool ParseCorner(std::string_view word, int num_vertices, int& index) {
   return index >= 0 && index < num_vertices;
 }
 
+class ObjReader {
+ public:
+  /** What is wrong with the line; empty: nothing. */
+  std::string ReadLine(std::string_view line) {
+    const std::vector<std::string_view> words = SplitWords(line);
+    if (words.empty()) return {};
+    if (words[0] == "v") return ReadVertex(words);
+    if (words[0] == "f") return ReadFace(words);
+    return {};
+  }
+  TriMesh TakeMesh() { return std::move(mesh_); }
+
+ private:
+  std::string ReadVertex(const std::vector<std::string_view>& words) {
+    Eigen::Vector3d& p = mesh_.vertices.emplace_back();
+    if (words.size() < 4 || !ParseCoordinate(words[1], p.x()) ||
+        !ParseCoordinate(words[2], p.y()) || !ParseCoordinate(words[3], p.z())) {
+      return "expected three finite numbers after v";
+    }
+    return {};
+  }
+
+  std::string ReadFace(const std::vector<std::string_view>& words) {
+    corners_.resize(words.size() - 1);
+    bool is_valid = corners_.size() >= 3;
+    for (size_t i = 0; i < corners_.size(); ++i) {
+      is_valid = ParseCorner(words[i + 1], mesh_.num_vertices(), corners_[i]) && is_valid;
+    }
+    if (!is_valid) return "expected three or more numbers of vertices above after f";
+    if (!AppendPolygon(corners_, mesh_, polygon_work_)) {
+      return "the face has " + std::to_string(corners_.size()) +
+             " corners and is not convex; cut such faces into triangles in the mesh's program";
+    }
+    return {};
+  }
+
+  TriMesh mesh_;
+  std::vector<int> corners_;
+  int64_t polygon_work_ = 150'000'000;  // less than a second
+};
+
 }  // namespace
 
 TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& problems) {
-  TriMesh mesh;
-  std::istringstream in(text);
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    const std::vector<std::string_view> words = SplitWords(line);
-    if (words.empty()) continue;
-    if (words[0] == "v") {
-      Eigen::Vector3d& p = mesh.vertices.emplace_back();
-      if (words.size() < 4 || !ParseCoordinate(words[1], p.x()) ||
-          !ParseCoordinate(words[2], p.y()) || !ParseCoordinate(words[3], p.z())) {
-        problems.Fail(file, number, "expected three finite numbers after v");
-        return {};
-      }
-    } else if (words[0] == "f") {
-      std::vector<int> corners(words.size() - 1);
-      bool is_valid = corners.size() >= 3;
-      for (size_t i = 0; i < corners.size(); ++i) {
-        is_valid = ParseCorner(words[i + 1], mesh.num_vertices(), corners[i]) && is_valid;
-      }
-      if (!is_valid) {
-        problems.Fail(file, number, "expected three or more numbers of vertices above after f");
-        return {};
-      }
-      for (size_t i = 2; i < corners.size(); ++i) {
-        mesh.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
-      }
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::string_view rest = text;
+  if (rest.substr(0, 3) == kByteOrderMark) rest.remove_prefix(3);
+  ObjReader reader;
+  std::string joined;  // lines that end with a backslash
+  for (int number = 1; !rest.empty(); ++number) {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    const bool is_continued = !line.empty() && line.back() == '\\';
+    if (is_continued) line.remove_suffix(1);
+    if (is_continued || !joined.empty()) {
+      joined.append(line).append(" ");
+      line = joined;
     }
+    if (is_continued) continue;
+    const std::string problem = reader.ReadLine(line);
+    joined.clear();
+    if (problem.empty()) continue;
+    problems.Fail(file, number, problem);
+    return {};
   }
+  TriMesh mesh = reader.TakeMesh();
   if (mesh.triangles.empty()) {
     problems.Fail(file, 0, "the mesh has no triangle");
     return {};

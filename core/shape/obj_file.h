@@ -10,8 +10,10 @@ for the looks of a hand; other formats of a user's object are read in objects/. 
 
 namespace graspbench {
 
-/** Polygons are split into fans; texture and normal indices and all other statements are skipped. A
-bad line goes into `problems`; the first one ends the reading with an empty mesh. */
+/** Polygons are cut into triangles (polygon.h); texture and normal indices and all other statements
+are skipped: a material library is never opened. Time grows with the text; polygons that are not
+convex cost up to a second together, then they are refused. A bad line goes into `problems`; the
+first one ends the reading with an empty mesh. */
 TriMesh ParseObj(const std::string& text, const std::string& file, Diagnostics& problems);
 
 /** Coordinates with six decimals, in metres unless another number of units per metre is given

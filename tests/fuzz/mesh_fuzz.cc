@@ -1,5 +1,6 @@
-// Any bytes as a mesh file, read as each of three formats: refused with an Error, or checked,
-// repaired and checked again. A mesh without problems has a volume.
+// Any bytes as a mesh file of one format (GRASPBENCH_FUZZ_MESH), or of every one: refused with an Error,
+// or checked, repaired and checked again. A mesh without problems has a volume. The time and memory of
+// the reader of foreign formats are its own limits.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -14,7 +15,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace graspbench;
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  for (const char* name : {"mesh.obj", "mesh.stl", "mesh.ply"}) {
+#ifdef GRASPBENCH_FUZZ_MESH
+  const char* const kNames[] = {"mesh." GRASPBENCH_FUZZ_MESH};
+#else
+  const char* const kNames[] = {"mesh.obj", "mesh.stl", "mesh.ply", "mesh.glb", "mesh.gltf"};
+#endif
+  for (const char* name : kNames) {
     try {
       const TriMesh mesh = ParseMesh(bytes, name, LengthUnit::kMm);
       for (const MeshReport& report : {CheckMesh(mesh), CheckMesh(RepairMesh(mesh).mesh)}) {

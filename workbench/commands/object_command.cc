@@ -7,6 +7,7 @@
 
 #include "objects/catalogue.h"
 #include "objects/check_mesh_file.h"
+#include "objects/load_mesh.h"
 #include "workbench/commands/command.h"
 #include "workbench/object_tables.h"
 
@@ -16,13 +17,17 @@ namespace fs = std::filesystem;
 namespace {
 
 void PrintRepair(const std::string& path, const MeshFileRepair& repair) {
-  if (repair.actions.empty()) {
-    PrintResult("repair: nothing could be repaired without guessing; no file written\n");
-    return;
-  }
   std::string text;
   for (const std::string& action : repair.actions) text += "repair: " + action + "\n";
-  PrintResult(text + FormatMeshSummary(path, repair.report));
+  if (repair.is_written) {
+    text += FormatMeshSummary(path, repair.report);
+  } else if (repair.actions.empty()) {
+    text += "repair: nothing could be repaired without guessing; no file written\n";
+  } else {
+    text += FormatProblems(repair.report) +
+            "\nrepair: the result could not be used either; no file written\n";
+  }
+  PrintResult(text);
 }
 
 const std::vector<std::string> kUnits = {NameOf(LengthUnit::kM), NameOf(LengthUnit::kMm)};
@@ -38,7 +43,7 @@ struct MeshCheckOptions {
 CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
   if (fs::is_directory(options.path)) {
     CheckedMeshFile file;
-    file.mesh = LoadObject(options.path)->mesh;
+    file.mesh = LoadObject(options.path)->mesh;  // in metres, mended
     file.report = CheckMesh(file.mesh);
     return file;
   }
@@ -48,31 +53,47 @@ CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
   return CheckMeshFile(options.path, unit);
 }
 
-ExitCode CheckObject(const MeshCheckOptions& options) {
+ExitCode ReportMesh(const MeshCheckOptions& options) {
   const CheckedMeshFile file = CheckFileOrFolder(options);
   MeshReport report = file.report;
   Json json = FormatMeshReport(report);
   json["unit"] = NameOf(file.unit);
   json["unit_inferred"] = file.is_unit_inferred;
+  json["mended"] = file.actions;
   if (!options.json) {
     if (file.is_unit_inferred) {
       PrintResult(std::string("unit: ") + NameOf(file.unit) +
                   ", inferred from the size; --unit says otherwise\n");
     }
-    PrintResult(FormatMeshSummary(options.path, report));
+    std::string text;
+    for (const std::string& action : file.actions) text += "mended: " + action + "\n";
+    text += FormatMeshSummary(options.path, report);
+    if (options.repair && report.problems.empty()) text += "repair: not needed; no file written\n";
+    PrintResult(text);
   }
   if (options.repair && !report.problems.empty()) {
     const fs::path path(options.path);
     const std::string repaired = (path.parent_path() / (path.stem().string() + "-repaired.obj"));
     const MeshFileRepair repair = RepairMeshFile(file, repaired);
     report = repair.report;
-    json["repair"] = {{"file", repair.actions.empty() ? Json(nullptr) : Json(repaired)},
+    json["repair"] = {{"file", repair.is_written ? Json(repaired) : Json(nullptr)},
                       {"actions", repair.actions},
                       {"result", FormatMeshReport(report)}};
     if (!options.json) PrintRepair(repaired, repair);
   }
   if (options.json) PrintJson(json);
   return report.problems.empty() ? kExitOk : kExitBadInput;
+}
+
+/** With --json the answer is JSON also when the file cannot be read. */
+ExitCode CheckObject(const MeshCheckOptions& options) {
+  if (!options.json) return ReportMesh(options);
+  try {
+    return ReportMesh(options);
+  } catch (const Error& error) {
+    PrintJson({{"usable", false}, {"problems", {error.what()}}});
+    return ExitCodeOf(error.kind());
+  }
 }
 
 }  // namespace
@@ -110,7 +131,9 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
                                   "  graspbench object check mug.stl --unit mm\n"
                                   "  graspbench object check mug.stl --unit mm --repair");
   const auto options = std::make_shared<MeshCheckOptions>();
-  check.add_option("path", options->path, "mesh file, or folder with object.yaml and a mesh")
+  check
+      .add_option("path", options->path,
+                  "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh")
       ->required()
       ->option_text("PATH");
   check.add_option("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits))
@@ -118,7 +141,7 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("UNIT")
       ->default_str("by the size");
   check.add_flag("--repair", options->repair,
-                 "close small holes and turn faces; writes NAME-repaired.obj beside the file");
+                 "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
   check.add_flag("--json", options->json, "print one JSON object");
   check.callback([options, &exit_code] { exit_code = CheckObject(*options); });
 }

@@ -1,8 +1,11 @@
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <cstdlib>
 
 #include "core/base/error.h"
 
@@ -62,6 +65,53 @@ TEST(Files, AnUnwritablePlaceGivesTheSystemsReason) {
       EXPECT_NE(std::string(e.what()).find("No such file"), std::string::npos) << e.what();
     }
   }
+}
+
+TEST(Files, DevicesAndPipesAreNoFiles) {
+  const std::filesystem::path pipe = kTemporary / "pipe";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe.string(), std::string("/dev/zero")}) {
+    try {
+      ReadFile(path);
+      FAIL();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::kIo);
+      EXPECT_EQ(std::string(e.what()),
+                "\"" + path + "\" is a device, a pipe or a socket; a file was expected");
+    }
+  }
+}
+
+// Without a home the cache must not lie where anybody could have prepared it.
+TEST(Files, TheCacheHasAHome) {
+  const auto with = [](const char* cache, const char* home) {
+    ::setenv("XDG_CACHE_HOME", cache, 1);
+    ::setenv("HOME", home, 1);
+    return FindCacheRoot().string();
+  };
+  EXPECT_EQ(with("/somewhere", "/home/me"), "/somewhere/graspbench");
+  EXPECT_EQ(with("", "/home/me"), "/home/me/.cache/graspbench");
+  EXPECT_EQ(with("", ""),
+            (std::filesystem::temp_directory_path() / ("graspbench-" + std::to_string(::geteuid())))
+                .string());
+}
+
+TEST(Files, PrivateFoldersAreTheirOwnersAlone) {
+  const std::filesystem::path folder = kTemporary / "private" / "inner";
+  MakePrivateFolder(folder);
+  EXPECT_TRUE(IsPrivateFolder(folder));
+  EXPECT_EQ(std::filesystem::status(folder).permissions(), std::filesystem::perms::owner_all);
+  std::filesystem::permissions(folder, std::filesystem::perms::group_write,
+                               std::filesystem::perm_options::add);
+  EXPECT_FALSE(IsPrivateFolder(folder));
+  MakePrivateFolder(folder);
+  EXPECT_TRUE(IsPrivateFolder(folder));
+
+  WriteFile(folder / "file", "");
+  EXPECT_FALSE(IsPrivateFolder(folder / "file"));
+  EXPECT_FALSE(IsPrivateFolder(folder / "none"));
+  EXPECT_THROW(MakePrivateFolder(folder / "file"), Error);
 }
 
 TEST(Files, MakesAndSyncsFolders) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 
 #include "core/base/files.h"
+#include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/shape/primitives.h"
 
@@ -168,6 +170,53 @@ TEST(SignedDistanceFieldTest, BeyondTheGridItIsALowerBoundThatGrows) {
   }
 }
 
+TriMesh MakeBoxAt(const Eigen::Vector3d& size, const Eigen::Vector3d& centre) {
+  TriMesh box = MakeRoundedBox(size, 0.0);
+  for (Eigen::Vector3d& p : box.vertices) p += centre;
+  return box;
+}
+
+TriMesh Join(TriMesh mesh, const TriMesh& part) {
+  const int first = mesh.num_vertices();
+  mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
+  for (const Eigen::Vector3i& t : part.triangles) {
+    mesh.triangles.push_back(t + Eigen::Vector3i::Constant(first));
+  }
+  return mesh;
+}
+
+// Two boxes stacked, one running into the other or just touching it, are the box around both.
+TEST(SignedDistanceFieldTest, PartsThatOverlapOrTouchAreOneBody) {
+  const Eigen::Vector3d whole(0.04, 0.03, 0.05);
+  for (const double lower_height : {0.03, 0.02}) {
+    const TriMesh mesh =
+        Join(MakeBoxAt({0.04, 0.03, 0.03}, {0.0, 0.0, 0.01}),
+             MakeBoxAt({0.04, 0.03, lower_height}, {0.0, 0.0, -0.025 + 0.5 * lower_height}));
+    const auto field = SignedDistanceField::Build(mesh);
+    RandomStream random("union", "nodes");
+    for (int i = 0; i < 3000; ++i) {
+      const Eigen::Vector3d p = DrawNode(field, random);
+      const double expected = CalcBoxDistance(p, 0.5 * whole);
+      ASSERT_NEAR(field.Query(p).distance, expected, expected > 0.0 ? 1e-8 : field.cell())
+          << p.transpose();
+    }
+  }
+}
+
+TEST(SignedDistanceFieldTest, AHollowBodyStaysHollow) {
+  TriMesh inner = MakeSphere(0.01, 48);
+  for (Eigen::Vector3i& t : inner.triangles) std::swap(t[0], t[1]);
+  const auto field = SignedDistanceField::Build(Join(MakeSphere(0.02, 48), inner));
+  for (const double radius : {0.004, 0.009, 0.0115, 0.015, 0.0185, 0.022, 0.03}) {
+    const Eigen::Vector3d p = radius * Eigen::Vector3d(0.36, 0.48, 0.8);
+    const double expected = std::max(radius - 0.02, 0.01 - radius);
+    EXPECT_NEAR(field.Query(p).distance, expected, 5e-4) << radius;
+  }
+  // The same shells both facing outwards: no hollow.
+  const auto solid = SignedDistanceField::Build(Join(MakeSphere(0.02, 48), MakeSphere(0.01, 48)));
+  EXPECT_NEAR(solid.Query(Eigen::Vector3d(0.0, 0.003, 0.004)).distance, -0.015, 5e-4);
+}
+
 class SdfCacheTest : public testing::Test {
  protected:
   SdfCacheTest() {
@@ -216,6 +265,75 @@ TEST_F(SdfCacheTest, DamagedFilesAreRebuilt) {
     ExpectSameBits(*built, *SignedDistanceField::LoadOrBuild(mesh_, folder_));
     EXPECT_EQ(ReadFile(OnlyFile()), good);
   }
+}
+
+TEST_F(SdfCacheTest, EveryFlippedBitIsSeen) {
+  const auto built = SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  const fs::path path = OnlyFile();
+  const std::string good = ReadFile(path);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const auto put = [&](size_t byte, int change) {
+    file.seekp(static_cast<std::streamoff>(byte));
+    file.put(static_cast<char>(good[byte] ^ change)).flush();
+  };
+  const auto is_seen = [&](size_t bit) {
+    put(bit / 8, 1 << (bit % 8));
+    const bool is_refused = SignedDistanceField::LoadCached(mesh_, folder_) == nullptr;
+    put(bit / 8, 0);
+    return is_refused;
+  };
+  for (size_t bit = 0; bit < 8 * 72; ++bit) ASSERT_TRUE(is_seen(bit)) << "header, bit " << bit;
+  RandomStream random("cache", "flips");
+  for (int i = 0; i < 424; ++i) {
+    const size_t byte = static_cast<size_t>(random.NextIndex(static_cast<int>(good.size())));
+    ASSERT_TRUE(is_seen(8 * byte + random.NextIndex(8))) << "byte " << byte;
+  }
+  ASSERT_NE(SignedDistanceField::LoadCached(mesh_, folder_), nullptr) << "put back, it is good";
+  put(50, 1);
+  ExpectSameBits(*built, *SignedDistanceField::LoadOrBuild(mesh_, folder_));
+  EXPECT_EQ(ReadFile(path), good);
+}
+
+// A file whose hash is right, as another program's fault or a malicious one would write it.
+TEST_F(SdfCacheTest, NumbersThatAreNoneAreRefused) {
+  SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  const fs::path path = OnlyFile();
+  const std::string good = ReadFile(path);
+  const auto with = [&](size_t offset, const auto& value) {
+    std::string bad = good;
+    std::memcpy(bad.data() + offset, &value, sizeof value);
+    const uint64_t hash = CalcHash64(std::string_view(bad).substr(16));
+    std::memcpy(bad.data() + 8, &hash, sizeof hash);
+    return bad;
+  };
+  constexpr size_t kLower = 24, kCell = 48, kNodes = 56, kValues = 72;
+  WriteFile(path, with(kNodes + 12, int32_t{0}));
+  ASSERT_NE(SignedDistanceField::LoadCached(mesh_, folder_), nullptr) << "the hash is not right";
+  for (const std::string& bad :
+       {with(kLower, NAN * 1.0), with(kCell, NAN * 1.0), with(kCell, 0.0), with(kCell, -1.0),
+        with(kCell, INFINITY * 1.0), with(kNodes, int32_t{-1}), with(kNodes, int32_t{1}),
+        with(kNodes, int32_t{1 << 30}), with(kValues, NAN), with(good.size() - 4, INFINITY)}) {
+    WriteFile(path, bad);
+    EXPECT_EQ(SignedDistanceField::LoadCached(mesh_, folder_), nullptr);
+  }
+}
+
+TEST_F(SdfCacheTest, TheFolderIsPrivateAndAForeignOneIsDoneWithout) {
+  SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  EXPECT_EQ(fs::status(folder_).permissions(), fs::perms::owner_all);
+  ASSERT_NE(SignedDistanceField::LoadCached(mesh_, folder_), nullptr);
+
+  fs::permissions(folder_, fs::perms::others_all, fs::perm_options::add);
+  EXPECT_EQ(SignedDistanceField::LoadCached(mesh_, folder_), nullptr);
+  SignedDistanceField::LoadOrBuild(mesh_, folder_);
+  EXPECT_EQ(fs::status(folder_).permissions(), fs::perms::owner_all);
+
+  const fs::path link = folder_.string() + "_link";
+  fs::remove(link);
+  fs::create_directory_symlink(folder_, link);
+  EXPECT_EQ(SignedDistanceField::LoadCached(mesh_, link), nullptr);
+  EXPECT_NE(SignedDistanceField::LoadOrBuild(mesh_, link), nullptr);
+  fs::remove(link);
 }
 
 TEST_F(SdfCacheTest, AFolderThatCannotBeWrittenIsDoneWithout) {
