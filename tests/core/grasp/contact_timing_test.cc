@@ -141,7 +141,8 @@ TEST(ContactTiming, OrderOfTheThreeMeasures) {
 }
 
 TEST(ContactTimingDeathTest, TwoThumbsAreABug) {
-  EXPECT_DEATH(CalcContactTiming({{"TH", true, 0.1}, {"T2", true, 0.2}}, 0.0), "opposing digits: 2");
+  EXPECT_DEATH(CalcContactTiming({{"TH", true, 0.1}, {"T2", true, 0.2}}, 0.0),
+               "opposing digits: 2");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
+#include "core/trial/compliant_trial.h"
+
 #include <gtest/gtest.h>
 
 #include "core/hand/load_hand.h"
-#include "core/trial/compliant_trial.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 

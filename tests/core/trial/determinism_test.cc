@@ -57,7 +57,9 @@ class DeterminismTest : public testing::TestWithParam<const char*> {
     other_.draw.offset_x = 0.004;
     other_.draw.offset_yaw = 0.3;
   }
-  ImplicitWorld MakeWorld() const { return ImplicitWorld(*setup_.hand, *setup_.object, setup_.sim); }
+  ImplicitWorld MakeWorld() const {
+    return ImplicitWorld(*setup_.hand, *setup_.object, setup_.sim);
+  }
 
   TrialSetup setup_, other_;
 };
