@@ -37,7 +37,7 @@ bool IsPrivateFolder(const std::filesystem::path& folder);
 void SyncFolder(const std::filesystem::path& folder);
 
 /** Writes beside the target, syncs, renames: the file is the old or the new one, never half.
-Removes what killed processes left beside it.
+Removes what killed processes of this host left beside it.
 @throws Error(kIo) with the system's reason (disk full, read-only, ...). */
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
 
