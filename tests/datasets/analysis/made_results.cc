@@ -1,5 +1,7 @@
 #include "tests/datasets/analysis/made_results.h"
 
+#include "core/trial/verdicts.h"
+
 namespace graspbench {
 
 TrialRecord MakeRecord(const PlannedTrial& plan, Outcome outcome) {
