@@ -36,15 +36,14 @@ struct MeshFileRepair {
   MeshReport report;                 ///< of the repaired mesh
   bool is_written = false;           ///< it can be used
 };
-/** Repairs a mesh that cannot be used (mesh_repair.h) and writes the result as OBJ in the same unit, but
-only if it can be used: no file is ever worse than the one it was made from.
+/** Repairs a mesh that cannot be used (mesh_repair.h) and writes the result as OBJ in the same
+unit, but only if it can be used: no file is ever worse than the one it was made from.
 @throws Error(kIo). */
 MeshFileRepair RepairMeshFile(const CheckedMeshFile& file,
                               const std::filesystem::path& repaired_path);
 
-/** {"usable", "closed", "triangles", "open_edges", "volume_m3", "centroid_m", "extent_m", "problems",
-"warnings"};
-volume, centroid and extent are null where they mean nothing. */
+/** {"usable", "closed", "triangles", "open_edges", "volume_m3", "centroid_m", "extent_m",
+"problems", "warnings"}; volume, centroid and extent are null where they mean nothing. */
 Json FormatMeshReport(const MeshReport& report);
 
 }  // namespace graspbench

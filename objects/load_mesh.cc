@@ -46,8 +46,8 @@ std::string FindFormat(const std::string& name) {
 }
 
 // The text before the data of a PLY file. assimp 5.2 reads for ever in a header that is cut off or
-// damaged, so every line must be one that the format knows, and in the lines of an ASCII file that is
-// cut off, so all of them must be there.
+// damaged, so every line must be one that the format knows, and in the lines of an ASCII file that
+// is cut off, so all of them must be there.
 void CheckPly(const std::string& bytes, const std::string& name) {
   static const std::regex kLine(
       "ply|format (ascii|binary_little_endian|binary_big_endian) 1\\.0|(comment|obj_info)[ -~]*|"

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Mesh files: OBJ, STL (binary and ASCII), PLY, GLB and glTF, chosen by the ending of the name. All parts of
-a file become one mesh, with the transforms of its scene applied.
+Mesh files: OBJ, STL (binary and ASCII), PLY, GLB and glTF, chosen by the ending of the name. All
+parts of a file become one mesh, with the transforms of its scene applied.
 
 OBJ is read here (core/shape/obj_file.h). The others are read by assimp in a process of its own with
 limits of memory and time, and from nowhere but the mesh's own folder (mesh_reader.cc): a file from
@@ -20,8 +20,8 @@ namespace graspbench {
 std::string ListMeshFormats();
 
 /** In metres, coincident vertices welded. Axes as in the file. Coordinates carry single precision.
-Not checked: see core/shape/mesh_check.h. Vertices may be non-finite. Files up to 256 MB and meshes up
-to 2 million triangles.
+Not checked: see core/shape/mesh_check.h. Vertices may be non-finite. Files up to 256 MB and meshes
+up to 2 million triangles.
 @throws Error(kNotFound, kIo); Error(kFormat) when it is no complete file of a format known here. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 

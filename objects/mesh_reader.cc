@@ -1,7 +1,7 @@
-// graspbench-mesh-reader: reads one foreign mesh file with assimp, in a process of its own, so that a
-// malicious or damaged file can neither crash, stop nor fill the program that asked. One importer is
-// registered, no file outside the mesh's folder is opened, and memory and time are limited.
-// See mesh_reader_protocol.h.
+// graspbench-mesh-reader: reads one foreign mesh file with assimp, in a process of its own, so that
+// a malicious or damaged file can neither crash, stop nor fill the program that asked. One importer
+// is registered, no file outside the mesh's folder is opened, and memory and time are limited. See
+// mesh_reader_protocol.h.
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOStream.h>

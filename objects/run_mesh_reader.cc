@@ -96,7 +96,8 @@ int RunReader(const std::string& format, const fs::path& folder, int input, int 
   return status;
 }
 
-// The reader's own words are partly the file's: nothing but printable characters reaches a terminal.
+// The reader's own words are partly the file's: nothing but printable characters reaches a
+// terminal.
 std::string ReadMessage(const MemoryFile& output) {
   std::string text(std::min(output.FindSize(), kMaxMessage), '\0');
   if (!output.Read(0, text.data(), text.size())) return {};

@@ -13,8 +13,8 @@ namespace graspbench {
 @param format  stl, ply, glb or gltf.
 @param folder  where the files lie that a glTF names; empty: nowhere.
 @param name    of the file, for messages.
-@throws Error(kFormat) when it is no such file, or reading it took more time or memory than allowed, or
-crashed; Error(kEnvironment) when the reader cannot be started. Safe with threads. */
+@throws Error(kFormat) when it is no such file, or reading it took more time or memory than allowed,
+or crashed; Error(kEnvironment) when the reader cannot be started. Safe with threads. */
 TriMesh RunMeshReader(const std::string& bytes, const std::string& format,
                       const std::filesystem::path& folder, const std::string& name);
 

@@ -29,8 +29,8 @@ std::string FormatCount(int64_t count, const std::string& singular);
 std::string FormatCount(int64_t count, const std::string& singular, const std::string& plural);
 
 /** One plain word for several names: lower-case letters, digits and underscores of each, joined by
-hyphens. Names with anything else get a hash of the full names as well, so different names never share
-a key. */
+hyphens. Names with anything else get a hash of the full names as well, so different names never
+share a key. */
 std::string MakePlainKey(const std::vector<std::string>& names);
 
 /** Well-formed after table 3-7 of the Unicode standard: no overlong form, no surrogate, nothing

@@ -45,7 +45,8 @@ class Exposer {
   TriMesh TakeMesh() { return std::move(exposed_); }
 
  private:
-  // Is the solid on one side of this point of the surface only? Seen along the axis closest to the normal.
+  // Is the solid on one side of this point of the surface only? Seen along the axis closest to the
+  // normal.
   bool IsExposed(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);

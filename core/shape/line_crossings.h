@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-Where lines parallel to an axis cross a mesh, and so how often its surface winds around each of their
-points: one more at every way in, one less at every way out. A point belongs to the solid where the
-surface winds around it at least once: overlapping parts are one body, and a shell that faces inwards
-makes a cavity. */
+Where lines parallel to an axis cross a mesh, and so how often its surface winds around each of
+their points: one more at every way in, one less at every way out. A point belongs to the solid
+where the surface winds around it at least once: overlapping parts are one body, and a shell that
+faces inwards makes a cavity. */
 
 #include <vector>
 
@@ -20,8 +20,8 @@ class LineCrossings {
     double at = 0.0;  ///< along the axis [m]
     int winding = 0;  ///< +1 into the solid, -1 out of it, going up the axis
   };
-  /** Ordered along the axis. (u, v) are the other two coordinates in cyclic order (axis 2: x, y); lines
-  through an edge or a corner count consistently unless they miss it by less than rounding. */
+  /** Ordered along the axis. (u, v) are the other two coordinates in cyclic order (axis 2: x, y);
+  lines through an edge or a corner count consistently unless they miss it by less than rounding. */
   void Find(double u, double v, std::vector<Crossing>& crossings) const;
 
  private:

@@ -3,9 +3,9 @@
 Is a mesh the surface of one or more solids? Everything that simulation and mass properties rely on
 is checked, and each problem is told to a person: how many, where the first ones are, what to do.
 
-A point belongs to the solid where the surface winds around it at least once. So parts that overlap, lie
-in each other or touch are one body, a shell that faces inwards within one that faces outwards is a
-cavity, and small folds of a surface through itself are tolerated: warnings, not problems.
+A point belongs to the solid where the surface winds around it at least once. So parts that overlap,
+lie in each other or touch are one body, a shell that faces inwards within one that faces outwards
+is a cavity, and small folds of a surface through itself are tolerated: warnings, not problems.
 
 Positions in the messages are millimetres in the mesh's own frame. */
 
@@ -39,8 +39,8 @@ struct MeshReport {
   bool is_closed = false;  ///< every edge has as many triangles in one direction as in the other
   int num_triangles = 0;
   int num_open_edges = 0;
-  /** Of the solid, overlaps counted once [m^3]; negative when inside out; NaN unless closed with all
-  neighbours facing alike. */
+  /** Of the solid, overlaps counted once [m^3]; negative when inside out; NaN unless closed with
+  all neighbours facing alike. */
   double volume = std::numeric_limits<double>::quiet_NaN();
   /** Of the solid [m]; NaN like the volume. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Constant(volume);

@@ -28,9 +28,9 @@ double CalcExtent(const TriMesh& mesh) {
 
 void Flip(Eigen::Vector3i& triangle) { std::swap(triangle[1], triangle[2]); }
 
-// Of the triangles on the same three corners one is left where more face one way, none where as many
-// face either way: they enclose nothing. Where that would leave little, the file has every face twice
-// for the sake of pictures, and the first of each is left.
+// Of the triangles on the same three corners one is left where more face one way, none where as
+// many face either way: they enclose nothing. Where that would leave little, the file has every
+// face twice for the sake of pictures, and the first of each is left.
 int DropDoubledFaces(TriMesh& mesh) {
   struct Pile {
     int num_even = 0, num_odd = 0;  // by the order of the corners
@@ -90,8 +90,9 @@ std::vector<int> FindPatches(const TriMesh& mesh, const std::vector<MeshEdge>& e
   return patch_of;
 }
 
-// Patches between edges of more than two triangles that have an open rim, except the largest: sheets
-// that hang on the surface. One at a time, the smallest first, for that may make another one whole.
+// Patches between edges of more than two triangles that have an open rim, except the largest:
+// sheets that hang on the surface. One at a time, the smallest first, for that may make another one
+// whole.
 int DropFins(TriMesh& mesh) {
   int num_dropped = 0;
   for (int round = 0; round < kMaxFins; ++round) {

@@ -18,20 +18,21 @@ struct MeshRepair {
 
 /** Holes with more edges than this stay open. */
 inline constexpr int kMaxHoleEdges = 64;
-/** Holes longer around than this share of the mesh's largest extent stay open: while loading, and when a
-repair is asked for. */
+/** Holes longer around than this share of the mesh's largest extent stay open: while loading, and
+when a repair is asked for. */
 inline constexpr double kMaxMendedHole = 0.2;
 inline constexpr double kMaxRepairedHole = 1.0;
 
-/** What every user of a mesh gets without asking: faces that lie on each other in opposite directions
-removed, copies dropped, sheets that hang on the surface removed, small holes closed with a fan about
-their middle.
+/** What every user of a mesh gets without asking: faces that lie on each other in opposite
+directions removed, copies dropped, sheets that hang on the surface removed, small holes closed with
+a fan about their middle.
 @pre valid indices; a mesh with non-finite vertices comes back as it is. */
 MeshRepair MendMesh(const TriMesh& mesh);
 
-/** The same after merging vertices closer than a millionth of the extent, with larger holes; then turns
-neighbours to face the same way, and every shell that lies in no other one to face outwards, with all
-that lies in it: a cavity stays a cavity. Check the result: what could not be repaired is still there.
+/** The same after merging vertices closer than a millionth of the extent, with larger holes; then
+turns neighbours to face the same way, and every shell that lies in no other one to face outwards,
+with all that lies in it: a cavity stays a cavity. Check the result: what could not be repaired is
+still there.
 @pre valid indices; a mesh with non-finite vertices comes back as it is. */
 MeshRepair RepairMesh(const TriMesh& mesh);
 

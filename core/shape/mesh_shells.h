@@ -7,8 +7,8 @@
 
 namespace graspbench {
 
-/** Triangles that share an edge, however many others share it too, are of one shell. Numbers from 0 in the
-order of the triangles. */
+/** Triangles that share an edge, however many others share it too, are of one shell. Numbers from 0
+in the order of the triangles. */
 struct Shells {
   std::vector<int> of_triangle;
   int count = 0;

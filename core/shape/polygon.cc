@@ -56,8 +56,8 @@ class Remainder {
     for (int i = 0; i < count; ++i) is_ear_.push_back(IsEar(i));
   }
 
-  // (previous, ear, next) as indices into the points. An ear has no other corner inside. A polygon that
-  // crosses itself may have none: then the next corner goes.
+  // (previous, ear, next) as indices into the points. An ear has no other corner inside. A polygon
+  // that crosses itself may have none: then the next corner goes.
   Eigen::Vector3i CutEar() {
     const int start = here_;
     while (!is_ear_[here_] && next_[here_] != start) here_ = next_[here_];

@@ -6,10 +6,11 @@ step, so a query costs one trilinear interpolation.
     phi(p) = +- min over the surface of |p - s|,  positive outside
 
 Every node is exact: nearest triangle by a tree of boxes, sign by the winding number
-(line_crossings.h), so parts that overlap or touch are one body; inside such a body the surfaces that
-lie in it do not count, to within a cell where they come out of it. Between nodes the error is that of trilinear interpolation, O(cell^2 * curvature);
-next to a sharp edge it is up to about half a cell, so query a few millimetres away from the surface
-(sphere centres), where the field is smooth. */
+(line_crossings.h), so parts that overlap or touch are one body; inside such a body the surfaces
+that lie in it do not count, to within a cell where they come out of it. Between nodes the error is
+that of trilinear interpolation, O(cell^2 * curvature); next to a sharp edge it is up to about half
+a cell, so query a few millimetres away from the surface (sphere centres), where the field is
+smooth. */
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -28,8 +29,8 @@ class SignedDistanceField {
   static constexpr double kMinCell = 0.0005;  ///< [m]
   static constexpr int kMaxNodes = 500000;    ///< sets the cell of all but the smallest objects
 
-  /** @pre every edge has as many triangles in either direction (core/shape/mesh_check.h). Cells are cubes. Costs about half a second
-  for 5,000 triangles. */
+  /** @pre every edge has as many triangles in either direction (core/shape/mesh_check.h). Cells are
+  cubes. Costs about half a second for 5,000 triangles. */
   static SignedDistanceField Build(const TriMesh& mesh);
 
   /** Build, or read what an earlier call stored under the mesh's hash in `cache_folder`. The file

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
-What a campaign's stored results say, counted once for the terminal, JSON and the report: three variants
-of every scene's grasp, tried on the same trial poses, so that trials of the same number are pairs.
+What a campaign's stored results say, counted once for the terminal, JSON and the report: three
+variants of every scene's grasp, tried on the same trial poses, so that trials of the same number
+are pairs.
 
 A cell's value of a measure is the mean over its trials for what every trial has (success, sigma,
 breaking force) and the median over the trials that have it for the others. */
@@ -69,8 +70,8 @@ StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<Scene
 std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
                                                          Variant a, Variant b);
 
-/** GFT% of the pre-grasp before and after step 1 where neither the object's place nor the hand varies,
-over the scenes in which all digits touch both times. */
+/** GFT% of the pre-grasp before and after step 1 where neither the object's place nor the hand
+varies, over the scenes in which all digits touch both times. */
 struct GftWithoutVariation {
   int num_scenes = 0;
   double median_before = kUnset, median_after = kUnset;

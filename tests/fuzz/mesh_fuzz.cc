@@ -1,6 +1,6 @@
-// Any bytes as a mesh file of one format (GRASPBENCH_FUZZ_MESH), or of every one: refused with an Error,
-// or checked, repaired and checked again. A mesh without problems has a volume. The time and memory of
-// the reader of foreign formats are its own limits.
+// Any bytes as a mesh file of one format (GRASPBENCH_FUZZ_MESH), or of every one: refused with an
+// Error, or checked, repaired and checked again. A mesh without problems has a volume. The time and
+// memory of the reader of foreign formats are its own limits.
 #include <cstddef>
 #include <cstdint>
 #include <string>

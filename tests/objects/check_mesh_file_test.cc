@@ -68,7 +68,8 @@ TEST_F(CheckMeshFileTest, AnOpenMeshHasNoVolumeAndIsRepaired) {
   EXPECT_EQ(FormatProblems(CheckMeshFile(repaired, LengthUnit::kMm).report), "");
 }
 
-// A file is written only if it can be used: half a ball with one face turned is no better turned back.
+// A file is written only if it can be used: half a ball with one face turned is no better turned
+// back.
 TEST_F(CheckMeshFileTest, NoFileIsWrittenThatCannotBeUsed) {
   TriMesh half = MakeSphere(0.02, 24);
   half.triangles.resize(half.triangles.size() / 2);

@@ -232,7 +232,10 @@ class GltfTest : public testing::Test {
     return "no error";
   }
 
-  const fs::path root_ = fs::path(testing::TempDir()) / "gltf_test";
+  // Of this test alone: others of this file run at the same time.
+  const fs::path root_ =
+      fs::path(testing::TempDir()) /
+      (std::string("gltf_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   const fs::path folder_ = root_ / "mesh";
   int num_vertices_ = 0, num_triangles_ = 0;
   TriMesh mesh_;

@@ -1,5 +1,5 @@
-// To be preloaded into another program: appends the name of every file that it opens to the file that
-// GRASPBENCH_OPEN_LOG names.
+// To be preloaded into another program: appends the name of every file that it opens to the file
+// that GRASPBENCH_OPEN_LOG names.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>

@@ -78,8 +78,8 @@ struct NumericsCheck {
   std::vector<NumericsComparison> comparisons;
   std::vector<NumericsSummary> summaries;
 };
-/** Runs the first `trials_per_cell` finished trials of each cell with every variant; each variant is
-a stage. @throws Error(kUsage) without a finished trial, and when hands, objects or physics have
+/** Runs the first `trials_per_cell` finished trials of each cell with every variant; each variant
+is a stage. @throws Error(kUsage) without a finished trial, and when hands, objects or physics have
 changed since; Error(kInterrupted). */
 NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& session,
                             int trials_per_cell, int num_workers, Observer& observer,

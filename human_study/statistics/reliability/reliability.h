@@ -7,8 +7,8 @@ With s_w^2 the mean square within persons:
 - within-person standard deviation s_w; it is also the standard error of measurement (SEM) of a
   single trial; SEM / sqrt(k) for the mean of k;
 - within-person coefficient of variation s_w / mean, without unit, for measures that are positive;
-- minimal detectable change z sqrt(2) SEM with z = 1.959964, the normal quantile at 0.975: two single trials that differ by less may be equal
-  (J. P. Weir, J. Strength Cond. Res. 19 (2005));
+- minimal detectable change z sqrt(2) SEM with z = 1.959964, the normal quantile at 0.975: two
+single trials that differ by less may be equal (J. P. Weir, J. Strength Cond. Res. 19 (2005));
 - trials needed for the mean of k to reach a wanted ICC (Spearman and Brown, 1910):
   k = wanted (1 - ICC(1,1)) / (ICC(1,1) (1 - wanted)), rounded up.
 

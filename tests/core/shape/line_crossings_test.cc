@@ -47,7 +47,8 @@ TEST(LineCrossingsTest, WindsAsTheSolidAngleDoes) {
   for (const int count : seen) EXPECT_GT(count, 10);
 }
 
-// Through the middle of a box's face, where two triangles meet along the diagonal, and along its walls.
+// Through the middle of a box's face, where two triangles meet along the diagonal, and along its
+// walls.
 TEST(LineCrossingsTest, LinesThroughEdgesCountOnce) {
   TriMesh box;
   for (int i = 0; i < 8; ++i) box.vertices.emplace_back(i & 1, (i >> 1) & 1, i >> 2);

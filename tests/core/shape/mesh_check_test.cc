@@ -132,8 +132,8 @@ TEST(MeshCheckTest, TouchingPartsAreOneBody) {
   }
 }
 
-// A vertex pulled through the opposite side: the crossing triangles share no corner with the side. What
-// comes out there is inside out.
+// A vertex pulled through the opposite side: the crossing triangles share no corner with the side.
+// What comes out there is inside out.
 TEST(MeshCheckTest, ASmallFoldIsToleratedALargeOneIsNot) {
   TriMesh sphere = MakeSphere(0.02, 16);
   sphere.vertices.back() = Eigen::Vector3d(0.001, 0.0005, -0.03);

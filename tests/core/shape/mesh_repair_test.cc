@@ -89,7 +89,8 @@ TEST(MeshRepairTest, MergesSplitVerticesAndDropsCopiesAndSlivers) {
   EXPECT_EQ(repair.mesh.num_triangles(), ball.num_triangles());
 }
 
-// Two faces on each other in opposite directions enclose nothing; a sheet that hangs on an edge neither.
+// Two faces on each other in opposite directions enclose nothing; a sheet that hangs on an edge
+// neither.
 TEST(MeshRepairTest, FinsAreTakenOffAndTheSurfaceStaysClosed) {
   const TriMesh ball = MakeBall();
   const double volume = CalcVolume(ball);

@@ -34,7 +34,8 @@ TEST(OverlapTest, TwoBallsShareALens) {
   EXPECT_NEAR(overlap.absolute_volume, lens, 5e-3 * lens);
 }
 
-// Two boxes that overlap by a third are the box around both: mass, centre and inertia in closed form.
+// Two boxes that overlap by a third are the box around both: mass, centre and inertia in closed
+// form.
 TEST(OverlapTest, MassPropertiesCountItOnce) {
   const Eigen::Vector3d size(0.06, 0.04, 0.03), whole(0.10, 0.04, 0.03);
   const TriMesh mesh = Join(MakeRoundedBox(size, 0.0), MakeRoundedBox(size, 0.0), {0.04, 0.0, 0.0});

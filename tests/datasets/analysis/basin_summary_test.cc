@@ -30,9 +30,8 @@ TEST(BasinCsv, ARowASample) {
   std::vector<BasinSample> samples = MakeBasinSamples(1);
   samples[0].outcome = Outcome::kSuccess;
   samples[0].sigma = 2.5;
-  EXPECT_EQ(
-      FormatBasinCsv(samples),
-      "offset_x_m,offset_y_m,yaw_rad,distance,outcome,sigma\r\n0.0,0.0,0.0,0.0,success,2.5\r\n");
+  EXPECT_EQ(FormatBasinCsv(samples),
+            "offset_x_m,offset_y_m,yaw_rad,distance,outcome,sigma\n0.0,0.0,0.0,0.0,success,2.5\n");
 }
 
 }  // namespace
