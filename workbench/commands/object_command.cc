@@ -8,6 +8,7 @@
 #include "objects/catalogue.h"
 #include "objects/check_mesh_file.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/object_tables.h"
 
 namespace graspbench {
@@ -64,6 +65,7 @@ ExitCode CheckObject(const MeshCheckOptions& options) {
   if (options.repair && !report.problems.empty()) {
     const fs::path path(options.path);
     const std::string repaired = (path.parent_path() / (path.stem().string() + "-repaired.obj"));
+    CheckOutputFile(repaired);
     const MeshFileRepair repair = RepairMeshFile(file, repaired);
     report = repair.report;
     json["repair"] = {{"file", repair.actions.empty() ? Json(nullptr) : Json(repaired)},
