@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 
 constexpr double kLowestGrasp = 0.009;      ///< smallest h_g [m]
 constexpr double kBelowTop = 0.008;         ///< h_g stays this far below the object's top [m]
-constexpr double kPalmGap = 0.003;          ///< power: palm to object [m]
+constexpr double kPalmGap = 0.003;          ///< palm to object, at least; power: exactly [m]
+constexpr double kLeastHold = 0.003;        ///< the pads meet the object this far below its top [m]
 constexpr double kTableClearance = 0.0005;  ///< [m]
 constexpr int kClosingSteps = 200;
 
@@ -74,6 +75,20 @@ double CalcExtent(const Hand& hand, const std::vector<Pose>& X_HL, const Pose& X
     extent = std::max(extent, direction_W.dot(p_WS) + sphere.radius);
   }
   return extent;
+}
+
+}  // namespace
+
+namespace {
+
+/** Draws a hand that comes from above back until its palm is off a tall object. */
+void KeepPalmAbove(const Hand& hand, const std::vector<Pose>& X_HL, double height,
+                   const Vector3d& p_HG, Placement& placement) {
+  const double palm = CalcExtent(hand, X_HL, placement.X_WH, hand.palm_link, placement.approach_W);
+  const double back = palm + kPalmGap + height;  // the top's coordinate along the approach: -height
+  if (back <= 0.0) return;
+  placement.X_WH.pretranslate(-back * placement.approach_W);
+  placement.reaches_object = (placement.X_WH * p_HG).z() <= height - kLeastHold;
 }
 
 }  // namespace
@@ -151,6 +166,8 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
     const double palm =
         CalcExtent(hand, course.front(), placement.X_WH, hand.palm_link, placement.approach_W);
     placement.X_WH.pretranslate((near_face - kPalmGap - palm) * placement.approach_W);
+  } else {
+    KeepPalmAbove(hand, course.front(), height, p_HG, placement);
   }
 
   // What is thinner than the lowest grasp is picked off the table: there the fingertips may slide

@@ -15,9 +15,11 @@ towards the fingertips) points straight down. For precision and pinch
 
     h_g = max(9 mm, min(height / 2, height - 8 mm)),
 
-so that the pads clear the table; a power grasp brings the palm to 3 mm from the object instead. No
-sphere of the hand comes nearer to the table than 0.5 mm while it closes to s*; what is thinner than
-9 mm is picked off the table, there it holds at s* only.
+so that the pads clear the table; a power grasp brings the palm to 3 mm from the object instead. A
+tall object is held as high as keeps the palm 3 mm above it; when the pads then pass less than 3
+mm below its top or above it, the grasp does not reach it. No sphere of the hand comes nearer to
+the table than 0.5 mm while it closes to s*; what is thinner than 9 mm is picked off the table,
+there it holds at s* only.
 
 An object taller than the fingers reach is grasped with power from the side: the approach is
 horizontal and the flexion axis of the fingers vertical, the grasp centre at half height; the

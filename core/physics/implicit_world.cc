@@ -240,20 +240,34 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
   StepReport report;
   report.converged = converged;
   report.link_touches_object.assign(hand_->links.size(), false);
+  Vector3d arm_force_W = Vector3d::Zero(), arm_moment_W = Vector3d::Zero();
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     const ContactPoint& contact = problem_.contacts[c];
-    const double fn = solver_.forces()[c].force[kNormalRow];
-    if (fn <= 0.0 || !contact.is_on_object) continue;
+    const ContactForces& forces = solver_.forces()[c];
+    const double fn = forces.force[kNormalRow];
+    if (fn <= 0.0) continue;
+    if (contact.link >= 0 && !contact.is_self) {
+      const Vector3d f_W = fn * contact.nhat_BA_W +
+                           forces.force[kTangentRow1] * contact.tangent1_W +
+                           forces.force[kTangentRow2] * contact.tangent2_W;
+      arm_force_W += f_W;
+      arm_moment_W += (contact.p_WC - middle_.X_WH.translation()).cross(f_W) +
+                      forces.force[kSpinRow] * contact.nhat_BA_W;
+    }
+    if (!contact.is_on_object) continue;
     if (contact.link < 0) {
       report.table_force += fn;
       continue;
     }
     report.grip_force += fn;
     report.link_touches_object[contact.link] = true;
+    report.worst_contact_force = std::max(report.worst_contact_force, fn);
     report.worst_penetration =
         std::max(report.worst_penetration,
                  contact.depth - 0.5 * problem_.h * solver_.rates()[c][kNormalRow]);
   }
+  report.arm_force = arm_force_W.norm();
+  report.arm_moment = arm_moment_W.norm();
   report.is_finite = v.allFinite();
   return report;
 }

@@ -47,9 +47,12 @@ struct WorldCommand {
 struct StepReport {
   bool is_finite = true;
   bool converged = true;
-  double grip_force = 0.0;                ///< sum of normal forces of the hand on the object [N]
-  double table_force = 0.0;               ///< normal force of the table on the object [N]
-  double worst_penetration = 0.0;         ///< deepest point of the hand in the object [m]
+  double grip_force = 0.0;           ///< sum of normal forces of the hand on the object [N]
+  double table_force = 0.0;          ///< normal force of the table on the object [N]
+  double worst_penetration = 0.0;    ///< deepest point of the hand in the object [m]
+  double worst_contact_force = 0.0;  ///< largest normal force of one hand contact [N]
+  double arm_force = 0.0;            ///< that object and table put on the hand, so on the arm [N]
+  double arm_moment = 0.0;           ///< the same about H's origin [N m]
   std::vector<bool> link_touches_object;  ///< (num_links)
 };
 

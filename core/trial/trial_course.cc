@@ -215,6 +215,7 @@ TrialFacts TrialCourse::MakeFacts() const {
   facts.time_in_phase = notes_.strategy.time_in_phase();
   facts.lift_time = setup_.strategy.lift_time;
   facts.lift_distance = setup_.grasp.approach_distance;
+  facts.is_reachable = placement_.reaches_object;
   facts.is_finite = notes_.report.is_finite;
   facts.unconverged_time = notes_.unconverged_time;
   facts.grip_force = notes_.report.grip_force;
@@ -224,6 +225,10 @@ TrialFacts TrialCourse::MakeFacts() const {
   facts.displacement = (world_->state().p_WOcm - notes_.rest_position).head<2>().norm();
   facts.rise = CalcRise();
   facts.relative_speed = (world_->state().v_WOcm - world_->state().v_WH).norm();
+  facts.arm_force = notes_.report.arm_force;
+  facts.arm_moment = notes_.report.arm_moment;
+  facts.arm_force_limit = setup_.sim.arm_force_limit;
+  facts.arm_moment_limit = setup_.sim.arm_moment_limit;
   return facts;
 }
 
@@ -239,6 +244,10 @@ TrialResult TrialCourse::End() {
   facts.extent = CalcExtent();
   facts.rest_extent = notes_.rest_extent;
   facts.contacts = notes_.result.contacts;
+  facts.penetration = notes_.report.worst_penetration;
+  facts.contact_force = notes_.report.worst_contact_force;
+  facts.contact_force_limit = CalcContactForceLimit(hand_, setup_.sim.arm_force_limit);
+  facts.energy_residual = world_->CalcEnergyResidual();
   TrialResult result = notes_.result;
   const OutcomeReason outcome = FindOutcome(facts);
   result.outcome = outcome.outcome;
@@ -259,7 +268,7 @@ TrialResult TrialCourse::End() {
   stability.sigma = is_held() ? stability.hold.sigma : 0.0;
   stability.sigma_proposed = is_held() ? stability.stabilisation.sigma_proposed : 0.0;
   result.simulated_time = notes_.time;
-  result.energy_residual = world_->CalcEnergyResidual();
+  result.energy_residual = facts.energy_residual;
   for (DigitContact& contact : result.contacts) contact.time -= notes_.closure_start;
   for (PhaseStart& phase : result.phases) phase.time -= notes_.closure_start;
   result.contact_events = notes_.events.MakeEvents();

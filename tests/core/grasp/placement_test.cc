@@ -102,6 +102,24 @@ TEST_P(PlacementTest, ComesStraightDownOnWhatIsLow) {
   EXPECT_NEAR(tilt, std::abs(grasp_.tilt), 1e-9);
 }
 
+// However tall the object, the palm stays 3 mm above it, and a grasp that then holds nothing says so.
+TEST_P(PlacementTest, ThePalmStaysOffATallThing) {
+  for (double height : {0.06, 0.12, 0.16, 0.2, 0.25}) {
+    const Placement placement =
+        CalcPlacement(hand_, grasp_, Vector3d(0.05, 0.05, height), Vector3d::Zero());
+    if (std::abs(placement.approach_W.z()) < 0.5) continue;  // from the side
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosingPosture(hand_, grasp_, 0.0));
+    for (const ContactSphere& sphere : hand_.contact_spheres) {
+      if (sphere.link != hand_.palm_link) continue;
+      const double z = (placement.X_WH * (X_HL[sphere.link] * sphere.p_LS)).z() - sphere.radius;
+      EXPECT_GT(z, height + 0.003 - 1e-9) << height;
+    }
+    const double s = placement.closing_at_contact;
+    const double grip = 0.5 * (CalcPad(placement, s, true) + CalcPad(placement, s, false)).z();
+    EXPECT_EQ(placement.reaches_object, grip <= height - 0.003 + 1e-12) << height;
+  }
+}
+
 TEST_P(PlacementTest, AShiftedCentreOfMassShiftsTheHand) {
   const Placement a = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
   const Placement b = CalcPlacement(hand_, grasp_, kSize, Vector3d(0.02, -0.01, 0.0));
