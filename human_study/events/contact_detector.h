@@ -27,6 +27,8 @@ struct ContactOptions {
   double speed_threshold = 0.05;        ///< "speed": slower against the object [m/s]
   double arrival_tolerance = 0.002;     ///< nearer than this a tip has nearly arrived [m]
   double max_pad_offset = 0.025;        ///< a marker held farther from the surface: no touch [m]
+  double max_pad_difference = 0.005;    ///< .. or farther than this beyond the other digits' [m]
+  double max_looseness = 3.0;           ///< held this many times looser than the others: no touch
   double force_noise_factor = 4.0;      ///< "force": above this many SD of the baseline's rate
 
   template <class V>
@@ -37,6 +39,8 @@ struct ContactOptions {
     v("speed_threshold_m_per_s", speed_threshold);
     v("arrival_tolerance_m", arrival_tolerance);
     v("max_pad_offset_m", max_pad_offset);
+    v("max_pad_difference_m", max_pad_difference);
+    v("max_looseness", max_looseness);
     v("force_noise_factor", force_noise_factor);
   }
 };
@@ -53,6 +57,12 @@ struct DigitEvidence {
   /** Median of the distance about the hold [m]; NaN: shape not known or hidden. Stands in for a pad
   offset that is not given. */
   double hold_distance = std::numeric_limits<double>::quiet_NaN();
+  /** SD of a coordinate of the unfiltered tip in O about the hold, median absolute: its noise
+  there, that of the object's pose at its lever included [m]; NaN when hidden. */
+  double noise_O = std::numeric_limits<double>::quiet_NaN();
+  /** RMS distance of the filtered tip from its mean place from the hold to its end [m]: a digit
+  that is not on the object goes its own way. NaN when hidden. */
+  double looseness = std::numeric_limits<double>::quiet_NaN();
   const DigitTrack* track = nullptr;
 };
 
@@ -61,6 +71,9 @@ struct ContactEvidence {
   Hold hold;
   ScalarCurve opening;              ///< of the hand, filtered [m]
   ScalarCurve object_displacement;  ///< [m]; empty: object not recorded
+  /** Medians over the digits, of three or more [m]; else NaN. */
+  double typical_hold_distance = std::numeric_limits<double>::quiet_NaN();
+  double typical_looseness = std::numeric_limits<double>::quiet_NaN();
   std::vector<DigitEvidence> digits;
 };
 
@@ -78,7 +91,8 @@ inline constexpr double kMinApproach = 0.04;
 int FindHoldSample(const ScalarCurve& curve, const Hold& hold);
 
 /** Why a digit does not take part in the grasp, as far as motion and shape can tell: hidden, moving
-against the object, or its marker too far from the surface. Empty when it may. */
+against the object, its marker too far from the surface (farther than a given pad offset or than the
+other digits' markers, too), or held more loosely than the other digits. Empty when it may. */
 std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& digit,
                         const ContactOptions& options);
 
@@ -90,10 +104,22 @@ struct ContactDetector {
                     const ContactOptions& options);
 };
 
-/** When a distance that is zero in the hold became zero: its last fall below the tolerance,
-extrapolated with the speed there. The tolerance keeps noise from deciding. */
-EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& evidence,
-                      double tolerance);
+/** When a distance that is zero in the hold became zero. The tolerance keeps noise from deciding.
+ */
+struct Arrival {
+  EventTime event;     ///< last fall below the tolerance, extrapolated with the speed there
+  double begin = 0.0;  ///< that fall [s]
+  /** How much later than on a straight way, and than the filter explains, the distance first came to
+  0.15 tolerances (or three standard deviations of its noise) [s]: a pad that yields, a
+  finger that turns on its pad, or one that slows before it touches. 0 for a straight arrival. */
+  double settling = 0.0;
+};
+Arrival FindArrival(const ScalarCurve& distance, const ContactEvidence& evidence, double tolerance);
+
+/** What settles may have touched before or after the event: anywhere from `arrival.begin` to the
+end of settling. Moves the event towards the middle of that stretch and adds its half length to the
+uncertainty, as far as it settled. */
+void AllowForSettling(const Arrival& arrival, EventTime& event);
 
 const std::vector<ContactDetector>& ContactDetectorList();
 /** Place in ContactDetectorList(). @throws Error(kNotFound) with a suggestion. */
@@ -104,6 +130,7 @@ struct DigitContactEvents {
   bool is_thumb = false;
   std::vector<EventTime> by_detector;  ///< in the order of ContactDetectorList()
   EventTime contact;                   ///< of the detector believed
+  double noise_O = std::numeric_limits<double>::quiet_NaN();  ///< DigitEvidence::noise_O [m]
   /** Latest minus earliest of the detectors that found one [s]; NaN below two. */
   double disagreement = std::numeric_limits<double>::quiet_NaN();
 };

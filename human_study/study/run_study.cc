@@ -7,6 +7,7 @@
 #include "human_study/recording/cleaning/residual_analysis.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/study/prepare_recording.h"
+#include "human_study/study/trial_removal.h"
 
 namespace graspbench {
 namespace {
@@ -48,36 +49,6 @@ std::vector<OpeningValues> CalcOpenings(FilteredTrial& trial, const TrialAnalysi
   return values;
 }
 
-/** Why a trial does not count under the study's rules; empty: it counts. */
-std::string FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
-  if (!analysis.movement.onset.IsFound()) {
-    return "no onset of the movement: " + analysis.movement.onset.missing;
-  }
-  if (!analysis.hold.IsFound()) return "no hold: " + analysis.hold.missing;
-  if (!analysis.closure_start.IsFound()) {
-    return "no widest opening: " + analysis.closure_start.missing;
-  }
-  std::string missing_finger;
-  int num_fingers = 0;
-  for (const DigitContactEvents& digit : analysis.contacts) {
-    const std::string name = NameOfDigit(digit.digit);
-    if (digit.contact.IsFound()) {
-      if (!digit.is_thumb) ++num_fingers;
-      if (rules.max_disagreement > 0.0 && digit.disagreement > rules.max_disagreement) {
-        return "detectors disagree on the contact of the " + name;
-      }
-      continue;
-    }
-    const std::string reason = "no contact of the " + name + ": " + digit.contact.missing;
-    if (digit.is_thumb || rules.missing_digit) return reason;
-    missing_finger = reason;
-  }
-  if (num_fingers == 0) return missing_finger;
-  if (rules.filled_event && analysis.used_filled) return "an event was decided on filled samples";
-  if (rules.gap_event && analysis.used_gap) return "an event fell into a gap";
-  return "";
-}
-
 bool DiffersInDetectorOnly(const Universe& a, const Universe& b) {
   return a.onset == b.onset && a.opening == b.opening && a.cutoff == b.cutoff;
 }
@@ -95,16 +66,18 @@ class Runner {
     trial.file = planned.file;
     trial.object = planned.object;
     trial.levels = planned.levels;
-    trial.removed = planned.remove;
-    if (!planned.remove.empty()) return Add(trial);
+    if (!planned.remove.empty()) {
+      Remove({"left_out", planned.remove}, trial);
+      return Add(trial);
+    }
     try {
       Load(planned);
       if (!prepared_.missing.empty()) {
-        trial.removed = prepared_.missing.front().text;
+        Remove({"missing_marker", prepared_.missing.front().text}, trial);
         return Add(trial);
       }
     } catch (const Error& error) {
-      trial.removed = error.what();
+      Remove({"unreadable", error.what()}, trial);
       loaded_.clear();
       return Add(trial);
     }
@@ -119,6 +92,11 @@ class Runner {
   }
 
  private:
+  static void Remove(const Removal& removal, StudyTrial& trial) {
+    trial.removed_code = removal.code;
+    trial.removed = removal.text;
+  }
+
   void Add(StudyTrial trial) {
     trial.id = trial.participant + "-" + trial.trial;
     if (trial.universes.empty()) trial.universes.assign(result_.universes.size(), std::nan(""));
@@ -161,9 +139,10 @@ class Runner {
       if (reach.begin >= planned.start && reach.end <= planned.end) parts.push_back(reach);
     }
     if (parts.empty()) {
-      trial.removed =
-          "no reach found: the hand is never first farther than cut.far_m and then "
-          "nearer than cut.near_m";
+      Remove({"no_reach",
+              "no reach found: the hand is never first farther than cut.far_m and then nearer than "
+              "cut.near_m"},
+             trial);
       Add(trial);
     }
     return parts;
@@ -180,14 +159,14 @@ class Runner {
       const AnalysisOptions& options = study_.config.analysis;
       FilteredTrial filtered(*reach);
       trial.analysis = AnalyseTrial(filtered, options);
-      trial.removed = FindRemoval(*trial.analysis, study_.config.removal);
+      Remove(FindRemoval(*trial.analysis, study_.config.removal), trial);
       if (trial.IsKept()) {
         trial.openings = CalcOpenings(filtered, *trial.analysis, options);
         CalcUniverses(filtered, trial);
         EstimateNoise(*reach);
       }
     } catch (const Error& error) {
-      trial.removed = error.what();
+      Remove({"unreadable", error.what()}, trial);
     }
     Add(std::move(trial));
     const StudyTrial& added = result_.trials.back();

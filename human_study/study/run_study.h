@@ -30,6 +30,7 @@ struct StudyTrial {
   std::string participant, trial, file, object;
   std::vector<std::string> levels;  ///< one per factor
   std::string removed;              ///< why it does not count; empty: it counts
+  std::string removed_code;         ///< the same for programs (trial_removal.h)
   double begin = NAN, end = NAN;    ///< part of the recording [s]; NaN when it was not read
   std::optional<TrialAnalysis> analysis;
   std::vector<OpeningValues> openings;  ///< in the order of HandOpeningList()

@@ -10,6 +10,7 @@
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/run_study.h"
 #include "human_study/study/study_tables.h"
+#include "human_study/study/trial_removal.h"
 #include "reports/format.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
@@ -48,6 +49,15 @@ std::vector<MeasureTable> ListTables(const StudyResult& result) {
   return tables;
 }
 
+/** First of all what is not there. */
+void PrintRemoved(const StudyResult& result) {
+  if (result.CountKept() == 0) std::cout << "no trial counts:\n";
+  for (const RemovalGroup& group : GroupRemoved(result.trials)) {
+    std::cout << "removed  " << group.trials.size() << " [" << group.code << "] " << group.text
+              << '\n';
+  }
+}
+
 StudyResult RunAndWrite(const StudyOptions& options) {
   const Study study = LoadStudy(options.study_file, options.data);
   if (!study.warnings.entries().empty()) std::cerr << study.warnings.Format() << '\n';
@@ -60,6 +70,7 @@ StudyResult RunAndWrite(const StudyOptions& options) {
     bids.WriteTrial(trial, reach);
   };
   StudyResult result = RunStudy(study, watch);
+  PrintRemoved(result);
   bids.Finish();
   WriteStudyTables(result, out);
   SaveTidyExport(ListTables(result), out / "tidy");
@@ -97,7 +108,7 @@ void RunDemo(StudyOptions options) {
 
 }  // namespace
 
-void AddStudyCommand(CLI::App& program, ExitCode&) {
+void AddStudyCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& group =
       AddSubcommand(program, "study", "Analyses people's reaching and grasping from recordings.",
                     "  graspbench study demo --out demo\n"
@@ -124,7 +135,9 @@ void AddStudyCommand(CLI::App& program, ExitCode&) {
   run.add_option("--data", options->data, "folder of the recordings (default: that of study.yaml)")
       ->option_text("DIR");
   add_common(run);
-  run.callback([options] { RunAndWrite(*options); });
+  run.callback([options, &exit_code] {
+    if (RunAndWrite(*options).CountKept() == 0) exit_code = kExitFailed;
+  });
 
   CLI::App& demo = AddSubcommand(
       group, "demo", "Makes up a study with known contacts, analyses it and tells the errors.",

@@ -18,6 +18,7 @@ constexpr size_t kMinSide = 4;          // measured samples on either side
 constexpr int kNumTries = 4;            // the window is moved to its own answer so often
 constexpr double kSettled = 0.005;      // [s] .. until it moves less than this
 constexpr double kStep = 0.001;         // [s] between the breakpoints tried
+constexpr double kModel = 0.001;        // [s] SD of what the straight line makes of a curved way
 constexpr double kMinExplained = 60.0;  // of the square sum, over the residual variance
 constexpr const char* kNoBreakpoint = "the path has no breakpoint where it arrives";
 constexpr const char* kTooFew = "too few measured samples before or after the contact";
@@ -82,7 +83,8 @@ EventTime FitBreakpoint(const Samples& samples, double interval) {
   const double residual = smallest / static_cast<double>(samples.times.size() - 4);
   const double explained = CalcMisfit(samples, samples.times.front()) - smallest;
   if (!(explained > kMinExplained * residual)) return MissingEvent(kNoBreakpoint);
-  event.uncertainty = std::hypot(std::sqrt(2.0 * residual / bend), interval / std::sqrt(12.0));
+  event.uncertainty =
+      std::hypot(std::hypot(std::sqrt(2.0 * residual / bend), kModel), interval / std::sqrt(12.0));
 
   const auto next = std::lower_bound(samples.times.begin(), samples.times.end(), event.time);
   const double hidden = *next - *(next - 1);
@@ -125,13 +127,15 @@ EventTime FindByBreakpoint(const ContactEvidence& evidence, const DigitEvidence&
                            const ContactOptions& options) {
   const std::string no_touch = FindNoTouch(evidence, digit, options);
   if (!no_touch.empty()) return MissingEvent(no_touch);
-  const EventTime arrival = FindArrival(digit.departure, evidence, options.arrival_tolerance);
-  if (!arrival.IsFound()) return arrival;
-  const EventTime event =
-      SettleBreakpoint(digit.p_O, evidence.begin, arrival.time, digit.speed.Interval());
+  const Arrival arrival = FindArrival(digit.departure, evidence, options.arrival_tolerance);
+  if (!arrival.event.IsFound()) return arrival.event;
+  EventTime event =
+      SettleBreakpoint(digit.p_O, evidence.begin, arrival.event.time, digit.speed.Interval());
   // Where the path shows no breakpoint, or is hidden, what is left is the less certain arrival.
-  const bool is_near = std::abs(event.time - arrival.time) < kMaxShift;
-  return event.IsFound() && is_near ? event : arrival;
+  const bool is_near = std::abs(event.time - arrival.event.time) < kMaxShift;
+  if (!event.IsFound() || !is_near) event = arrival.event;
+  AllowForSettling(arrival, event);
+  return event;
 }
 
 }  // namespace

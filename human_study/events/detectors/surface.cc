@@ -15,7 +15,10 @@ EventTime FindBySurface(const ContactEvidence& evidence, const DigitEvidence& di
       std::isnan(digit.track->pad_offset) ? digit.hold_distance : digit.track->pad_offset;
   clearance.values.array() -= pad_offset;
 
-  return FindArrival(clearance, evidence, options.arrival_tolerance);
+  const Arrival arrival = FindArrival(clearance, evidence, options.arrival_tolerance);
+  EventTime event = arrival.event;
+  AllowForSettling(arrival, event);
+  return event;
 }
 
 }  // namespace
@@ -23,7 +26,9 @@ EventTime FindBySurface(const ContactEvidence& evidence, const DigitEvidence& di
 ContactDetector MakeSurfaceDetector() {
   return {"surface",
           "marker's distance from the object's surface less that of the hold (or a given pad "
-          "offset): last fall below a tolerance, extrapolated to zero with the speed there",
+          "offset): last fall below a tolerance, extrapolated to zero with the speed there; where "
+          "the distance "
+          "settles more slowly than that, the middle of the stretch in which the touch may lie",
           "fingertip markers, the object's pose and shape", FindBySurface};
 }
 

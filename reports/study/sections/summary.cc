@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "human_study/study/trial_removal.h"
 #include "reports/format.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -62,12 +63,17 @@ Html Draw(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const int num_trials = static_cast<int>(result.trials.size());
   const int num_removed = num_trials - result.CountKept();
+  std::string reasons;
+  if (num_removed > 0) {
+    const RemovalGroup most = GroupRemoved(result.trials).front();
+    reasons = " (mostly, " + std::to_string(most.trials.size()) + ": " + most.text + ")";
+  }
   Html counts = Text(std::to_string(result.CountKept()) + " of " +
                      FormatCount(num_trials, "trial") + " count");
   if (num_removed > 0) {
     counts += Text("; " + std::to_string(num_removed) + (num_removed == 1 ? " was" : " were") +
                    " removed, ") +
-              LinkTo("removed", "and why");
+              LinkTo("removed", "and why") + Text(reasons);
   }
   return Element("p", {{"class", "verdict"}}, counts + Text(". " + DescribeMainTest(result))) +
          DrawMeasureTable(result);
