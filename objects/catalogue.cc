@@ -10,7 +10,7 @@
 #include "core/base/hash.h"
 #include "core/base/units.h"
 #include "core/base/yaml.h"
-#include "core/shape/mesh_check.h"
+#include "core/shape/mesh_repair.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
@@ -60,12 +60,14 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   auto object = std::make_shared<GraspObject>();
   object->id = id;
   object->name = file.name;
-  object->mesh = LoadMesh(folder / file.mesh, file.mesh_unit);
-  if (const MeshReport report = CheckMesh(object->mesh); !report.problems.empty()) {
+  UsableMesh usable = MakeUsable(LoadMesh(folder / file.mesh, file.mesh_unit));
+  if (!usable.report.problems.empty()) {
     throw Error(ErrorKind::kFormat, "the mesh \"" + (folder / file.mesh).string() + "\" (unit " +
                                         NameOf(file.mesh_unit) + ") cannot be used:\n" +
-                                        FormatProblems(report));
+                                        FormatProblems(usable.report));
   }
+  object->mesh = std::move(usable.mesh);
+  const Overlap& overlap = usable.report.overlap;
 
   const Eigen::AlignedBox3d box = FindBox(object->mesh);
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();
@@ -78,9 +80,10 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   }
   object->size_of_sight = file.size_of_sight.allFinite() ? file.size_of_sight : object->size;
 
-  const double mass =
-      std::isfinite(file.mass) ? file.mass : file.density * CalcVolume(object->mesh);
-  object->mass_properties = CalcSolidMassProperties(object->mesh, mass);
+  const double mass = std::isfinite(file.mass)
+                          ? file.mass
+                          : file.density * (CalcVolume(object->mesh) - overlap.volume);
+  object->mass_properties = CalcSolidMassProperties(object->mesh, mass, overlap);
   if (file.p_OOcm.allFinite()) {
     if ((file.p_OOcm.cwiseAbs() - 0.5 * object->size).maxCoeff() > 0.0) {
       throw Error(ErrorKind::kRange,

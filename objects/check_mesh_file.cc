@@ -1,5 +1,7 @@
 #include "objects/check_mesh_file.h"
 
+#include <Eigen/Geometry>
+
 #include "core/base/files.h"
 #include "core/shape/mesh_repair.h"
 #include "core/shape/obj_file.h"
@@ -23,39 +25,46 @@ std::optional<LengthUnit> InferLengthUnit(double largest_extent) {
 }
 
 CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
+  TriMesh mesh = LoadMesh(path, unit.value_or(LengthUnit::kM));
   CheckedMeshFile file;
-  file.mesh = LoadMesh(path, unit.value_or(LengthUnit::kM));
-  file.report = CheckMesh(file.mesh);
-  const std::optional<LengthUnit> inferred =
-      unit ? unit : InferLengthUnit(file.report.extent.maxCoeff());
-  file.is_unit_inferred = !unit && inferred;
-  file.unit = inferred.value_or(LengthUnit::kM);
-  if (file.is_unit_inferred && file.unit != LengthUnit::kM) {
-    for (Eigen::Vector3d& p : file.mesh.vertices) p *= MetresPer(file.unit);
-    file.report = CheckMesh(file.mesh);
+  if (!unit) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
+    unit = InferLengthUnit(box.sizes().maxCoeff());
+    file.is_unit_inferred = unit.has_value();
+    for (Eigen::Vector3d& p : mesh.vertices) p *= MetresPer(unit.value_or(LengthUnit::kM));
   }
+  file.unit = unit.value_or(LengthUnit::kM);
+  UsableMesh usable = MakeUsable(mesh);
+  file.mesh = std::move(usable.mesh);
+  file.actions = std::move(usable.actions);
+  file.report = std::move(usable.report);
   return file;
 }
 
 MeshFileRepair RepairMeshFile(const CheckedMeshFile& file,
                               const std::filesystem::path& repaired_path) {
   const MeshRepair repair = RepairMesh(file.mesh);
-  if (!repair.actions.empty()) {
+  MeshFileRepair result = {repair.actions, CheckMesh(repair.mesh)};
+  result.is_written = !repair.actions.empty() && result.report.problems.empty();
+  if (result.is_written) {
     WriteFileAtomically(repaired_path, FormatObj(repair.mesh, UnitsPerMetre(file.unit)));
   }
-  return {repair.actions, CheckMesh(repair.mesh)};
+  return result;
 }
 
 Json FormatMeshReport(const MeshReport& report) {
   Json problems = Json::array();
   for (const MeshProblem& problem : report.problems) problems.push_back(problem.text);
-  return Json{{"closed", report.is_closed},
+  return Json{{"usable", report.problems.empty()},
+              {"closed", report.is_closed},
               {"triangles", report.num_triangles},
               {"open_edges", report.num_open_edges},
               {"volume_m3", JsonNumber(report.volume)},
               {"centroid_m", VectorOrNull(report.centroid)},
               {"extent_m", VectorOrNull(report.extent)},
-              {"problems", problems}};
+              {"problems", problems},
+              {"warnings", report.warnings}};
 }
 
 }  // namespace graspbench

@@ -20,8 +20,9 @@ std::optional<LengthUnit> InferLengthUnit(double largest_extent);
 
 /** A mesh file in metres, and how its unit is known. */
 struct CheckedMeshFile {
-  TriMesh mesh;
-  MeshReport report;
+  TriMesh mesh;                      ///< mended where that makes it usable (mesh_repair.h)
+  std::vector<std::string> actions;  ///< how it was mended
+  MeshReport report;                 ///< of `mesh`
   LengthUnit unit = LengthUnit::kM;
   bool is_unit_inferred = false;  ///< not given, but told by the size
 };
@@ -33,14 +34,16 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<L
 struct MeshFileRepair {
   std::vector<std::string> actions;  ///< what was done; empty: nothing could be
   MeshReport report;                 ///< of the repaired mesh
+  bool is_written = false;           ///< it can be used
 };
-/** Writes the repaired mesh (mesh_repair.h) as OBJ in the same unit, unless nothing could be
-repaired.
+/** Repairs a mesh that cannot be used (mesh_repair.h) and writes the result as OBJ in the same unit, but
+only if it can be used: no file is ever worse than the one it was made from.
 @throws Error(kIo). */
 MeshFileRepair RepairMeshFile(const CheckedMeshFile& file,
                               const std::filesystem::path& repaired_path);
 
-/** {"closed", "triangles", "open_edges", "volume_m3", "centroid_m", "extent_m", "problems"};
+/** {"usable", "closed", "triangles", "open_edges", "volume_m3", "centroid_m", "extent_m", "problems",
+"warnings"};
 volume, centroid and extent are null where they mean nothing. */
 Json FormatMeshReport(const MeshReport& report);
 

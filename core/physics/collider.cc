@@ -74,6 +74,22 @@ ClosestPoints FindClosestPoints(const Vector3d& a0, const Vector3d& a1, const Ve
 
 }  // namespace
 
+std::vector<std::array<int, 2>> FindBuiltTouches(const Hand& hand) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  std::vector<std::array<int, 2>> touches;
+  for (int a = 0; a < static_cast<int>(hand.capsules.size()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(hand.capsules.size()); ++b) {
+      const LinkCapsule &ca = hand.capsules[a], &cb = hand.capsules[b];
+      if (hand.FindDigitOfLink(ca.link) == hand.FindDigitOfLink(cb.link)) continue;
+      const ClosestPoints rest =
+          FindClosestPoints(X_HL[ca.link] * ca.p_LA, X_HL[ca.link] * ca.p_LB,
+                            X_HL[cb.link] * cb.p_LA, X_HL[cb.link] * cb.p_LB);
+      if ((rest.on_a - rest.on_b).norm() <= ca.radius + cb.radius) touches.push_back({a, b});
+    }
+  }
+  return touches;
+}
+
 Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig& config)
     : h_(config.step),
       spheres_(hand.contact_spheres),
@@ -99,19 +115,14 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
   }
   for (const Vector3d& p : support_points_) object_radius_ = std::max(object_radius_, p.norm());
 
-  // Fingers against each other and against the palm; a finger cannot reach itself, and what touches
-  // in the rest posture is built that way.
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  // Fingers against each other and against the palm; a finger cannot reach itself.
+  const std::vector<std::array<int, 2>> built = FindBuiltTouches(hand);
   for (int a = 0; a < static_cast<int>(capsules_.size()); ++a) {
     for (int b = a + 1; b < static_cast<int>(capsules_.size()); ++b) {
       const LinkCapsule &ca = capsules_[a], &cb = capsules_[b];
       if (hand.FindDigitOfLink(ca.link) == hand.FindDigitOfLink(cb.link)) continue;
-      const ClosestPoints rest =
-          FindClosestPoints(X_HL[ca.link] * ca.p_LA, X_HL[ca.link] * ca.p_LB,
-                            X_HL[cb.link] * cb.p_LA, X_HL[cb.link] * cb.p_LB);
-      if ((rest.on_a - rest.on_b).norm() > ca.radius + cb.radius) {
-        pairs_.push_back({a, b, 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm())});
-      }
+      if (std::count(built.begin(), built.end(), std::array<int, 2>{a, b}) > 0) continue;
+      pairs_.push_back({a, b, 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm())});
     }
   }
 

@@ -19,6 +19,10 @@ and names of contacts are fixed: the same scene gives the same list. */
 
 namespace graspbench {
 
+/** Pairs of Hand::capsules of different digits, or of a digit and the palm, that touch in the rest
+posture: they are built so, and are no contact. */
+std::vector<std::array<int, 2>> FindBuiltTouches(const Hand& hand);
+
 class Collider {
  public:
   static constexpr double kMargin = 0.002;  ///< [m]

@@ -12,7 +12,7 @@ double CalcVolume(const TriMesh& mesh) {
   return six_volumes / 6.0;
 }
 
-MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass) {
+MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass, const Overlap& overlap) {
   if (mesh.triangles.empty()) return {};
   // Tetrahedra against a vertex of the mesh rather than the origin: no digits are lost when the
   // mesh lies far out.
@@ -31,9 +31,10 @@ MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass) {
     second += determinant *
               (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
   }
-  const double volume = six_volumes / 6.0;
-  const Eigen::Vector3d p_RCm = first / 24.0 / volume;
-  const Eigen::Matrix3d covariance = second / 120.0 / volume - p_RCm * p_RCm.transpose();
+  const double volume = six_volumes / 6.0 - overlap.volume;
+  const Eigen::Vector3d p_RCm = (first / 24.0 - overlap.first) / volume;
+  const Eigen::Matrix3d covariance =
+      (second / 120.0 - overlap.second) / volume - p_RCm * p_RCm.transpose();
 
   MassProperties properties;
   properties.mass = mass;

@@ -3,6 +3,7 @@
 Mass, centre of mass and inertia of a homogeneous closed mesh by the divergence theorem
 (Mirtich 1996; signed tetrahedra against the origin). */
 
+#include "core/shape/overlap.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -16,7 +17,10 @@ struct MassProperties {
 /** Signed volume [m^3]; negative when the mesh is inside out. */
 double CalcVolume(const TriMesh& mesh);
 
-/** @pre closed, positive volume. The inertia is that of the homogeneous solid of this mass. */
-MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass);
+/** The inertia is that of the homogeneous solid of this mass.
+@param overlap  of the mesh (CalcOverlap), where its parts overlap: counted once.
+@pre closed, positive volume. */
+MassProperties CalcSolidMassProperties(const TriMesh& mesh, double mass,
+                                       const Overlap& overlap = {});
 
 }  // namespace graspbench

@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/mesh_edges.h"
+#include "core/shape/mesh_shells.h"
 #include "core/shape/triangle_tree.h"
 
 namespace graspbench {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kMaxListed = 4;          // places told per problem
 constexpr int kMaxCrossings = 1000;    // then counting stops
+constexpr int kMaxShells = 64;         // more that cross is a soup of triangles, not parts
 constexpr double kMinFlatness = 1e-9;  // volume against the cube of the extent: flat below
 constexpr double kMinAspect = 1e-7;    // height against the longest edge: without area below
 
@@ -125,6 +127,8 @@ class Checker {
     CheckSize();
     CheckFaces();
     CheckEdges();
+    shells_ = FindShells(mesh_);
+    if (shells_.count <= kMaxShells) parts_ = SplitShells(mesh_, shells_);
     CheckVolume();
     CheckCrossings();
     return report_;
@@ -132,6 +136,8 @@ class Checker {
 
  private:
   void Add(MeshFault fault, const std::string& text) { report_.problems.push_back({fault, text}); }
+
+  void Warn(const std::string& text) { report_.warnings.push_back(text + "; tolerated"); }
 
   std::string FormatFace(int face) const {
     const Eigen::Vector3i& t = mesh_.triangles[face];
@@ -189,9 +195,8 @@ class Checker {
     }
     const auto format_face = [&](int face) { return FormatFace(face); };
     if (!degenerate.empty()) {
-      Add(MeshFault::kDegenerate, FormatCount(degenerate.size(), "triangle has", "triangles have") +
-                                      " no area: " + FormatList(degenerate, format_face) +
-                                      " [mm]; merge their vertices, or repair");
+      Warn(FormatCount(degenerate.size(), "triangle has", "triangles have") +
+           " no area: " + FormatList(degenerate, format_face) + " [mm]");
     }
     std::sort(faces.begin(), faces.end());
     std::vector<int> duplicates;
@@ -206,11 +211,11 @@ class Checker {
   }
 
   void CheckEdges() {
-    std::vector<MeshEdge> open, crowded, opposed;
+    std::vector<MeshEdge> open, crowded, shared, opposed;
     for (const MeshEdge& edge : ListEdges(mesh_)) {
       const int count = edge.num_forward + edge.num_backward;
       if (count == 1) open.push_back(edge);
-      if (count > 2) crowded.push_back(edge);
+      if (count > 2) (edge.num_forward == edge.num_backward ? shared : crowded).push_back(edge);
       if (count == 2 && edge.num_forward != 1) opposed.push_back(edge);
     }
     report_.num_open_edges = static_cast<int>(open.size());
@@ -227,8 +232,14 @@ class Checker {
     if (!crowded.empty()) {
       Add(MeshFault::kNotManifold,
           FormatCount(crowded.size(), "edge belongs", "edges belong") +
-              " to more than two triangles: " + FormatList(crowded, format_edge) +
+              " to more than two triangles that do not pair up: " +
+              FormatList(crowded, format_edge) +
               " [mm]; delete inner walls, or unite the touching parts in a modelling program");
+    }
+    if (!shared.empty()) {
+      Warn(FormatCount(shared.size(), "edge belongs", "edges belong") +
+           " to more than two triangles, where parts touch: " + FormatList(shared, format_edge) +
+           " [mm]");
     }
     if (!opposed.empty()) {
       Add(MeshFault::kInconsistent,
@@ -239,7 +250,7 @@ class Checker {
   }
 
   void CheckVolume() {
-    if (!report_.is_closed || !is_consistent_) return;
+    if (!IsOriented()) return;
     report_.volume = CalcVolume(mesh_);
     const double cube = std::pow(report_.extent.maxCoeff(), 3);
     if (!(std::abs(report_.volume) > kMinFlatness * cube)) {
@@ -247,32 +258,94 @@ class Checker {
           "the mesh encloses no volume; give it thickness in a modelling program");
       return;
     }
-    report_.centroid = CalcSolidMassProperties(mesh_, 1.0).p_OOcm;
     if (report_.volume < 0.0) {
       Add(MeshFault::kInverted,
           "the mesh is inside out: all its faces point inwards; flip them, or repair");
+    } else if (shells_.count > 1 && shells_.count <= kMaxShells) {
+      CheckShells();
+    }
+    report_.centroid = CalcSolidMassProperties(mesh_, 1.0).p_OOcm;
+  }
+
+  // A shell that faces inwards must be a cavity of another one.
+  void CheckShells() {
+    int num_inverted = 0;
+    for (const TriMesh& shell : parts_) {
+      if (CalcVolume(shell) >= 0.0) continue;
+      const Eigen::Vector3d& p = mesh_.vertices[shell.triangles.front()[0]];
+      int winding = 0;
+      for (const TriMesh& other : parts_) {
+        if (&other != &shell) winding += CalcWinding(other, p);
+      }
+      if (winding < 1) ++num_inverted;
+    }
+    if (num_inverted > 0) {
+      Add(MeshFault::kInverted, std::to_string(num_inverted) + " of " +
+                                    std::to_string(parts_.size()) +
+                                    " parts are inside out; flip their faces, or repair");
     }
   }
 
   void CheckCrossings() {
     const std::vector<std::pair<int, int>> crossings = FindCrossings(mesh_);
-    if (crossings.empty()) return;
-    const bool is_cut_short = crossings.size() >= kMaxCrossings;
-    Add(MeshFault::kSelfCrossing,
-        (is_cut_short ? "at least " : "") +
-            FormatCount(crossings.size(), "pair of triangles cuts", "pairs of triangles cut") +
-            " through each other: " +
-            FormatList(crossings,
-                       [&](const std::pair<int, int>& pair) {
-                         return FormatFace(pair.first) + " and face " +
-                                std::to_string(pair.second + 1);
-                       }) +
-            " [mm]; unite the parts (boolean union) in a modelling program");
+    if (!crossings.empty() && !AreFoldsSmall(crossings)) {
+      Add(MeshFault::kSelfCrossing,
+          FormatCrossings(crossings) + "; unite the parts (boolean union) in a modelling program");
+      return;
+    }
+    if (!report_.problems.empty() || (crossings.empty() && shells_.count == 1)) return;
+    report_.overlap = CalcOverlap(mesh_);
+    report_.volume -= report_.overlap.volume;
+    report_.centroid = CalcSolidMassProperties(mesh_, 1.0, report_.overlap).p_OOcm;
+    const double share = report_.overlap.absolute_volume / report_.volume;
+    char text[120];
+    std::snprintf(text, sizeof text, "%.2g %% of the volume %s more than once and taken once",
+                  100.0 * share,
+                  shells_.count > 1 ? "lies in several parts, counted" : "is counted");
+    if (!crossings.empty()) {
+      Warn(FormatCrossings(crossings) + ": " + text);
+    } else if (share > 0.0) {
+      Warn(text);
+    }
   }
+
+  // Does no part that cuts through itself count much of its volume wrongly?
+  bool AreFoldsSmall(const std::vector<std::pair<int, int>>& crossings) const {
+    if (!IsOriented() || shells_.count > kMaxShells) return false;
+    const bool is_cut_short = crossings.size() >= kMaxCrossings;
+    std::vector<bool> is_folded(parts_.size(), is_cut_short);
+    for (const auto& [a, b] : crossings) {
+      if (shells_.of_triangle[a] == shells_.of_triangle[b])
+        is_folded[shells_.of_triangle[a]] = true;
+    }
+    for (size_t i = 0; i < parts_.size(); ++i) {
+      if (!is_folded[i]) continue;
+      TriMesh part = parts_[i];
+      const double volume = CalcVolume(part);
+      if (volume < 0.0) {  // a cavity: as the body that would fill it
+        for (Eigen::Vector3i& t : part.triangles) std::swap(t[1], t[2]);
+      }
+      if (!(CalcOverlap(part).absolute_volume < kMaxFoldedShare * std::abs(volume))) return false;
+    }
+    return true;
+  }
+
+  std::string FormatCrossings(const std::vector<std::pair<int, int>>& crossings) const {
+    const auto format_pair = [&](const std::pair<int, int>& pair) {
+      return FormatFace(pair.first) + " and face " + std::to_string(pair.second + 1);
+    };
+    return (crossings.size() >= kMaxCrossings ? "at least " : "") +
+           FormatCount(crossings.size(), "pair of triangles cuts", "pairs of triangles cut") +
+           " through each other: " + FormatList(crossings, format_pair) + " [mm]";
+  }
+
+  bool IsOriented() const { return report_.is_closed && is_consistent_; }
 
   const TriMesh& mesh_;
   MeshReport report_;
   bool is_consistent_ = false;
+  Shells shells_;
+  std::vector<TriMesh> parts_;  // empty when there are too many
 };
 
 }  // namespace

@@ -3,13 +3,17 @@
 Is a mesh the surface of one or more solids? Everything that simulation and mass properties rely on
 is checked, and each problem is told to a person: how many, where the first ones are, what to do.
 
-Positions in the messages are millimetres in the mesh's own frame. Not checked: surfaces that touch
-without crossing, and solids that lie inside each other. */
+A point belongs to the solid where the surface winds around it at least once. So parts that overlap, lie
+in each other or touch are one body, a shell that faces inwards within one that faces outwards is a
+cavity, and small folds of a surface through itself are tolerated: warnings, not problems.
+
+Positions in the messages are millimetres in the mesh's own frame. */
 
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "core/shape/overlap.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -18,13 +22,12 @@ enum class MeshFault {
   kEmpty,         ///< no triangle at all
   kNotFinite,     ///< a coordinate is NaN or infinite
   kSize,          ///< larger or smaller than anything a hand can grasp: a wrong unit
-  kDegenerate,    ///< triangles without area
   kDuplicate,     ///< the same triangle twice
   kOpen,          ///< edges with a triangle on one side only
-  kNotManifold,   ///< edges shared by more than two triangles
+  kNotManifold,   ///< edges with more triangles in one direction than in the other
   kInconsistent,  ///< neighbours that face opposite ways
   kInverted,      ///< inside out, or without volume
-  kSelfCrossing,  ///< triangles that cut through each other
+  kSelfCrossing,  ///< a part that cuts through itself, changing the volume by 0.1 % or more
 };
 
 struct MeshProblem {
@@ -33,23 +36,31 @@ struct MeshProblem {
 };
 
 struct MeshReport {
-  bool is_closed = false;  ///< every edge has exactly one triangle on either side
+  bool is_closed = false;  ///< every edge has as many triangles in one direction as in the other
   int num_triangles = 0;
   int num_open_edges = 0;
-  /** [m^3], negative when inside out; NaN unless closed with all neighbours facing alike. */
+  /** Of the solid, overlaps counted once [m^3]; negative when inside out; NaN unless closed with all
+  neighbours facing alike. */
   double volume = std::numeric_limits<double>::quiet_NaN();
   /** Of the solid [m]; NaN like the volume. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Constant(volume);
   /** Of the bounding box [m]; NaN without finite vertices. */
   Eigen::Vector3d extent = Eigen::Vector3d::Constant(volume);
   std::vector<MeshProblem> problems;  ///< empty: fit for use
+  std::vector<std::string> warnings;  ///< what was tolerated, and why
+  Overlap overlap;                    ///< what mass properties must count once
 };
 
 /** Extents of things to grasp [m]. */
 inline constexpr double kMinMeshExtent = 0.002;
 inline constexpr double kMaxMeshExtent = 1.0;
 
-/** @pre valid indices. Costs about 20 ms for 5,000 triangles. */
+/** A part that cuts through itself is tolerated when less than this share of its volume is counted
+wrongly. */
+inline constexpr double kMaxFoldedShare = 1e-3;
+
+/** @pre valid indices. Costs about 20 ms for 5,000 triangles, half a second more for each part that
+crosses others or itself. */
 MeshReport CheckMesh(const TriMesh& mesh);
 
 /** The problems one per line; empty when there are none. */

@@ -1,11 +1,12 @@
 #pragma once
 /** @file
 Repairs that cannot change what a mesh means: what its maker obviously forgot. Large holes and
-surfaces that cut through each other need a modelling program. */
+surfaces that fold through themselves need a modelling program. */
 
 #include <string>
 #include <vector>
 
+#include "core/shape/mesh_check.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
@@ -15,14 +16,33 @@ struct MeshRepair {
   std::vector<std::string> actions;  ///< what was done, one sentence each; empty: nothing
 };
 
-/** Holes with more edges than this, or longer around than the mesh's largest extent, stay open. */
+/** Holes with more edges than this stay open. */
 inline constexpr int kMaxHoleEdges = 64;
+/** Holes longer around than this share of the mesh's largest extent stay open: while loading, and when a
+repair is asked for. */
+inline constexpr double kMaxMendedHole = 0.2;
+inline constexpr double kMaxRepairedHole = 1.0;
 
-/** In this order: merges vertices closer than a millionth of the extent, drops triangles without
-area and copies, turns neighbours to face the same way, closes small holes with a fan about their
-middle, turns every shell so that it encloses its solid (shells inside another one become cavities).
-Check the result again: what could not be repaired is still there.
+/** What every user of a mesh gets without asking: faces that lie on each other in opposite directions
+removed, copies dropped, sheets that hang on the surface removed, small holes closed with a fan about
+their middle.
+@pre valid indices; a mesh with non-finite vertices comes back as it is. */
+MeshRepair MendMesh(const TriMesh& mesh);
+
+/** The same after merging vertices closer than a millionth of the extent, with larger holes; then turns
+neighbours to face the same way, and every shell that lies in no other one to face outwards, with all
+that lies in it: a cavity stays a cavity. Check the result: what could not be repaired is still there.
 @pre valid indices; a mesh with non-finite vertices comes back as it is. */
 MeshRepair RepairMesh(const TriMesh& mesh);
+
+/** A mesh as simulation can use it. */
+struct UsableMesh {
+  TriMesh mesh;  ///< as given when it has no problem, or when mending leaves some
+  std::vector<std::string> actions;  ///< of MendMesh
+  MeshReport report;                 ///< of `mesh`
+};
+/** Checks the mesh, mends it if it has problems, and keeps what was mended if then it has none.
+@pre valid indices. */
+UsableMesh MakeUsable(const TriMesh& mesh);
 
 }  // namespace graspbench

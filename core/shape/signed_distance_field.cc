@@ -1,16 +1,16 @@
 #include "core/shape/signed_distance_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "core/shape/exposed_surface.h"
+#include "core/shape/line_crossings.h"
 #include "core/shape/triangle_tree.h"
 
 namespace graspbench {
@@ -19,62 +19,41 @@ namespace {
 // Raise when the stored layout or the rule that fills it changes.
 constexpr char kCacheMagic[8] = {'g', 'b', 's', 'd', 'f', '0', '0', '2'};
 
-// Normals that tell inside from outside for a nearest point on a face, an edge or a vertex.
-class PseudoNormals {
- public:
-  explicit PseudoNormals(const TriMesh& mesh)
-      : mesh_(&mesh),
-        of_vertex_(mesh.vertices.size(), Eigen::Vector3d::Zero()),
-        of_edge_(mesh.triangles.size()) {
-    std::map<std::pair<int, int>, Eigen::Vector3d> edges;
-    const auto edge_key = [](int a, int b) { return std::pair<int, int>(std::minmax(a, b)); };
-    for (const Eigen::Vector3i& t : mesh.triangles) {
-      const Eigen::Vector3d normal = CalcFaceNormal(t);
-      for (int k = 0; k < 3; ++k) {
-        const int here = t[k], next = t[(k + 1) % 3], last = t[(k + 2) % 3];
-        const Eigen::Vector3d u = mesh.vertices[next] - mesh.vertices[here];
-        const Eigen::Vector3d v = mesh.vertices[last] - mesh.vertices[here];
-        of_vertex_[here] += std::atan2(u.cross(v).norm(), u.dot(v)) * normal;
-        edges.try_emplace(edge_key(here, next), Eigen::Vector3d::Zero()).first->second += normal;
-      }
-    }
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const Eigen::Vector3i& t = mesh.triangles[i];
-      for (int k = 0; k < 3; ++k) of_edge_[i][k] = edges.at(edge_key(t[k], t[(k + 1) % 3]));
-    }
-  }
+// Columns are looked at this far beside the nodes, where no edge of a drawn mesh lies.
+const Eigen::Vector2d kBeside(1.0e-9, 1.6180339887e-9);  // [m]
+constexpr double kThinnest = 1e-6;                       // [m] sheets closer than this may touch
 
-  // Not unit: only the sign of a product with it matters.
-  Eigen::Vector3d Find(const TriangleTree::Nearest& nearest) const {
-    using Feature = TriangleTree::Feature;
-    const Eigen::Vector3i& t = mesh_->triangles[nearest.triangle];
-    switch (nearest.feature) {
-      case Feature::kFace:
-        return CalcFaceNormal(t);
-      case Feature::kEdge01:
-        return of_edge_[nearest.triangle][0];
-      case Feature::kEdge12:
-        return of_edge_[nearest.triangle][1];
-      case Feature::kEdge20:
-        return of_edge_[nearest.triangle][2];
-      case Feature::kVertex0:
-        return of_vertex_[t[0]];
-      case Feature::kVertex1:
-        return of_vertex_[t[1]];
-      case Feature::kVertex2:
-        return of_vertex_[t[2]];
+// Which nodes lie in the solid, column by column along z.
+class InsideFinder {
+ public:
+  explicit InsideFinder(const TriMesh& mesh) : lines_(mesh, 2) {}
+
+  // inside[k] for the nodes at z = lower + k * cell.
+  void FindColumn(double x, double y, double lower, double cell, std::vector<bool>& inside) {
+    lines_.Find(x + kBeside.x(), y + kBeside.y(), crossings_);
+    int winding = 0;
+    size_t next = 0;
+    for (size_t k = 0; k < inside.size(); ++k) {
+      const double z = lower + cell * static_cast<double>(k);
+      for (; next < crossings_.size() && crossings_[next].at < z; ++next) {
+        winding += crossings_[next].winding;
+      }
+      inside[k] = winding >= 1;
     }
-    return Eigen::Vector3d::Zero();
+    winding = 0;
+    for (size_t i = 0; i < crossings_.size(); ++i) {
+      winding += crossings_[i].winding;
+      has_overlap_ = has_overlap_ || winding < 0 || winding > 1 ||
+                     (i > 0 && crossings_[i].at - crossings_[i - 1].at < kThinnest);
+    }
   }
+  // Did any column pass through parts that overlap or touch?
+  bool has_overlap() const { return has_overlap_; }
 
  private:
-  Eigen::Vector3d CalcFaceNormal(const Eigen::Vector3i& t) const {
-    const auto& v = mesh_->vertices;
-    return (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).normalized();
-  }
-  const TriMesh* mesh_;
-  std::vector<Eigen::Vector3d> of_vertex_;
-  std::vector<std::array<Eigen::Vector3d, 3>> of_edge_;  // edge k from corner k to k + 1
+  LineCrossings lines_;
+  std::vector<LineCrossings::Crossing> crossings_;
+  bool has_overlap_ = false;
 };
 
 uint64_t CalcMeshHash(const TriMesh& mesh) {
@@ -119,23 +98,41 @@ SignedDistanceField SignedDistanceField::Build(const TriMesh& mesh) {
   field.num_nodes_ = (covered / field.cell_).array().ceil().cast<int>() + 1;
   field.values_.resize(static_cast<size_t>(field.num_nodes_.cast<int64_t>().prod()));
 
+  const Eigen::Vector3i& n = field.num_nodes_;
+  InsideFinder finder(mesh);
+  std::vector<bool> is_inside(field.values_.size()), column(n.z());
+  for (int j = 0; j < n.y(); ++j) {
+    for (int i = 0; i < n.x(); ++i) {
+      const Eigen::Vector3d p = field.lower_ + field.cell_ * Eigen::Vector3d(i, j, 0);
+      finder.FindColumn(p.x(), p.y(), p.z(), field.cell_, column);
+      for (int k = 0; k < n.z(); ++k) is_inside[field.FindIndex({i, j, k})] = column[k];
+    }
+  }
+  field.CalcValues(mesh, is_inside, false);
+  if (finder.has_overlap()) {
+    field.CalcValues(FindExposedSurface(mesh, field.cell_), is_inside, true);
+  }
+  return field;
+}
+
+// From outside every way to a hidden surface leads through an exposed one; from inside it does not.
+void SignedDistanceField::CalcValues(const TriMesh& mesh, const std::vector<bool>& is_inside,
+                                     bool only_inside) {
   const TriangleTree tree(mesh);
-  const PseudoNormals normals(mesh);
   int nearest_triangle = 0;  // of the previous node: an excellent first guess
-  float* value = field.values_.data();
-  for (int k = 0; k < field.num_nodes_.z(); ++k) {
-    for (int j = 0; j < field.num_nodes_.y(); ++j) {
-      for (int i = 0; i < field.num_nodes_.x(); ++i) {
-        const Eigen::Vector3d p = field.lower_ + field.cell_ * Eigen::Vector3d(i, j, k);
+  for (int k = 0; k < num_nodes_.z(); ++k) {
+    for (int j = 0; j < num_nodes_.y(); ++j) {
+      for (int i = 0; i < num_nodes_.x(); ++i) {
+        const size_t index = FindIndex({i, j, k});
+        if (only_inside && !is_inside[index]) continue;
+        const Eigen::Vector3d p = lower_ + cell_ * Eigen::Vector3d(i, j, k);
         const TriangleTree::Nearest nearest = tree.FindNearest(p, nearest_triangle);
         nearest_triangle = nearest.triangle;
-        const bool is_inside = (p - nearest.point).dot(normals.Find(nearest)) < 0.0;
         const double distance = std::sqrt(nearest.squared_distance);
-        *value++ = static_cast<float>(is_inside ? -distance : distance);
+        values_[index] = static_cast<float>(is_inside[index] ? -distance : distance);
       }
     }
   }
-  return field;
 }
 
 std::string SignedDistanceField::FormatCache(uint64_t mesh_hash) const {

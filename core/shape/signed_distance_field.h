@@ -5,8 +5,9 @@ step, so a query costs one trilinear interpolation.
 
     phi(p) = +- min over the surface of |p - s|,  positive outside
 
-Every node is exact: nearest triangle by a tree of boxes, sign by angle-weighted normals (Baerentzen
-and Aanaes 2005). Between nodes the error is that of trilinear interpolation, O(cell^2 * curvature);
+Every node is exact: nearest triangle by a tree of boxes, sign by the winding number
+(line_crossings.h), so parts that overlap or touch are one body; inside such a body the surfaces that
+lie in it do not count, to within a cell where they come out of it. Between nodes the error is that of trilinear interpolation, O(cell^2 * curvature);
 next to a sharp edge it is up to about half a cell, so query a few millimetres away from the surface
 (sphere centres), where the field is smooth. */
 
@@ -27,7 +28,7 @@ class SignedDistanceField {
   static constexpr double kMinCell = 0.0005;  ///< [m]
   static constexpr int kMaxNodes = 500000;    ///< sets the cell of all but the smallest objects
 
-  /** @pre the mesh is closed (core/shape/mesh_check.h). Cells are cubes. Costs about half a second
+  /** @pre every edge has as many triangles in either direction (core/shape/mesh_check.h). Cells are cubes. Costs about half a second
   for 5,000 triangles. */
   static SignedDistanceField Build(const TriMesh& mesh);
 
@@ -63,6 +64,10 @@ class SignedDistanceField {
     Eigen::Vector3d share;  // position in the cell, in [0, 1]
     double beyond;          // distance from the grid [m]
   };
+  size_t FindIndex(const Eigen::Vector3i& node) const {
+    return node.x() + num_nodes_.x() * (node.y() + static_cast<size_t>(num_nodes_.y()) * node.z());
+  }
+  void CalcValues(const TriMesh& mesh, const std::vector<bool>& is_inside, bool only_inside);
   std::string FormatCache(uint64_t mesh_hash) const;
   // False, and the field is of no use, when the bytes are not those of a whole cache file.
   bool ParseCache(const std::string& bytes, uint64_t mesh_hash);

@@ -23,6 +23,7 @@ constexpr const char* kSphereBits = "contype='1' conaffinity='0'";
 constexpr const char* kObjectBits = "contype='2' conaffinity='1'";
 constexpr const char* kTableBits = "contype='0' conaffinity='3'";
 constexpr const char* kCapsuleBits = "contype='4' conaffinity='4' condim='1'";
+constexpr const char* kOnlyCapsuleBits = "contype='5' conaffinity='4'";  // both in one
 
 std::string Format(const Vector3d& v) {
   std::ostringstream text;
@@ -98,7 +99,7 @@ class SceneWriter {
     }
     if (data.joint >= 0) WriteJoint(data);
     for (const ContactSphere& sphere : hand_.contact_spheres) {
-      if (sphere.link != link) continue;
+      if (sphere.link != link || config_.has_capsules_only) continue;
       text_ << "<geom type='sphere' size='" << sphere.radius << "' pos='" << Format(sphere.p_LS)
             << "' condim='" << (sphere.is_pad ? 4 : 3) << "' " << kSphereBits << "/>\n";
     }
@@ -112,12 +113,21 @@ class SceneWriter {
       } else {
         text_ << "fromto='" << Format(capsule.p_LA) << ' ' << Format(capsule.p_LB) << "' ";
       }
-      text_ << kCapsuleBits << "/>\n";
+      if (config_.has_capsules_only) {
+        text_ << "condim='" << (IsPad(link) ? 4 : 3) << "' " << kOnlyCapsuleBits << "/>\n";
+      } else {
+        text_ << kCapsuleBits << "/>\n";
+      }
     }
     for (int child = 0; child < static_cast<int>(hand_.links.size()); ++child) {
       if (hand_.links[child].parent == link) WriteLink(child, hand_.links[child].X_PJ, {});
     }
     text_ << "</body>\n";
+  }
+
+  bool IsPad(int link) const {
+    const int digit = hand_.FindDigitOfLink(link);
+    return digit >= 0 && hand_.digits[static_cast<size_t>(digit)].distal_link == link;
   }
 
   void WriteJoint(const HandLink& link) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <map>
 #include <optional>
 
 #include "core/base/error.h"
@@ -37,6 +39,7 @@ TEST_F(CheckMeshFileTest, ReportsAGoodMesh) {
   EXPECT_LT((VectorFrom(json["centroid_m"]) - Eigen::Vector3d(0.01, 0.02, 0.03)).norm(), 1e-8);
   EXPECT_LT((VectorFrom(json["extent_m"]) - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 1e-8);
   EXPECT_TRUE(json["problems"].empty());
+  EXPECT_EQ(json["usable"], true);
 }
 
 TEST_F(CheckMeshFileTest, AnOpenMeshHasNoVolumeAndIsRepaired) {
@@ -57,12 +60,57 @@ TEST_F(CheckMeshFileTest, AnOpenMeshHasNoVolumeAndIsRepaired) {
   EXPECT_FALSE(left_open.report.is_closed);
 
   TriMesh ball = MakeSphere(0.02, 24);
-  ball.triangles.erase(ball.triangles.begin() + 100);
-  const MeshFileRepair closed =
+  for (Eigen::Vector3i& t : ball.triangles) std::swap(t[0], t[1]);
+  const MeshFileRepair turned =
       RepairMeshFile(CheckMeshFile(Write(ball), LengthUnit::kMm), repaired);
-  EXPECT_EQ(closed.actions, std::vector<std::string>{"1 hole closed"});
-  EXPECT_EQ(FormatProblems(closed.report), "");
+  EXPECT_EQ(turned.actions, std::vector<std::string>{"1 shell turned the right way round"});
+  EXPECT_TRUE(turned.is_written);
   EXPECT_EQ(FormatProblems(CheckMeshFile(repaired, LengthUnit::kMm).report), "");
+}
+
+// A file is written only if it can be used: half a ball with one face turned is no better turned back.
+TEST_F(CheckMeshFileTest, NoFileIsWrittenThatCannotBeUsed) {
+  TriMesh half = MakeSphere(0.02, 24);
+  half.triangles.resize(half.triangles.size() / 2);
+  std::swap(half.triangles[7][0], half.triangles[7][1]);
+  const fs::path path = Write(half);
+  fs::path repaired = path;
+  repaired.replace_extension(".repaired.obj");
+  fs::remove(repaired);
+  const MeshFileRepair repair = RepairMeshFile(CheckMeshFile(path, LengthUnit::kMm), repaired);
+  EXPECT_FALSE(repair.actions.empty());
+  EXPECT_FALSE(repair.is_written);
+  EXPECT_FALSE(repair.report.problems.empty());
+  EXPECT_FALSE(fs::exists(repaired));
+}
+
+// Scanned household objects, with volumes computed by another program where it could.
+TEST(WildObjectsTest, ScannedObjectsCanBeUsed) {
+  const char* root = std::getenv("GRASPBENCH_DATA");
+  const fs::path folder =
+      (root != nullptr && *root != '\0' ? fs::path(root)
+                                        : FindDataRoot().parent_path() / "shared" / "data") /
+      "objects";
+  if (!fs::exists(folder)) {
+    GTEST_SKIP() << "no objects at " << folder << "; GRASPBENCH_DATA names the folder above";
+  }
+  const std::map<std::string, double> volumes_cm3 = {{"002_master_chef_can", 0.0},
+                                                     {"003_cracker_box", 2173.29},
+                                                     {"005_tomato_soup_can", 0.0},
+                                                     {"011_banana", 171.53},
+                                                     {"016_pear", 0.0},
+                                                     {"021_bleach_cleanser", 972.34},
+                                                     {"048_hammer", 258.94},
+                                                     {"065-d_cups", 0.0}};
+  for (const auto& [name, volume_cm3] : volumes_cm3) {
+    const CheckedMeshFile file = CheckMeshFile(folder / name / "mesh.obj", std::nullopt);
+    EXPECT_EQ(FormatProblems(file.report), "") << name;
+    EXPECT_EQ(file.unit, LengthUnit::kM) << name;
+    EXPECT_GT(file.report.volume, 1e-5) << name;
+    if (volume_cm3 > 0.0) {
+      EXPECT_NEAR(file.report.volume, 1e-6 * volume_cm3, 1e-9 * volume_cm3) << name;
+    }
+  }
 }
 
 TEST_F(CheckMeshFileTest, MillimetresReadAsMetresAreTold) {

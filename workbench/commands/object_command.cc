@@ -81,6 +81,7 @@ void ShowObject(const std::string& id, bool json) {
 }
 
 void PrintMeshReport(const std::string& path, const MeshReport& report) {
+  for (const std::string& warning : report.warnings) std::cout << "warning: " << warning << '\n';
   if (!report.problems.empty()) std::cout << FormatProblems(report) << '\n';
   std::cout << path << ": " << FormatCount(report.num_triangles, "triangle") << ", "
             << (report.is_closed ? "closed" : FormatCount(report.num_open_edges, "open edge"))
@@ -89,12 +90,15 @@ void PrintMeshReport(const std::string& path, const MeshReport& report) {
 }
 
 void PrintRepair(const std::string& path, const MeshFileRepair& repair) {
-  if (repair.actions.empty()) {
-    std::cout << "repair: nothing could be repaired without guessing; no file written\n";
-    return;
-  }
   for (const std::string& action : repair.actions) std::cout << "repair: " << action << '\n';
-  PrintMeshReport(path, repair.report);
+  if (repair.is_written) {
+    PrintMeshReport(path, repair.report);
+  } else if (repair.actions.empty()) {
+    std::cout << "repair: nothing could be repaired without guessing; no file written\n";
+  } else {
+    std::cout << FormatProblems(repair.report)
+              << "\nrepair: the result could not be used either; no file written\n";
+  }
 }
 
 struct MeshCheckOptions {
@@ -108,7 +112,7 @@ struct MeshCheckOptions {
 CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
   if (fs::is_directory(options.path)) {
     CheckedMeshFile file;
-    file.mesh = LoadObject(options.path)->mesh;
+    file.mesh = LoadObject(options.path)->mesh;  // in metres, mended
     file.report = CheckMesh(file.mesh);
     return file;
   }
@@ -117,31 +121,47 @@ CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
   return CheckMeshFile(options.path, unit);
 }
 
-ExitCode CheckObject(const MeshCheckOptions& options) {
+ExitCode ReportMesh(const MeshCheckOptions& options) {
   const CheckedMeshFile file = CheckFileOrFolder(options);
   MeshReport report = file.report;
   Json json = FormatMeshReport(report);
   json["unit"] = NameOf(file.unit);
   json["unit_inferred"] = file.is_unit_inferred;
+  json["mended"] = file.actions;
   if (!options.json) {
     if (file.is_unit_inferred) {
       std::cout << "unit: " << NameOf(file.unit)
                 << ", inferred from the size; --unit says otherwise\n";
     }
+    for (const std::string& action : file.actions) std::cout << "mended: " << action << '\n';
     PrintMeshReport(options.path, report);
+    if (options.repair && report.problems.empty()) {
+      std::cout << "repair: not needed; no file written\n";
+    }
   }
   if (options.repair && !report.problems.empty()) {
     const fs::path path(options.path);
     const std::string repaired = (path.parent_path() / (path.stem().string() + "-repaired.obj"));
     const MeshFileRepair repair = RepairMeshFile(file, repaired);
     report = repair.report;
-    json["repair"] = {{"file", repair.actions.empty() ? Json(nullptr) : Json(repaired)},
+    json["repair"] = {{"file", repair.is_written ? Json(repaired) : Json(nullptr)},
                       {"actions", repair.actions},
                       {"result", FormatMeshReport(report)}};
     if (!options.json) PrintRepair(repaired, repair);
   }
   if (options.json) PrintJson(json);
   return report.problems.empty() ? kExitOk : kExitBadInput;
+}
+
+// With --json the answer is JSON also when the file cannot be read.
+ExitCode CheckObject(const MeshCheckOptions& options) {
+  if (!options.json) return ReportMesh(options);
+  try {
+    return ReportMesh(options);
+  } catch (const Error& error) {
+    PrintJson({{"usable", false}, {"problems", {error.what()}}});
+    return ExitCodeOf(error.kind());
+  }
 }
 
 }  // namespace
@@ -184,7 +204,7 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::IsMember({"m", "mm"}))
       ->option_text("UNIT");
   check.add_flag("--repair", options->repair,
-                 "close small holes and turn faces; writes NAME-repaired.obj beside the file");
+                 "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
   check.add_flag("--json", options->json, "one JSON object");
   check.callback([options, &exit_code] { exit_code = CheckObject(*options); });
 }

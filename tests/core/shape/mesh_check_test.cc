@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "core/shape/mesh_repair.h"
 #include "core/shape/primitives.h"
+#include "core/shape/weld_vertices.h"
 
 namespace graspbench {
 namespace {
@@ -71,24 +73,81 @@ TEST(MeshCheckTest, InsideOutIsToldFromOneFlippedFace) {
   EXPECT_EQ(FormatProblems(other).find("3 edges join triangles that face opposite ways: ("), 0u);
 }
 
-TEST(MeshCheckTest, TwoBoxesThroughEachOtherCross) {
+TEST(MeshCheckTest, TwoBoxesThroughEachOtherAreOneBody) {
   TriMesh crossed = MakeBox();
-  Append(MakeBox(), {0.013, 0.011, 0.007}, crossed);
+  const Eigen::Vector3d offset(0.013, 0.011, 0.007), size(0.04, 0.03, 0.02);
+  Append(MakeBox(), offset, crossed);
   const MeshReport report = CheckMesh(crossed);
-  EXPECT_EQ(FaultsOf(report), std::vector<MeshFault>{MeshFault::kSelfCrossing});
-  EXPECT_NE(FormatProblems(report).find("triangles cut through each other: face "),
-            std::string::npos);
+  EXPECT_EQ(FormatProblems(report), "");
+  // Each box counts, what lies in both counts once.
+  const double shared = (size - offset).prod(), expected = 2.0 * size.prod() - shared;
+  EXPECT_NEAR(report.volume, expected, 2e-3 * shared);
+  EXPECT_NEAR(report.overlap.absolute_volume, shared, 2e-3 * shared);
+  EXPECT_LT((report.centroid - 0.5 * offset).norm(), 1e-5);
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("triangles cut through each other: face "), std::string::npos);
+  EXPECT_NE(report.warnings[0].find("% of the volume lies in several parts"), std::string::npos);
 
   TriMesh apart = MakeBox();
   Append(MakeBox(), {0.05, 0.0, 0.0}, apart);
   EXPECT_EQ(FormatProblems(CheckMesh(apart)), "");
+  EXPECT_TRUE(CheckMesh(apart).warnings.empty());
+  EXPECT_NEAR(CheckMesh(apart).volume, 2.0 * size.prod(), 1e-12);
 }
 
-// A vertex pulled through the opposite side: the crossing triangles share no corner with the side.
-TEST(MeshCheckTest, AVertexPulledThroughTheOtherSideCrosses) {
+TEST(MeshCheckTest, PartsInEachOtherAreOneBodyOrHollow) {
+  TriMesh inner = MakeBox();
+  for (Eigen::Vector3d& p : inner.vertices) p *= 0.5;
+  const double outer_volume = 0.04 * 0.03 * 0.02, inner_volume = outer_volume / 8.0;
+  TriMesh solid = MakeBox();
+  Append(inner, {0.001, 0.0, 0.0}, solid);
+  EXPECT_EQ(FormatProblems(CheckMesh(solid)), "");
+  EXPECT_NEAR(CheckMesh(solid).volume, outer_volume, 2e-3 * inner_volume);
+
+  for (Eigen::Vector3i& t : inner.triangles) std::swap(t[0], t[1]);
+  TriMesh hollow = MakeBox();
+  Append(inner, {0.001, 0.0, 0.0}, hollow);
+  EXPECT_EQ(FormatProblems(CheckMesh(hollow)), "");
+  EXPECT_TRUE(CheckMesh(hollow).warnings.empty());
+  EXPECT_NEAR(CheckMesh(hollow).volume, outer_volume - inner_volume, 1e-12);
+
+  TriMesh beside = MakeBox();
+  Append(inner, {0.05, 0.0, 0.0}, beside);
+  EXPECT_EQ(FormatProblems(CheckMesh(beside)),
+            "1 of 2 parts are inside out; flip their faces, or repair");
+}
+
+// Boxes that share an edge, or a face that each of them has.
+TEST(MeshCheckTest, TouchingPartsAreOneBody) {
+  for (const Eigen::Vector3d& offset :
+       {Eigen::Vector3d(0.04, 0.03, 0.0), Eigen::Vector3d(0.04, 0.0, 0.0),
+        Eigen::Vector3d(0.04, 0.011, 0.003)}) {
+    TriMesh touching = MakeBox();
+    Append(MakeBox(), offset, touching);
+    for (const TriMesh& mesh : {touching, WeldVertices(touching, 1e-9)}) {
+      const UsableMesh usable = MakeUsable(mesh);
+      EXPECT_EQ(FormatProblems(usable.report), "") << offset.transpose();
+      EXPECT_NEAR(usable.report.volume, 2.0 * 0.04 * 0.03 * 0.02, 1e-10) << offset.transpose();
+    }
+  }
+}
+
+// A vertex pulled through the opposite side: the crossing triangles share no corner with the side. What
+// comes out there is inside out.
+TEST(MeshCheckTest, ASmallFoldIsToleratedALargeOneIsNot) {
   TriMesh sphere = MakeSphere(0.02, 16);
   sphere.vertices.back() = Eigen::Vector3d(0.001, 0.0005, -0.03);
-  EXPECT_EQ(FaultsOf(CheckMesh(sphere)), std::vector<MeshFault>{MeshFault::kSelfCrossing});
+  const MeshReport small = CheckMesh(sphere);
+  EXPECT_EQ(FormatProblems(small), "");
+  ASSERT_EQ(small.warnings.size(), 1u);
+  EXPECT_NE(small.warnings[0].find("cut through each other"), std::string::npos);
+  EXPECT_GT(small.overlap.absolute_volume, 0.0);
+  EXPECT_LT(small.overlap.absolute_volume, 1e-3 * small.volume);
+
+  TriMesh coarse = MakeSphere(0.02, 6);
+  coarse.vertices.back() = Eigen::Vector3d(0.001, 0.0005, -0.06);
+  ASSERT_FALSE(CheckMesh(coarse).problems.empty());
+  EXPECT_EQ(CheckMesh(coarse).problems.back().fault, MeshFault::kSelfCrossing);
 }
 
 TEST(MeshCheckTest, EmptyAndNotFinite) {
@@ -114,12 +173,16 @@ TEST(MeshCheckTest, WrongUnitsAreGuessed) {
             "metres, say so (unit m); else scale it");
 }
 
-TEST(MeshCheckTest, SliversCopiesAndInnerWalls) {
+TEST(MeshCheckTest, SliversAndCopies) {
   TriMesh sliver = MakeBox();
   sliver.vertices.push_back(0.5 * (sliver.vertices[0] + sliver.vertices[1]));
   sliver.triangles.emplace_back(0, 1, sliver.num_vertices() - 1);
-  EXPECT_EQ(FaultsOf(CheckMesh(sliver)).front(), MeshFault::kDegenerate);
-  EXPECT_EQ(FormatProblems(CheckMesh(sliver)).find("1 triangle has no area: face 17 at ("), 0u);
+  ASSERT_FALSE(CheckMesh(sliver).warnings.empty());
+  EXPECT_EQ(CheckMesh(sliver).warnings[0].find("1 triangle has no area: face 17 at ("), 0u);
+  const UsableMesh mended = MakeUsable(sliver);
+  EXPECT_EQ(FormatProblems(mended.report), "");
+  EXPECT_EQ(mended.actions,
+            std::vector<std::string>{"1 triangle that only hangs on the surface dropped"});
 
   TriMesh copied = MakeBox();
   copied.triangles.push_back(copied.triangles[4]);

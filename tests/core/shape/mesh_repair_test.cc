@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/shape/mass_properties.h"
@@ -86,6 +87,75 @@ TEST(MeshRepairTest, MergesSplitVerticesAndDropsCopiesAndSlivers) {
   EXPECT_EQ(FormatProblems(CheckMesh(repair.mesh)), "");
   EXPECT_EQ(repair.mesh.num_vertices(), ball.num_vertices());
   EXPECT_EQ(repair.mesh.num_triangles(), ball.num_triangles());
+}
+
+// Two faces on each other in opposite directions enclose nothing; a sheet that hangs on an edge neither.
+TEST(MeshRepairTest, FinsAreTakenOffAndTheSurfaceStaysClosed) {
+  const TriMesh ball = MakeBall();
+  const double volume = CalcVolume(ball);
+  const Eigen::Vector3i t = ball.triangles[100];
+  const int tip = ball.num_vertices();
+  TriMesh doubled = ball;
+  doubled.vertices.push_back(1.2 * ball.vertices[t[0]]);
+  doubled.triangles.emplace_back(t[0], t[1], tip);
+  doubled.triangles.emplace_back(t[1], t[0], tip);
+  TriMesh hanging = doubled;
+  hanging.triangles.pop_back();
+  TriMesh sheet = hanging;  // of two triangles
+  sheet.vertices.push_back(1.2 * ball.vertices[t[1]]);
+  sheet.triangles.emplace_back(t[1], tip + 1, tip);
+  for (const TriMesh& broken : {doubled, hanging, sheet}) {
+    const UsableMesh usable = MakeUsable(broken);
+    EXPECT_EQ(FormatProblems(usable.report), "");
+    EXPECT_EQ(usable.actions.size(), 1u);
+    EXPECT_NEAR(usable.report.volume, volume, 1e-12 * volume);
+    EXPECT_EQ(usable.mesh.triangles, ball.triangles);
+  }
+}
+
+TEST(MeshRepairTest, FacesWrittenTwiceForPicturesAreHalved) {
+  const TriMesh ball = MakeBall();
+  TriMesh two_sided = ball;
+  for (const Eigen::Vector3i& t : ball.triangles)
+    two_sided.triangles.emplace_back(t[0], t[2], t[1]);
+  const UsableMesh usable = MakeUsable(two_sided);
+  EXPECT_EQ(FormatProblems(usable.report), "");
+  EXPECT_EQ(usable.mesh.triangles, ball.triangles);
+}
+
+TEST(MeshRepairTest, OnlySmallHolesAreClosedWithoutAsking) {
+  TriMesh small = MakeSphere(0.02, 64);
+  small.triangles.erase(small.triangles.begin() + 300);
+  EXPECT_EQ(MakeUsable(small).actions, std::vector<std::string>{"1 hole closed"});
+  EXPECT_EQ(FormatProblems(MakeUsable(small).report), "");
+
+  TriMesh large = MakeBall();  // the cap around its pole
+  large.triangles.erase(
+      std::remove_if(large.triangles.begin(), large.triangles.end(),
+                     [&](const Eigen::Vector3i& t) {
+                       return std::min({large.vertices[t[0]].z(), large.vertices[t[1]].z(),
+                                        large.vertices[t[2]].z()}) > 0.019;
+                     }),
+      large.triangles.end());
+  EXPECT_TRUE(MakeUsable(large).actions.empty());
+  EXPECT_FALSE(MakeUsable(large).report.problems.empty());
+  EXPECT_EQ(FormatProblems(CheckMesh(RepairMesh(large).mesh)), "");
+}
+
+// What can be used is not touched, whatever is tolerated about it.
+TEST(MeshRepairTest, WhatCanBeUsedStaysAsItIs) {
+  TriMesh crossed = MakeBall();
+  const int first = crossed.num_vertices();
+  for (const Eigen::Vector3d& p : MakeBall().vertices) {
+    crossed.vertices.push_back(p + Eigen::Vector3d(0.01, 0.002, 0.001));
+  }
+  for (const Eigen::Vector3i& t : MakeBall().triangles) {
+    crossed.triangles.push_back(t + Eigen::Vector3i::Constant(first));
+  }
+  const UsableMesh usable = MakeUsable(crossed);
+  EXPECT_EQ(FormatProblems(usable.report), "");
+  EXPECT_TRUE(usable.actions.empty());
+  EXPECT_EQ(usable.mesh.triangles, crossed.triangles);
 }
 
 TEST(MeshRepairTest, HopelessInputComesBack) {

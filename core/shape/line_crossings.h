@@ -1,0 +1,41 @@
+#pragma once
+/** @file
+Where lines parallel to an axis cross a mesh, and so how often its surface winds around each of their
+points: one more at every way in, one less at every way out. A point belongs to the solid where the
+surface winds around it at least once: overlapping parts are one body, and a shell that faces inwards
+makes a cavity. */
+
+#include <vector>
+
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+class LineCrossings {
+ public:
+  /** @pre valid indices, finite vertices. Keeps a pointer to the mesh. */
+  LineCrossings(const TriMesh& mesh, int axis);
+
+  struct Crossing {
+    double at = 0.0;  ///< along the axis [m]
+    int winding = 0;  ///< +1 into the solid, -1 out of it, going up the axis
+  };
+  /** Ordered along the axis. (u, v) are the other two coordinates in cyclic order (axis 2: x, y); lines
+  through an edge or a corner count consistently unless they miss it by less than rounding. */
+  void Find(double u, double v, std::vector<Crossing>& crossings) const;
+
+ private:
+  Eigen::Vector2d Flatten(int vertex) const;
+  bool IsLeftOf(int from, int to, const Eigen::Vector2d& p) const;
+  Eigen::Vector2i FindCell(const Eigen::Vector2d& p) const;
+
+  const TriMesh* mesh_;
+  int axis_;
+  Eigen::Vector2d lower_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d cell_ = Eigen::Vector2d::Ones();
+  int num_cells_ = 1;           // per side
+  std::vector<int> first_;      // of each cell in triangles_, and one past the last
+  std::vector<int> triangles_;  // by cell
+};
+
+}  // namespace graspbench

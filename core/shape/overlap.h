@@ -1,0 +1,25 @@
+#pragma once
+/** @file
+What signed tetrahedra count wrongly: space that a surface winds around twice, where parts of a mesh
+overlap or a sheet folds over, or less than once, in a pocket turned inside out. With w the winding
+number, the integral of (w - [w >= 1]) over all space; subtracted from the tetrahedra's sums it leaves
+those of the solid. */
+
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+/** Integrals over the wrongly counted space, about the first corner R of the mesh's first triangle. */
+struct Overlap {
+  double volume = 0.0;                               ///< [m^3], signed
+  double absolute_volume = 0.0;                      ///< [m^3], where signs do not cancel
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();   ///< of p_RP [m^4]
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< of p_RP p_RP^T [m^5]
+};
+
+/** By 512 x 512 lines along z: exact along each, midpoint rule across, so the error falls with the size
+of the overlap itself; none without overlap. About half a second.
+@pre every edge has as many triangles in either direction. */
+Overlap CalcOverlap(const TriMesh& mesh);
+
+}  // namespace graspbench
