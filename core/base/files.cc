@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -21,18 +22,36 @@ namespace {
 
 constexpr char kPartSuffix[] = ".part";
 
+/** Names those processes whose ids this process can judge: those of this host and its process
+namespace. Another host that shares the disk has the same ids for other processes. */
+const std::string& FindProcessRealm() {
+  static const std::string realm = [] {
+    char host[256] = "";
+    ::gethostname(host, sizeof host - 1);
+    struct stat processes {};
+    ::stat("/proc/self/ns/pid", &processes);
+    return CalcHashHex(host + std::to_string(processes.st_ino)).substr(0, 8);
+  }();
+  return realm;
+}
+
 /** Processes that were killed while they wrote the file left their parts behind. */
 void RemoveLeftParts(const fs::path& path) {
+  const std::string suffix = "-" + FindProcessRealm();
   const std::string prefix = path.filename().string() + kPartSuffix;
   std::error_code status;
   fs::directory_iterator entry(path.has_parent_path() ? path.parent_path() : fs::path("."), status);
   for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
     const std::string name = entry->path().filename().string();
+    if (name.size() <= prefix.size() + suffix.size()) continue;
     if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    if (name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0) continue;
     pid_t writer = 0;
     const char* end = name.data() + name.size();
     const auto [rest, error] = std::from_chars(name.data() + prefix.size(), end, writer);
-    if (error != std::errc() || rest != end || writer <= 0) continue;
+    if (error != std::errc() || rest != name.data() + name.size() - suffix.size() || writer <= 0) {
+      continue;
+    }
     if (::kill(writer, 0) != 0 && errno == ESRCH) ::unlink(entry->path().c_str());
   }
 }
@@ -56,7 +75,8 @@ void WriteContent(const fs::path& path, std::string_view content, bool is_synced
     ::close(file);
     fail("sync");
   }
-  ::close(file);
+  // A disk over the network may say only now that it could not write.
+  if (::close(file) != 0) fail("close");
 }
 
 }  // namespace
@@ -83,6 +103,10 @@ std::string ReadFile(const fs::path& path) {
   }
   if (fs::is_directory(path, status)) {
     throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
+  }
+  if (!fs::is_regular_file(path, status)) {
+    throw Error(ErrorKind::kIo,
+                "\"" + path.string() + "\" is a pipe, a socket or a device; a file was expected");
   }
   std::ifstream in(path, std::ios::binary);
   std::ostringstream content;
@@ -133,7 +157,8 @@ void SyncFileSystem(const fs::path& folder) {
 
 void WriteFileAtomically(const fs::path& path, std::string_view content) {
   RemoveLeftParts(path);
-  const std::string temporary = path.string() + kPartSuffix + std::to_string(::getpid());
+  const std::string temporary =
+      path.string() + kPartSuffix + std::to_string(::getpid()) + "-" + FindProcessRealm();
   const auto fail = [&](const char* what) {
     const std::string reason = std::strerror(errno);
     ::unlink(temporary.c_str());

@@ -16,7 +16,8 @@ std::filesystem::path FindDataRoot();
 $HOME/.cache/graspbench, else the system's temporary folder. */
 std::filesystem::path FindCacheRoot();
 
-/** @throws Error(kNotFound, kIo) naming the file and the system's reason. */
+/** @throws Error(kNotFound, kIo) naming the file and the system's reason; pipes and devices are
+refused, because they may never end. */
 std::string ReadFile(const std::filesystem::path& path);
 
 /** Creates a folder and those above it; one that is there is fine.
@@ -28,7 +29,7 @@ void MakeFolder(const std::filesystem::path& folder);
 void SyncFolder(const std::filesystem::path& folder);
 
 /** Writes beside the target, syncs, renames: the file is the old or the new one, never half.
-Removes what killed processes left beside it.
+Removes what killed processes of this host left beside it.
 @throws Error(kIo) with the system's reason (disk full, read-only, ...). */
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
 

@@ -1,6 +1,8 @@
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,18 +28,48 @@ TEST(Files, AFileWrittenWithoutWaitingIsReplacedWhole) {
 }
 
 TEST(Files, APartOfAKilledProcessIsRemovedAndThatOfALivingOneIsNot) {
+  const std::filesystem::path folder = kTemporary / "parts";
+  std::filesystem::remove_all(folder);
+  MakeFolder(folder);
+  const std::string path = (folder / "results").string();
   const pid_t dead = ::fork();
-  if (dead == 0) ::_exit(0);
-  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
-  const std::string path = (kTemporary / "results").string();
-  const std::string left = path + ".part" + std::to_string(dead);
-  const std::string busy = path + ".part" + std::to_string(::getppid());
+  if (dead == 0) {  // the system kills it in the middle of the file
+    const struct rlimit one_byte = {1, 1};
+    ::setrlimit(RLIMIT_FSIZE, &one_byte);
+    WriteFileAtomically(path, "more than a byte");
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(dead, &status, 0), dead);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  const std::string left = std::filesystem::directory_iterator(folder)->path().string();
+  const std::string id = ".part" + std::to_string(dead);
+  ASSERT_NE(left.find(id), std::string::npos) << left;
+  const std::string realm = left.substr(left.find(id) + id.size());
+
+  const std::string busy = path + ".part" + std::to_string(::getppid()) + realm;
+  const std::string elsewhere = path + id + "-00000000";
   const std::string other = path + ".partial";
-  for (const std::string& file : {left, busy, other}) WriteFile(file, "half");
+  for (const std::string& file : {busy, elsewhere, other}) WriteFile(file, "half");
   WriteFileAtomically(path, "whole");
   EXPECT_FALSE(std::filesystem::exists(left));
   EXPECT_TRUE(std::filesystem::exists(busy));
+  EXPECT_TRUE(std::filesystem::exists(elsewhere));
   EXPECT_TRUE(std::filesystem::exists(other));
+}
+
+TEST(Files, PipesAndDevicesAreRefusedBeforeTheyAreRead) {
+  const std::filesystem::path pipe = kTemporary / "pipe";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::filesystem::path& path : {pipe, std::filesystem::path("/dev/zero")}) {
+    try {
+      ReadFile(path);
+      FAIL() << path;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("a file was expected"), std::string::npos) << e.what();
+    }
+  }
 }
 
 TEST(Files, AMissingFileIsNamed) {
