@@ -57,7 +57,8 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
   const Camera camera = PlaceCamera(snapshots, hand, object);
   for (const SceneSnapshot& snapshot : snapshots) {
     const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
-    pictures.push_back({snapshot.name, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
+    pictures.push_back(
+        {snapshot.moment, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
   }
   return pictures;
 }

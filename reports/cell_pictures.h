@@ -16,7 +16,7 @@ camera does not move; it stands as near as the three scenes allow. */
 namespace graspbench {
 
 struct Picture {
-  std::string name;   ///< of the snapshot: "pregrasp", "closed", "lifted"
+  Moment moment = Moment::kClosed;
   double time = 0.0;  ///< since the start of placing [s]
   std::string webp;
 };

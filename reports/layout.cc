@@ -39,6 +39,26 @@ Html Table::ToHtml() const {
   return MakeScroll(caption_, table);
 }
 
+namespace {
+
+void AddConfigRows(const Json& config, const std::string& prefix, Table& table) {
+  for (const auto& [key, value] : config.items()) {
+    if (value.is_object()) {
+      AddConfigRows(value, prefix + key + ".", table);
+    } else {
+      table.AddRow({Element("code", {}, prefix + key), Element("code", {}, FormatJson(value))});
+    }
+  }
+}
+
+}  // namespace
+
+Html MakeConfigTable(const std::string& caption, const Json& config) {
+  Table table(caption, {{"Key"}, {"Value", Align::kProse}});
+  AddConfigRows(config, "", table);
+  return table.ToHtml();
+}
+
 Html MakeScroll(std::string_view label, const Html& content) {
   // Whoever uses the keyboard must be able to reach what scrolls.
   return Element("div",

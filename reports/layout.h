@@ -7,6 +7,7 @@ everything. */
 #include <string_view>
 #include <vector>
 
+#include "core/base/json.h"
 #include "reports/html.h"
 
 namespace graspbench {
@@ -33,6 +34,9 @@ class Table {
   std::vector<Column> columns_;
   Html rows_;
 };
+
+/** Every value of a configuration under its key, "sim.step_s". */
+Html MakeConfigTable(const std::string& caption, const Json& config);
 
 /** Content that scrolls sideways where the window is narrow, within reach of the keyboard. */
 Html MakeScroll(std::string_view label, const Html& content);

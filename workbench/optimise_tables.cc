@@ -52,17 +52,17 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
                    FormatAngles(hand, grasp, grasp.q_target)});
   };
   std::string text = "\n";
-  add_angles("standard grasp", inputs.grasp);
-  if (config.optimise.step != "2") {
+  add_angles(WordsOf(kStandardGrasp), inputs.grasp);
+  if (StepsOf(config.optimise).learns_pregrasp) {
     text += "step 1   " + step1.verdict + "\n";
     AddDecision("step 1", step1.standard_trials,
                 step1.shots.empty()
                     ? std::vector<LearningTrial>()
                     : step1.shots[static_cast<size_t>(std::max(step1.chosen, 0))].trials,
                 decisions);
-    add_angles("new pre-grasp", result.new_pregrasp);
+    add_angles(WordsOf(kNewPreGrasp), result.new_pregrasp);
   }
-  if (config.optimise.step != "1") {
+  if (StepsOf(config.optimise).searches_target) {
     const SearchResult& search = step2.search;
     text += "step 2   " + step2.verdict + "; fitness " +
             FormatFixed(search.individuals.front().fitness, 3) + " -> " +
@@ -70,7 +70,7 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
             FormatCount(static_cast<int>(search.individuals.size()), "evaluation") +
             "; found number " + std::to_string(step2.found) + "\n";
     AddDecision("step 2", step2.check_before, step2.check_after, decisions);
-    add_angles("new target grasp", result.new_target);
+    add_angles(WordsOf(kNewTarget), result.new_target);
   }
   return text + "\n" + decisions.Format() + "\n" + angles.Format();
 }

@@ -40,7 +40,7 @@ std::vector<int> ListDraws(int first, int count) {
   return draws;
 }
 
-std::vector<LearningTrial> RunOne(const RunLearningTrials& run, const std::string& stage,
+std::vector<LearningTrial> RunOne(const RunLearningTrials& run, LearningStage stage,
                                   const StandardGrasp& grasp, const std::vector<int>& draws,
                                   bool keep_postures = false) {
   LearningRequest request;
@@ -109,12 +109,12 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
                              const OptimiseConfig& config, const RunLearningTrials& run) {
   PreGraspStep step;
   const std::vector<int> draws = ListDraws(0, config.check_trials);
-  step.standard_trials = RunOne(run, "standard", start, draws, true);
+  step.standard_trials = RunOne(run, LearningStage::kStandard, start, draws, true);
   const int enough = CountSuccesses(step.standard_trials);
   StandardGrasp grasp = start;
   LearningTrial lesson = step.standard_trials.front();
   std::vector<Eigen::VectorXd> expected;
-  for (const char* name : {"one-shot", "two-shot"}) {
+  for (const LearningStage stage : {LearningStage::kOneShot, LearningStage::kTwoShot}) {
     if (lesson.closings.empty()) break;  // the simulation gave up
     const std::vector<Eigen::VectorXd> seen =
         CalcDeviations(hand, grasp, lesson.closings, lesson.touch_postures);
@@ -125,13 +125,13 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
       PreGraspShot shot;
       shot.learned = LearnPreGrasp(hand, object, grasp, expected, choice.width);
       if (!shot.learned.is_new) continue;
-      shot.name = std::string(name) + ", " + choice.name;
+      shot.name = std::string(NameOf(stage)) + ", " + choice.name;
       shot.was_pushed_away = IsOutOfReach(lesson.outcome);
       shot.grasp = grasp;
       shot.grasp.q_pre = shot.learned.q_pre;
       shot.grasp = RoundAngles(hand, shot.grasp, made_from);
       if (IsTried(step.shots, shot.grasp)) continue;
-      shot.trials = RunOne(run, name, shot.grasp, draws, true);
+      shot.trials = RunOne(run, stage, shot.grasp, draws, true);
       step.shots.push_back(shot);
     }
     if (step.shots.size() == first) break;
@@ -174,7 +174,7 @@ SearchSpace MakeSpace(const Hand& hand, const StandardGrasp& start,
 }
 
 LearningRequest MakeRequest(const Hand& hand, const StandardGrasp& start, const TargetStep& step,
-                            const std::string& stage, const Individual& individual,
+                            LearningStage stage, const Individual& individual,
                             const std::vector<int>& draws) {
   LearningRequest request;
   request.stage = stage;
@@ -205,7 +205,7 @@ std::vector<Individual> FindCandidates(const SearchResult& search) {
 /** Tries the individuals and sorts them: those that succeed most often first, among equals those of
 higher fitness. */
 std::vector<Finalist> RankByTrials(const Hand& hand, const StandardGrasp& start,
-                                   const TargetStep& step, const std::string& stage,
+                                   const TargetStep& step, LearningStage stage,
                                    const std::vector<Individual>& individuals,
                                    const std::vector<int>& draws, const RunLearningTrials& run) {
   std::vector<LearningRequest> requests;
@@ -229,13 +229,13 @@ std::vector<Finalist> RankByTrials(const Hand& hand, const StandardGrasp& start,
 void ChooseFinalist(const Hand& hand, const StandardGrasp& start, const OptimiseConfig& config,
                     const RunLearningTrials& run, TargetStep& step) {
   const std::vector<Finalist> screened =
-      RankByTrials(hand, start, step, "screening", FindCandidates(step.search),
+      RankByTrials(hand, start, step, LearningStage::kScreening, FindCandidates(step.search),
                    ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
   std::vector<Individual> chosen;
   for (size_t i = 0; i < std::min<size_t>(screened.size(), kNumFinalists); ++i) {
     chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
   }
-  step.finalists = RankByTrials(hand, start, step, "finalist", chosen,
+  step.finalists = RankByTrials(hand, start, step, LearningStage::kFinalist, chosen,
                                 ListDraws(kFirstFinalDraw, kFinalShare * config.check_trials), run);
   if (!step.finalists.empty()) step.found = step.finalists.front().number;
 }
@@ -263,16 +263,16 @@ double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
   return trials.empty() ? kUnset : sum / static_cast<double>(trials.size());
 }
 
+const OptimiseStepRow& StepsOf(const OptimiseConfig& config) {
+  return RowFromName(kOptimiseSteps, config.step, "step");
+}
+
 int CountLearningTrials(const OptimiseConfig& config) {
-  const int step1 = config.step == "2" ? 0
-                                       : (1 + 2 * static_cast<int>(std::size(kWidthChoices))) *
-                                             config.check_trials;
-  const int step2 = config.step == "1"
-                        ? 0
-                        : config.evaluations * config.fitness_trials +
-                              kNumCandidates * kScreeningTrials +
-                              (kNumFinalists * kFinalShare + 2) * config.check_trials;
-  return step1 + step2;
+  const OptimiseStepRow& steps = StepsOf(config);
+  const int step1 = (1 + 2 * static_cast<int>(std::size(kWidthChoices))) * config.check_trials;
+  const int step2 = config.evaluations * config.fitness_trials + kNumCandidates * kScreeningTrials +
+                    (kNumFinalists * kFinalShare + 2) * config.check_trials;
+  return (steps.learns_pregrasp ? step1 : 0) + (steps.searches_target ? step2 : 0);
 }
 
 StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
@@ -296,7 +296,7 @@ TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const Stand
   const auto evaluate = [&](const std::vector<Individual>& generation) {
     std::vector<LearningRequest> requests;
     for (const Individual& individual : generation) {
-      requests.push_back(MakeRequest(hand, start, step, "search", individual, draws));
+      requests.push_back(MakeRequest(hand, start, step, LearningStage::kSearch, individual, draws));
     }
     std::vector<double> fitness;
     for (const std::vector<LearningTrial>& trials : run(requests)) {
@@ -315,21 +315,21 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
                              const StandardGrasp& standard, const OptimiseConfig& config,
                              const RunLearningTrials& run) {
   OptimisedGrasp result;
-  result.new_pregrasp = MakeObjectGrasp(hand, object, standard, "new-pregrasp");
-  if (config.step != "2") {
+  result.new_pregrasp = MakeObjectGrasp(hand, object, standard, NameOf(kNewPreGrasp));
+  if (StepsOf(config).learns_pregrasp) {
     PreGraspStep& step = result.pregrasp_step;
     step = LearnInTwoShots(hand, object, result.new_pregrasp, standard.id, config, run);
     if (step.chosen >= 0) result.new_pregrasp = step.shots[static_cast<size_t>(step.chosen)].grasp;
   }
   result.new_target = result.new_pregrasp;
-  result.new_target.id = "new-target";
-  if (config.step == "1") return result;
+  result.new_target.id = NameOf(kNewTarget);
+  if (!StepsOf(config).searches_target) return result;
 
   TargetStep& step = result.target_step;
   const StandardGrasp start = result.new_target;
   step = SearchTarget(hand, object, start, config, run);
   const std::vector<int> draws = ListDraws(kFirstTargetCheck, config.check_trials);
-  step.check_before = RunOne(run, "check before", start, draws);
+  step.check_before = RunOne(run, LearningStage::kCheckBefore, start, draws);
   ChooseFinalist(hand, start, config, run, step);
   if (step.found == 0) {
     step.verdict = "start kept: the search tried nothing else";
@@ -338,7 +338,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
   const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
   const StandardGrasp found =
       RoundAngles(hand, MakeGrasp(hand, start, step.joints, best.genome), standard.id);
-  step.check_after = RunOne(run, "check after", found, draws);
+  step.check_after = RunOne(run, LearningStage::kCheckAfter, found, draws);
   if (CountSuccesses(step.check_after) < CountSuccesses(step.check_before)) {
     step.verdict = "start kept: the new target succeeded less often";
   } else if (!(CalcMeanSigma(step.check_after) > CalcMeanSigma(step.check_before))) {

@@ -30,6 +30,7 @@ kept, and the verdict says why. The check's draws come from streams that no benc
 
 #include "core/grasp/standard_grasp.h"
 #include "core/optimise/learning_trial.h"
+#include "core/optimise/optimise_steps.h"
 #include "core/optimise/pregrasp_learning.h"
 #include "core/optimise/search.h"
 #include "core/shape/grasp_object.h"
@@ -37,7 +38,7 @@ kept, and the verdict says why. The check's draws come from streams that no benc
 namespace graspbench {
 
 struct OptimiseConfig {
-  std::string step = "both";  ///< "1", "2" or "both"
+  std::string step = "both";  ///< of kOptimiseSteps
   std::string method = "es";  ///< of step 2, see search.h
   int evaluations = 1000;     ///< of step 2
   /** Per evaluation; 1: without variation, more: so many drawn ones. At the same number of trials
@@ -57,16 +58,17 @@ struct OptimiseConfig {
   }
 };
 
+/** @throws Error(kFormat) for a step that is not in the table. */
+const OptimiseStepRow& StepsOf(const OptimiseConfig& config);
+
 /** What the simulation is asked: one grasp on some learning draws. */
 struct LearningRequest {
-  /** "standard", "one-shot", "two-shot"; "search", "screening", "finalist",
-  "check before", "check after". */
-  std::string stage;
+  LearningStage stage = LearningStage::kStandard;
   StandardGrasp grasp;
   std::vector<int> draws;      ///< 0: without variation
   bool full_hold = true;       ///< else a hold of 0.5 s: enough to take the fitness from
   bool keep_postures = false;  ///< of the digits' first touches: the lesson of step 1
-  Individual individual;       ///< of "search", "screening" and "finalist"
+  Individual individual;       ///< of the stages that have one
 };
 /** The trials of each request, in the order of the requests. */
 using RunLearningTrials =
@@ -104,8 +106,9 @@ struct TargetStep {
 };
 
 struct OptimisedGrasp {
-  StandardGrasp new_pregrasp;  ///< id "new-pregrasp"; the standard postures when step 1 kept them
-  StandardGrasp new_target;    ///< id "new-target"; those of new_pregrasp when step 2 kept them
+  StandardGrasp
+      new_pregrasp;  ///< its id is its variant's; the standard postures when step 1 kept them
+  StandardGrasp new_target;    ///< the same; those of new_pregrasp when step 2 kept them
   PreGraspStep pregrasp_step;  ///< empty when it was not asked for
   TargetStep target_step;      ///< the same
 };

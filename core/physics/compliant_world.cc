@@ -1,16 +1,11 @@
 #include "core/physics/compliant_world.h"
 
-#ifdef NDEBUG
-#error "Debian's Simbody is built without NDEBUG; with it every program that uses it crashes."
-#endif
-
-#include <Simbody.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/physics/simtk_conversions.h"
 
 namespace graspbench {
 namespace {
@@ -27,32 +22,6 @@ constexpr double kRoundness = 0.06;
 // Springs of stops, ties and locks [N m/rad], [N m s/rad].
 constexpr double kStopStiffness = 50.0;
 constexpr double kStopDamping = 0.02;
-
-SimTK::Vec3 ToSimTK(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-SimTK::Transform ToSimTK(const Pose& X) {
-  const Eigen::Matrix3d R = X.linear();
-  const SimTK::Mat33 matrix(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
-                            R(2, 2));
-  return {SimTK::Rotation(matrix, true), ToSimTK(Vector3d(X.translation()))};
-}
-
-Vector3d FromSimTK(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
-
-Eigen::Matrix3d FromSimTK(const SimTK::Rotation& R) {
-  Eigen::Matrix3d result;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) result(i, j) = R.asMat33()(i, j);
-  }
-  return result;
-}
-
-SimTK::MassProperties MakeMassProperties(double mass, const Vector3d& p_com,
-                                         const Eigen::Matrix3d& I_com) {
-  const SimTK::Inertia central(I_com(0, 0), I_com(1, 1), I_com(2, 2), I_com(0, 1), I_com(0, 2),
-                               I_com(1, 2));
-  return {mass, ToSimTK(p_com), central.shiftFromMassCenter(ToSimTK(p_com), mass)};
-}
 
 /** Outer radius of the ball that the object is, seams and dimples left aside; empty for other
 shapes. */

@@ -1,38 +1,9 @@
 #include "core/physics/simbody_model.h"
 
-#ifdef NDEBUG
-#error "Debian's Simbody is built without NDEBUG; with it every program that uses it crashes."
-#endif
-
-#include <Simbody.h>
+#include "core/physics/simtk_conversions.h"
 
 namespace graspbench {
 namespace {
-
-SimTK::Vec3 ToSimTK(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-SimTK::Transform ToSimTK(const Pose& X) {
-  const Eigen::Matrix3d R = X.linear();
-  const SimTK::Mat33 matrix(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
-                            R(2, 2));
-  // `true`: the matrix is a rotation already, take it as it is.
-  return {SimTK::Rotation(matrix, true), ToSimTK(Eigen::Vector3d(X.translation()))};
-}
-
-Pose FromSimTK(const SimTK::Transform& X) {
-  Eigen::Matrix3d R;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) R(i, j) = X.R().asMat33()(i, j);
-  }
-  return MakePose(R, Eigen::Vector3d(X.p()[0], X.p()[1], X.p()[2]));
-}
-
-SimTK::MassProperties MakeMassProperties(double mass, const Eigen::Vector3d& p_com,
-                                         const Eigen::Matrix3d& I_com) {
-  const SimTK::Inertia central(I_com(0, 0), I_com(1, 1), I_com(2, 2), I_com(0, 1), I_com(0, 2),
-                               I_com(1, 2));
-  return {mass, ToSimTK(p_com), central.shiftFromMassCenter(ToSimTK(p_com), mass)};
-}
 
 /** A rotation that takes z (Simbody's pin axis) to `axis`. */
 SimTK::Rotation MakeAxisFrame(const Eigen::Vector3d& axis) {

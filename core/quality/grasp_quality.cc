@@ -1,17 +1,14 @@
 #include "core/quality/grasp_quality.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/quality/force_closure.h"
 #include "core/quality/wrench_hull.h"
 
 namespace graspbench {
 namespace {
-
-std::string FormatNumber(double value) { return fmt::format("{:.6g}", value); }
 
 WrenchSpace MakeWrenchSpace(const QualityRequest& request) {
   const QualityConvention& convention = request.convention;
@@ -64,16 +61,16 @@ std::string Describe(const QualityConvention& convention, const WrenchSpace& spa
       break;
   }
   if (convention.without_closure) {
-    text += ", " + FormatNumber(*convention.without_closure) + " without force closure";
+    text += ", " + FormatSignificant(*convention.without_closure, 6) + " without force closure";
   }
   text += "; hull of the union of all cone edges (L1)";
   text += convention.includes_origin ? " and the origin, " : ", ";
   text += space.unit_force == UnitForce::kNormal ? "unit normal force" : "unit total force";
   text += "; " + std::to_string(space.num_edges) + " edges; friction and torsion x " +
-          FormatNumber(convention.friction_factor) + "; moments about (" +
-          FormatNumber(space.p_OR.x()) + ", " + FormatNumber(space.p_OR.y()) + ", " +
-          FormatNumber(space.p_OR.z()) + ") m, divided by " + FormatNumber(space.torque_scale) +
-          " m (" + convention.torque_scale_meaning + ")";
+          FormatSignificant(convention.friction_factor, 6) + "; moments about (" +
+          FormatSignificant(space.p_OR.x(), 6) + ", " + FormatSignificant(space.p_OR.y(), 6) +
+          ", " + FormatSignificant(space.p_OR.z(), 6) + ") m, divided by " +
+          FormatSignificant(space.torque_scale, 6) + " m (" + convention.torque_scale_meaning + ")";
   return text;
 }
 
@@ -132,7 +129,7 @@ std::vector<std::string> ListProblems(const QualityRequest& request) {
   expect(IsPosition(request.p_OR), "reference_m: expected three numbers within 100 m");
   if (request.torque_scale) {
     expect(*request.torque_scale >= 1e-6 && *request.torque_scale <= 1e6,
-           "torque_scale_m: found " + FormatNumber(*request.torque_scale) +
+           "torque_scale_m: found " + FormatSignificant(*request.torque_scale, 6) +
                ", expected a length from 1e-6 to 1e6 m");
   } else {
     expect(request.convention.torque_scale != TorqueScaleRule::kGiven,

@@ -37,8 +37,6 @@ Eigen::Vector3d CalcFirstTangent(const GraspContact& contact) {
   return (direction - direction.dot(contact.nhat_O) * contact.nhat_O).normalized();
 }
 
-std::string FormatNumber(double value) { return fmt::format("{:.9g}", value); }
-
 }  // namespace
 
 GraspContact MakePadContact(const Eigen::Vector3d& p_OC, const Eigen::Vector3d& nhat_O,
@@ -50,7 +48,7 @@ GraspContact MakePadContact(const Eigen::Vector3d& p_OC, const Eigen::Vector3d& 
 
 ConeWrenches CalcConeWrenches(const std::vector<GraspContact>& contacts, const WrenchSpace& space) {
   GRASPBENCH_DEMAND(space.num_edges >= 3, "edges: " + std::to_string(space.num_edges));
-  GRASPBENCH_DEMAND(space.torque_scale > 0.0, "scale: " + FormatNumber(space.torque_scale));
+  GRASPBENCH_DEMAND(space.torque_scale > 0.0, fmt::format("scale: {:.9g}", space.torque_scale));
   ConeWrenches cones;
   cones.wrenches.resize(6, contacts.size() * (space.num_edges + 2));
   const auto add = [&](int contact_index, const Wrench& wrench) {
@@ -104,21 +102,22 @@ bool IsPosition(const Eigen::Vector3d& p) {
 
 std::string FindProblem(const GraspContact& contact) {
   if (!IsPosition(contact.p_OC)) {
-    return "the position is (" + FormatNumber(contact.p_OC.x()) + ", " +
-           FormatNumber(contact.p_OC.y()) + ", " + FormatNumber(contact.p_OC.z()) +
-           "); expected three numbers within 100 m";
+    return fmt::format(
+        "the position is ({:.9g}, {:.9g}, {:.9g}); expected three numbers within 100 m",
+        contact.p_OC.x(), contact.p_OC.y(), contact.p_OC.z());
   }
   const double length = contact.nhat_O.norm();
   // This and the following are written so that NaN fails them.
   if (!(std::abs(length - 1.0) <= kUnitTolerance)) {
-    return "the normal's length is " + FormatNumber(length) +
-           "; expected 1 within 1e-6 (a unit vector into the object)";
+    return fmt::format(
+        "the normal's length is {:.9g}; expected 1 within 1e-6 (a unit vector into the object)",
+        length);
   }
   if (!(contact.mu >= 0.0 && contact.mu <= 100.0)) {
-    return "the friction coefficient is " + FormatNumber(contact.mu) + "; expected 0 to 100";
+    return fmt::format("the friction coefficient is {:.9g}; expected 0 to 100", contact.mu);
   }
   if (!(contact.torsion >= 0.0 && contact.torsion <= 100.0)) {
-    return "the torsion is " + FormatNumber(contact.torsion) + " m; expected 0 to 100 m";
+    return fmt::format("the torsion is {:.9g} m; expected 0 to 100 m", contact.torsion);
   }
   if (contact.first_edge_O &&
       !(contact.first_edge_O->normalized().cross(contact.nhat_O).norm() > kUnitTolerance)) {

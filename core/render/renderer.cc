@@ -184,9 +184,9 @@ Light MakeLight(const Vector3d& to_light, const std::vector<Vector3d>& corners) 
   R_LS.row(1) = R_LS.row(2).cross(R_LS.row(0));
   Box box;
   for (const Vector3d& p_S : corners) box.Add(R_LS * p_S);
-  constexpr double kMargin = 0.004;  // no caster touches the map's border [m]
-  box.lower.array() -= kMargin;
-  box.upper.array() += kMargin;
+  constexpr double kMapMargin = 0.004;  // no caster touches the map's border [m]
+  box.lower.array() -= kMapMargin;
+  box.upper.array() += kMapMargin;
 
   Light light;
   light.extent = box.upper - box.lower;

@@ -19,7 +19,6 @@ namespace {
 
 constexpr int kMaxListed = 4;          // places told per problem
 constexpr int kMaxCrossings = 1000;    // then counting stops
-constexpr int kMaxShells = 64;         // more that cross is a soup of triangles, not parts
 constexpr double kMinFlatness = 1e-9;  // volume against the cube of the extent: flat below
 
 std::string FormatPoint(const Eigen::Vector3d& p) {

@@ -17,8 +17,7 @@ namespace graspbench {
 namespace {
 
 constexpr double kRelativeWeldTolerance = 1e-6;
-constexpr int kMaxShells = 64;  // more is a soup of triangles, not solids and cavities
-constexpr int kMaxFins = 256;   // looked for one by one
+constexpr int kMaxFins = 256;  // looked for one by one
 
 double CalcExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;

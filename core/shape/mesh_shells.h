@@ -15,6 +15,9 @@ struct Shells {
 };
 Shells FindShells(const TriMesh& mesh);
 
+/** More shells are a soup of triangles, not parts, solids and cavities. */
+constexpr int kMaxShells = 64;
+
 /** The triangles of each shell, with all vertices. */
 std::vector<TriMesh> SplitShells(const TriMesh& mesh, const Shells& shells);
 

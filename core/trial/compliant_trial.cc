@@ -5,8 +5,6 @@
 
 namespace graspbench {
 
-bool CanRunCompliant(const GraspObject& object) { return CanMoveCompliantly(object); }
-
 TrialResult RunCompliantTrial(const TrialSetup& setup) {
   try {
     return TrialCourse(MakeCompliantWorld(*setup.hand, *setup.object, setup.sim), setup).Run();

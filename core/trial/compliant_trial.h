@@ -7,11 +7,8 @@ A trial in the second world (core/physics/compliant_world.h): there to be compar
 
 namespace graspbench {
 
-/** Whether the object is a ball; seams and dimples do not count. */
-bool CanRunCompliant(const GraspObject& object);
-
 /** The whole course of a trial, judged by the same rules. Never throws for what happens inside a
-trial. @pre CanRunCompliant. */
+trial. @pre CanMoveCompliantly(*setup.object). */
 TrialResult RunCompliantTrial(const TrialSetup& setup);
 
 }  // namespace graspbench

@@ -173,11 +173,11 @@ void TrialCourse::EnterPhase(Phase phase) {
   switch (phase) {
     case Phase::kClosure:
       notes_.closure_start = notes_.time;
-      notes_.result.snapshots.push_back(TakeSnapshot("pregrasp"));
+      notes_.result.snapshots.push_back(TakeSnapshot(Moment::kPreGrasp));
       break;
     case Phase::kLiftOff:
       notes_.result.grip_force = notes_.report.grip_force;
-      notes_.result.snapshots.push_back(TakeSnapshot("closed"));
+      notes_.result.snapshots.push_back(TakeSnapshot(Moment::kClosed));
       break;
     case Phase::kHold:
       notes_.held_at = world_->state().X_WH.inverse() * world_->state().p_WOcm;
@@ -190,9 +190,9 @@ void TrialCourse::EnterPhase(Phase phase) {
   }
 }
 
-SceneSnapshot TrialCourse::TakeSnapshot(const char* name) const {
+SceneSnapshot TrialCourse::TakeSnapshot(Moment moment) const {
   SceneSnapshot snapshot;
-  snapshot.name = name;
+  snapshot.moment = moment;
   snapshot.time = notes_.time;
   snapshot.X_WH = world_->state().X_WH;
   snapshot.X_WO = world_->CalcObjectPose();
@@ -243,7 +243,7 @@ TrialResult TrialCourse::End() {
   const OutcomeReason outcome = FindOutcome(facts);
   result.outcome = outcome.outcome;
   result.reason = outcome.reason;
-  result.snapshots.push_back(TakeSnapshot("lifted"));
+  result.snapshots.push_back(TakeSnapshot(Moment::kLifted));
   result.lift_height = facts.rise;
   result.end_speed = facts.relative_speed;
   if (notes_.held_at) {

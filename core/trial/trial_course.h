@@ -91,7 +91,7 @@ class TrialCourse {
   void Observe(const StepReport& report, double closing);
   void ObserveTouches(double closing);
   void EnterPhase(Phase phase);
-  SceneSnapshot TakeSnapshot(const char* name) const;
+  SceneSnapshot TakeSnapshot(Moment moment) const;
   TrialFacts MakeFacts() const;
   double CalcExtent() const;
   double CalcRise() const {

@@ -12,6 +12,7 @@ What is known of a trial after it was carried out. */
 #include "core/base/units.h"
 #include "core/grasp/contact_order.h"
 #include "core/trial/contact_events.h"
+#include "core/trial/moment.h"
 #include "core/trial/outcome.h"
 #include "core/trial/stability.h"
 
@@ -19,7 +20,7 @@ namespace graspbench {
 
 /** A posture of the whole scene, for pictures. */
 struct SceneSnapshot {
-  std::string name;   ///< "pregrasp", "closed", "lifted"
+  Moment moment = Moment::kClosed;
   double time = 0.0;  ///< since the start of placing [s]
   Pose X_WH = Pose::Identity();
   Pose X_WO = Pose::Identity();
@@ -27,7 +28,7 @@ struct SceneSnapshot {
 
   template <class V>
   static void ListFields(V&& field) {
-    field("name", &SceneSnapshot::name);
+    field("name", &SceneSnapshot::moment);
     field("time_s", &SceneSnapshot::time);
     field("X_WH", &SceneSnapshot::X_WH);
     field("X_WO", &SceneSnapshot::X_WO);

@@ -25,11 +25,6 @@ const TrialRecord* FindTrial(const CellSummary& cell, int trial) {
 
 }  // namespace
 
-const char* NameOf(Variant variant) {
-  static constexpr const char* kNames[] = {"standard grasp", "new pre-grasp", "new target grasp"};
-  return kNames[variant];
-}
-
 const std::vector<VariantMeasure>& ListVariantMeasures() {
   static const std::vector<VariantMeasure> measures = {
       {"success [%]", "share of successful trials", 100.0, 0, true, true,
@@ -102,7 +97,7 @@ Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
     return sum / static_cast<double>(members.size());
   };
   constexpr int kResamples = 1999;
-  return CalcBootstrap(differences.size(), mean, scene.key + " " + measure.name + " " + NameOf(b),
+  return CalcBootstrap(differences.size(), mean, scene.key + " " + measure.name + " " + WordsOf(b),
                        kResamples);
 }
 
@@ -133,7 +128,7 @@ StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<Scene
     const double median = CalcMedian(drawn_before);
     return median > 0.0 ? CalcMedian(drawn_after) / median : kMissing;
   };
-  effect.ratio = CalcBootstrap(before.size(), ratio, std::string(measure.name) + hand + NameOf(b));
+  effect.ratio = CalcBootstrap(before.size(), ratio, std::string(measure.name) + hand + WordsOf(b));
   return effect;
 }
 
@@ -151,6 +146,53 @@ std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<Scene
     if (is_lower && p < kSignificance) lower.push_back(&scene);
   }
   return lower;
+}
+
+std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign) {
+  const std::vector<VariantSummary> summaries = SummariseVariants(campaign.benchmark);
+  std::vector<VariantTotal> totals;
+  for (const VariantRow& row : kVariants) {
+    VariantTotal total;
+    total.variant = row.value;
+    std::vector<double> sigma, gft, got, gct;
+    for (const VariantSummary& summary : summaries) {
+      if (summary.variant != row.value) continue;
+      ++total.num_scenes;
+      total.trials += summary.trials;
+      total.successes += summary.successes;
+      sigma.push_back(summary.mean_sigma);
+      gft.push_back(summary.median_gft_ratio);
+      got.push_back(summary.median_got_ratio);
+      gct.push_back(summary.median_gct);
+    }
+    total.median_sigma = CalcMedianOfFinite(sigma);
+    total.median_gft_ratio = CalcMedianOfFinite(gft);
+    total.median_got_ratio = CalcMedianOfFinite(got);
+    total.median_gct = CalcMedianOfFinite(gct);
+    totals.push_back(total);
+  }
+  return totals;
+}
+
+std::vector<MethodTotal> ListMethodTotals(const Campaign& campaign) {
+  std::vector<MethodTotal> totals;
+  if (campaign.comparison.empty()) return totals;
+  for (const std::string& method : campaign.config.comparison.methods) {
+    MethodTotal total;
+    total.method = method;
+    std::vector<double> best, evaluations;
+    for (const ComparisonRun& run : campaign.comparison) {
+      if (run.method != method) continue;
+      best.push_back(*std::max_element(run.fitness.begin(), run.fitness.end()));
+      if (run.evaluations_to_90 > 0) evaluations.push_back(run.evaluations_to_90);
+    }
+    total.num_searches = static_cast<int>(best.size());
+    total.median_best_fitness = CalcMedianOfFinite(best);
+    total.num_reached_90 = static_cast<int>(evaluations.size());
+    total.median_evaluations_to_90 = CalcMedianOfFinite(evaluations);
+    totals.push_back(total);
+  }
+  return totals;
 }
 
 GftWithoutVariation CalcGftWithoutVariation(const std::vector<SceneVariants>& scenes) {
@@ -213,10 +255,9 @@ std::vector<SceneVariants> ListScenes(const Campaign& campaign, const SessionSum
     scene.object = record.config.object;
     scene.grasp = record.config.grasp;
     scene.key = MakePlainKey({scene.hand, scene.object});
-    const std::array<std::string, kNumVariants> grasps = {scene.grasp, "new-pregrasp",
-                                                          "new-target"};
-    for (int variant = 0; variant < kNumVariants; ++variant) {
-      scene.cells[variant] = benchmark.FindCell(scene.hand, scene.object, grasps[variant]);
+    for (const VariantRow& variant : kVariants) {
+      const std::string grasp = variant.value == kStandardGrasp ? scene.grasp : variant.name;
+      scene.cells[variant.value] = benchmark.FindCell(scene.hand, scene.object, grasp);
     }
     scenes.push_back(scene);
   }

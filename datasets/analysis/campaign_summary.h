@@ -18,10 +18,6 @@ breaking force) and the median over the trials that have it for the others. */
 
 namespace graspbench {
 
-enum Variant { kStandardGrasp, kNewPreGrasp, kNewTarget, kNumVariants };
-/** "standard grasp", "new pre-grasp", "new target grasp": the names of the thesis. */
-const char* NameOf(Variant variant);
-
 /** A number of each trial by which variants are compared. One line in ListVariantMeasures. */
 struct VariantMeasure {
   const char* name;     ///< with unit: "GFT% [%]"
@@ -69,6 +65,28 @@ StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<Scene
 /** Scenes in which `b` succeeds less often than `a` with p < 0.05 (Fisher's exact test). */
 std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
                                                          Variant a, Variant b);
+
+/** A variant over all scenes: counts of trials, medians over the scenes' values. */
+struct VariantTotal {
+  Variant variant = kStandardGrasp;
+  int num_scenes = 0;
+  int trials = 0, successes = 0;
+  double median_sigma = kUnset;
+  double median_gft_ratio = kUnset, median_got_ratio = kUnset;
+  double median_gct = kUnset;  ///< [s]
+};
+std::vector<VariantTotal> ListVariantTotals(const Campaign& campaign);
+
+/** A search method over all scenes and seeds of the comparison. */
+struct MethodTotal {
+  std::string method;
+  int num_searches = 0;
+  double median_best_fitness = kUnset;
+  int num_reached_90 = 0;
+  double median_evaluations_to_90 = kUnset;  ///< of the searches that got there
+};
+/** Empty when none were compared. */
+std::vector<MethodTotal> ListMethodTotals(const Campaign& campaign);
 
 /** GFT% of the pre-grasp before and after step 1 where neither the object's place nor the hand
 varies, over the scenes in which all digits touch both times. */

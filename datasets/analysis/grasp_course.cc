@@ -60,7 +60,7 @@ ThumbPlace CalcThumbPlace(const CellSummary& cell, const Hand& hand, const Grasp
                                   [](const Digit& digit) { return digit.is_thumb; });
   for (const TrialRecord* record : cell.records) {
     for (const SceneSnapshot& snapshot : record->result.snapshots) {
-      if (snapshot.name != "closed" || thumb == hand.digits.end()) continue;
+      if (snapshot.moment != Moment::kClosed || thumb == hand.digits.end()) continue;
       if (snapshot.q.size() != hand.num_joints()) continue;
       const Pose X_HL = CalcLinkPoses(hand, snapshot.q)[static_cast<size_t>(thumb->distal_link)];
       const Eigen::Vector3d p_OPad = snapshot.X_WO.inverse() * snapshot.X_WH * X_HL * thumb->p_LPad;

@@ -14,9 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kPreGraspVariant[] = "new-pregrasp";
-constexpr char kTargetVariant[] = "new-target";
-
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
   return folder / "comparison" / (hand + "-" + object);
@@ -28,8 +25,7 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
   summary.hand = plan.hand;
   summary.object = plan.object;
   summary.grasp = plan.grasp;
-  const bool is_new = plan.grasp == kPreGraspVariant || plan.grasp == kTargetVariant;
-  summary.variant = is_new ? plan.grasp : "standard";
+  summary.variant = VariantOfGrasp(plan.grasp);
   double sum = 0.0;
   std::vector<double> gft, got, gct;
   for (const TrialRecord* record : records) {
@@ -95,7 +91,7 @@ std::string FormatSummary(const std::vector<VariantSummary>& summaries) {
       "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,median_got_ratio,"
       "median_gct_s\n";
   for (const VariantSummary& s : summaries) {
-    csv += s.hand + "," + s.object + "," + s.grasp + "," + s.variant + "," +
+    csv += s.hand + "," + s.object + "," + s.grasp + "," + NameOf(s.variant) + "," +
            std::to_string(s.trials) + "," + std::to_string(s.successes);
     for (const double value :
          {s.mean_sigma, s.median_gft_ratio, s.median_got_ratio, s.median_gct}) {
@@ -229,7 +225,7 @@ SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignSce
   for (const CampaignScene& scene : scenes) {
     for (SessionHand& hand : inputs.hands) {
       if (hand.hand != scene.inputs.hand) continue;
-      for (const char* variant : {kPreGraspVariant, kTargetVariant}) {
+      for (const Variant variant : kNewVariants) {
         hand.grasps.push_back(LoadSceneGrasp(scene.folder, variant, *hand.hand));
       }
     }
@@ -239,7 +235,8 @@ SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignSce
 
 SessionConfig MakeBenchmarkConfig(const CampaignConfig& config) {
   SessionConfig benchmark = config.session;
-  benchmark.grasps = {"best", kPreGraspVariant, kTargetVariant};
+  benchmark.grasps = {"best"};
+  for (const Variant variant : kNewVariants) benchmark.grasps.push_back(NameOf(variant));
   return benchmark;
 }
 

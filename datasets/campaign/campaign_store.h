@@ -46,6 +46,9 @@ struct ComparisonConfig {
 };
 
 struct CampaignConfig {
+  /** A fifth of the evaluations of one scene alone: 42 scenes take 42 times as long. */
+  CampaignConfig() { optimise.evaluations = 200; }
+
   SessionConfig session;  ///< hands, objects, and the benchmark's trials; grasps is "best"
   OptimiseConfig optimise;
   ComparisonConfig comparison;
@@ -96,7 +99,7 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
 /** What the benchmark's trials of one scene and variant say. */
 struct VariantSummary {
   std::string hand, object, grasp;
-  std::string variant;  ///< "standard", "new-pregrasp", "new-target"
+  Variant variant = kStandardGrasp;
   int trials = 0;
   int successes = 0;
   double mean_sigma = kUnset;        ///< a trial without sigma counts 0

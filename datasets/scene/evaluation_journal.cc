@@ -8,10 +8,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool HasIndividual(const std::string& stage) {
-  return stage == "search" || stage == "screening" || stage == "finalist";
-}
-
 Json JsonPoint(const Eigen::VectorXd& point) {
   return Json(std::vector<double>(point.data(), point.data() + point.size()));
 }
@@ -24,8 +20,8 @@ Eigen::VectorXd PointFrom(const Json& json) {
 }  // namespace
 
 std::string FormatEvaluationLine(const EvaluationRecord& record) {
-  Json json = {{"stage", record.stage}};
-  if (HasIndividual(record.stage)) {
+  Json json = {{"stage", NameOf(record.stage)}};
+  if (RowOf(kLearningStages, record.stage).has_individual) {
     json["number"] = record.individual.number;
     json["generation"] = record.individual.generation;
     json["parents"] = record.individual.parents;
@@ -47,13 +43,15 @@ EvaluationRecord ParseEvaluationLine(std::string_view line) {
   const Json json = ParseCheckedLine(line);
   try {
     EvaluationRecord record;
-    record.stage = json.at("stage").get<std::string>();
+    const LearningStageRow& stage =
+        RowFromName(kLearningStages, json.at("stage").get<std::string>(), "stage");
+    record.stage = stage.value;
     for (const Json& trial : json.at("trials")) {
       record.trial_ids.push_back(trial.at("trial_id").get<std::string>());
       record.trials.push_back(LearningTrialFromJson(trial));
     }
     if (record.trials.empty()) throw Error(ErrorKind::kFormat, "no trials");
-    if (!HasIndividual(record.stage)) return record;
+    if (!stage.has_individual) return record;
     record.individual.number = IntFrom(json.at("number"));
     record.individual.generation = IntFrom(json.at("generation"));
     record.individual.parents = json.at("parents").get<std::vector<int>>();

@@ -23,8 +23,8 @@ is opened for writing. */
 namespace graspbench {
 
 struct EvaluationRecord {
-  std::string stage;
-  Individual individual;  ///< of "search", "screening", "finalist"; `fitness` is that of the trials
+  LearningStage stage = LearningStage::kStandard;
+  Individual individual;  ///< of the stages that have one; `fitness` is that of the trials
   std::vector<std::string> trial_ids;
   std::vector<LearningTrial> trials;
 };

@@ -26,13 +26,12 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   check_range("fitness_trials", config.fitness_trials, 1, 100);
   check_range("check_trials", config.check_trials, 1, 1000);
   check_range("seed", config.seed, 0, 2147483647);
-  const std::vector<std::string> steps = {"1", "2", "both"};
   const auto check_name = [&](const char* key, const std::string& name,
                               const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
     problems.push_back({key, "\"" + name + "\" is not known" + SuggestNames(name, known)});
   };
-  check_name("step", config.step, steps);
+  check_name("step", config.step, ListNames(kOptimiseSteps));
   check_name("method", config.method, ListSearchMethods());
   return problems;
 }

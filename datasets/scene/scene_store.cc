@@ -179,12 +179,12 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
   Json result = {{"hand", hand.id}, {"object", inputs.object->id}, {"grasp", config.grasp}};
   const PreGraspStep& step1 = optimised.pregrasp_step;
   const TargetStep& step2 = optimised.target_step;
-  if (config.optimise.step != "2") {
+  if (StepsOf(config.optimise).learns_pregrasp) {
     result["pregrasp_step"] = MakePreGraspJson(step1, inputs.grasp);
     write_grasp(optimised.new_pregrasp,
                 step1.chosen < 0 ? step1.standard_trials : step1.shots[step1.chosen].trials);
   }
-  if (config.optimise.step != "1") {
+  if (StepsOf(config.optimise).searches_target) {
     result["target_step"] = MakeTargetJson(step2, hand);
     write_grasp(optimised.new_target, step2.is_taken ? step2.check_after : step2.check_before);
     WriteFileAtomically(folder / "individuals.csv", FormatIndividuals(step2, hand));
@@ -207,8 +207,8 @@ SceneRecord LoadScene(const fs::path& folder) {
   return scene;
 }
 
-StandardGrasp LoadSceneGrasp(const fs::path& folder, const std::string& variant, const Hand& hand) {
-  return LoadGraspFile((folder / (variant + ".yaml")).string(), {&hand}).grasp;
+StandardGrasp LoadSceneGrasp(const fs::path& folder, Variant variant, const Hand& hand) {
+  return LoadGraspFile((folder / (std::string(NameOf(variant)) + ".yaml")).string(), {&hand}).grasp;
 }
 
 }  // namespace graspbench

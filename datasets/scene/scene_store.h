@@ -45,8 +45,8 @@ struct SceneRecord {
 /** @throws Error(kNotFound) no scene there; kVersion; kFormat; kIo. */
 SceneRecord LoadScene(const std::filesystem::path& folder);
 
-/** The grasp of a variant, "new-pregrasp" or "new-target", as it was saved. */
-StandardGrasp LoadSceneGrasp(const std::filesystem::path& folder, const std::string& variant,
+/** The grasp of a new variant as it was saved. */
+StandardGrasp LoadSceneGrasp(const std::filesystem::path& folder, Variant variant,
                              const Hand& hand);
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
 #include "datasets/session/session_config.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <string_view>
 
 #include "core/base/config.h"
@@ -45,12 +45,6 @@ Json FindValue(const Json& config, const std::string& full_key) {
   return FindValue(config.at(full_key.substr(0, dot)), full_key.substr(dot + 1));
 }
 
-std::string FormatNumber(double value) {
-  std::ostringstream text;
-  text << std::setprecision(10) << value;
-  return text.str();
-}
-
 void CheckNames(const std::string& key, const std::vector<std::string>& names,
                 const std::vector<std::string>& words_for_many,
                 std::vector<ConfigProblem>& problems) {
@@ -83,8 +77,8 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
     if (range == std::end(kRanges)) continue;
     const double value = FindValue(json, key).get<double>();
     if (!(value >= range->low && value <= range->high)) {  // catches NaN too
-      problems.push_back({key, FormatNumber(value) + " is out of range; expected " +
-                                   FormatNumber(range->low) + " to " + FormatNumber(range->high)});
+      problems.push_back({key, fmt::format("{:.10g} is out of range; expected {:.10g} to {:.10g}",
+                                           value, range->low, range->high)});
     }
   }
   if (config.strategy.stabilisation_min_time > config.strategy.stabilisation_max_time) {

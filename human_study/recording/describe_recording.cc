@@ -1,8 +1,8 @@
 #include "human_study/recording/describe_recording.h"
 
-#include <fmt/core.h>
-
 #include <set>
+
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
@@ -16,8 +16,6 @@ std::string FormatUnit(const Recording& recording) {
   for (const std::string& unit : units) text += (text.empty() ? "" : ", ") + unit;
   return text;
 }
-
-std::string FormatShort(double value) { return fmt::format("{:.6g}", value); }
 
 /** Appends without looking for the key first, which would cost the square of the number of labels;
 labels are unique. */
@@ -82,8 +80,8 @@ std::string FormatRecording(const Recording& recording) {
   std::string text = "format       " + recording.format +
                      (recording.processor.empty() ? "" : ", " + recording.processor) + "\n";
   text += "frames       " + std::to_string(recording.num_frames) + " from number " +
-          std::to_string(recording.first_frame) + " at " + FormatShort(recording.rate) + " Hz" +
-          (recording.times.empty() ? "" : " (own time stamps)") + "\n";
+          std::to_string(recording.first_frame) + " at " + FormatSignificant(recording.rate, 6) +
+          " Hz" + (recording.times.empty() ? "" : " (own time stamps)") + "\n";
   text += "unit         " + (unit.empty() ? "not stated" : unit) + "\n";
   text += "points       " + std::to_string(recording.points.size()) + "\n";
   for (const RecordedPoint& point : recording.points) {
@@ -97,14 +95,14 @@ std::string FormatRecording(const Recording& recording) {
   }
   if (!recording.analog.empty()) {
     text += "analog       " + std::to_string(recording.analog.size()) + " channels at " +
-            FormatShort(recording.analog[0].rate) + " Hz:";
+            FormatSignificant(recording.analog[0].rate, 6) + " Hz:";
     for (const AnalogChannel& channel : recording.analog) text += " " + channel.label;
     text += "\n";
   }
   if (!recording.events.empty()) {
     text += "events       " + std::to_string(recording.events.size()) + "\n";
     for (const RecordedEvent& event : recording.events) {
-      text += "  " + FormatShort(event.time) + " s  " + event.label +
+      text += "  " + FormatSignificant(event.time, 6) + " s  " + event.label +
               (event.context.empty() ? "" : " (" + event.context + ")") +
               (event.source == EventSource::kHeader ? "  [header]" : "") + "\n";
     }

@@ -11,7 +11,7 @@ namespace {
 const SceneSnapshot* FindClosed(const TrialRecord* record) {
   if (record == nullptr) return nullptr;
   for (const SceneSnapshot& snapshot : record->result.snapshots) {
-    if (snapshot.name == "closed") return &snapshot;
+    if (snapshot.moment == Moment::kClosed) return &snapshot;
   }
   return nullptr;
 }

@@ -42,7 +42,7 @@ std::string ExplainCodes() {
   return text + " " + kEarly + " a digit of some trial touched before the start of closure.";
 }
 
-Html Draw(const ReportData& data) {
+Html DrawCellTable(const ReportData& data) {
   const Align number = Align::kNumber;
   Table table(
       "Every cell: successes with 95 % Wilson interval, other outcomes, median contact times.",
@@ -79,6 +79,6 @@ Html Draw(const ReportData& data) {
 
 }  // namespace
 
-Section cell_table_section() { return {"table", "All cells", Draw}; }
+Section cell_table_section() { return {"table", "All cells", DrawCellTable}; }
 
 }  // namespace graspbench

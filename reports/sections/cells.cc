@@ -12,13 +12,6 @@
 namespace graspbench {
 namespace {
 
-std::string NameOfSnapshot(const std::string& name) {
-  if (name == "pregrasp") return "Pre-grasp";
-  if (name == "closed") return "Closed";
-  if (name == "lifted") return "Lifted";
-  return name;
-}
-
 std::string DescribeObject(const CellSummary& cell, const SessionModels& models) {
   const auto object = models.FindObject(cell.object);
   if (!object) return {};
@@ -44,7 +37,7 @@ Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
   const Filmstrip& strip = found->second;
   Html frames;
   for (const Picture& picture : strip.pictures) {
-    const std::string name = NameOfSnapshot(picture.name);
+    const std::string name = RowOf(kMoments, picture.moment).words;
     frames +=
         Element("figure", {},
                 Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
@@ -242,7 +235,7 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
   return Element("section", {{"id", cell.key}, {"class", "cell"}}, content);
 }
 
-Html Draw(const ReportData& data) {
+Html DrawCells(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
       "Each cell shows one trial in pictures, the first successful one where there is any, seen by "
@@ -265,6 +258,6 @@ Html Draw(const ReportData& data) {
 
 }  // namespace
 
-Section cells_section() { return {"cells", "Cell by cell", Draw}; }
+Section cells_section() { return {"cells", "Cell by cell", DrawCells}; }
 
 }  // namespace graspbench

@@ -6,13 +6,13 @@
 namespace graspbench {
 namespace {
 
-Html Draw(const ReportData& data) {
+Html DrawFindings(const ReportData& data) {
   const std::vector<std::string> findings = ListFindings(data);
   return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
 }
 
 }  // namespace
 
-Section findings_section() { return {"findings", "Errors and warnings", Draw}; }
+Section findings_section() { return {"findings", "Errors and warnings", DrawFindings}; }
 
 }  // namespace graspbench

@@ -87,7 +87,7 @@ Html DrawAgreement(const JudgeEvidence& evidence) {
   return table.ToHtml() + MakeDetails("The rules", MakeList(rules));
 }
 
-Html DrawCells(const ReportData& data) {
+Html DrawQualityOfCells(const ReportData& data) {
   const Align number = Align::kNumber;
   Table table("Held grasps by cell, medians.",
               {{"Cell"},
@@ -108,18 +108,19 @@ Html DrawCells(const ReportData& data) {
   return MakeDetails("Breaking loads of every cell", table.ToHtml());
 }
 
-Html Draw(const ReportData& data) {
+Html DrawGraspQuality(const ReportData& data) {
   const JudgeEvidence evidence = CalcJudgeEvidence(data.session.records);
   if (evidence.num_judged == 0) {
     return MakeParagraph(
         "No grasp of this session has been judged. `graspbench judge` with the session's folder "
         "pulls every held object until it leaves the hand, and adds what it finds here.");
   }
-  return DrawRanks(evidence) + DrawRoc(evidence) + DrawAgreement(evidence) + DrawCells(data);
+  return DrawRanks(evidence) + DrawRoc(evidence) + DrawAgreement(evidence) +
+         DrawQualityOfCells(data);
 }
 
 }  // namespace
 
-Section grasp_quality_section() { return {"quality", "Grasp quality", Draw}; }
+Section grasp_quality_section() { return {"quality", "Grasp quality", DrawGraspQuality}; }
 
 }  // namespace graspbench

@@ -112,26 +112,6 @@ Html DrawObjects(const ReportData& data) {
   return table.ToHtml();
 }
 
-/** Every value of the frozen configuration under its key, "sim.step_s". */
-void AddRows(const Json& json, const std::string& prefix, Table& table) {
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_object()) {
-      AddRows(value, prefix + key + ".", table);
-    } else {
-      // A name of the user's may hold anything; replacing what is no UTF-8 keeps dump() from
-      // throwing.
-      const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-      table.AddRow({Element("code", {}, prefix + key), Element("code", {}, text)});
-    }
-  }
-}
-
-Html DrawConfiguration(const ReportData& data) {
-  Table table("The session's complete configuration.", {{"Key"}, {"Value", Align::kProse}});
-  AddRows(ToJson(data.session.config), "", table);
-  return table.ToHtml();
-}
-
 Html DrawVersions() {
   Table table("Versions.", {{"What"}, {"Version"}});
   table.AddRow({Text("graspbench, which made this page"), Text(program_version())});
@@ -139,14 +119,16 @@ Html DrawVersions() {
   return table.ToHtml();
 }
 
-Html Draw(const ReportData& data) {
+Html DrawMethods(const ReportData& data) {
   Html html = MakeParagraph(DescribeMethod(data)) + DrawMeasures() + DrawOrigins();
   html += DrawHands(data) + DrawObjects(data);
-  return html + DrawConfiguration(data) + DrawVersions();
+  return html +
+         MakeConfigTable("The session's complete configuration.", ToJson(data.session.config)) +
+         DrawVersions();
 }
 
 }  // namespace
 
-Section methods_section() { return {"methods", "Method, configuration and versions", Draw}; }
+Section methods_section() { return {"methods", "Method, configuration and versions", DrawMethods}; }
 
 }  // namespace graspbench

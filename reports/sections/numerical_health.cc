@@ -45,7 +45,7 @@ Html DrawFailures(const ReportData& data) {
   return table.ToHtml();
 }
 
-Html Draw(const ReportData& data) {
+Html DrawNumericalHealth(const ReportData& data) {
   Html html = MakeParagraph(
       "What to look for: penetration well below the size of a fingertip, an energy residual small "
       "against the work of lifting (0.1 J for 100 g through 0.1 m), and few steps whose solve "
@@ -59,6 +59,6 @@ Html Draw(const ReportData& data) {
 
 }  // namespace
 
-Section numerical_health_section() { return {"health", "Numerical health", Draw}; }
+Section numerical_health_section() { return {"health", "Numerical health", DrawNumericalHealth}; }
 
 }  // namespace graspbench

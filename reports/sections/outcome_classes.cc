@@ -29,7 +29,7 @@ Html DrawHand(const std::string& hand, const ReportData& data) {
                     MakeScroll(plot.text.title, DrawStackedBars(plot)));
 }
 
-Html Draw(const ReportData& data) {
+Html DrawOutcomeClasses(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html;
   for (const std::string& hand : data.summary.hands) html += DrawHand(hand, data);
@@ -38,6 +38,6 @@ Html Draw(const ReportData& data) {
 
 }  // namespace
 
-Section outcome_classes_section() { return {"outcomes", "How trials ended", Draw}; }
+Section outcome_classes_section() { return {"outcomes", "How trials ended", DrawOutcomeClasses}; }
 
 }  // namespace graspbench

@@ -114,7 +114,7 @@ Html DrawWarnings(const ReportData& data) {
   return notes;
 }
 
-Html Draw(const ReportData& data) {
+Html DrawResult(const ReportData& data) {
   Html html = DrawWarnings(data);
   if (data.summary.total.finished == 0) return html + MakeParagraph("No trial has finished yet.");
   html += Element("p", {{"class", "verdict"}}, Text(DescribeRates(data)) + DescribeFailures(data));
@@ -123,6 +123,6 @@ Html Draw(const ReportData& data) {
 
 }  // namespace
 
-Section result_section() { return {"result", "Result", Draw}; }
+Section result_section() { return {"result", "Result", DrawResult}; }
 
 }  // namespace graspbench

@@ -58,7 +58,7 @@ HeatMap::Cell MakeCell(const CellSummary* cell, const MapColumn& column,
   return drawn;
 }
 
-Html Draw(const ReportData& data) {
+Html DrawSuccessMap(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   const std::vector<MapColumn> columns = ListColumns(data.summary);
   HeatMap map;
@@ -84,6 +84,6 @@ Html Draw(const ReportData& data) {
 
 }  // namespace
 
-Section success_map_section() { return {"map", "Successes by object and hand", Draw}; }
+Section success_map_section() { return {"map", "Successes by object and hand", DrawSuccessMap}; }
 
 }  // namespace graspbench

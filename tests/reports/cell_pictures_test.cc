@@ -27,9 +27,9 @@ SessionModels MakeModels() {
 
 std::vector<SceneSnapshot> MakeSnapshots() {
   std::vector<SceneSnapshot> snapshots;
-  for (const char* name : {"pregrasp", "closed", "lifted"}) {
+  for (const Moment moment : {Moment::kPreGrasp, Moment::kClosed, Moment::kLifted}) {
     SceneSnapshot snapshot;
-    snapshot.name = name;
+    snapshot.moment = moment;
     snapshot.X_WH = MakePose(Eigen::Vector3d(0.0, 0.0, 0.3));
     snapshot.X_WO = MakePose(Eigen::Vector3d(0.0, 0.0, 0.05));
     snapshots.push_back(snapshot);
@@ -47,7 +47,7 @@ TEST(RenderCellPictures, DrawsTheFirstSuccessTheSameEveryTime) {
   const Filmstrip& strip = pictures.by_cell.at("tum-can-g3");
   EXPECT_EQ(strip.record, &session.records[1]);
   ASSERT_EQ(strip.pictures.size(), 3u);
-  EXPECT_EQ(strip.pictures[2].name, "lifted");
+  EXPECT_EQ(strip.pictures[2].moment, Moment::kLifted);
   EXPECT_EQ(strip.pictures[0].webp.substr(8, 4), "WEBP");
   const CellPictures again = RenderCellPictures(summary, MakeModels());
   EXPECT_EQ(again.by_cell.at("tum-can-g3").pictures[0].webp, strip.pictures[0].webp);

@@ -74,15 +74,14 @@ void Run(CampaignOptions options) {
 }  // namespace
 
 void AddCampaignCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(
-      program, "campaign",
-      "Optimise every hand and object, then try all variants on the same poses.",
-      "  graspbench campaign --out results/campaign                       200 evaluations a scene\n"
-      "  graspbench campaign --evaluations 1000 --compare --out results/full\n\n"
-      "The same command again continues what was interrupted.");
+  CLI::App& command =
+      AddSubcommand(program, "campaign",
+                    "Optimise every hand and object, then try all variants on the same poses.",
+                    "  graspbench campaign --out results/campaign\n"
+                    "  graspbench campaign --evaluations 1000 --compare --out results/full\n\n"
+                    "The same command again continues what was interrupted.");
   const auto options = std::make_shared<CampaignOptions>();
   CampaignConfig& config = options->config;
-  config.optimise.evaluations = 200;
   AddSceneOptions(command, config.session);
   AddSearchOptions(command, config.optimise, "of each scene's step 2; 1000 for the full campaign");
   command

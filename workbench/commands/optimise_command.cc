@@ -64,8 +64,8 @@ void Optimise(OptimiseOptions options) {
     const OptimisedGrasp result =
         RunSceneStage(folder, config, inputs, options.num_workers, observer, stop);
     std::string text = FormatOptimisation(inputs, config, result) + "\n";
-    for (const char* variant : {"new-pregrasp", "new-target"}) {
-      const fs::path path = folder / (std::string(variant) + ".yaml");
+    for (const Variant variant : kNewVariants) {
+      const fs::path path = folder / (std::string(NameOf(variant)) + ".yaml");
       if (fs::exists(path)) text += "grasp    " + path.string() + "\n";
     }
     PrintResult(text + "data     " + (folder / "result.json").string() + "\n");
@@ -103,7 +103,7 @@ void AddOptions(CLI::App& command, OptimiseOptions& options) {
       ->option_text("G")
       ->capture_default_str();
   command.add_option("--step", config.step, "1: new pre-grasp, 2: new target grasp, both")
-      ->check(CLI::IsMember({"1", "2", "both"}))
+      ->check(CLI::IsMember(ListNames(kOptimiseSteps)))
       ->option_text("STEP")
       ->capture_default_str();
   command

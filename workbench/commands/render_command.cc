@@ -17,12 +17,9 @@ namespace {
 constexpr int kWidth = 960;
 constexpr int kHeight = 720;
 
-/** The moments of a trial that are kept. */
-const std::vector<std::string> kMoments = {"pregrasp", "closed", "lifted"};
-
 struct RenderOptions {
   std::string hand, object, grasp;
-  std::string phase = "closed";
+  std::string phase = NameOf(Moment::kClosed);
   std::string out;
 };
 
@@ -58,7 +55,7 @@ void Render(const RenderOptions& options) {
   const SceneSnapshot* shown = nullptr;
   size_t shown_index = 0;
   for (const SceneSnapshot& snapshot : result.snapshots) {
-    if (snapshot.name == options.phase) {
+    if (NameOf(snapshot.moment) == options.phase) {
       shown = &snapshot;
       shown_index = scenes.size();
     }
@@ -96,8 +93,8 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("grasp", options->grasp, "standard grasp: g1..g5")
       ->required()
       ->option_text("GRASP");
-  command.add_option("--phase", options->phase, "when: " + ListNames(kMoments))
-      ->check(CLI::IsMember(kMoments))
+  command.add_option("--phase", options->phase, "when: " + ListNames(ListNames(kMoments)))
+      ->check(CLI::IsMember(ListNames(kMoments)))
       ->option_text("PHASE")
       ->capture_default_str();
   command.add_option("--out", options->out, "the picture (PNG)")

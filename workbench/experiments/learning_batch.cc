@@ -19,9 +19,9 @@ bool RunLearningBatch(const std::vector<LearningTask>& tasks, int num_workers, O
       task.run(*pool, [&](const LearningRequest& request, const LearningTrial& trial) {
         ++num_trials;
         board.Count(trial.outcome);
-        board.SetBusy(worker,
-                      PlannedTrial{"", task.hand, task.object, task.grasp + "  " + request.stage,
-                                   request.individual.number});
+        board.SetBusy(worker, PlannedTrial{"", task.hand, task.object,
+                                           task.grasp + "  " + NameOf(request.stage),
+                                           request.individual.number});
       });
       num_planned -= task.num_trials - num_trials;
       board.SetBusy(worker, std::nullopt);

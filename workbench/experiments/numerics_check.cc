@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/physics/compliant_world.h"
 #include "core/physics/sim_config.h"
 #include "core/trial/compliant_trial.h"
 #include "core/trial/trial_result.h"
@@ -96,7 +97,7 @@ std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
   if (!variant.is_compliant) return trials;
   std::set<std::string> objects;
   for (const auto& object : inputs.objects) {
-    if (CanRunCompliant(*object)) objects.insert(object->id);
+    if (CanMoveCompliantly(*object)) objects.insert(object->id);
   }
   std::vector<TrialRecord> covered;
   for (const TrialRecord& trial : trials) {

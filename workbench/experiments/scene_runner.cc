@@ -129,7 +129,8 @@ OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneCon
     ++status.num_done;
     ++status.outcomes[trial.outcome];
     status.busy = {PlannedTrial{"", inputs.hand->id, inputs.object->id,
-                                config.grasp + "  " + request.stage, request.individual.number}};
+                                config.grasp + "  " + NameOf(request.stage),
+                                request.individual.number}};
     observer.ShowStatus(status, stage.num_trials);
   };
   OptimisedGrasp optimised = RunScene(folder, config, inputs, pool, observe);
@@ -141,8 +142,8 @@ OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneCon
 void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,
                          const ObserveLearning& observe) {
   const CampaignScene& scene = *task.scene;
-  StandardGrasp start = LoadSceneGrasp(scene.folder, "new-pregrasp", *scene.inputs.hand);
-  start.id = "new-target";
+  StandardGrasp start = LoadSceneGrasp(scene.folder, kNewPreGrasp, *scene.inputs.hand);
+  start.id = NameOf(kNewTarget);
   EvaluationJournal journal(task.journal);
   SearchTarget(*scene.inputs.hand, *scene.inputs.object, start, task.config.optimise,
                MakeJournaledTrials(task.config, scene.inputs, journal, pool, observe));
@@ -162,7 +163,7 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
   const auto answer = [&](const std::vector<LearningRequest>& requests) {
     std::vector<std::vector<LearningTrial>> trials;
     for (const LearningRequest& asked : requests) {
-      if (asked.stage == "search" && asked.individual.number == number) {
+      if (asked.stage == LearningStage::kSearch && asked.individual.number == number) {
         request = asked;
         place = next;
       }

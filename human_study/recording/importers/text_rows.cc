@@ -1,17 +1,14 @@
 #include "human_study/recording/importers/text_rows.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/importers/import_errors.h"
 
 namespace graspbench {
 namespace {
-
-std::string FormatShort(double value) { return fmt::format("{:.6g}", value); }
 
 /** First byte and one past the last byte of a line, without its ending. */
 std::pair<size_t, size_t> FindLineBounds(const std::string& bytes, int line) {
@@ -64,7 +61,7 @@ void NoteZeros(size_t num_zeros, Recording& recording) {
 void NoteFrameCount(double declared, const std::string& where, Recording& recording) {
   if (declared == static_cast<double>(recording.num_frames)) return;
   recording.Note("frame_count_disputed", where,
-                 "promises " + FormatShort(declared) + " frames, the file holds " +
+                 "promises " + FormatSignificant(declared, 6) + " frames, the file holds " +
                      std::to_string(recording.num_frames) + "; those are taken");
 }
 
@@ -76,8 +73,8 @@ void SettleTimes(std::vector<double> times, int first_line, const std::string& f
   for (size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1])) {
       FailAtLine(file, first_line + static_cast<int>(i),
-                 "time is " + FormatShort(times[i]) + " s" +
-                     (i > 0 ? " after " + FormatShort(times[i - 1]) + " s" : "") +
+                 "time is " + FormatSignificant(times[i], 6) + " s" +
+                     (i > 0 ? " after " + FormatSignificant(times[i - 1], 6) + " s" : "") +
                      "; times must increase (does the file hold several trials?)");
     }
     if (i > 0) intervals.push_back(times[i] - times[i - 1]);
@@ -93,15 +90,17 @@ void SettleTimes(std::vector<double> times, int first_line, const std::string& f
   if (!std::isfinite(recording.rate)) {
     const double mean_rate = static_cast<double>(intervals.size()) / (times.back() - times[0]);
     recording.rate = is_even(mean_rate) ? mean_rate : 1.0 / CalcMedian(intervals);
-    recording.Note("rate_from_times", "time column",
-                   "no rate is stated; the intervals give " + FormatShort(recording.rate) + " Hz");
+    recording.Note(
+        "rate_from_times", "time column",
+        "no rate is stated; the intervals give " + FormatSignificant(recording.rate, 6) + " Hz");
   }
   if (is_even(recording.rate)) return;
   const auto [shortest, longest] = std::minmax_element(intervals.begin(), intervals.end());
   recording.Note("irregular_times", "time column",
-                 "intervals run from " + FormatShort(1e3 * *shortest) + " to " +
-                     FormatShort(1e3 * *longest) + " ms and do not keep to " +
-                     FormatShort(recording.rate) + " Hz; the time stamps are used, not the rate");
+                 "intervals run from " + FormatSignificant(1e3 * *shortest, 6) + " to " +
+                     FormatSignificant(1e3 * *longest, 6) + " ms and do not keep to " +
+                     FormatSignificant(recording.rate, 6) +
+                     " Hz; the time stamps are used, not the rate");
   recording.times = std::move(times);
 }
 

@@ -30,7 +30,7 @@ double FindFinal(const std::vector<const MethodCurve*>& curves, const std::strin
   return std::nan("");
 }
 
-Html Draw(const CampaignData& data) {
+Html DrawConvergence(const CampaignData& data) {
   const std::vector<MethodCurve> curves = ListMethodCurves(data.campaign);
   if (curves.empty()) {
     return MakeParagraph(
@@ -90,7 +90,7 @@ Html Draw(const CampaignData& data) {
 }  // namespace
 
 CampaignSection convergence_campaign_section() {
-  return {"convergence", "Convergence of the evolution", Draw};
+  return {"convergence", "Convergence of the evolution", DrawConvergence};
 }
 
 }  // namespace graspbench

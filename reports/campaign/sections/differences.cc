@@ -10,7 +10,7 @@ namespace {
 Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Variant before,
                      Variant after, const std::string& look_for) {
   IntervalPlot plot;
-  plot.text.title = std::string(measure.name) + ": " + NameOf(after) + " minus " + NameOf(before);
+  plot.text.title = std::string(measure.name) + ": " + WordsOf(after) + " minus " + WordsOf(before);
   plot.text.description =
       "One row per scene: the mean difference of trials on the same pose, with its 95 % interval; "
       "the numbers stand beside the rows.";
@@ -52,7 +52,7 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
-Html Draw(const CampaignData& data) {
+Html DrawDifferences(const CampaignData& data) {
   if (data.benchmark.hands.empty()) return MakeParagraph("There is nothing to compare.");
   const VariantMeasure& gft = FindVariantMeasure("GFT%");
   const VariantMeasure& sigma = FindVariantMeasure("sigma");
@@ -71,7 +71,7 @@ Html Draw(const CampaignData& data) {
 }  // namespace
 
 CampaignSection differences_campaign_section() {
-  return {"differences", "Paired differences", Draw};
+  return {"differences", "Paired differences", DrawDifferences};
 }
 
 }  // namespace graspbench

@@ -81,7 +81,7 @@ Html DescribeWithoutVariation(const CampaignData& data) {
       FormatCount(gft.num_scenes, "scene") + " in which all digits touch before and after).");
 }
 
-Html Draw(const CampaignData& data) {
+Html DrawEffects(const CampaignData& data) {
   const int num_complete =
       CalcStepEffect(FindVariantMeasure("success"), data.scenes, kStandardGrasp, kNewTarget)
           .num_scenes;
@@ -110,6 +110,8 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection effects_campaign_section() { return {"effects", "What the steps did", Draw}; }
+CampaignSection effects_campaign_section() {
+  return {"effects", "What the steps did", DrawEffects};
+}
 
 }  // namespace graspbench

@@ -5,7 +5,7 @@
 namespace graspbench {
 namespace {
 
-Html Draw(const CampaignData& data) {
+Html DrawFindings(const CampaignData& data) {
   std::vector<std::string> findings;
   for (const SceneVariants& scene : data.scenes) {
     if (scene.scene->result.is_null()) {
@@ -34,6 +34,8 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection findings_campaign_section() { return {"findings", "Errors and warnings", Draw}; }
+CampaignSection findings_campaign_section() {
+  return {"findings", "Errors and warnings", DrawFindings};
+}
 
 }  // namespace graspbench

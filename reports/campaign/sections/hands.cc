@@ -7,7 +7,7 @@
 namespace graspbench {
 namespace {
 
-Html Draw(const CampaignData& data) {
+Html DrawHands(const CampaignData& data) {
   if (data.benchmark.hands.size() != 2) {
     return MakeParagraph("Two hands are compared; this campaign has " +
                          FormatCount(static_cast<int>(data.benchmark.hands.size()), "hand") + ".");
@@ -33,7 +33,7 @@ Html Draw(const CampaignData& data) {
       const auto format = [&](double value) {
         return Text(FormatFixed(measure.unit * value, measure.decimals));
       };
-      table.AddRow({Text(measure.name), Text(NameOf(variant)),
+      table.AddRow({Text(measure.name), Text(WordsOf(variant)),
                     Text(std::to_string(found.num_objects)), format(found.median_a),
                     format(found.median_b), Text(std::to_string(found.num_a_better)),
                     Text(std::to_string(found.num_b_better))});
@@ -44,6 +44,6 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection hands_campaign_section() { return {"hands", "The two hands", Draw}; }
+CampaignSection hands_campaign_section() { return {"hands", "The two hands", DrawHands}; }
 
 }  // namespace graspbench

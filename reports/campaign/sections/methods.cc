@@ -6,7 +6,7 @@
 namespace graspbench {
 namespace {
 
-Html Draw(const CampaignData& data) {
+Html DrawMethods(const CampaignData& data) {
   const OptimiseConfig& optimise = data.campaign.config.optimise;
   const SessionConfig& session = data.campaign.config.session;
   Html html = MakeParagraph(
@@ -44,6 +44,6 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection methods_campaign_section() { return {"methods", "Methods", Draw}; }
+CampaignSection methods_campaign_section() { return {"methods", "Methods", DrawMethods}; }
 
 }  // namespace graspbench

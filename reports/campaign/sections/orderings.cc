@@ -99,7 +99,7 @@ Html LinkToPictures(const SceneVariants& scene) {
   return Element("p", {}, LinkTo(scene.key, "Pictures and contacts of the three variants"));
 }
 
-Html Draw(const CampaignData& data) {
+Html DrawOrderings(const CampaignData& data) {
   Html html = MakeParagraph(
       "Two courses of events are known from the thesis. Means are over the benchmark's trials; "
       "the thumb's place is that of its pad when the grasp is closed.");
@@ -121,6 +121,8 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection orderings_campaign_section() { return {"orderings", "Known orderings", Draw}; }
+CampaignSection orderings_campaign_section() {
+  return {"orderings", "Known orderings", DrawOrderings};
+}
 
 }  // namespace graspbench

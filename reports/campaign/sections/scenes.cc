@@ -17,7 +17,7 @@ Html DrawPictures(const SceneVariants& scene, const CampaignData& data) {
   Html frames;
   for (int v = 0; v < kNumVariants; ++v) {
     const Picture& picture = found->second[v];
-    const std::string name = NameOf(static_cast<Variant>(v));
+    const std::string name = WordsOf(static_cast<Variant>(v));
     const Html image =
         picture.webp.empty()
             ? Element("p", {{"class", "missing"}}, "no picture")
@@ -59,7 +59,7 @@ Html DrawStrips(const SceneVariants& scene, const CampaignData& data) {
     const TrialRecord* record = cell ? ChooseTrial(*cell, *hand) : nullptr;
     if (record == nullptr) continue;
     strips += DrawContactStrip(
-        *record, data.NameOfScene(scene) + ", " + NameOf(static_cast<Variant>(v)), data.models);
+        *record, data.NameOfScene(scene) + ", " + WordsOf(static_cast<Variant>(v)), data.models);
   }
   return strips.empty() ? Html() : MakeDetails("Contacts of these trials", strips);
 }
@@ -82,7 +82,7 @@ Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
   return Element("section", {{"id", scene.key}, {"class", "cell"}}, content);
 }
 
-Html Draw(const CampaignData& data) {
+Html DrawScenes(const CampaignData& data) {
   if (data.scenes.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
       "The closed hand of one benchmark trial of each variant, the first successful one where "
@@ -93,6 +93,8 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection scenes_campaign_section() { return {"scenes", "Pictures and decisions", Draw}; }
+CampaignSection scenes_campaign_section() {
+  return {"scenes", "Pictures and decisions", DrawScenes};
+}
 
 }  // namespace graspbench

@@ -16,7 +16,7 @@ std::string FormatThree(const VariantMeasure& measure, const SceneVariants& scen
   return text;
 }
 
-Html Draw(const CampaignData& data) {
+Html DrawVariants(const CampaignData& data) {
   if (data.scenes.empty()) return MakeParagraph("There is nothing to show.");
   std::vector<Column> columns = {{"Scene"}, {"Grasp"}};
   for (const VariantMeasure& measure : ListVariantMeasures()) {
@@ -39,6 +39,6 @@ Html Draw(const CampaignData& data) {
 
 }  // namespace
 
-CampaignSection variants_campaign_section() { return {"variants", "Scene by scene", Draw}; }
+CampaignSection variants_campaign_section() { return {"variants", "Scene by scene", DrawVariants}; }
 
 }  // namespace graspbench

@@ -64,7 +64,7 @@ Html DrawTable(const std::vector<BiasRow>& rows) {
   return MakeDetails("All numbers", table.ToHtml());
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawBias(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const std::vector<BiasRow>& rows = result.statistics.bias;
   if (result.study.config.bias_trials == 0) return MakeParagraph("Not wanted: bias_trials is 0.");
@@ -83,6 +83,6 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection bias_study_section() { return {"bias", "Bias card", Draw}; }
+StudySection bias_study_section() { return {"bias", "Bias card", DrawBias}; }
 
 }  // namespace graspbench

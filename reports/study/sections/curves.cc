@@ -8,7 +8,7 @@ namespace {
 
 constexpr size_t kMaxCurves = 8;  // what a line plot tells apart
 
-Html Draw(const StudyPageData& data) {
+Html DrawCurves(const StudyPageData& data) {
   const std::vector<OpeningCurve>& curves = data.result.statistics.curves;
   const HandOpening& opening = FindHandOpening(data.result.study.config.analysis.opening.measure);
   LinePlot plot;
@@ -56,6 +56,8 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection curves_study_section() { return {"curves", "Hand opening over the reach", Draw}; }
+StudySection curves_study_section() {
+  return {"curves", "Hand opening over the reach", DrawCurves};
+}
 
 }  // namespace graspbench

@@ -61,7 +61,7 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
   return MakeDetails("All kinds of error bars", table.ToHtml());
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawMeasures(const StudyPageData& data) {
   Html html;
   size_t series = 0;
   for (const MeasureStatistics& statistics : data.result.statistics.measures) {
@@ -74,6 +74,8 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection measures_study_section() { return {"measures", "Measures by condition", Draw}; }
+StudySection measures_study_section() {
+  return {"measures", "Measures by condition", DrawMeasures};
+}
 
 }  // namespace graspbench

@@ -142,22 +142,8 @@ std::string DescribeStatistics(const StudyResult& result) {
          DescribeTrends(result.study);
 }
 
-/** Every value of the configuration under its key. */
-void AddRows(const Json& json, const std::string& prefix, Table& table) {
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_object()) {
-      AddRows(value, prefix + key + ".", table);
-    } else {
-      table.AddRow({Element("code", {}, prefix + key), Element("code", {}, FormatJson(value))});
-    }
-  }
-}
-
-Html Draw(const StudyPageData& data) {
+Html DrawMethods(const StudyPageData& data) {
   const StudyResult& result = data.result;
-  Table config("The study's complete settings; null is \"not given\".",
-               {{"Key"}, {"Value", Align::kProse}});
-  AddRows(ConfigToJson(result.study.config), "", config);
   return MakeParagraph("Ready to paste:") +
          Element(
              "blockquote", {},
@@ -168,11 +154,13 @@ Html Draw(const StudyPageData& data) {
              "Known from the thesis: the names of GCT, GFT, GOT and their ratios, and the widest "
              "opening as the start of closure. Inferred: their formulas. Proposed by graspbench: "
              "detectors, default hand opening, thresholds and cut-offs.") +
-         MakeDetails("All settings", config.ToHtml());
+         MakeDetails("All settings",
+                     MakeConfigTable("The study's complete settings; null is \"not given\".",
+                                     ConfigToJson(result.study.config)));
 }
 
 }  // namespace
 
-StudySection methods_study_section() { return {"methods", "Methods and settings", Draw}; }
+StudySection methods_study_section() { return {"methods", "Methods and settings", DrawMethods}; }
 
 }  // namespace graspbench

@@ -138,7 +138,7 @@ Html DrawMaps(const StudyResult& result, const std::vector<std::string>& detecto
          MakeScroll(own.text.title, DrawHeatMap(own)) + html;
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawMultiverse(const StudyPageData& data) {
   const StudyResult& result = data.result;
   if (result.universes.empty()) return MakeParagraph("No trial counts.");
   const TrialMeasure& measure = FindMeasure(result.study.config.multiverse.measure);
@@ -168,6 +168,6 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection multiverse_study_section() { return {"multiverse", "Multiverse", Draw}; }
+StudySection multiverse_study_section() { return {"multiverse", "Multiverse", DrawMultiverse}; }
 
 }  // namespace graspbench

@@ -81,7 +81,7 @@ Html DrawMeaning() {
   return MakeDetails("What each opening is", MakeList(items));
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawOpenings(const StudyPageData& data) {
   const std::vector<OpeningReliability>& rows = data.result.statistics.openings;
   if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
   Html html = MakeParagraph(
@@ -95,6 +95,8 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection openings_study_section() { return {"openings", "Reliability of hand opening", Draw}; }
+StudySection openings_study_section() {
+  return {"openings", "Reliability of hand opening", DrawOpenings};
+}
 
 }  // namespace graspbench

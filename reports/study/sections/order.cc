@@ -117,13 +117,13 @@ Html DrawOrders(const StudyResult& result) {
   return table.ToHtml() + MakeParagraph(text);
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawOrder(const StudyPageData& data) {
   if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
   return DrawFirstDigits(data.result) + DrawPrecedence(data.result) + DrawOrders(data.result);
 }
 
 }  // namespace
 
-StudySection order_study_section() { return {"order", "Order of contact", Draw}; }
+StudySection order_study_section() { return {"order", "Order of contact", DrawOrder}; }
 
 }  // namespace graspbench

@@ -122,13 +122,13 @@ Html DrawImport(const StudyResult& result) {
   return html + table.ToHtml();
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawRemoved(const StudyPageData& data) {
   return DrawRemoved(data.result) + Element("h3", {}, "Flags") + DrawFlags(data.result) +
          Element("h3", {}, "Reading and cleaning") + DrawImport(data.result);
 }
 
 }  // namespace
 
-StudySection removed_study_section() { return {"removed", "Trials removed, and why", Draw}; }
+StudySection removed_study_section() { return {"removed", "Trials removed, and why", DrawRemoved}; }
 
 }  // namespace graspbench

@@ -94,7 +94,7 @@ Html DrawTable(const std::vector<Group>& groups) {
   return table.ToHtml();
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawRobot(const StudyPageData& data) {
   if (data.robot == nullptr) {
     return MakeParagraph(
         "No robot session was named. --robot DIR, or robot: DIR in study.yaml, puts one beside "
@@ -110,6 +110,6 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection robot_study_section() { return {"robot", "Humans beside robots", Draw}; }
+StudySection robot_study_section() { return {"robot", "Humans beside robots", DrawRobot}; }
 
 }  // namespace graspbench

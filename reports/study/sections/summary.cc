@@ -58,7 +58,7 @@ Html DrawMeasureTable(const StudyResult& result) {
   return table.ToHtml();
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawSummary(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const int num_trials = static_cast<int>(result.trials.size());
   const int num_removed = num_trials - result.CountKept();
@@ -75,6 +75,6 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection summary_study_section() { return {"summary", "Result", Draw}; }
+StudySection summary_study_section() { return {"summary", "Result", DrawSummary}; }
 
 }  // namespace graspbench

@@ -179,7 +179,7 @@ Html DrawPairs(const MeasureStatistics& statistics) {
                      DrawRows("Differences of all pairs of conditions.", ListPairs(statistics)));
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawTests(const StudyPageData& data) {
   if (data.result.study.factors.empty()) {
     return MakeParagraph("The study names no factor, so there is nothing to compare.");
   }
@@ -195,6 +195,6 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection tests_study_section() { return {"tests", "Tests and trends", Draw}; }
+StudySection tests_study_section() { return {"tests", "Tests and trends", DrawTests}; }
 
 }  // namespace graspbench

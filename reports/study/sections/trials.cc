@@ -107,7 +107,7 @@ std::string DescribeTrial(const StudyTrial& trial) {
   return text;
 }
 
-Html Draw(const StudyPageData& data) {
+Html DrawTrials(const StudyPageData& data) {
   const std::vector<const StudyTrial*> trials = ChooseTrials(data.result);
   if (trials.empty()) return MakeParagraph("No trial could be analysed.");
   std::string legend;
@@ -133,6 +133,6 @@ Html Draw(const StudyPageData& data) {
 
 }  // namespace
 
-StudySection trials_study_section() { return {"trials", "Trial by trial", Draw}; }
+StudySection trials_study_section() { return {"trials", "Trial by trial", DrawTrials}; }
 
 }  // namespace graspbench

@@ -36,7 +36,7 @@ class FakeTrials {
     const StandardGrasp& grasp = request.grasp;
     for (const std::string& id : grasp.digits) {
       // The search asks for sigma alone.
-      const double s = request.stage == "search" ? 0.5 : FindTouch(grasp, id);
+      const double s = request.stage == LearningStage::kSearch ? 0.5 : FindTouch(grasp, id);
       trial.contacts.push_back({id, id == "TH", s});
       trial.closings.push_back(s);
       if (request.keep_postures) {
@@ -51,7 +51,7 @@ class FakeTrials {
     trial.sigma = draw >= 1000 && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
     trial.outcome = Outcome::kSuccess;
     if (has_fragile_peak && miss < kPeak) {
-      const bool is_lost = request.stage != "search" && draw % 3 == 0;
+      const bool is_lost = request.stage != LearningStage::kSearch && draw % 3 == 0;
       trial.sigma = is_lost ? 0.0 : 2.0;
       if (is_lost) trial.outcome = Outcome::kSlippedInLiftOff;
     }
@@ -179,7 +179,7 @@ TEST(OptimiseGrasp, ChecksOnTrialsThatTheSearchHasNotSeen) {
   std::set<int> searched, checked;
   int num_trials = 0;
   for (const LearningRequest& request : fake.asked) {
-    auto& draws = request.stage == "search" ? searched : checked;
+    auto& draws = request.stage == LearningStage::kSearch ? searched : checked;
     draws.insert(request.draws.begin(), request.draws.end());
     num_trials += static_cast<int>(request.draws.size());
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hand/load_hand.h"
+#include "core/physics/compliant_world.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 
@@ -10,10 +11,10 @@ namespace graspbench {
 namespace {
 
 TEST(CompliantTrial, TakesBalls) {
-  EXPECT_TRUE(CanRunCompliant(*LoadObject("golf_ball")));
-  EXPECT_TRUE(CanRunCompliant(*LoadObject("tennis_ball")));
-  EXPECT_FALSE(CanRunCompliant(*LoadObject("toy_cube")));
-  EXPECT_FALSE(CanRunCompliant(*LoadObject("can")));
+  EXPECT_TRUE(CanMoveCompliantly(*LoadObject("golf_ball")));
+  EXPECT_TRUE(CanMoveCompliantly(*LoadObject("tennis_ball")));
+  EXPECT_FALSE(CanMoveCompliantly(*LoadObject("toy_cube")));
+  EXPECT_FALSE(CanMoveCompliantly(*LoadObject("can")));
 }
 
 TEST(CompliantTrial, TouchesAndGripsAsOurOwnWorldDoes) {

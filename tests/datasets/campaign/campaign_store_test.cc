@@ -24,7 +24,7 @@ void WriteSearch(const fs::path& path, const std::vector<double>& fitness) {
   EvaluationJournal journal(path);
   for (size_t i = 0; i < fitness.size(); ++i) {
     EvaluationRecord record;
-    record.stage = "search";
+    record.stage = LearningStage::kSearch;
     record.individual.number = static_cast<int>(i);
     record.trial_ids = {"0123456789abcdef"};
     record.trials.resize(1);
@@ -117,9 +117,9 @@ TEST(SummariseVariants, HasOneRowForEachSceneAndVariant) {
   }
   const auto rows = SummariseVariants(session);
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0].variant, "standard");
+  EXPECT_EQ(rows[0].variant, kStandardGrasp);
   EXPECT_EQ(rows[0].grasp, "g2");
-  EXPECT_EQ(rows[2].variant, "new-target");
+  EXPECT_EQ(rows[2].variant, kNewTarget);
   EXPECT_EQ(rows[1].trials, 2);
   EXPECT_EQ(rows[1].successes, 1);
   EXPECT_EQ(rows[1].mean_sigma, 1.5);

@@ -13,7 +13,7 @@ namespace {
 
 EvaluationRecord MakeRecord(int number) {
   EvaluationRecord record;
-  record.stage = "search";
+  record.stage = LearningStage::kSearch;
   record.individual.number = number;
   record.individual.generation = 2;
   record.individual.parents = {3, 1};
@@ -31,7 +31,8 @@ EvaluationRecord MakeRecord(int number) {
 }
 
 TEST(EvaluationLine, IsReadAsItWasWritten) {
-  for (const char* stage : {"search", "finalist", "check after"}) {
+  for (const LearningStage stage :
+       {LearningStage::kSearch, LearningStage::kFinalist, LearningStage::kCheckAfter}) {
     EvaluationRecord record = MakeRecord(7);
     record.stage = stage;
     const std::string line = FormatEvaluationLine(record);

@@ -90,7 +90,7 @@ TrialRecord MakeFakeRecord(const PlannedTrial& planned) {
   result.num_unconverged = random.NextIndex(3);
   result.simulated_time = random.NextUniform(3.0, 6.0);
   SceneSnapshot snapshot;
-  snapshot.name = "closed";
+  snapshot.moment = Moment::kClosed;
   snapshot.time = random.NextUnit();
   snapshot.X_WO = MakePose(MakeRotationRpy(0.1, 0.2, random.NextUnit()), {0.1, 0.2, 0.3});
   snapshot.q = Eigen::Vector3d(random.NextUnit(), 0.0, -1.5);

@@ -1,0 +1,73 @@
+#pragma once
+/** @file
+The terms of the optimisation, one table each: its steps, the stages in which it asks the simulation
+something, and the variants of a grasp that it makes. */
+
+#include <string>
+
+#include "core/base/enum_table.h"
+
+namespace graspbench {
+
+struct OptimiseStepRow {
+  const char* name;  ///< in files and options
+  bool learns_pregrasp, searches_target;
+};
+inline constexpr OptimiseStepRow kOptimiseSteps[] = {
+    {"1", true, false}, {"2", false, true}, {"both", true, true}};
+
+enum class LearningStage {
+  kStandard,
+  kOneShot,
+  kTwoShot,
+  kSearch,
+  kScreening,
+  kFinalist,
+  kCheckBefore,
+  kCheckAfter,
+};
+struct LearningStageRow {
+  LearningStage value;
+  const char* name;     ///< in files and for people
+  bool has_individual;  ///< asks about an individual of the search
+};
+inline constexpr LearningStageRow kLearningStages[] = {
+    {LearningStage::kStandard, "standard", false},
+    {LearningStage::kOneShot, "one-shot", false},
+    {LearningStage::kTwoShot, "two-shot", false},
+    {LearningStage::kSearch, "search", true},
+    {LearningStage::kScreening, "screening", true},
+    {LearningStage::kFinalist, "finalist", true},
+    {LearningStage::kCheckBefore, "check before", false},
+    {LearningStage::kCheckAfter, "check after", false},
+};
+
+/** In the order of their making; also an index. */
+enum Variant { kStandardGrasp, kNewPreGrasp, kNewTarget };
+struct VariantRow {
+  Variant value;
+  const char* name;   ///< in tables; of the two new ones also the grasp's id and its file's name
+  const char* words;  ///< the name of the thesis
+};
+inline constexpr VariantRow kVariants[] = {
+    {kStandardGrasp, "standard", "standard grasp"},
+    {kNewPreGrasp, "new-pregrasp", "new pre-grasp"},
+    {kNewTarget, "new-target", "new target grasp"},
+};
+inline constexpr int kNumVariants = static_cast<int>(std::size(kVariants));
+/** What the optimisation makes. */
+inline constexpr Variant kNewVariants[] = {kNewPreGrasp, kNewTarget};
+
+/** Of grasp ids: those of the new variants, else the standard grasp. */
+inline Variant VariantOfGrasp(const std::string& grasp) {
+  for (const Variant variant : kNewVariants) {
+    if (grasp == RowOf(kVariants, variant).name) return variant;
+  }
+  return kStandardGrasp;
+}
+
+inline const char* NameOf(LearningStage stage) { return RowOf(kLearningStages, stage).name; }
+inline const char* NameOf(Variant variant) { return RowOf(kVariants, variant).name; }
+inline const char* WordsOf(Variant variant) { return RowOf(kVariants, variant).words; }
+
+}  // namespace graspbench
