@@ -25,7 +25,7 @@ up to 2 million triangles.
 @throws Error(kNotFound, kIo); Error(kFormat) when it is no complete file of a format known here. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 
-/** The same from the content of a file that stands alone; `name` tells the format by its ending. */
+/** The same from the content of a file that stands alone; `name` gives the format by its ending. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);
 
 }  // namespace graspbench

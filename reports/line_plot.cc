@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/base/error.h"
@@ -59,6 +60,41 @@ Html DrawHorizontalAxis(const Axis& axis, double left, double width, double top,
   return content;
 }
 
+using Place = std::function<double(double)>;
+
+/** Between `low` and `high` of a series, where both are finite. */
+Html DrawBand(const LinePlot::Series& series, size_t number, const Place& place_x,
+              const Place& place_y) {
+  std::vector<double> x, edge;
+  const auto add = [&](size_t k, const std::vector<double>& values) {
+    if (!std::isfinite(series.low[k]) || !std::isfinite(series.high[k])) return;
+    x.push_back(series.x[k]);
+    edge.push_back(values[k]);
+  };
+  for (size_t k = 0; k < series.low.size(); ++k) add(k, series.high);
+  for (size_t k = series.low.size(); k-- > 0;) add(k, series.low);
+  if (x.empty()) return {};
+  return Element("path", {{"class", SeriesClass("band", number)},
+                          {"d", MakePath(x, edge, place_x, place_y) + "Z"}});
+}
+
+Html DrawMarks(const std::vector<StripChart::Mark>& unsorted, double y, double left,
+               const Place& place_x) {
+  constexpr double kMark = 8.0;
+  std::vector<StripChart::Mark> marks = unsorted;
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const auto& a, const auto& b) { return a.at < b.at; });
+  Html content;
+  double free_from = left - kMark;
+  for (const StripChart::Mark& mark : marks) {
+    const double x = std::max(free_from, place_x(mark.at));
+    free_from = x + kMark * static_cast<double>(mark.symbol.size());
+    content += Element("text", {{"class", "middle small"}, {"x", Px(x)}, {"y", Px(y)}},
+                       Text(mark.symbol) + Hint(mark.hint));
+  }
+  return content;
+}
+
 }  // namespace
 
 Html DrawLinePlot(const LinePlot& plot) {
@@ -69,6 +105,7 @@ Html DrawLinePlot(const LinePlot& plot) {
   for (const LinePlot::Series& series : plot.series) {
     GRASPBENCH_DEMAND(series.x.size() == series.y.size(), series.label);
     GRASPBENCH_DEMAND(series.low.size() == series.high.size(), series.label);
+    GRASPBENCH_DEMAND(series.low.empty() || series.low.size() == series.x.size(), series.label);
     range_x.Add(series.x);
     range_y.Add(series.y);
     range_y.Add(series.low);
@@ -102,24 +139,7 @@ Html DrawLinePlot(const LinePlot& plot) {
   for (size_t i = 0; i < plot.series.size(); ++i) {
     const LinePlot::Series& series = plot.series[i];
     labels.push_back(series.label);
-    if (!series.low.empty()) {
-      GRASPBENCH_DEMAND(series.low.size() == series.x.size(), series.label);
-      std::vector<double> x, edge;
-      for (size_t k = 0; k < series.x.size(); ++k) {
-        if (!std::isfinite(series.low[k]) || !std::isfinite(series.high[k])) continue;
-        x.push_back(series.x[k]);
-        edge.push_back(series.high[k]);
-      }
-      for (size_t k = series.x.size(); k-- > 0;) {
-        if (!std::isfinite(series.low[k]) || !std::isfinite(series.high[k])) continue;
-        x.push_back(series.x[k]);
-        edge.push_back(series.low[k]);
-      }
-      if (!x.empty()) {
-        content += Element("path", {{"class", SeriesClass("band", i)},
-                                    {"d", MakePath(x, edge, place_x, place_y) + "Z"}});
-      }
-    }
+    content += DrawBand(series, i, place_x, place_y);
     content += Element(
         "path",
         {{"class", SeriesClass("curve", i)}, {"d", MakePath(series.x, series.y, place_x, place_y)}},
@@ -185,7 +205,7 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
 
 Html DrawStripChart(const StripChart& chart) {
   constexpr double kRow = 22.0, kSpan = 12.0, kAxis = 38.0, kPlot = 560.0, kHead = 20.0;
-  constexpr double kKey = 18.0, kMinSpan = 1.0, kMark = 8.0, kSmall = 11.0 / 13.0;
+  constexpr double kKey = 18.0, kMinSpan = 1.0, kSmall = 11.0 / 13.0;
   GRASPBENCH_DEMAND(chart.kinds.size() <= kMaxSeries, chart.text.title);
   Range range;
   std::vector<std::string> labels;
@@ -237,16 +257,7 @@ Html DrawStripChart(const StripChart& chart) {
       content += Rect("part part" + std::to_string(span.kind), from, y - kSpan / 2.0, width, kSpan,
                       span.hint);
     }
-    std::vector<StripChart::Mark> marks = row.marks;
-    std::stable_sort(marks.begin(), marks.end(),
-                     [](const auto& a, const auto& b) { return a.at < b.at; });
-    double free_from = left - kMark;
-    for (const StripChart::Mark& mark : marks) {
-      const double x = std::max(free_from, place_x(mark.at));
-      free_from = x + kMark * static_cast<double>(mark.symbol.size());
-      content += Element("text", {{"class", "middle small"}, {"x", Px(x)}, {"y", Px(y)}},
-                         Text(mark.symbol) + Hint(mark.hint));
-    }
+    content += DrawMarks(row.marks, y, left, place_x);
   }
   const double width = std::max(left + kPlot + 3.0 * kPlotGap, key);
   return Svg("img", width, bottom + kAxis, chart.text, content);

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A sink for faults inside one file: the reader goes on, and all problems are told at once. */
+A sink for faults inside one file: the reader goes on, and all problems are reported at once. */
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The one error class: a fault of the user, of a file or of the environment, told to a person.
+The one error class: a fault of the user, of a file or of the environment, reported to a person.
 
 Three cases, three mechanisms:
 - our own bug: GRASPBENCH_DEMAND, stops with file, line and values;

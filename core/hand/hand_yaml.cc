@@ -45,9 +45,9 @@ class HandYamlReader {
   }
 
  private:
-  /** Tells when hand.urdf has no such link or joint; `what` is "link" or "joint". */
+  /** Reports when hand.urdf has no such link or joint; `what` is "link" or "joint". */
   bool CheckName(const std::string& name, const char* what, int line, const std::string& where) {
-    if (outline_.links.empty()) return false;  // hand.urdf cannot be read, which has been told
+    if (outline_.links.empty()) return false;  // hand.urdf cannot be read, which has been reported
     const auto& known = *what == 'l' ? outline_.links : outline_.revolute_joints;
     if (std::find(known.begin(), known.end(), name) != known.end()) return true;
     problems_.Fail(file_, line,
@@ -56,7 +56,7 @@ class HandYamlReader {
     return false;
   }
   /** The items of a sequence; a problem when the node is something else. A missing key has been
-  told before. */
+  reported before. */
   std::vector<YAML::Node> Items(const YAML::Node& node, const std::string& where) {
     if (node.IsSequence() && node.size() > 0) return {node.begin(), node.end()};
     if (node.IsDefined() && LineOf(node) > 0) {
@@ -215,7 +215,7 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
     const std::string where = "drives, entry " + std::to_string(++number);
     YamlMap map(item, file_, where, problems_);
     std::vector<std::string> joints;
-    const double unset = std::nan("");  // told when missing, and no value to judge
+    const double unset = std::nan("");  // reported when missing, and no value to judge
     JointDrive drive = {unset, unset, unset};
     map.Read("joints", joints);
     map.Read("stiffness_nm_per_rad", drive.stiffness);
@@ -260,7 +260,7 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
     for (const std::string& name : links) {
       if (!CheckName(name, "link", LineOf(item), where)) continue;
       const int link = hand_.FindLink(name);
-      if (link < 0) continue;  // the URDF is broken, which has been told
+      if (link < 0) continue;  // the URDF is broken, which has been reported
       const double pad_radius = hand_.links[link].surface.torsion_radius;
       hand_.links[link].surface = surface;
       if (std::isnan(surface.torsion_radius)) {

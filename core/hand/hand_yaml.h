@@ -44,7 +44,7 @@ namespace graspbench {
 
 /** Fills palm_link, digits, coupling, drives and the scalars of `hand`, whose links and joints were
 read from the URDF. Names are checked against `outline`; so a hand whose URDF is broken still gets
-all problems of its hand.yaml told. */
+all problems of its hand.yaml reported. */
 void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
                   Hand& hand, Diagnostics& problems);
 

@@ -378,9 +378,9 @@ void UrdfChecker::CheckTree() {
     }
   }
   // A link that does not reach a root by going up as many joints as there are lies in a cycle or
-  // hangs on one; the cycle itself is told once, by its joints.
+  // hangs on one; the cycle itself is reported once, by its joints.
   std::vector<std::string> roots;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const std::string& link : outline_.links) {
     if (joint_of_child.count(link) == 0) {
       roots.push_back(link);
@@ -391,10 +391,10 @@ void UrdfChecker::CheckTree() {
     while (joint_of_child.count(at) != 0 && num_joints++ < joints_.size()) {
       at = joint_of_child[at]->parent;
     }
-    if (joint_of_child.count(at) == 0 || told.count(at) != 0) continue;
+    if (joint_of_child.count(at) == 0 || reported.count(at) != 0) continue;
     std::vector<std::string> cycle;
     const int line = joint_of_child[at]->line;
-    while (told.insert(at).second) {
+    while (reported.insert(at).second) {
       cycle.push_back(joint_of_child[at]->name);
       at = joint_of_child[at]->parent;
     }

@@ -37,7 +37,7 @@ std::string ReplaceNonNumbers(std::string_view text) {
   return replaced;
 }
 
-/** One JSON object; notes every key asked for, to tell of the others. */
+/** One JSON object; notes every key asked for, to report the others. */
 class ObjectReader {
  public:
   ObjectReader(const Json& json, std::string prefix, const std::string& file,

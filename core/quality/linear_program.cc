@@ -15,6 +15,58 @@ constexpr double kTie = 1e-12;             // ratios that differ by less are equ
 constexpr Eigen::Index kStableSteps = 20;  // per row and column, before Bland's rule
 constexpr double kRoundingGain = 1e-7;     // relative to the largest objective coefficient
 
+/** Columns: variables, slacks, right-hand side. The last row holds minus the gains. */
+struct Tableau {
+  Eigen::Index num_rows, num_columns;  // without the last ones
+  Eigen::MatrixXd values;
+  std::vector<Eigen::Index> basis;  // the variable each row stands for
+};
+
+Tableau MakeTableau(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c) {
+  const Eigen::Index num_rows = A.rows(), num_variables = A.cols();
+  Tableau tableau;
+  tableau.num_rows = num_rows;
+  tableau.num_columns = num_variables + num_rows;
+  tableau.values = Eigen::MatrixXd::Zero(num_rows + 1, tableau.num_columns + 1);
+  tableau.values.topLeftCorner(num_rows, num_variables) = A;
+  tableau.values.block(0, num_variables, num_rows, num_rows).setIdentity();
+  tableau.values.col(tableau.num_columns).head(num_rows) = b;
+  tableau.values.row(num_rows).head(num_variables) = -c.transpose();
+  for (Eigen::Index row = 0; row < num_rows; ++row) tableau.basis.push_back(num_variables + row);
+  return tableau;
+}
+
+/** Of the rows that limit the entering variable most, the one with the largest pivot, which keeps
+rounding small; or, when it is not `is_stable`, the one with the first variable (Bland's rule); -1
+when no row limits it. */
+Eigen::Index FindLeavingRow(const Tableau& tableau, Eigen::Index enter, bool is_stable) {
+  Eigen::Index leave = -1;
+  double tightest = 0.0;
+  for (Eigen::Index row = 0; row < tableau.num_rows; ++row) {
+    const double pivot = tableau.values(row, enter);
+    if (pivot <= kSmallestPivot) continue;
+    const double ratio = tableau.values(row, tableau.num_columns) / pivot;
+    const bool is_tie = leave >= 0 && std::abs(ratio - tightest) <= kTie;
+    const bool wins_tie =
+        is_tie && (is_stable ? pivot > tableau.values(leave, enter)
+                             : ratio == tightest && tableau.basis[row] < tableau.basis[leave]);
+    if (leave < 0 || wins_tie || (ratio < tightest && (!is_tie || !is_stable))) {
+      leave = row;
+      tightest = ratio;
+    }
+  }
+  return leave;
+}
+
+void Pivot(Eigen::Index enter, Eigen::Index leave, Tableau& tableau) {
+  Eigen::MatrixXd& values = tableau.values;
+  values.row(leave) /= values(leave, enter);
+  for (Eigen::Index row = 0; row <= tableau.num_rows; ++row) {
+    if (row != leave) values.row(row) -= values(row, enter) * values.row(leave);
+  }
+  tableau.basis[leave] = enter;
+}
+
 }  // namespace
 
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
@@ -24,59 +76,33 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
                     "sizes: " + std::to_string(b.size()) + ", " + std::to_string(c.size()));
   GRASPBENCH_DEMAND(num_rows == 0 || b.minCoeff() >= 0.0, "a negative bound");
 
-  // Columns: variables, slacks, right-hand side. The last row holds minus the gains.
-  const Eigen::Index num_columns = num_variables + num_rows;
-  Eigen::MatrixXd tableau = Eigen::MatrixXd::Zero(num_rows + 1, num_columns + 1);
-  tableau.topLeftCorner(num_rows, num_variables) = A;
-  tableau.block(0, num_variables, num_rows, num_rows).setIdentity();
-  tableau.col(num_columns).head(num_rows) = b;
-  tableau.row(num_rows).head(num_variables) = -c.transpose();
-  std::vector<Eigen::Index> basis(num_rows);  // the variable each row stands for
-  for (Eigen::Index row = 0; row < num_rows; ++row) basis[row] = num_variables + row;
-
+  Tableau tableau = MakeTableau(A, b, c);
   const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
   LinearProgramResult result;
-  const Eigen::Index num_stable_steps = kStableSteps * (num_rows + num_columns);
+  // After so many steps it might cycle, which Bland's rule prevents.
+  const Eigen::Index num_stable_steps = kStableSteps * (num_rows + tableau.num_columns);
   for (Eigen::Index step = 0;; ++step) {
-    // The first variable that gains enters. Of the tightest rows the one with the largest pivot
-    // leaves, which keeps rounding small; should that go on for too long, it might cycle, and the
-    // one with the first variable leaves instead (Bland's rule). A tiny gain that no row limits is
-    // rounding, not a way to infinity.
-    const bool is_stable = step < num_stable_steps;
+    // The first variable that gains enters. A tiny gain that no row limits is rounding, not a way
+    // to infinity.
     Eigen::Index enter = -1, leave = -1;
-    for (Eigen::Index column = 0; column < num_columns && leave < 0; ++column) {
-      const double gain = -tableau(num_rows, column);
+    for (Eigen::Index column = 0; column < tableau.num_columns && leave < 0; ++column) {
+      const double gain = -tableau.values(num_rows, column);
       if (gain <= kZero) continue;
       enter = column;
-      double tightest = 0.0;
-      for (Eigen::Index row = 0; row < num_rows; ++row) {
-        if (tableau(row, enter) <= kSmallestPivot) continue;
-        const double ratio = tableau(row, num_columns) / tableau(row, enter);
-        const bool is_tie = leave >= 0 && std::abs(ratio - tightest) <= kTie;
-        const bool wins_tie =
-            is_tie && (is_stable ? tableau(row, enter) > tableau(leave, enter)
-                                 : ratio == tightest && basis[row] < basis[leave]);
-        if (leave < 0 || wins_tie || (ratio < tightest && (!is_tie || !is_stable))) {
-          leave = row;
-          tightest = ratio;
-        }
-      }
+      leave = FindLeavingRow(tableau, enter, step < num_stable_steps);
       if (leave < 0 && gain > rounding_gain) {
         result.is_bounded = false;
         return result;
       }
     }
     if (leave < 0) break;
-    tableau.row(leave) /= tableau(leave, enter);
-    for (Eigen::Index row = 0; row <= num_rows; ++row) {
-      if (row != leave) tableau.row(row) -= tableau(row, enter) * tableau.row(leave);
-    }
-    basis[leave] = enter;
+    Pivot(enter, leave, tableau);
   }
 
   result.x = Eigen::VectorXd::Zero(num_variables);
   for (Eigen::Index row = 0; row < num_rows; ++row) {
-    if (basis[row] < num_variables) result.x[basis[row]] = tableau(row, num_columns);
+    const Eigen::Index variable = tableau.basis[row];
+    if (variable < num_variables) result.x[variable] = tableau.values(row, tableau.num_columns);
   }
   result.value = c.dot(result.x);
   return result;

@@ -225,6 +225,9 @@ struct Renderer::Impl {
   void BindLights(const Program& program, const Light& key, const Light& sky);
   void DrawDepth(const Target& map, const Light& light);
   void DrawMesh(const GpuMesh& mesh);
+  void DrawTable(const View& view, const std::vector<Vector3d>& corners, const Light& key,
+                 const Light& sky);
+  Image ReadPicture();
 
   GlContext context;
   const GlFunctions& gl;
@@ -398,6 +401,52 @@ void Renderer::Impl::DrawDepth(const Target& map, const Light& light) {
   }
 }
 
+/** With the shadows of what has these `corners`. */
+void Renderer::Impl::DrawTable(const View& view, const std::vector<Vector3d>& corners,
+                               const Light& key, const Light& sky) {
+  const Eigen::Vector4d area = FindShadowArea(corners);
+  gl.Disable(GL_DEPTH_TEST);
+  Begin(rough_table_light, table_light);
+  BindLights(table_light, key, sky);
+  table_light.Set("table_area", area);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  Begin(smooth_table_light, smooth);
+  BindTexture(smooth, "rough", 0, rough_table_light.texture);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+
+  gl.Enable(GL_DEPTH_TEST);
+  Begin(picture, table);
+  BindTexture(table, "table_light", 0, smooth_table_light.texture);
+  table.Set("table_area", area);
+  table.Set("clip_from_S", view.clip_from_S);
+  table.Set("background", DecodeSrgb(kBackgroundSrgb));
+  table.Set("fade_radius", 3.0 * view.half_height);
+  const Pose X_WS = view.X_SW.inverse();
+  table.Set("world_from_S", Eigen::Vector4d(X_WS.linear()(0, 0), X_WS.linear()(1, 0),
+                                            X_WS.translation().x(), X_WS.translation().y()));
+  gl.Enable(GL_POLYGON_OFFSET_FILL);  // what lies on the table stays before it
+  gl.PolygonOffset(1.0f, 4.0f);
+  gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+Image Renderer::Impl::ReadPicture() {
+  std::vector<uint8_t> pixels(3 * static_cast<size_t>(width) * height);
+  gl.ReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+  const GLenum error = gl.GetError();
+  GRASPBENCH_DEMAND(error == GL_NO_ERROR, "OpenGL error " + std::to_string(error));
+
+  Image image;
+  image.width = width;
+  image.height = height;
+  const size_t row = 3 * static_cast<size_t>(width);
+  image.rgb.reserve(pixels.size());
+  for (int y = height - 1; y >= 0; --y) {  // OpenGL's rows run upwards
+    image.rgb.insert(image.rgb.end(), pixels.begin() + y * row, pixels.begin() + (y + 1) * row);
+  }
+  return image;
+}
+
 Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   context.MakeCurrent();
   DropUnusedMeshes();
@@ -436,52 +485,14 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   }
 
   gl.BindVertexArray(no_vertices);
-  if (scene.has_table && view.p_SEye.z() > 0.0) {
-    const Eigen::Vector4d area = FindShadowArea(corners);
-    gl.Disable(GL_DEPTH_TEST);
-    Begin(rough_table_light, table_light);
-    BindLights(table_light, key, sky);
-    table_light.Set("table_area", area);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    Begin(smooth_table_light, smooth);
-    BindTexture(smooth, "rough", 0, rough_table_light.texture);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-
-    gl.Enable(GL_DEPTH_TEST);
-    Begin(picture, table);
-    BindTexture(table, "table_light", 0, smooth_table_light.texture);
-    table.Set("table_area", area);
-    table.Set("clip_from_S", view.clip_from_S);
-    table.Set("background", DecodeSrgb(kBackgroundSrgb));
-    table.Set("fade_radius", 3.0 * view.half_height);
-    const Pose X_WS = view.X_SW.inverse();
-    table.Set("world_from_S", Eigen::Vector4d(X_WS.linear()(0, 0), X_WS.linear()(1, 0),
-                                              X_WS.translation().x(), X_WS.translation().y()));
-    gl.Enable(GL_POLYGON_OFFSET_FILL);  // what lies on the table stays before it
-    gl.PolygonOffset(1.0f, 4.0f);
-    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    gl.Disable(GL_POLYGON_OFFSET_FILL);
-  }
+  if (scene.has_table && view.p_SEye.z() > 0.0) DrawTable(view, corners, key, sky);
 
   gl.Disable(GL_DEPTH_TEST);
   Begin(resolved, resolve);
   BindTexture(resolve, "fine", 0, picture.texture);
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 
-  std::vector<uint8_t> pixels(3 * static_cast<size_t>(width) * height);
-  gl.ReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
-  const GLenum error = gl.GetError();
-  GRASPBENCH_DEMAND(error == GL_NO_ERROR, "OpenGL error " + std::to_string(error));
-
-  Image image;
-  image.width = width;
-  image.height = height;
-  const size_t row = 3 * static_cast<size_t>(width);
-  image.rgb.reserve(pixels.size());
-  for (int y = height - 1; y >= 0; --y) {  // OpenGL's rows run upwards
-    image.rgb.insert(image.rgb.end(), pixels.begin() + y * row, pixels.begin() + (y + 1) * row);
-  }
-  return image;
+  return ReadPicture();
 }
 
 Renderer::Renderer(int width, int height) {

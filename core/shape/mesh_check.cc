@@ -17,7 +17,7 @@
 namespace graspbench {
 namespace {
 
-constexpr int kMaxListed = 4;          // places told per problem
+constexpr int kMaxListed = 4;          // places reported per problem
 constexpr int kMaxCrossings = 1000;    // then counting stops
 constexpr double kMinFlatness = 1e-9;  // volume against the cube of the extent: flat below
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Is a mesh the surface of one or more solids? Everything that simulation and mass properties rely on
-is checked, and each problem is told to a person: how many, where the first ones are, what to do.
+is checked, and each problem is reported: how many, where the first ones are, what to do.
 
 A point belongs to the solid where the surface winds around it at least once. So parts that overlap,
 lie in each other or touch are one body, a shell that faces inwards within one that faces outwards

@@ -40,7 +40,7 @@ struct SceneInputs {
   StandardGrasp grasp;
 };
 
-/** All problems of the values, as Validate(SessionConfig) tells them. */
+/** All problems of the values, as Validate(SessionConfig) reports them. */
 std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
 
 /** The draw of a number: 0 without variation, else from streams of (seed, object, number) and

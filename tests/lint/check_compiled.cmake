@@ -3,6 +3,15 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 file(READ ${BUILD}/compile_commands.json commands)
+# A library's sources are compiled a dozen at a time, from files that include them.
+string(REGEX MATCHALL "[^\" ]*/Unity/unity_[0-9]+_cxx\\.cxx\"" units "${commands}")
+list(REMOVE_DUPLICATES units)
+foreach(unit IN LISTS units)
+  string(REPLACE "\"" "" unit ${unit})
+  file(READ ${unit} includes)
+  string(APPEND commands "${includes}")
+endforeach()
+
 set(offences "")
 find_cxx_files(files ${ROOMS} tests)
 list(FILTER files INCLUDE REGEX "\\.cc$")

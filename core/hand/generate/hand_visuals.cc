@@ -1,6 +1,7 @@
 #include "core/hand/generate/hand_visuals.h"
 
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "core/base/pose.h"
@@ -168,10 +169,9 @@ TriMesh MakeMuscles(int count, double ring_mm, double radius_mm, double from_mm,
   return Joined(muscles);
 }
 
-void AddShadow(std::map<std::string, TriMesh>& meshes) {
-  const auto add = [&](const std::string& name, const TriMesh& mesh) {
-    meshes["shadow/meshes/" + name + ".obj"] = mesh;
-  };
+using AddMesh = std::function<void(const std::string& name, const TriMesh& mesh)>;
+
+void AddShadowDigits(const AddMesh& add) {
   // Fingers: contact radius 7 mm; thumb 12, 11 and 10 mm.
   add("knuckle", MakeBarrel(8.0, 8.0));
   add("joint", MakeBarrel(6.3, 6.9));
@@ -192,7 +192,9 @@ void AddShadow(std::map<std::string, TriMesh>& meshes) {
   add("thdistal", MakeTipHolder(10.0, 27.5));
   add("thdistal_flesh", MakeFingertipFlesh(kShadowThumbTip));
   add("thnail", MakeNail(kShadowThumbTip));
+}
 
+void AddShadowPalm(const AddMesh& add) {
   // The palm spans x -22..42 at y = -11..11; its little edge is the metacarpal.
   add("palm", MakeBody({{0.0, 0.0, 1.0, 17.0, 11.0},
                         {12.0, 4.0, 1.5, 22.0, 10.5},
@@ -224,7 +226,9 @@ void AddShadow(std::map<std::string, TriMesh>& meshes) {
                                        MFromMm(4.2), 16));
   }
   add("palm_plate", Joined(plate));
+}
 
+void AddShadowForearm(const AddMesh& add) {
   // Along z of a frame that is turned to the palm's own axes in hand.urdf.
   add("lfmetacarpal", MakeBody({{-8.0, 8.0, 1.0, 6.0, 7.0},
                                 {8.0, 2.0, 1.5, 10.5, 8.5},
@@ -247,6 +251,15 @@ void AddShadow(std::map<std::string, TriMesh>& meshes) {
       Joined(
           {MakeBody({{-20.0, 0.0, 0.0, 33.0, 30.0}, {-8.0, 0.0, 0.0, 31.0, 28.0}}, 2.2, 2.0),
            MakeBody({{-146.0, 0.0, 0.0, 43.0, 43.0}, {-130.0, 0.0, 0.0, 43.0, 43.0}}, 2.0, 2.0)}));
+}
+
+void AddShadow(std::map<std::string, TriMesh>& meshes) {
+  const auto add = [&](const std::string& name, const TriMesh& mesh) {
+    meshes["shadow/meshes/" + name + ".obj"] = mesh;
+  };
+  AddShadowDigits(add);
+  AddShadowPalm(add);
+  AddShadowForearm(add);
 }
 
 void AddTum(std::map<std::string, TriMesh>& meshes) {
