@@ -6,13 +6,17 @@
 
 #include "core/base/config.h"
 #include "core/base/files.h"
-#include "core/base/version.h"
 #include "core/statistics/summary.h"
+#include "datasets/session/frozen_folder.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr FrozenKind kFrozenCampaign = {"campaign", "campaign.json", kCampaignSchema,
+                                        "graspbench campaign",
+                                        "run the campaign anew into another folder"};
 
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
@@ -148,55 +152,27 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   if (!text.empty()) throw Error(ErrorKind::kRange, "the campaign cannot be run" + text);
 }
 
-bool HasCampaign(const fs::path& folder) { return fs::exists(folder / "campaign.json"); }
+bool HasCampaign(const fs::path& folder) { return HasFrozen(kFrozenCampaign, folder); }
 
 CampaignConfig LoadCampaignConfig(const fs::path& folder) {
-  const fs::path path = folder / "campaign.json";
-  if (!HasCampaign(folder)) {
-    throw Error(ErrorKind::kNotFound, "no campaign in \"" + folder.string() +
-                                          "\" (campaign.json is not there); graspbench campaign "
-                                          "--out " +
-                                          folder.string() + " starts one");
-  }
   Diagnostics problems;
-  CampaignConfig config;
-  try {
-    const Json json = Json::parse(ReadFile(path));
-    const int schema = IntFrom(json.at("schema"));
-    if (schema != kCampaignSchema) {
-      throw Error(ErrorKind::kVersion, "\"" + path.string() + "\" has schema " +
-                                           std::to_string(schema) + ", this program (" +
-                                           program_version() + ") reads schema " +
-                                           std::to_string(kCampaignSchema) +
-                                           "; run the campaign anew into another folder");
-    }
-    config = ConfigFromJson<CampaignConfig>(json.at("config"), path.string(), problems);
-  } catch (const Json::exception& e) {
-    throw Error(ErrorKind::kFormat,
-                "\"" + path.string() + "\" is damaged: " + e.what() +
-                    "; it is written once and never changed, so take it from a backup");
-  }
+  const auto config = ConfigFromJson<CampaignConfig>(
+      LoadFrozen(kFrozenCampaign, folder), (folder / kFrozenCampaign.file).string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return config;
 }
 
 void CreateCampaign(const fs::path& folder, const CampaignConfig& config) {
   if (HasCampaign(folder)) {
-    std::string text;
-    for (const auto& difference : FindConfigDifferences(LoadCampaignConfig(folder), config)) {
-      text += "\n  " + difference;
-    }
+    const std::string text =
+        ListDifferences(FindConfigDifferences(LoadCampaignConfig(folder), config));
     if (text.empty()) return;
     throw Error(ErrorKind::kUsage,
                 "the campaign was started with other settings (there and now):" + text +
                     "\ncontinue it without them, or choose another folder with --out");
   }
-  const Json frozen = {{"schema", kCampaignSchema},
-                       {"program_version", program_version()},
-                       {"physics_version", kPhysicsVersion},
-                       {"config", ConfigToJson(config)}};
   MakeFolder(folder);
-  WriteFileAtomically(folder / "campaign.json", FormatJson(frozen, 2) + "\n");
+  WriteFrozen(kFrozenCampaign, folder, ConfigToJson(config));
 }
 
 std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
@@ -211,9 +187,7 @@ std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const Sessio
     scene.config.object = planned.object;
     scene.config.grasp = planned.grasp;
     scene.config.optimise = config.optimise;
-    scene.config.variation = config.session.variation;
-    scene.config.strategy = config.session.strategy;
-    scene.config.sim = config.session.sim;
+    static_cast<TrialConditions&>(scene.config) = config.session;
     scene.inputs = {setup.hand, setup.object, setup.grasp};
     scene.folder = folder / "scenes" / (planned.hand + "-" + planned.object);
     scenes.push_back(std::move(scene));

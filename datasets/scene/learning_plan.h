@@ -12,15 +12,12 @@ its trials' ids and draws. */
 
 namespace graspbench {
 
-/** Frozen in scene.json. */
-struct SceneConfig {
+/** Frozen in scene.json; the variation is that of the drawn learning trials. */
+struct SceneConfig : TrialConditions {
   std::string hand;
   std::string object;
   std::string grasp;  ///< id of the standard grasp
   OptimiseConfig optimise;
-  VariationConfig variation;  ///< of the drawn learning trials
-  StrategyConfig strategy;
-  SimConfig sim;
 
   template <class V>
   void Visit(V&& v) {
@@ -28,9 +25,7 @@ struct SceneConfig {
     v("object", object);
     v("grasp", grasp);
     v("optimise", optimise);
-    v("variation", variation);
-    v("strategy", strategy);
-    v("sim", sim);
+    TrialConditions::Visit(v);
   }
 };
 

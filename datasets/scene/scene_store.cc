@@ -4,8 +4,8 @@
 
 #include "core/base/config.h"
 #include "core/base/files.h"
-#include "core/base/version.h"
 #include "core/grasp/grasp_file.h"
+#include "datasets/session/frozen_folder.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -109,59 +109,34 @@ std::string FormatIndividuals(const TargetStep& step, const Hand& hand) {
   return csv;
 }
 
-Json LoadFrozen(const fs::path& folder) {
-  const fs::path path = folder / "scene.json";
-  if (!fs::exists(path)) {
-    throw Error(ErrorKind::kNotFound,
-                "no optimisation in \"" + folder.string() +
-                    "\" (scene.json is not there); graspbench optimise --out " + folder.string() +
-                    " starts one");
-  }
-  try {
-    const Json json = Json::parse(ReadFile(path));
-    const int schema = IntFrom(json.at("schema"));
-    if (schema == kSceneSchema) return json.at("config");
-    throw Error(ErrorKind::kVersion,
-                "\"" + path.string() + "\" has schema " + std::to_string(schema) +
-                    ", this program (" + program_version() + ") reads schema " +
-                    std::to_string(kSceneSchema) + "; optimise anew into another folder");
-  } catch (const Json::exception& e) {
-    throw Error(ErrorKind::kFormat,
-                "\"" + path.string() + "\" is damaged: " + e.what() +
-                    "; it is written once and never changed, so take it from a backup");
-  }
-}
+constexpr FrozenKind kFrozenScene = {"optimisation", "scene.json", kSceneSchema,
+                                     "graspbench optimise", "optimise anew into another folder"};
 
 SceneConfig ParseSceneConfig(const fs::path& folder) {
   Diagnostics problems;
-  const auto config =
-      ConfigFromJson<SceneConfig>(LoadFrozen(folder), (folder / "scene.json").string(), problems);
+  const auto config = ConfigFromJson<SceneConfig>(LoadFrozen(kFrozenScene, folder),
+                                                  (folder / kFrozenScene.file).string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return config;
 }
 
 }  // namespace
 
-bool HasScene(const fs::path& folder) { return fs::exists(folder / "scene.json"); }
+bool HasScene(const fs::path& folder) { return HasFrozen(kFrozenScene, folder); }
 
 bool IsSceneFinished(const fs::path& folder) { return fs::exists(folder / "result.json"); }
 
 void CreateScene(const fs::path& folder, const SceneConfig& config) {
   if (HasScene(folder)) {
-    const auto differences = FindConfigDifferences(ParseSceneConfig(folder), config);
-    if (differences.empty()) return;
-    std::string text;
-    for (const std::string& difference : differences) text += "\n  " + difference;
+    const std::string text =
+        ListDifferences(FindConfigDifferences(ParseSceneConfig(folder), config));
+    if (text.empty()) return;
     throw Error(ErrorKind::kUsage, "\"" + folder.string() +
                                        "\" was started with other settings (there and now):" +
                                        text + "\nuse those, or choose another folder with --out");
   }
-  const Json frozen = {{"schema", kSceneSchema},
-                       {"program_version", program_version()},
-                       {"physics_version", kPhysicsVersion},
-                       {"config", ConfigToJson(config)}};
   MakeFolder(folder);
-  WriteFileAtomically(folder / "scene.json", FormatJson(frozen, 2) + "\n");
+  WriteFrozen(kFrozenScene, folder, ConfigToJson(config));
 }
 
 void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,

@@ -25,15 +25,26 @@ struct VariationConfig {
   }
 };
 
-struct SessionConfig {
+/** What holds for every trial of a session, and of a scene's optimisation. */
+struct TrialConditions {
+  VariationConfig variation;
+  StrategyConfig strategy;
+  SimConfig sim;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("variation", variation);
+    v("strategy", strategy);
+    v("sim", sim);
+  }
+};
+
+struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
   std::vector<std::string> grasps = {"best"};  ///< "all", or "best", ids, files
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
-  VariationConfig variation;
-  StrategyConfig strategy;
-  SimConfig sim;
 
   template <class V>
   void Visit(V&& v) {
@@ -42,9 +53,7 @@ struct SessionConfig {
     v("grasps", grasps);
     v("trials", trials);
     v("seed", seed);
-    v("variation", variation);
-    v("strategy", strategy);
-    v("sim", sim);
+    TrialConditions::Visit(v);
   }
 };
 

@@ -7,8 +7,8 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/version.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/session/frozen_folder.h"
 #include "datasets/session/judgement_store.h"
 
 namespace graspbench {
@@ -16,30 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Json LoadFrozen(const fs::path& folder) {
-  if (!HasSession(folder)) {
-    throw Error(ErrorKind::kNotFound, "no session in \"" + folder.string() +
-                                          "\" (session.json is not there); graspbench run --out " +
-                                          folder.string() + " starts one");
-  }
-  const fs::path path = folder / "session.json";
-  Json json;
-  try {
-    json = Json::parse(ReadFile(path));
-    const int schema = IntFrom(json.at("schema"));
-    if (schema == kSessionSchema) return json;
-    throw Error(ErrorKind::kVersion, "\"" + path.string() + "\" has schema " +
-                                         std::to_string(schema) + ", this program (" +
-                                         program_version() + ") reads schema " +
-                                         std::to_string(kSessionSchema) + "; use graspbench " +
-                                         json.value("program_version", "of that time") +
-                                         " for it, or run the session anew into another folder");
-  } catch (const Json::exception& e) {
-    throw Error(ErrorKind::kFormat,
-                "\"" + path.string() + "\" is damaged: " + e.what() +
-                    "; it is written once and never changed, so take it from a backup");
-  }
-}
+constexpr FrozenKind kFrozenSession = {"session", "session.json", kSessionSchema, "graspbench run",
+                                       "run the session anew into another folder"};
 
 std::vector<PlannedTrial> LoadPlan(const fs::path& path) {
   std::vector<PlannedTrial> plan;
@@ -133,10 +111,7 @@ class Merger {
 
 }  // namespace
 
-bool HasSession(const fs::path& folder) {
-  std::error_code status;
-  return fs::exists(folder / "session.json", status);
-}
+bool HasSession(const fs::path& folder) { return HasFrozen(kFrozenSession, folder); }
 
 void CreateSession(const fs::path& folder, const SessionConfig& config,
                    const std::vector<PlannedTrial>& plan) {
@@ -147,13 +122,9 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
   }
   std::string lines;
   for (const PlannedTrial& planned : plan) lines += FormatJson(ToJson(planned)) + "\n";
-  const Json frozen = {{"schema", kSessionSchema},
-                       {"program_version", program_version()},
-                       {"physics_version", kPhysicsVersion},
-                       {"config", ToJson(config)}};
   MakeFolder(folder / "journal");
   WriteFileAtomically(folder / "plan.jsonl", lines);
-  WriteFileAtomically(folder / "session.json", FormatJson(frozen, 2) + "\n");
+  WriteFrozen(kFrozenSession, folder, ToJson(config));
 }
 
 std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& subfolder) {
@@ -171,10 +142,9 @@ std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& su
 }
 
 Session LoadSession(const fs::path& folder) {
-  const Json frozen = LoadFrozen(folder);
+  const Json frozen = LoadFrozen(kFrozenSession, folder);
   Session session;
-  session.config = SessionConfigFromJson(frozen.value("config", Json::object()),
-                                         (folder / "session.json").string());
+  session.config = SessionConfigFromJson(frozen, (folder / kFrozenSession.file).string());
   session.plan = LoadPlan(folder / "plan.jsonl");
   Merger merger(session.plan, session.findings);
   for (const fs::path& path : ListJournals(folder)) {
@@ -203,10 +173,7 @@ std::vector<PlannedTrial> FindUnfinished(const Session& session) {
 
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan) {
-  std::string text;
-  for (const std::string& difference : FindConfigDifferences(session.config, config)) {
-    text += "\n  " + difference;
-  }
+  std::string text = ListDifferences(FindConfigDifferences(session.config, config));
   if (!text.empty()) {
     throw Error(ErrorKind::kUsage,
                 "the session was started with other settings (there and now):" + text +

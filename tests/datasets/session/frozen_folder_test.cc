@@ -1,0 +1,66 @@
+#include "datasets/session/frozen_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+constexpr FrozenKind kKind = {"experiment", "experiment.json", 4, "graspbench try",
+                              "try anew into another folder"};
+
+class FrozenFolderTest : public testing::Test {
+ protected:
+  /** The kind and text of what LoadFrozen throws. */
+  std::pair<ErrorKind, std::string> FindFault() const {
+    try {
+      LoadFrozen(kKind, folder_.path());
+    } catch (const Error& error) {
+      return {error.kind(), error.what()};
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return {ErrorKind::kUnsupported, ""};
+  }
+  std::filesystem::path file() const { return folder_.path() / kKind.file; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(FrozenFolderTest, GivesBackWhatWasFrozenInTheSameOrder) {
+  EXPECT_FALSE(HasFrozen(kKind, folder_.path()));
+  const Json config = {{"z", 0.1}, {"a", {1, 2, 3}}};
+  WriteFrozen(kKind, folder_.path(), config);
+  EXPECT_TRUE(HasFrozen(kKind, folder_.path()));
+  EXPECT_EQ(LoadFrozen(kKind, folder_.path()).dump(), config.dump());
+}
+
+TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {
+  EXPECT_EQ(FindFault().first, ErrorKind::kNotFound);
+  const std::string folder = folder_.path().string();
+  EXPECT_EQ(FindFault().second, "no experiment in \"" + folder +
+                                    "\" (experiment.json is not there); graspbench try --out " +
+                                    folder + " starts one");
+  WriteFile(file(), R"({"schema":5,"program_version":"9.9.9","config":{}})");
+  EXPECT_EQ(FindFault().first, ErrorKind::kVersion);
+  EXPECT_NE(FindFault().second.find("has schema 5"), std::string::npos);
+  EXPECT_NE(FindFault().second.find("reads schema 4; use graspbench 9.9.9 for it, or try anew "
+                                    "into another folder"),
+            std::string::npos);
+  for (const char* text : {"{\"schema\":4,", "{\"config\":{}}", "[]"}) {
+    WriteFile(file(), text);
+    EXPECT_EQ(FindFault().first, ErrorKind::kFormat) << text;
+    EXPECT_NE(FindFault().second.find("experiment.json\" is damaged: "), std::string::npos);
+  }
+}
+
+TEST(ListDifferences, PutsEachOnALineOfItsOwn) {
+  EXPECT_EQ(ListDifferences({}), "");
+  EXPECT_EQ(ListDifferences({"seed: 1 and 2", "trials: 3 and 4"}),
+            "\n  seed: 1 and 2\n  trials: 3 and 4");
+}
+
+}  // namespace
+}  // namespace graspbench
