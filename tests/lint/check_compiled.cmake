@@ -3,7 +3,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 file(READ ${BUILD}/compile_commands.json commands)
-# A library's sources are compiled a dozen at a time, from files that include them.
+# A library's sources are compiled two dozen at a time, from files that include them.
 string(REGEX MATCHALL "[^\" ]*/Unity/unity_[0-9]+_cxx\\.cxx\"" units "${commands}")
 list(REMOVE_DUPLICATES units)
 foreach(unit IN LISTS units)
