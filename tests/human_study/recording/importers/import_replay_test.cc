@@ -16,7 +16,7 @@ TEST(ImportReplay, EveryCaseEndsWell) {
       cases.push_back(entry.path());
     }
     std::sort(cases.begin(), cases.end());
-    EXPECT_GE(cases.size(), 2u) << importer.id;
+    EXPECT_GE(cases.size(), 1u) << importer.id;
     for (const std::filesystem::path& path : cases) {
       SCOPED_TRACE(path.string());
       EXPECT_NO_THROW(FuzzImport(importer.id, ReadFile(path)));
