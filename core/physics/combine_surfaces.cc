@@ -35,8 +35,6 @@ ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial&
   pair.friction_dynamic = CombineFriction(a.friction_dynamic, b.friction_dynamic);
   pair.torsion_radius = Combine(a.torsion_radius, b.torsion_radius, 0.0,
                                 [](double r_a, double r_b) { return std::min(r_a, r_b); });
-  pair.adhesion = Combine(a.adhesion, b.adhesion, 0.0,
-                          [](double f_a, double f_b) { return std::min(f_a, f_b); });
   pair.tangential_stiffness =
       config.tangential_stiffness * (pair.stiffness / config.contact_stiffness);
   return pair;

@@ -62,7 +62,7 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   const double depth = contact.depth - h * vn;
   const double damping = 1.0 - material.dissipation * vn;
   if (depth > 0.0 && damping > 0.0) {
-    result.force[kNormalRow] = material.stiffness * depth * damping - material.adhesion;
+    result.force[kNormalRow] = material.stiffness * depth * damping;
     result.normal_gain = material.stiffness * (h * damping + material.dissipation * depth);
   }
   if (!contact.memory) return result;

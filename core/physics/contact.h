@@ -29,7 +29,6 @@ struct ContactMaterial {
   double tangential_stiffness = 0.0;  ///< kt [N/m]; 0 = no friction
   double friction_static = 0.0;
   double friction_dynamic = 0.0;
-  double adhesion = 0.0;        ///< pull while it touches [N]
   double torsion_radius = 0.0;  ///< r [m]; 0 = no resistance to spin
 };
 

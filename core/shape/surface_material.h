@@ -21,7 +21,6 @@ struct SurfaceMaterial {
   double friction_dynamic = kUnset;  ///< <= friction_static
   double stiffness = kUnset;         ///< k, normal, per contact point [N/m]
   double dissipation = kUnset;       ///< d of Hunt and Crossley [s/m]
-  double adhesion = kUnset;          ///< constant pull of a touching point [N]
   double torsion_radius = kUnset;    ///< r: resists spin up to mu fn r [m]
 
   /** v(key in files, value, least, most). */
@@ -31,7 +30,6 @@ struct SurfaceMaterial {
     v("friction_dynamic", friction_dynamic, 0.0, 5.0);
     v("contact_stiffness_n_per_m", stiffness, 100.0, 1e7);
     v("contact_dissipation_s_per_m", dissipation, 0.0, 100.0);
-    v("adhesion_n", adhesion, 0.0, 10.0);
     v("torsion_radius_m", torsion_radius, 0.0, 0.1);
   }
 };
