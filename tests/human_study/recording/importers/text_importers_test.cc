@@ -14,14 +14,6 @@ const std::string kQualisysHead =
     "DATA_INCLUDED\t3D\r\nEVENT\ttouch\t2\t0.01000\r\n"
     "MARKER_NAMES\tthumb\tindex\r\nTRAJECTORY_TYPES\tMeasured\tMixed\r\n";
 
-TEST(Sto, HasNamesAfterItsHeader) {
-  const Recording read =
-      ImportBytes("markers\nendheader\ntime\tA_x\tA_y\tA_z\n0.5\t1\t2\t3\n0.6\t1\t2\t4\n", "sto");
-  EXPECT_EQ(read.num_frames, 2u);
-  EXPECT_EQ(read.points[0].label, "A");
-  EXPECT_DOUBLE_EQ(read.Time(1), 0.6);
-}
-
 TEST(QualisysTsv, MissingIsEmptyNanOrZero) {
   const Recording read = ImportBytes(kQualisysHead +
                                          "Frame\tTime\tthumb X\tthumb Y\tthumb Z\tindex X\tindex "
