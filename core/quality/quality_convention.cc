@@ -40,9 +40,6 @@ const std::vector<QualityConvention>& ListQualityConventions() {
        "as given; meant: median of the bounding box's upper corner", CalcMedianHalfSide},
       {"frogger", UnitForce::kTotal, TorqueScaleRule::kOneMetre, ReferenceRule::kFrameOrigin,
        EpsilonRule::kFromOrigin, false, 1.0, 4, -1.0, "not scaled", CalcRadius},
-      {"half-diagonal", UnitForce::kTotal, TorqueScaleRule::kGiven, ReferenceRule::kGiven,
-       EpsilonRule::kFromOrigin, false, 1.0, 8, 0.0, "half the bounding box's diagonal",
-       CalcHalfDiagonal},
   };
   return *kConventions;
 }
