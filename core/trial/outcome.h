@@ -20,7 +20,6 @@ enum class Outcome {
   kLostWhileClosing,     ///< touched, but contact was lost again before lift-off
   kSlippedInLiftOff,     ///< it did not come along
   kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
-  kNeverLetGo,           ///< still on the table with both digits on it
   kNumericalFailure,     ///< the simulation gave up; `reason` says why
 };
 
@@ -51,7 +50,6 @@ inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kLostWhileClosing, "lost while closing", "LC", OutcomeKind::kFailure},
     {Outcome::kSlippedInLiftOff, "slipped in lift-off", "SL", OutcomeKind::kFailure},
     {Outcome::kDroppedWhileHolding, "dropped while holding", "DH", OutcomeKind::kMaybeInHand},
-    {Outcome::kNeverLetGo, "never left the table", "NL", OutcomeKind::kFailure},
     {Outcome::kNumericalFailure, "numerical failure", "NF", OutcomeKind::kNumerical},
 };
 /** Without kNotRun. */

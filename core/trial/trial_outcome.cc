@@ -94,9 +94,6 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
                         MmFromM(facts.displacement))};
   }
   if (!untouched.empty()) return {Outcome::kNoContact, "never touched by " + untouched};
-  if (facts.grip_force > 0.0 && facts.table_force > 0.0) {
-    return {Outcome::kNeverLetGo, "gripped, and still on the table at the end"};
-  }
   if (facts.closed_grip_force == 0.0) {
     return {Outcome::kLostWhileClosing, "all digits had touched, but none did before lift-off"};
   }
