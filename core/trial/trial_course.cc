@@ -142,7 +142,6 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
   }
   notes_.result.worst_penetration =
       std::max(notes_.result.worst_penetration, report.worst_penetration);
-  notes_.result.greatest_rise = std::max(notes_.result.greatest_rise, CalcRise());
   if (report.grip_force > 0.0) notes_.last_touch = notes_.time;
   ObserveTouches(closing);
   world_->FindHandContacts(hand_contacts_);

@@ -72,7 +72,6 @@ struct TrialResult {
   /** Motion in the palm's frame in the second half of the hold: of the centre of mass, plus the
   turn times the object's radius [m]; NaN: not held to the end. */
   double hold_creep = kUnset;
-  double greatest_rise = 0.0;          ///< of the object in the whole trial [m]
   double end_speed = 0.0;              ///< relative to the palm at the end [m/s]
   double grip_force = 0.0;             ///< sum of normal forces on the object before lift-off [N]
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
@@ -99,8 +98,6 @@ struct TrialResult {
     field("hold_creep_m", &R::hold_creep,
           FieldColumn{"m",
                       "motion of the object in the palm's frame in the second half of the hold"});
-    field("greatest_rise_m", &R::greatest_rise,
-          FieldColumn{"m", "greatest height of the object above rest in the whole trial"});
     field("end_speed_m_per_s", &R::end_speed,
           FieldColumn{"m/s", "speed of the object relative to the palm at the end"});
     field("grip_force_n", &R::grip_force,
