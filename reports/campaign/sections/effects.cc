@@ -14,7 +14,7 @@ constexpr Step kSteps[] = {{"Step 1, new pre-grasp", kStandardGrasp, kNewPreGras
                            {"Step 2, new target grasp", kNewPreGrasp, kNewTarget},
                            {"Both steps", kStandardGrasp, kNewTarget}};
 
-std::string FormatValue(const VariantMeasure& measure, double value) {
+std::string FormatMeasure(const VariantMeasure& measure, double value) {
   return FormatFixed(measure.unit * value, measure.decimals);
 }
 
@@ -43,8 +43,8 @@ Html DrawEffects(const CampaignData& data, const std::string& hand, const std::s
       if (effect.num_scenes == 0) continue;
       table.AddRow(
           {Text(step.name), Text(measure.name), Text(std::to_string(effect.num_scenes)),
-           Text(FormatValue(measure, effect.median_before)),
-           Text(FormatValue(measure, effect.median_after)), Text(FormatRatio(effect)),
+           Text(FormatMeasure(measure, effect.median_before)),
+           Text(FormatMeasure(measure, effect.median_after)), Text(FormatRatio(effect)),
            Text(std::to_string(effect.worse.size()) + " (" +
                 FormatPercent(static_cast<double>(effect.worse.size()) / effect.num_scenes) +
                 ")")});
