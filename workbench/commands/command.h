@@ -39,6 +39,8 @@ void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
                        const std::string& example);
 /** "--evaluations" and "--fitness-trials". */
 void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of);
+/** "--replace": an older result of the command's own kind. */
+void AddReplaceOption(CLI::App& command, bool& replace);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
 ///@}

@@ -6,6 +6,7 @@
 #include "core/base/files.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/learning_batch.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
 #include "workbench/experiments/session_worker.h"
@@ -30,7 +31,13 @@ class CampaignRun {
   }
 
   bool Run() {
-    CreateCampaign(folder_, config_);
+    if (HasCampaign(folder_)) {
+      CreateCampaign(folder_, config_);  // the same one, or an error
+    } else {
+      StagedFolder staged({folder_, "", false, {}});
+      CreateCampaign(staged.path(), config_);
+      staged.Commit();
+    }
     return OptimiseScenes() && Benchmark() && Compare();
   }
 

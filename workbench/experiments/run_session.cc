@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "datasets/session/judgement_store.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/session_worker.h"
 
 namespace graspbench {
@@ -31,8 +32,12 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   const std::vector<PlannedTrial> plan = MakePlan(prepared.config, prepared.inputs);
   prepared.folder = FindFolder(request, plan);
   const bool may_continue = request.resume || request.out.empty();
-  if (!may_continue || !HasSession(prepared.folder)) {
-    CreateSession(prepared.folder, prepared.config, plan);
+  if (!HasSession(prepared.folder)) {
+    StagedFolder staged({prepared.folder, "", false, request.inputs});
+    CreateSession(staged.path(), prepared.config, plan);
+    staged.Commit();
+  } else if (!may_continue) {
+    CreateSession(prepared.folder, prepared.config, plan);  // says what is there
   }
   if (!names_a_session) prepared.session = LoadSession(prepared.folder);
   CheckSameSession(prepared.session, prepared.config, plan);

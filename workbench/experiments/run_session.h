@@ -6,6 +6,7 @@ A session from its configuration to the last trial in its folder. */
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_inputs.h"
@@ -21,7 +22,8 @@ struct SessionRequest {
   /** Empty: results/<name>-<hash of the plan>, so the same session always has the same folder and
   another one never gets in its way; it is continued when it is there. */
   std::filesystem::path out;
-  bool resume = false;  ///< continue the session in `out`
+  bool resume = false;                        ///< continue the session in `out`
+  std::vector<std::filesystem::path> inputs;  ///< files read besides, which `out` must not hold
 };
 
 /** A new session, or the rest of one. */
@@ -33,7 +35,8 @@ struct PreparedSession {
 };
 
 /** Loads what the session needs and creates its folder, or finds it there.
-@throws Error(kUsage) for a folder with another session; what LoadSessionInputs, MakePlan,
+@throws Error(kUsage) for a folder with another session or with foreign files, as
+CheckOutputFolder; what LoadSessionInputs, MakePlan,
 CreateSession and LoadSession throw. */
 PreparedSession PrepareSession(const SessionRequest& request);
 

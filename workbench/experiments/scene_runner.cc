@@ -4,6 +4,7 @@
 
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_plan.h"
+#include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
 namespace {
@@ -118,6 +119,11 @@ OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& 
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
                              const std::atomic<bool>& stop) {
+  if (!HasScene(folder)) {
+    StagedFolder staged({folder, "", false, {}});
+    CreateScene(staged.path(), config);
+    staged.Commit();
+  }
   Stage stage;
   stage.name = "optimisation";
   stage.num_all = stage.num_left = 1;
