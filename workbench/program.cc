@@ -149,6 +149,12 @@ void AddReplaceOption(CLI::App& command, bool& replace) {
                    "write in the place of an earlier result, if all its files are as written");
 }
 
+void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage) {
+  command.add_flag_callback(
+      "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
+      "go on with what is whole in a damaged folder; the report names the damage");
+}
+
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
   num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   command.add_option("--jobs", num_workers, what + " at a time")

@@ -17,10 +17,6 @@ namespace {
 constexpr char kPreGraspVariant[] = "new-pregrasp";
 constexpr char kTargetVariant[] = "new-target";
 
-constexpr FrozenKind kFrozenCampaign = {"campaign", "campaign.json", kCampaignSchema,
-                                        "graspbench campaign",
-                                        "run the campaign anew into another folder"};
-
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
   return folder / "comparison" / (hand + "-" + object);
@@ -122,6 +118,18 @@ std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
   return csv;
 }
 
+/** Configuration and damage; nothing else is loaded. */
+Campaign LoadFrozenCampaign(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
+  Frozen frozen = LoadFrozen(kCampaignStore, folder, on_damage);
+  Campaign campaign;
+  campaign.damage = std::move(frozen.damage);
+  Diagnostics problems;
+  campaign.config = ConfigFromJson<CampaignConfig>(
+      frozen.config, (folder / kCampaignStore.file).string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  return campaign;
+}
+
 }  // namespace
 
 void CheckCampaignConfig(const CampaignConfig& config) {
@@ -156,27 +164,19 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   if (!text.empty()) throw Error(ErrorKind::kRange, "the campaign cannot be run" + text);
 }
 
-bool HasCampaign(const fs::path& folder) { return HasFrozen(kFrozenCampaign, folder); }
-
-CampaignConfig LoadCampaignConfig(const fs::path& folder) {
-  Diagnostics problems;
-  const auto config = ConfigFromJson<CampaignConfig>(
-      LoadFrozen(kFrozenCampaign, folder), (folder / kFrozenCampaign.file).string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
-  return config;
-}
+bool HasCampaign(const fs::path& folder) { return HasFrozen(kCampaignStore, folder); }
 
 void CreateCampaign(const fs::path& folder, const CampaignConfig& config) {
   if (HasCampaign(folder)) {
     const std::string text =
-        ListDifferences(FindConfigDifferences(LoadCampaignConfig(folder), config));
+        ListDifferences(FindConfigDifferences(LoadFrozenCampaign(folder).config, config));
     if (text.empty()) return;
     throw Error(ErrorKind::kUsage,
                 "the campaign was started with other settings (there and now):" + text +
                     "\ncontinue it without them, or choose another folder with --out");
   }
   MakeFolder(folder);
-  WriteFrozen(kFrozenCampaign, folder, ConfigToJson(config));
+  WriteFrozen(kCampaignStore, folder, ConfigToJson(config));
 }
 
 std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
@@ -278,9 +278,8 @@ std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {
   return summaries;
 }
 
-Campaign LoadCampaign(const fs::path& folder) {
-  Campaign campaign;
-  campaign.config = LoadCampaignConfig(folder);
+Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
+  Campaign campaign = LoadFrozenCampaign(folder, on_damage);
   std::vector<fs::path> scenes;
   if (fs::exists(folder / "scenes")) {
     for (const auto& entry : fs::directory_iterator(folder / "scenes")) {
@@ -288,8 +287,10 @@ Campaign LoadCampaign(const fs::path& folder) {
     }
   }
   std::sort(scenes.begin(), scenes.end());
-  for (const fs::path& scene : scenes) campaign.scenes.push_back(LoadScene(scene));
-  if (HasSession(folder / "benchmark")) campaign.benchmark = LoadSession(folder / "benchmark");
+  for (const fs::path& scene : scenes) campaign.scenes.push_back(LoadScene(scene, on_damage));
+  if (HasSession(folder / "benchmark")) {
+    campaign.benchmark = LoadSession(folder / "benchmark", on_damage);
+  }
   campaign.comparison = LoadComparison(folder, campaign.config);
   return campaign;
 }

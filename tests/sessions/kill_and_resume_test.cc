@@ -162,8 +162,9 @@ std::vector<fs::path> ListResults(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path path = entry.path().lexically_relative(folder);
     const fs::path benchmark = "benchmark";
-    const bool is_worker_journal =
-        path.parent_path() == benchmark / "journal" || path.parent_path() == benchmark / "judge";
+    const bool is_worker_journal =  // or what names these
+        path.parent_path() == benchmark / "journal" || path.parent_path() == benchmark / "judge" ||
+        path == benchmark / "manifest.json";
     if (entry.is_regular_file() && path.filename() != "run.json" && !is_worker_journal) {
       files.push_back(path);
     }

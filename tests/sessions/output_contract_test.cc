@@ -91,7 +91,7 @@ class OutputContract : public testing::TestWithParam<WritingCommand> {
     Write("home/letter.txt", "dear");
     // The names of the program's own files, but not its files.
     for (const char* name : {"index.html", "trials.csv", "plan.jsonl", "basin.csv", "measures.csv",
-                             "graspbench.json", "report/index.html", "export/trials.csv"}) {
+                             "manifest.json", "report/index.html", "export/trials.csv"}) {
       Write(std::string("foreign/") + name, std::string("mine: ") + name);
     }
     Write("file.csv", "a file of mine");

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/session/session_store.h"
@@ -8,25 +9,41 @@
 #include "workbench/commands/command.h"
 
 namespace graspbench {
+namespace {
+
+struct ReportOptions {
+  std::string folder;
+  OnDamage on_damage = OnDamage::kRefuse;
+};
+
+std::string WriteReport(const ReportOptions& options) {
+  const auto tell = [](const std::vector<Damage>& damage) {
+    if (!damage.empty()) PrintMessage("damage accepted" + FormatDamage(damage));
+  };
+  if (HasCampaign(options.folder)) {
+    const Campaign campaign = LoadCampaign(options.folder, options.on_damage);
+    tell(campaign.damage);
+    return WriteCampaignReport(options.folder, campaign).string();
+  }
+  const Session session = LoadSession(options.folder, options.on_damage);
+  tell(session.damage);
+  if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
+  return WriteSessionReport(options.folder, session).string();
+}
+
+}  // namespace
 
 void AddReportCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(program, "report",
                                     "Write the report of a session or a campaign, finished or not.",
                                     "  graspbench report results/benchmark-1a2b3c4d\n"
                                     "  xdg-open \"$(graspbench report results/pilot)\"");
-  const auto folder = std::make_shared<std::string>();
-  command.add_option("folder", *folder, "folder of the session or campaign")
+  const auto options = std::make_shared<ReportOptions>();
+  command.add_option("folder", options->folder, "folder of the session or campaign")
       ->required()
       ->option_text("DIR");
-  command.callback([folder] {
-    if (HasCampaign(*folder)) {
-      PrintResult(WriteCampaignReport(*folder, LoadCampaign(*folder)).string() + "\n");
-      return;
-    }
-    const Session session = LoadSession(*folder);
-    if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-    PrintResult(WriteSessionReport(*folder, session).string() + "\n");
-  });
+  AddAcceptDamageOption(command, options->on_damage);
+  command.callback([options] { PrintResult(WriteReport(*options) + "\n"); });
 }
 
 }  // namespace graspbench

@@ -9,18 +9,19 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/hash.h"
-#include "core/base/json.h"
+#include "core/base/version.h"
+#include "datasets/journal/manifest.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kMark[] = "graspbench.json";
+constexpr char kManifest[] = "manifest.json";
 constexpr char kLock[] = ".lock";  // in a folder that is being filled
 
 [[noreturn]] void Refuse(const fs::path& path, const std::string& text) {
@@ -93,23 +94,27 @@ std::vector<std::string> ListFiles(const fs::path& folder) {
   return files;
 }
 
-/** Null when the folder is no whole result. */
-Json LoadMark(const fs::path& folder) {
+/** That of a whole result; none when the folder is no such result. */
+std::optional<Manifest> FindManifest(const fs::path& folder) {
   try {
-    const Json mark = Json::parse(ReadFile(folder / kMark));
-    if (mark.at("kind").is_string() && mark.at("files").is_object()) return mark;
+    if (HasManifest(folder)) return LoadManifest(folder);
   } catch (const Error&) {
-  } catch (const Json::exception&) {
   }
-  return nullptr;
+  return std::nullopt;
 }
 
-bool IsAsListed(const fs::path& folder, const std::string& file, const Json& mark) {
-  if (file == kMark) return true;
-  const auto listed = mark["files"].find(file);
-  const fs::path path = folder / file;
-  return listed != mark["files"].end() && !fs::is_symlink(path) && fs::is_regular_file(path) &&
-         *listed == CalcHashHex(ReadFile(path));
+/** Files that were added, changed or replaced by links since the manifest was written. */
+std::vector<std::string> ListForeign(const fs::path& folder, const Manifest& manifest) {
+  std::vector<std::string> foreign;
+  for (const Damage& damage : FindDamage(folder, manifest)) foreign.push_back(damage.path);
+  for (const std::string& file : ListFiles(folder)) {
+    const bool is_listed =
+        file == kManifest || std::any_of(manifest.files.begin(), manifest.files.end(),
+                                         [&](const ManifestFile& own) { return own.path == file; });
+    if (!is_listed || fs::is_symlink(folder / file)) foreign.push_back(file);
+  }
+  std::sort(foreign.begin(), foreign.end());
+  return foreign;
 }
 
 /** "a", "b" and 3 more. */
@@ -125,8 +130,8 @@ std::string FormatSome(const std::vector<std::string>& names) {
 }
 
 void CheckContent(const OutputRequest& request, const fs::path& place) {
-  const Json mark = LoadMark(place);
-  if (mark.is_null() || request.kind.empty() || mark["kind"] != request.kind) {
+  const std::optional<Manifest> manifest = FindManifest(place);
+  if (!manifest || request.kind.empty() || manifest->kind != request.kind) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(place)) {
       names.push_back(entry.path().filename().string());
@@ -137,10 +142,7 @@ void CheckContent(const OutputRequest& request, const fs::path& place) {
     Refuse(request.folder,
            "holds " + FormatSome(names) + what + "; name a new or empty folder for the results");
   }
-  std::vector<std::string> foreign;
-  for (const std::string& file : ListFiles(place)) {
-    if (!IsAsListed(place, file, mark)) foreign.push_back(file);
-  }
+  const std::vector<std::string> foreign = ListForeign(place, *manifest);
   if (!foreign.empty()) {
     Refuse(request.folder, "holds " + FormatSome(foreign) + ", added or changed since its " +
                                request.kind +
@@ -220,13 +222,14 @@ StagedFolder::~StagedFolder() {
 void StagedFolder::Commit() {
   fs::remove(staged_ / kLock);
   if (!request_.kind.empty()) {
-    Json files = Json::object();
+    Manifest manifest;
+    manifest.kind = request_.kind;
+    manifest.versions = {{"program", program_version()}};
     for (const std::string& file : ListFiles(staged_)) {
-      files[file] = CalcHashHex(ReadFile(staged_ / file));
+      manifest.files.push_back(SealFile(staged_, file));
     }
-    const Json mark = {{"kind", request_.kind}, {"files", files}};
     SyncFileSystem(staged_);
-    WriteFileAtomically(staged_ / kMark, FormatJson(mark, 2) + "\n");
+    WriteManifest(staged_, manifest);
   }
   CheckOutputFolder(request_);
   const bool is_swap = fs::exists(target_) && !fs::is_empty(target_);

@@ -23,6 +23,7 @@ struct SessionRequest {
   another one never gets in its way; it is continued when it is there. */
   std::filesystem::path out;
   bool resume = false;                        ///< continue the session in `out`
+  OnDamage on_damage = OnDamage::kRefuse;     ///< of the session to continue
   std::vector<std::filesystem::path> inputs;  ///< files read besides, which `out` must not hold
 };
 
@@ -48,7 +49,7 @@ RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer&
 @returns whether all are judged now. @throws Error(kVersion) when a trial gives another result than
 its record; Error(kUsage) when hands, objects or physics have changed since. */
 bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop);
+                  const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse);
 
 /** The same for a session that is loaded with its inputs. */
 bool JudgeSession(const Session& session, const SessionInputs& inputs,
