@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/config.h"
+#include "core/base/csv.h"
 #include "core/base/files.h"
 #include "core/statistics/summary.h"
 #include "datasets/session/frozen_folder.h"
@@ -92,28 +93,24 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
 
 std::string FormatSummary(const std::vector<VariantSummary>& summaries) {
   std::string csv =
-      "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,median_got_ratio,"
-      "median_gct_s\n";
+      FormatCsvLine({"hand", "object", "grasp", "variant", "trials", "successes", "mean_sigma",
+                     "median_gft_ratio", "median_got_ratio", "median_gct_s"});
   for (const VariantSummary& s : summaries) {
-    csv += s.hand + "," + s.object + "," + s.grasp + "," + s.variant + "," +
-           std::to_string(s.trials) + "," + std::to_string(s.successes);
-    for (const double value :
-         {s.mean_sigma, s.median_gft_ratio, s.median_got_ratio, s.median_gct}) {
-      csv += "," + (std::isfinite(value) ? FormatJson(value) : "");
-    }
-    csv += "\n";
+    csv += FormatCsvLine({s.hand, s.object, s.grasp, s.variant, s.trials, s.successes,
+                          JsonNumber(s.mean_sigma), JsonNumber(s.median_gft_ratio),
+                          JsonNumber(s.median_got_ratio), JsonNumber(s.median_gct)});
   }
   return csv;
 }
 
 std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
-  std::string csv =
-      "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n";
+  std::string csv = FormatCsvLine({"hand", "object", "method", "seed", "evaluations",
+                                   "start_fitness", "best_fitness", "evaluations_to_90"});
   for (const ComparisonRun& run : runs) {
-    csv += run.hand + "," + run.object + "," + run.method + "," + std::to_string(run.seed) + "," +
-           std::to_string(run.fitness.size()) + "," + FormatJson(run.fitness.front()) + "," +
-           FormatJson(*std::max_element(run.fitness.begin(), run.fitness.end())) + "," +
-           (run.evaluations_to_90 > 0 ? std::to_string(run.evaluations_to_90) : "") + "\n";
+    const Json to_90 = run.evaluations_to_90 > 0 ? Json(run.evaluations_to_90) : Json();
+    csv += FormatCsvLine({run.hand, run.object, run.method, run.seed, run.fitness.size(),
+                          run.fitness.front(),
+                          *std::max_element(run.fitness.begin(), run.fitness.end()), to_90});
   }
   return csv;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/config.h"
+#include "core/base/csv.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
@@ -96,28 +97,29 @@ Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
               {"check_after", MakeScore(step.check_after)}};
 }
 
-/** One row an individual; RFC 4180. */
+/** One row an individual. */
 std::string FormatIndividuals(const TargetStep& step, const Hand& hand) {
-  std::string csv = "number,generation,parents,fitness,best_fitness";
+  std::vector<Json> heading = {"number", "generation", "parents", "fitness", "best_fitness"};
   for (const char* part : {"", "_step"}) {
-    for (const int joint : step.joints) csv += "," + hand.joints[joint].name + part + "_rad";
+    for (const int joint : step.joints) heading.push_back(hand.joints[joint].name + part + "_rad");
   }
-  csv += "\n";
+  std::string csv = FormatCsvLine(heading);
   double best = step.search.individuals.front().fitness;
   for (const Individual& individual : step.search.individuals) {
     best = std::max(best, individual.fitness);
-    csv += std::to_string(individual.number) + "," + std::to_string(individual.generation) + ",";
-    for (size_t i = 0; i < individual.parents.size(); ++i) {
-      csv += (i > 0 ? " " : "") + std::to_string(individual.parents[i]);
+    std::string parents;
+    for (const int parent : individual.parents) {
+      parents += (parents.empty() ? "" : " ") + std::to_string(parent);
     }
-    csv += "," + FormatJson(individual.fitness) + "," + FormatJson(best);
-    for (const double angle : individual.genome) csv += "," + FormatJson(angle);
+    std::vector<Json> cells = {individual.number, individual.generation, parents,
+                               individual.fitness, best};
+    for (const double angle : individual.genome) cells.push_back(angle);
     for (size_t i = 0; i < step.joints.size(); ++i) {
-      csv += individual.steps.size() > 0
-                 ? "," + FormatJson(individual.steps[static_cast<Eigen::Index>(i)])
-                 : ",";
+      cells.push_back(individual.steps.size() > 0
+                          ? Json(individual.steps[static_cast<Eigen::Index>(i)])
+                          : Json());
     }
-    csv += "\n";
+    csv += FormatCsvLine(cells);
   }
   return csv;
 }
