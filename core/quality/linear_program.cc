@@ -38,6 +38,11 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
   LinearProgramResult result;
   const Eigen::Index num_stable_steps = kStableSteps * (num_rows + num_columns);
   for (Eigen::Index step = 0;; ++step) {
+    if (step > 4 * num_stable_steps) {  // Bland's rule cannot cycle, but for rounding
+      throw Error(ErrorKind::kRange, "a linear program of " + std::to_string(num_rows) +
+                                         " rows had not ended after " + std::to_string(step) +
+                                         " steps: its numbers are too far apart");
+    }
     // The first variable that gains enters. Of the tightest rows the one with the largest pivot
     // leaves, which keeps rounding small; should that go on for too long, it might cycle, and the
     // one with the first variable leaves instead (Bland's rule). A tiny gain that no row limits is

@@ -28,6 +28,7 @@ struct RunOptions {
   std::string out;
   bool resume = false;
   OnDamage on_damage = OnDamage::kRefuse;
+  double trial_time_limit = kTrialTimeLimit;
   bool json = false;
 };
 
@@ -89,7 +90,7 @@ ExitCode Run(const RunOptions& options) {
   TerminalObserver observer({}, stop);
   RunRecord record;
   try {
-    record = RunSession(work, num_workers, observer, stop);
+    record = RunSession(work, num_workers, observer, stop, options.trial_time_limit);
     if (record.ending == "finished") return Finish(work, options);
   } catch (const Error& error) {
     throw Error(error.kind(), std::string(error.what()) +
@@ -117,6 +118,12 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
       ->default_str("results/NAME-HASH");
   command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
   AddAcceptDamageOption(command, options->on_damage);
+  command
+      .add_option("--trial-timeout", options->trial_time_limit,
+                  "seconds after which a trial is given up as a numerical failure")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S")
+      ->capture_default_str();
   command.add_flag("--json", options->json, "print the summary as one JSON object");
   command.callback([options, &exit_code] { exit_code = Run(*options); });
 }

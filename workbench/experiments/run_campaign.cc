@@ -106,7 +106,7 @@ class CampaignRun {
     const bool is_complete = Record(!trials.empty(), [&](Observer& observer) {
       return RunBatchStage(MakeSessionStage("benchmark", session, trials.size()), trials,
                            num_workers_, MakeSessionWorkers(config, inputs, folder), observer,
-                           stop_);
+                           stop_, kTrialTimeLimit);
     });
     SealStore(kSessionStore, folder);
     if (!is_complete || !Judge(inputs)) return false;

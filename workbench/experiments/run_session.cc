@@ -54,14 +54,15 @@ Stage MakeSessionStage(const std::string& name, const Session& session, size_t n
 }
 
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
-                     const std::atomic<bool>& stop) {
+                     const std::atomic<bool>& stop, double trial_time_limit) {
   const std::vector<PlannedTrial> trials = FindUnfinished(prepared.session);
   const Stage stage = MakeSessionStage("run", prepared.session, trials.size());
   RunRecorder recorder(prepared.folder, num_workers, observer);
   SealStore(kSessionStore, prepared.folder);
-  const bool is_complete = RunBatchStage(
-      stage, trials, num_workers,
-      MakeSessionWorkers(prepared.config, prepared.inputs, prepared.folder), recorder, stop);
+  const bool is_complete =
+      RunBatchStage(stage, trials, num_workers,
+                    MakeSessionWorkers(prepared.config, prepared.inputs, prepared.folder), recorder,
+                    stop, trial_time_limit);
   SealStore(kSessionStore, prepared.folder);
   return recorder.Keep(is_complete);
 }

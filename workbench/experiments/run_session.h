@@ -41,9 +41,13 @@ CheckOutputFolder; what LoadSessionInputs, MakePlan,
 CreateSession and LoadSession throw. */
 PreparedSession PrepareSession(const SessionRequest& request);
 
+/** After this long a trial counts as endless [s of the clock]. The longest that the ranges of a
+session allow takes some five minutes alone on a processor. */
+inline constexpr double kTrialTimeLimit = 1800.0;
+
 /** Runs the trials that are left and adds itself to run.json. @returns that record. */
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
-                     const std::atomic<bool>& stop);
+                     const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
 
 /** Breaks the held grasps of a finished session that are not judged yet.
 @returns whether all are judged now. @throws Error(kVersion) when a trial gives another result than
