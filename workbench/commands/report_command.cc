@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -7,28 +8,44 @@
 #include "reports/campaign/campaign_report.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
 namespace {
 
 struct ReportOptions {
-  std::string folder;
+  std::filesystem::path folder;
+  std::filesystem::path out;  ///< empty: the result's own folder
+  bool replace = false;
   OnDamage on_damage = OnDamage::kRefuse;
 };
 
-std::string WriteReport(const ReportOptions& options) {
+/** Writes the page of the result in options.folder below `place`. @returns its path from there. */
+std::filesystem::path WriteReport(const ReportOptions& options,
+                                  const std::filesystem::path& place) {
   const auto tell = [](const std::vector<Damage>& damage) {
     if (!damage.empty()) PrintMessage("damage accepted" + FormatDamage(damage));
   };
   if (HasCampaign(options.folder)) {
     const Campaign campaign = LoadCampaign(options.folder, options.on_damage);
     tell(campaign.damage);
-    return WriteCampaignReport(options.folder, campaign).string();
+    return WriteCampaignReport(place, campaign).lexically_relative(place);
   }
   const Session session = LoadSession(options.folder, options.on_damage);
   tell(session.damage);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-  return WriteSessionReport(options.folder, session).string();
+  return WriteSessionReport(place, session).lexically_relative(place);
+}
+
+void Report(const ReportOptions& options) {
+  if (options.out.empty()) {
+    PrintResult((options.folder / WriteReport(options, options.folder)).string() + "\n");
+    return;
+  }
+  StagedFolder staged({options.out, "report", options.replace, {options.folder}});
+  const std::filesystem::path page = WriteReport(options, staged.path());
+  staged.Commit();
+  PrintResult((options.out / page).string() + "\n");
 }
 
 }  // namespace
@@ -42,8 +59,12 @@ void AddReportCommand(CLI::App& program, ExitCode&) {
   command.add_option("folder", options->folder, "folder of the session or campaign")
       ->required()
       ->option_text("DIR");
+  command.add_option("--out", options->out, "folder for a result that cannot be written")
+      ->option_text("DIR")
+      ->default_str("that of the result");
+  AddReplaceOption(command, options->replace);
   AddAcceptDamageOption(command, options->on_damage);
-  command.callback([options] { PrintResult(WriteReport(*options) + "\n"); });
+  command.callback([options] { Report(*options); });
 }
 
 }  // namespace graspbench
