@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/base/yaml.h"
 
 namespace graspbench {
@@ -10,6 +11,18 @@ namespace {
 
 void CheckPositive(const std::string& key, double value, YamlMap& map) {
   if (value <= 0.0) map.Fail(key, "expected a number above 0");
+}
+
+/** Lighter than a feather a body's weight drowns in the solver's tolerance; heavier than this no
+hand of the catalogue holds it, and the contact's stiffness is far off. [kg] */
+constexpr double kLightest = 1e-4, kHeaviest = 100.0;
+/** From foams to osmium. [kg/m^3] */
+constexpr double kThinnest = 1.0, kDensest = 25000.0;
+
+void CheckRange(const std::string& key, double value, double low, double high, YamlMap& map) {
+  if (!map.Has(key) || (value >= low && value <= high)) return;
+  map.Fail(key, "expected a number from " + FormatSignificant(low, 3) + " to " +
+                    FormatSignificant(high, 3));
 }
 
 void CheckGrasp(const std::string& key, const std::string& value, YamlMap& map) {
@@ -47,8 +60,8 @@ ObjectFile LoadObjectFile(const std::filesystem::path& path) {
   if (map.Has("mass_kg") == map.Has("density_kg_per_m3")) {
     map.Fail("mass_kg", "give either mass_kg or density_kg_per_m3");
   }
-  CheckPositive("mass_kg", file.mass, map);
-  CheckPositive("density_kg_per_m3", file.density, map);
+  CheckRange("mass_kg", file.mass, kLightest, kHeaviest, map);
+  CheckRange("density_kg_per_m3", file.density, kThinnest, kDensest, map);
 
   ReadSurface(map, Needed::kYes, file.surface);
   CheckPositive("friction_static", file.surface.friction_static, map);

@@ -16,7 +16,8 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
                                ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
                                ", " + std::to_string(summary.total.finished) + " of " +
                                FormatCount(summary.total.planned, "planned trial") +
-                               " finished, seed " + std::to_string(session.config.seed);
+                               " finished, seed " + std::to_string(session.config.seed) +
+                               DescribeDamage(session.damage);
   return MakeSectionedPage("Grasp benchmark session", subtitle, ListSections(), data);
 }
 

@@ -1,3 +1,10 @@
+#include <unistd.h>
+
+#include "workbench/experiments/worker_pool.h"
 #include "workbench/program.h"
 
-int main(int argc, char** argv) { return graspbench::RunProgram(argc, argv); }
+int main(int argc, char** argv) {
+  const int exit_code = graspbench::RunProgram(argc, argv);
+  if (graspbench::HasAbandonedTasks()) ::_exit(exit_code);
+  return exit_code;
+}

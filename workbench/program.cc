@@ -83,6 +83,19 @@ std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
   return text + "\nsee: " + typed + " --help";
 }
 
+/** An empty argument is a variable of a script that was not set: never silently the default. */
+void RefuseEmptyNames(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_expected_max() == 0) continue;  // flags
+    option->check([](const std::string& value) {
+      return value.empty() ? std::string("an empty name; expected a value") : std::string();
+    });
+  }
+  for (CLI::App* subcommand : command.get_subcommands([](CLI::App*) { return true; })) {
+    RefuseEmptyNames(*subcommand);
+  }
+}
+
 void PrintFault(const std::string& message) {
   std::fflush(stdout);
   PrintMessage("graspbench: " + message);
@@ -131,6 +144,17 @@ void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::stri
       ->capture_default_str();
 }
 
+void AddReplaceOption(CLI::App& command, bool& replace) {
+  command.add_flag("--replace", replace,
+                   "write in the place of an earlier result, if all its files are as written");
+}
+
+void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage) {
+  command.add_flag_callback(
+      "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
+      "go on with what is whole in a damaged folder; the report names the damage");
+}
+
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
   num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   command.add_option("--jobs", num_workers, what + " at a time")
@@ -157,6 +181,7 @@ int RunProgram(int argc, const char* const* argv) {
 #define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
+    RefuseEmptyNames(program);
     program.parse(argc, argv);
     FlushResults();
     return exit_code;

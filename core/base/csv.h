@@ -20,18 +20,26 @@ struct CsvColumn {
   std::function<Json(const Row&)> value;  ///< null: missing; a boolean is 0 or 1
 };
 
-/** Empty for null; numbers shortest-exact; text quoted after RFC 4180 where it must be. */
+/** Empty for null; numbers shortest-exact; text guarded, and quoted after RFC 4180 where it must be. */
 std::string FormatCsvCell(const Json& value);
 
-/** RFC 4180 with line feeds: a heading and one line a row. */
+/** Spreadsheets run a text that begins with = + - @ or a control character as a formula. Such a text
+gets an apostrophe in front, unless it is a number; one that has apostrophes there already gets one
+more, so that UnguardCell gives every text back. */
+std::string GuardCell(const std::string& text);
+std::string UnguardCell(const std::string& cell);
+
+/** One line of a table: the cells with commas between them, and a line feed. */
+std::string FormatCsvLine(const std::vector<Json>& cells);
+
+/** RFC 4180 with line feeds; the one writer of comma-separated tables: a heading and one line a row. */
 template <class Row>
 std::string FormatCsv(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
   std::string csv;
   const auto add_line = [&](const auto& cell_of) {
-    for (size_t i = 0; i < columns.size(); ++i) {
-      csv += (i > 0 ? "," : "") + FormatCsvCell(cell_of(columns[i]));
-    }
-    csv += '\n';
+    std::vector<Json> cells;
+    for (const CsvColumn<Row>& column : columns) cells.push_back(cell_of(column));
+    csv += FormatCsvLine(cells);
   };
   add_line([](const CsvColumn<Row>& column) { return Json(column.name); });
   for (const Row& row : rows) {

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/file_pieces.h"
 #include "core/base/hash.h"
 
 namespace graspbench {
@@ -95,39 +96,11 @@ fs::path FindCacheRoot() {
 }
 
 std::string ReadFile(const fs::path& path) {
-  std::error_code status;
-  if (!fs::exists(path, status)) {
-    throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
-  }
-  if (fs::is_directory(path, status)) {
-    throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a file was expected");
-  }
-  const auto fail = [&]() {
-    return Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
-  };
-  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // no wait for a FIFO
-  if (file < 0) throw fail();
-  struct stat properties = {};
-  if (::fstat(file, &properties) != 0 || !S_ISREG(properties.st_mode)) {
-    ::close(file);
-    throw Error(ErrorKind::kIo,
-                "\"" + path.string() + "\" is a device, a pipe or a socket; a file was expected");
-  }
-  std::string content(static_cast<size_t>(properties.st_size) + 1, '\0');
-  size_t size = 0;
-  for (ssize_t count = 1; count != 0;) {
-    if (size == content.size()) content.resize(2 * size);
-    count = ::read(file, content.data() + size, content.size() - size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const Error error = fail();
-      ::close(file);
-      throw error;
-    }
-    size += static_cast<size_t>(count);
-  }
-  ::close(file);
-  content.resize(size);
+  std::string content;
+  ReadPieces(path, [&](std::string_view piece) {
+    content += piece;
+    return true;
+  });
   return content;
 }
 

@@ -22,7 +22,7 @@ fs::path FindHandFolder(const std::string& id_or_folder) {
     return FindModels() / id_or_folder;
   }
   std::error_code status;
-  const fs::path path = id_or_folder;
+  fs::path path = id_or_folder;
   if (!id_or_folder.empty() && fs::is_directory(path, status)) return path;
   if (!id_or_folder.empty() && fs::exists(path, status)) {
     throw Error(ErrorKind::kNotFound, "\"" + id_or_folder +

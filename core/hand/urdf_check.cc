@@ -64,6 +64,9 @@ class UrdfChecker {
   void CheckShape(XMLElement& shape, const std::string& where, bool is_collision);
   void CheckMesh(XMLElement& mesh, const std::string& where);
   void CheckJoint(XMLElement& joint);
+  /** The links that it joins; noted for CheckTree when both are there. */
+  JointLine ReadEnds(XMLElement& joint, const std::string& name, const std::string& where);
+  void CheckLimit(XMLElement& joint, const std::string& where);
   void CheckTree();
 
   void Fail(const XMLElement& at, const std::string& text) {
@@ -304,19 +307,8 @@ void UrdfChecker::CheckLink(XMLElement& link) {
   }
 }
 
-void UrdfChecker::CheckJoint(XMLElement& joint) {
-  const std::string name = Text(joint, "name", "joint");
-  const std::string where = "joint \"" + name + "\"";
-  const bool is_new = joint_names_.insert(name).second;
-  if (!name.empty() && !is_new) Fail(joint, where + ": the name is taken by another joint");
-  if (XMLElement* mimic = joint.FirstChildElement("mimic")) {
-    problems_.Warn(file_, mimic->GetLineNum(),
-                   where + ": <mimic> is not used; name the pair under coupling in hand.yaml");
-  }
-  Prune(joint, {"parent", "child", "origin", "axis", "limit"},
-        {"mimic", "dynamics", "safety_controller", "calibration"}, where);
-  CheckOrigin(joint, where);
-
+UrdfChecker::JointLine UrdfChecker::ReadEnds(XMLElement& joint, const std::string& name,
+                                             const std::string& where) {
   JointLine ends;
   ends.name = name;
   ends.line = joint.GetLineNum();
@@ -331,7 +323,23 @@ void UrdfChecker::CheckJoint(XMLElement& joint) {
     }
   }
   if (!ends.parent.empty() && !ends.child.empty()) joints_.push_back(ends);
+  return ends;
+}
 
+void UrdfChecker::CheckJoint(XMLElement& joint) {
+  const std::string name = Text(joint, "name", "joint");
+  const std::string where = "joint \"" + name + "\"";
+  const bool is_new = joint_names_.insert(name).second;
+  if (!name.empty() && !is_new) Fail(joint, where + ": the name is taken by another joint");
+  if (XMLElement* mimic = joint.FirstChildElement("mimic")) {
+    problems_.Warn(file_, mimic->GetLineNum(),
+                   where + ": <mimic> is not used; name the pair under coupling in hand.yaml");
+  }
+  Prune(joint, {"parent", "child", "origin", "axis", "limit"},
+        {"mimic", "dynamics", "safety_controller", "calibration"}, where);
+  CheckOrigin(joint, where);
+
+  const JointLine ends = ReadEnds(joint, name, where);
   const std::string type = Text(joint, "type", where);
   if (type == "fixed" || type.empty()) return;
   if (type != "revolute") {
@@ -351,6 +359,10 @@ void UrdfChecker::CheckJoint(XMLElement& joint) {
       Fail(*axis, where + ": the axis has no direction");
     }
   }
+  CheckLimit(joint, where);
+}
+
+void UrdfChecker::CheckLimit(XMLElement& joint, const std::string& where) {
   XMLElement* limit = Only(joint, "limit", where, true);
   if (!limit) return;
   Numbers(*limit, "effort", 1, where);

@@ -82,6 +82,11 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
   // After so many steps it might cycle, which Bland's rule prevents.
   const Eigen::Index num_stable_steps = kStableSteps * (num_rows + tableau.num_columns);
   for (Eigen::Index step = 0;; ++step) {
+    if (step > 4 * num_stable_steps) {  // Bland's rule cannot cycle, but for rounding
+      throw Error(ErrorKind::kRange, "a linear program of " + std::to_string(num_rows) +
+                                         " rows had not ended after " + std::to_string(step) +
+                                         " steps: its numbers are too far apart");
+    }
     // The first variable that gains enters. A tiny gain that no row limits is rounding, not a way
     // to infinity.
     Eigen::Index enter = -1, leave = -1;

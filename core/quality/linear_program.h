@@ -24,7 +24,7 @@ struct LinearProgramResult {
 };
 
 /** @param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
- * finite. */
+finite.   @throws Error(kRange) when numbers too far apart keep it from ending. */
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                        const Eigen::VectorXd& c);
 

@@ -62,7 +62,7 @@ class Remainder {
     const int start = here_;
     while (!is_ear_[here_] && next_[here_] != start) here_ = next_[here_];
     const int before = previous_[here_], after = next_[here_];
-    const Eigen::Vector3i ear(before, here_, after);
+    Eigen::Vector3i ear(before, here_, after);
     next_[before] = after;
     previous_[after] = before;
     is_ear_[before] = IsEar(before);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/config.h"
+#include "core/base/csv.h"
 #include "core/base/files.h"
 #include "core/statistics/summary.h"
 #include "datasets/session/frozen_folder.h"
@@ -13,10 +14,6 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr FrozenKind kFrozenCampaign = {"campaign", "campaign.json", kCampaignSchema,
-                                        "graspbench campaign",
-                                        "run the campaign anew into another folder"};
 
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
@@ -92,30 +89,35 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
 
 std::string FormatSummary(const std::vector<VariantSummary>& summaries) {
   std::string csv =
-      "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,median_got_ratio,"
-      "median_gct_s\n";
+      FormatCsvLine({"hand", "object", "grasp", "variant", "trials", "successes", "mean_sigma",
+                     "median_gft_ratio", "median_got_ratio", "median_gct_s"});
   for (const VariantSummary& s : summaries) {
-    csv += s.hand + "," + s.object + "," + s.grasp + "," + NameOf(s.variant) + "," +
-           std::to_string(s.trials) + "," + std::to_string(s.successes);
-    for (const double value :
-         {s.mean_sigma, s.median_gft_ratio, s.median_got_ratio, s.median_gct}) {
-      csv += "," + (std::isfinite(value) ? FormatJson(value) : "");
-    }
-    csv += "\n";
   }
   return csv;
 }
 
 std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
-  std::string csv =
-      "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n";
+  std::string csv = FormatCsvLine({"hand", "object", "method", "seed", "evaluations",
+                                   "start_fitness", "best_fitness", "evaluations_to_90"});
   for (const ComparisonRun& run : runs) {
-    csv += run.hand + "," + run.object + "," + run.method + "," + std::to_string(run.seed) + "," +
-           std::to_string(run.fitness.size()) + "," + FormatJson(run.fitness.front()) + "," +
-           FormatJson(*std::max_element(run.fitness.begin(), run.fitness.end())) + "," +
-           (run.evaluations_to_90 > 0 ? std::to_string(run.evaluations_to_90) : "") + "\n";
+    const Json to_90 = run.evaluations_to_90 > 0 ? Json(run.evaluations_to_90) : Json();
+    csv += FormatCsvLine({run.hand, run.object, run.method, run.seed, run.fitness.size(),
+                          run.fitness.front(),
+                          *std::max_element(run.fitness.begin(), run.fitness.end()), to_90});
   }
   return csv;
+}
+
+/** Configuration and damage; nothing else is loaded. */
+Campaign LoadFrozenCampaign(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
+  Frozen frozen = LoadFrozen(kCampaignStore, folder, on_damage);
+  Campaign campaign;
+  campaign.damage = std::move(frozen.damage);
+  Diagnostics problems;
+  campaign.config = ConfigFromJson<CampaignConfig>(
+      frozen.config, (folder / kCampaignStore.file).string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  return campaign;
 }
 
 }  // namespace
@@ -152,27 +154,19 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   if (!text.empty()) throw Error(ErrorKind::kRange, "the campaign cannot be run" + text);
 }
 
-bool HasCampaign(const fs::path& folder) { return HasFrozen(kFrozenCampaign, folder); }
-
-CampaignConfig LoadCampaignConfig(const fs::path& folder) {
-  Diagnostics problems;
-  const auto config = ConfigFromJson<CampaignConfig>(
-      LoadFrozen(kFrozenCampaign, folder), (folder / kFrozenCampaign.file).string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
-  return config;
-}
+bool HasCampaign(const fs::path& folder) { return HasFrozen(kCampaignStore, folder); }
 
 void CreateCampaign(const fs::path& folder, const CampaignConfig& config) {
   if (HasCampaign(folder)) {
     const std::string text =
-        ListDifferences(FindConfigDifferences(LoadCampaignConfig(folder), config));
+        ListDifferences(FindConfigDifferences(LoadFrozenCampaign(folder).config, config));
     if (text.empty()) return;
     throw Error(ErrorKind::kUsage,
                 "the campaign was started with other settings (there and now):" + text +
                     "\ncontinue it without them, or choose another folder with --out");
   }
   MakeFolder(folder);
-  WriteFrozen(kFrozenCampaign, folder, ConfigToJson(config));
+  WriteFrozen(kCampaignStore, folder, ConfigToJson(config));
 }
 
 std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
@@ -275,9 +269,8 @@ std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {
   return summaries;
 }
 
-Campaign LoadCampaign(const fs::path& folder) {
-  Campaign campaign;
-  campaign.config = LoadCampaignConfig(folder);
+Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
+  Campaign campaign = LoadFrozenCampaign(folder, on_damage);
   std::vector<fs::path> scenes;
   if (fs::exists(folder / "scenes")) {
     for (const auto& entry : fs::directory_iterator(folder / "scenes")) {
@@ -285,8 +278,10 @@ Campaign LoadCampaign(const fs::path& folder) {
     }
   }
   std::sort(scenes.begin(), scenes.end());
-  for (const fs::path& scene : scenes) campaign.scenes.push_back(LoadScene(scene));
-  if (HasSession(folder / "benchmark")) campaign.benchmark = LoadSession(folder / "benchmark");
+  for (const fs::path& scene : scenes) campaign.scenes.push_back(LoadScene(scene, on_damage));
+  if (HasSession(folder / "benchmark")) {
+    campaign.benchmark = LoadSession(folder / "benchmark", on_damage);
+  }
   campaign.comparison = LoadComparison(folder, campaign.config);
   return campaign;
 }

@@ -5,6 +5,7 @@ grasp, the new pre-grasp and the new target grasp are tried on the same trial po
 search methods are compared over several seeds. Its folder:
 
     campaign.json                       frozen configuration, schema and program version
+    manifest.json                       hashes of what is not in a scene or the benchmark
     scenes/<hand>-<object>/             one optimised scene each, see scene_store.h
     benchmark/                          a session (session_store.h) of all three variants, judged;
                                         grasps: the standard one, "new-pregrasp", "new-target"
@@ -25,8 +26,6 @@ and the benchmark's journals of each worker aside. */
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
-
-inline constexpr int kCampaignSchema = 1;
 
 struct ComparisonConfig {
   std::vector<std::string> scenes;  ///< "tum/adhesive_tape"; empty: no comparison
@@ -68,8 +67,6 @@ bool HasCampaign(const std::filesystem::path& folder);
 /** Creates the folder, or finds the same campaign there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
 void CreateCampaign(const std::filesystem::path& folder, const CampaignConfig& config);
-/** @throws Error(kNotFound) no campaign there; kVersion; kFormat; kIo. */
-CampaignConfig LoadCampaignConfig(const std::filesystem::path& folder);
 
 struct CampaignScene {
   SceneConfig config;
@@ -123,10 +120,11 @@ struct Campaign {
   std::vector<SceneRecord> scenes;
   Session benchmark;  ///< empty plan: not begun
   std::vector<ComparisonRun> comparison;
+  std::vector<Damage> damage;  ///< found and accepted, that of scenes and benchmark too
 };
 /** Everything that is stored, finished or not; hands and objects are not loaded.
 @throws Error(kNotFound, kVersion, kFormat, kIo). */
-Campaign LoadCampaign(const std::filesystem::path& folder);
+Campaign LoadCampaign(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
 /** Writes summary.csv and, when there is one, comparison.csv. */
 void ExportCampaign(const std::filesystem::path& folder, const Campaign& campaign);

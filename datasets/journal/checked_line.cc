@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/file_pieces.h"
 #include "core/base/hash.h"
 
 namespace graspbench {
@@ -35,6 +36,26 @@ Json ParseCheckedLine(std::string_view line) {
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
   }
+}
+
+void ForEachLineOfFile(const std::filesystem::path& path,
+                       const std::function<void(const FileLine&)>& take) {
+  std::string begun;  // of a line that goes on in the next piece
+  int number = 0;
+  uintmax_t start = 0;
+  ReadPieces(path, [&](std::string_view piece) {
+    for (size_t end = piece.find('\n'); end != piece.npos; end = piece.find('\n')) {
+      std::string_view text = piece.substr(0, end);
+      if (!begun.empty()) text = begun.append(text);
+      take({text, ++number, start, true});
+      start += text.size() + 1;
+      begun.clear();
+      piece.remove_prefix(end + 1);
+    }
+    begun.append(piece);
+    return true;
+  });
+  if (!begun.empty()) take({begun, number + 1, start, false});
 }
 
 }  // namespace graspbench

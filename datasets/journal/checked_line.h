@@ -8,6 +8,8 @@ The last member is the checksum: XXH64 of all bytes of the line before `,"xxh64"
 JSON Lines to every other program, and a flipped bit is found before the line is parsed. */
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -35,5 +37,15 @@ void ForEachLine(const std::string& text, Take&& take) {
     start = end + 1;
   }
 }
+
+struct FileLine {
+  std::string_view text;  ///< without the line break
+  int number;             ///< one-based
+  uintmax_t start;        ///< of the text in the file [bytes]
+  bool is_whole;          ///< ends in a line break; false for the last one only
+};
+/** Every line of a file, the empty ones too; holds one line at a time. @throws as ReadFile. */
+void ForEachLineOfFile(const std::filesystem::path& path,
+                       const std::function<void(const FileLine&)>& take);
 
 }  // namespace graspbench

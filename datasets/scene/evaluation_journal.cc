@@ -1,5 +1,7 @@
 #include "datasets/scene/evaluation_journal.h"
 
+#include <algorithm>
+
 #include "core/base/files.h"
 #include "datasets/journal/checked_line.h"
 
@@ -20,7 +22,7 @@ Eigen::VectorXd PointFrom(const Json& json) {
 }  // namespace
 
 std::string FormatEvaluationLine(const EvaluationRecord& record) {
-  Json json = {{"stage", NameOf(record.stage)}};
+  Json json = {{"request", record.request}, {"stage", NameOf(record.stage)}};
   if (RowOf(kLearningStages, record.stage).has_individual) {
     json["number"] = record.individual.number;
     json["generation"] = record.individual.generation;
@@ -43,6 +45,7 @@ EvaluationRecord ParseEvaluationLine(std::string_view line) {
   const Json json = ParseCheckedLine(line);
   try {
     EvaluationRecord record;
+    record.request = json.contains("request") ? IntFrom(json.at("request")) : -1;
     const LearningStageRow& stage =
         RowFromName(kLearningStages, json.at("stage").get<std::string>(), "stage");
     record.stage = stage.value;
@@ -64,40 +67,42 @@ EvaluationRecord ParseEvaluationLine(std::string_view line) {
   }
 }
 
-std::vector<EvaluationRecord> LoadEvaluations(const fs::path& path, Diagnostics& findings,
-                                              size_t* length) {
+std::vector<EvaluationRecord> LoadEvaluations(const fs::path& path, Diagnostics& findings) {
   std::vector<EvaluationRecord> records;
-  size_t start = 0;
-  const std::string text = fs::exists(path) ? ReadFile(path) : "";
-  try {
-    while (start < text.size()) {
-      const size_t end = text.find('\n', start);
-      if (end == std::string::npos) {
+  if (!fs::exists(path)) return records;
+  ForEachLineOfFile(path, [&](const FileLine& line) {
+    try {
+      if (!line.is_whole) {
         throw Error(ErrorKind::kFormat, "the line was not finished when the program stopped");
       }
-      records.push_back(ParseEvaluationLine(std::string_view(text).substr(start, end - start)));
-      start = end + 1;
+      records.push_back(ParseEvaluationLine(line.text));
+      if (records.back().request < 0) records.back().request = line.number - 1;
+    } catch (const Error& e) {
+      findings.Warn(path.filename().string(), line.number,
+                    std::string(e.what()) + "; it counts as not run");
     }
-  } catch (const Error& e) {
-    findings.Warn(path.filename().string(), static_cast<int>(records.size()) + 1,
-                  std::string(e.what()) + "; it and what follows count as not run");
-  }
-  if (length) *length = start;
+  });
+  std::stable_sort(
+      records.begin(), records.end(),
+      [](const EvaluationRecord& a, const EvaluationRecord& b) { return a.request < b.request; });
   return records;
 }
 
-EvaluationJournal::EvaluationJournal(const fs::path& path) : file_(path) {
-  size_t length = 0;
-  stored_ = LoadEvaluations(path, findings_, &length);
-  file_.Truncate(length);
+const EvaluationRecord* FindEvaluation(const std::vector<EvaluationRecord>& records, int request) {
+  const auto found = std::lower_bound(
+      records.begin(), records.end(), request,
+      [](const EvaluationRecord& record, int number) { return record.request < number; });
+  return found != records.end() && found->request == request ? &*found : nullptr;
 }
 
-const EvaluationRecord* EvaluationJournal::Next() {
-  return next_ < stored_.size() ? &stored_[next_++] : nullptr;
+EvaluationJournal::EvaluationJournal(const fs::path& path) : file_(path) {
+  Diagnostics findings;  // verified by whoever reads the store
+  stored_ = LoadEvaluations(path, findings);
+  const std::string text = ReadFile(path);
+  file_.Truncate(text.rfind('\n') + 1);  // npos + 1 is 0: no whole line
 }
 
 void EvaluationJournal::Append(const std::vector<EvaluationRecord>& records) {
-  GRASPBENCH_DEMAND(next_ == stored_.size(), std::to_string(next_));
   std::string lines;
   for (const EvaluationRecord& record : records) lines += FormatEvaluationLine(record) + "\n";
   file_.Append(lines);

@@ -3,14 +3,28 @@
 #include <algorithm>
 
 #include "core/base/config.h"
+#include "core/base/csv.h"
 #include "core/base/files.h"
+#include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
 #include "datasets/session/frozen_folder.h"
+#include "datasets/session/session_plan.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr char kResult[] = "result.json";
+
+/** Of everything that an optimisation depends on beside its configuration. */
+std::string CalcInputsHash(const SceneInputs& inputs) {
+  const Json content = {{"physics", kPhysicsVersion},
+                        {"hand", {inputs.hand->id, inputs.hand->content_hash}},
+                        {"object", {inputs.object->id, inputs.object->content_hash}},
+                        {"grasp", ToJson(inputs.grasp)}};
+  return CalcHashHex(FormatJson(content));
+}
 
 Json JsonAngles(const Eigen::VectorXd& angles) {
   return Json(std::vector<double>(angles.data(), angles.data() + angles.size()));
@@ -83,48 +97,52 @@ Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
               {"check_after", MakeScore(step.check_after)}};
 }
 
-/** One row an individual; RFC 4180. */
+/** One row an individual. */
 std::string FormatIndividuals(const TargetStep& step, const Hand& hand) {
-  std::string csv = "number,generation,parents,fitness,best_fitness";
+  std::vector<Json> heading = {"number", "generation", "parents", "fitness", "best_fitness"};
   for (const char* part : {"", "_step"}) {
-    for (const int joint : step.joints) csv += "," + hand.joints[joint].name + part + "_rad";
+    for (const int joint : step.joints) heading.push_back(hand.joints[joint].name + part + "_rad");
   }
-  csv += "\n";
+  std::string csv = FormatCsvLine(heading);
   double best = step.search.individuals.front().fitness;
   for (const Individual& individual : step.search.individuals) {
     best = std::max(best, individual.fitness);
-    csv += std::to_string(individual.number) + "," + std::to_string(individual.generation) + ",";
-    for (size_t i = 0; i < individual.parents.size(); ++i) {
-      csv += (i > 0 ? " " : "") + std::to_string(individual.parents[i]);
+    std::string parents;
+    for (const int parent : individual.parents) {
+      parents += (parents.empty() ? "" : " ") + std::to_string(parent);
     }
-    csv += "," + FormatJson(individual.fitness) + "," + FormatJson(best);
-    for (const double angle : individual.genome) csv += "," + FormatJson(angle);
+    std::vector<Json> cells = {individual.number, individual.generation, parents,
+                               individual.fitness, best};
+    for (const double angle : individual.genome) cells.push_back(angle);
     for (size_t i = 0; i < step.joints.size(); ++i) {
-      csv += individual.steps.size() > 0
-                 ? "," + FormatJson(individual.steps[static_cast<Eigen::Index>(i)])
-                 : ",";
+      cells.push_back(individual.steps.size() > 0
+                          ? Json(individual.steps[static_cast<Eigen::Index>(i)])
+                          : Json());
     }
-    csv += "\n";
+    csv += FormatCsvLine(cells);
   }
   return csv;
 }
 
-constexpr FrozenKind kFrozenScene = {"optimisation", "scene.json", kSceneSchema,
-                                     "graspbench optimise", "optimise anew into another folder"};
-
-SceneConfig ParseSceneConfig(const fs::path& folder) {
+SceneConfig ParseSceneConfig(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
   Diagnostics problems;
-  const auto config = ConfigFromJson<SceneConfig>(LoadFrozen(kFrozenScene, folder),
-                                                  (folder / kFrozenScene.file).string(), problems);
+  const auto config = ConfigFromJson<SceneConfig>(LoadFrozen(kSceneStore, folder, on_damage).config,
+                                                  (folder / kSceneStore.file).string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return config;
 }
 
 }  // namespace
 
-bool HasScene(const fs::path& folder) { return HasFrozen(kFrozenScene, folder); }
+bool HasScene(const fs::path& folder) { return HasFrozen(kSceneStore, folder); }
 
-bool IsSceneFinished(const fs::path& folder) { return fs::exists(folder / "result.json"); }
+bool IsSceneFinished(const fs::path& folder, const SceneInputs& inputs) {
+  if (!HasManifest(folder)) return false;
+  const Manifest manifest = LoadManifest(folder);
+  return manifest.inputs == CalcInputsHash(inputs) &&
+         std::any_of(manifest.files.begin(), manifest.files.end(),
+                     [](const ManifestFile& file) { return file.path == kResult; });
+}
 
 void CreateScene(const fs::path& folder, const SceneConfig& config) {
   if (HasScene(folder)) {
@@ -136,7 +154,7 @@ void CreateScene(const fs::path& folder, const SceneConfig& config) {
                                        text + "\nuse those, or choose another folder with --out");
   }
   MakeFolder(folder);
-  WriteFrozen(kFrozenScene, folder, ConfigToJson(config));
+  WriteFrozen(kSceneStore, folder, ConfigToJson(config));
 }
 
 void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
@@ -164,15 +182,16 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
     write_grasp(optimised.new_target, step2.is_taken ? step2.check_after : step2.check_before);
     WriteFileAtomically(folder / "individuals.csv", FormatIndividuals(step2, hand));
   }
-  WriteFileAtomically(folder / "result.json", FormatJson(result, 2) + "\n");
+  WriteFileAtomically(folder / kResult, FormatJson(result, 2) + "\n");
+  SealStore(kSceneStore, folder, CalcInputsHash(inputs));
 }
 
-SceneRecord LoadScene(const fs::path& folder) {
+SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   SceneRecord scene;
-  scene.config = ParseSceneConfig(folder);
+  scene.config = ParseSceneConfig(folder, on_damage);
   scene.evaluations = LoadEvaluations(folder / "journal.jsonl", scene.findings);
-  if (!IsSceneFinished(folder)) return scene;
-  const fs::path path = folder / "result.json";
+  const fs::path path = folder / kResult;
+  if (!fs::exists(path)) return scene;
   try {
     scene.result = Json::parse(ReadFile(path));
   } catch (const Json::exception& e) {

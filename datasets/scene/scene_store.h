@@ -3,8 +3,9 @@
 The folder of one optimised scene (a hand, an object, a standard grasp):
 
     scene.json                        frozen configuration, schema and program version
+    manifest.json                     hashes of all of it (manifest.h)
     journal.jsonl                     every evaluation in order: lineage, fitness and its parts
-    result.json                       what the steps decided and why; its presence: finished
+    result.json                       what the steps decided and why; in the manifest: finished
     new-pregrasp.yaml                 the grasp after step 1, for graspbench run --grasp
     new-target.yaml                   the grasp after step 2 (each only if the step was asked for)
     new-*.isaac_grasp.yaml            the same for other programs
@@ -17,22 +18,21 @@ any number of interruptions. */
 #include <string>
 #include <vector>
 
+#include "datasets/journal/sealed_store.h"
 #include "datasets/scene/evaluation_journal.h"
 #include "datasets/scene/learning_plan.h"
 
 namespace graspbench {
-
-/** Version of the folder's layout and records; others are refused. */
-inline constexpr int kSceneSchema = 2;
 
 /** Creates the folder, or finds the same scene there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
 void CreateScene(const std::filesystem::path& folder, const SceneConfig& config);
 
 bool HasScene(const std::filesystem::path& folder);
-bool IsSceneFinished(const std::filesystem::path& folder);
+/** True when it was finished with the hand, the object, the grasp and the physics of today. */
+bool IsSceneFinished(const std::filesystem::path& folder, const SceneInputs& inputs);
 
-/** Writes everything but scene.json and journal.jsonl. */
+/** Writes everything but scene.json and journal.jsonl, and seals it. */
 void WriteSceneResult(const std::filesystem::path& folder, const SceneConfig& config,
                       const SceneInputs& inputs, const OptimisedGrasp& optimised);
 
@@ -42,8 +42,8 @@ struct SceneRecord {
   std::vector<EvaluationRecord> evaluations;
   Diagnostics findings;  ///< about journal lines that were skipped
 };
-/** @throws Error(kNotFound) no scene there; kVersion; kFormat; kIo. */
-SceneRecord LoadScene(const std::filesystem::path& folder);
+/** @throws Error(kNotFound) no scene there; kVersion; kFormat, also for damage; kIo. */
+SceneRecord LoadScene(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
 /** The grasp of a new variant as it was saved. */
 StandardGrasp LoadSceneGrasp(const std::filesystem::path& folder, Variant variant,

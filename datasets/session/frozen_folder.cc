@@ -8,40 +8,63 @@
 namespace graspbench {
 namespace fs = std::filesystem;
 
-bool HasFrozen(const FrozenKind& kind, const fs::path& folder) {
+namespace {
+
+std::string FormatSchemas(const StoreKind& kind) {
+  if (kind.oldest_schema == kind.schema) return "schema " + std::to_string(kind.schema);
+  return "schemas " + std::to_string(kind.oldest_schema) + " to " + std::to_string(kind.schema);
+}
+
+}  // namespace
+
+bool HasFrozen(const StoreKind& kind, const fs::path& folder) {
   std::error_code status;
   return fs::exists(folder / kind.file, status);
 }
 
-Json LoadFrozen(const FrozenKind& kind, const fs::path& folder) {
+Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_damage) {
+  const fs::path path = folder / kind.file;
+  if (!HasFrozen(kind, folder) && HasManifest(folder)) {
+    throw Error(ErrorKind::kFormat, "\"" + path.string() +
+                                        "\" is missing, which the manifest beside it names; take "
+                                        "it from a backup");
+  }
   if (!HasFrozen(kind, folder)) {
-    throw Error(ErrorKind::kNotFound, std::string("no ") + kind.what + " in \"" + folder.string() +
+    throw Error(ErrorKind::kNotFound, std::string("no ") + kind.name + " in \"" + folder.string() +
                                           "\" (" + kind.file + " is not there); " + kind.command +
                                           " --out " + folder.string() + " starts one");
   }
-  const fs::path path = folder / kind.file;
+  Frozen frozen;
   try {
     const Json json = Json::parse(ReadFile(path));
     const int schema = IntFrom(json.at("schema"));
-    if (schema == kind.schema) return json.value("config", Json::object());
-    throw Error(ErrorKind::kVersion,
-                "\"" + path.string() + "\" has schema " + std::to_string(schema) +
-                    ", this program (" + program_version() + ") reads schema " +
-                    std::to_string(kind.schema) + "; use graspbench " +
-                    json.value("program_version", "of that time") + " for it, or " + kind.remedy);
+    if (schema < kind.oldest_schema || schema > kind.schema) {
+      throw Error(ErrorKind::kVersion,
+                  "\"" + path.string() + "\" has schema " + std::to_string(schema) +
+                      ", this program (" + program_version() + ") reads " + FormatSchemas(kind) +
+                      "; use graspbench " + json.value("program_version", "of that time") +
+                      " for it, or " + kind.remedy);
+    }
+    frozen.config = json.value("config", Json::object());
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
                 "\"" + path.string() + "\" is damaged: " + e.what() +
                     "; it is written once and never changed, so take it from a backup");
   }
+  StoreState state = VerifyStore(folder, on_damage);
+  frozen.is_sealed = state.is_sealed;
+  frozen.damage = std::move(state.damages);
+  return frozen;
 }
 
-void WriteFrozen(const FrozenKind& kind, const fs::path& folder, const Json& config) {
+void WriteFrozen(const StoreKind& kind, const fs::path& folder, const Json& config) {
   const Json frozen = {{"schema", kind.schema},
                        {"program_version", program_version()},
                        {"physics_version", kPhysicsVersion},
                        {"config", config}};
-  WriteFileAtomically(folder / kind.file, FormatJson(frozen, 2) + "\n");
+  const std::string text = FormatJson(frozen, 2) + "\n";
+  SealNewStore(kind, folder, text);
+  WriteFileAtomically(folder / kind.file, text);
 }
 
 std::string ListDifferences(const std::vector<std::string>& differences) {

@@ -1,32 +1,32 @@
 #pragma once
 /** @file
 The frozen configuration of a folder: written once, with schema and versions, and never changed.
-Sessions, scenes and campaigns each have one such file; what differs between them is a row here. */
+Sessions, scenes and campaigns each have one such file (store_kind.h), and a manifest beside it. */
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/json.h"
+#include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
 
-struct FrozenKind {
-  const char* what;     ///< "session"
-  const char* file;     ///< "session.json"
-  int schema;           ///< of the folder's layout and records; others are refused
-  const char* command;  ///< "graspbench run": starts one
-  const char* remedy;   ///< for another schema: "run the session anew into another folder"
+bool HasFrozen(const StoreKind& kind, const std::filesystem::path& folder);
+
+struct Frozen {
+  Json config;                 ///< as it was written
+  bool is_sealed = true;       ///< false: older than manifests
+  std::vector<Damage> damage;  ///< of the whole store, when it is accepted
 };
-
-bool HasFrozen(const FrozenKind& kind, const std::filesystem::path& folder);
-
-/** The configuration as it was written.
+/** The door through which a store is read: it is verified first.
 @throws Error(kNotFound) none there; kVersion another schema; kFormat damaged; kIo. */
-Json LoadFrozen(const FrozenKind& kind, const std::filesystem::path& folder);
+Frozen LoadFrozen(const StoreKind& kind, const std::filesystem::path& folder,
+                  OnDamage on_damage = OnDamage::kRefuse);
 
-/** Writes the file; the folder exists. @throws Error(kIo). */
-void WriteFrozen(const FrozenKind& kind, const std::filesystem::path& folder, const Json& config);
+/** Writes the manifest of what is there already, and then the file, whose presence makes the folder
+a store; the folder exists. @throws Error(kIo). */
+void WriteFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& config);
 
 /** Every difference on a line of its own, indented; empty: none. */
 std::string ListDifferences(const std::vector<std::string>& differences);

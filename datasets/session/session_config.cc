@@ -7,6 +7,7 @@
 
 #include "core/base/config.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 
 namespace graspbench {
@@ -54,6 +55,8 @@ void CheckNames(const std::string& key, const std::vector<std::string>& names,
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (name->empty()) {
       problems.push_back({key, "a name is empty"});
+    } else if (!IsUtf8(*name)) {
+      problems.push_back({key, "\"" + *name + "\" is not UTF-8"});
     } else if (std::find(names.begin(), name, *name) != name) {
       problems.push_back({key, "\"" + *name + "\" is listed twice"});
     } else if (names.size() > 1 && std::find(words_for_many.begin(), words_for_many.end(), *name) !=

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/random.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
@@ -27,6 +28,23 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
                         {"seed", config.seed},
                         {"trial", trial}};
   return CalcHashHex(FormatJson(content));
+}
+
+/** Names stand in tables, journals and file names; what cannot stand there is refused before
+anything is written. */
+void CheckNamesFit(const std::string& what, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const bool has_control = std::any_of(name.begin(), name.end(),
+                                         [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    const char* fault = !IsUtf8(name)                            ? "is not UTF-8"
+                        : has_control                            ? "holds a control character"
+                        : name.find_first_of(",\"") != name.npos ? "holds a comma or a quote"
+                                                                 : nullptr;
+    if (fault) {
+      throw Error(ErrorKind::kUsage, "the " + what + " \"" + name + "\" cannot be used: its name " +
+                                         fault + "; rename it");
+    }
+  }
 }
 
 /** The hand's grasp of this id that may be used on the object. */
@@ -150,8 +168,11 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   for (const SessionHand& hand : inputs.hands) {
     hand_names.push_back(hand.hand->id);
     CheckGraspsDiffer(hand);
+    for (const StandardGrasp& grasp : hand.grasps) CheckNamesFit("grasp", {grasp.id});
   }
   for (const auto& object : inputs.objects) object_names.push_back(object->id);
+  CheckNamesFit("hand", hand_names);
+  CheckNamesFit("object", object_names);
   CheckNamesDiffer("hands", hand_names);
   CheckNamesDiffer("objects", object_names);
   CheckGraspsExist(config, inputs);

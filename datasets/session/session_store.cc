@@ -16,9 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr FrozenKind kFrozenSession = {"session", "session.json", kSessionSchema, "graspbench run",
-                                       "run the session anew into another folder"};
-
 std::vector<PlannedTrial> LoadPlan(const fs::path& path) {
   std::vector<PlannedTrial> plan;
   Diagnostics problems;
@@ -69,7 +66,8 @@ class Merger {
     conflicts_.ThrowIfErrors(
         ErrorKind::kFormat,
         "one trial has different results: two versions of the program have written to this session "
-        "or a file was edited; delete the wrong lines, or run the session anew");
+        "or a file was edited; delete the wrong lines and seal the rest with graspbench verify "
+        "--repair, or run the session anew");
     std::vector<TrialRecord> records;
     for (Found& found : found_) {
       if (!found.file.empty()) records.push_back(std::move(found.record));
@@ -111,7 +109,7 @@ class Merger {
 
 }  // namespace
 
-bool HasSession(const fs::path& folder) { return HasFrozen(kFrozenSession, folder); }
+bool HasSession(const fs::path& folder) { return HasFrozen(kSessionStore, folder); }
 
 void CreateSession(const fs::path& folder, const SessionConfig& config,
                    const std::vector<PlannedTrial>& plan) {
@@ -124,7 +122,7 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
   for (const PlannedTrial& planned : plan) lines += FormatJson(ToJson(planned)) + "\n";
   MakeFolder(folder / "journal");
   WriteFileAtomically(folder / "plan.jsonl", lines);
-  WriteFrozen(kFrozenSession, folder, ToJson(config));
+  WriteFrozen(kSessionStore, folder, ToJson(config));
 }
 
 std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& subfolder) {
@@ -141,10 +139,16 @@ std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& su
   return paths;
 }
 
-Session LoadSession(const fs::path& folder) {
-  const Json frozen = LoadFrozen(kFrozenSession, folder);
+Session LoadSession(const fs::path& folder, OnDamage on_damage) {
+  Frozen frozen = LoadFrozen(kSessionStore, folder, on_damage);
   Session session;
-  session.config = SessionConfigFromJson(frozen, (folder / kFrozenSession.file).string());
+  session.damage = std::move(frozen.damage);
+  if (!frozen.is_sealed) {
+    session.findings.Warn(kSessionStore.file, 0,
+                          "the session is older than manifests: changes of its configuration, its "
+                          "plan and missing lines are not noticed");
+  }
+  session.config = SessionConfigFromJson(frozen.config, (folder / kSessionStore.file).string());
   session.plan = LoadPlan(folder / "plan.jsonl");
   Merger merger(session.plan, session.findings);
   for (const fs::path& path : ListJournals(folder)) {

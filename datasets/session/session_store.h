@@ -4,6 +4,7 @@ A session's folder:
 
     session.json          frozen configuration, schema and program version; its presence makes the
                           folder a session
+    manifest.json         hashes of all that must not change and of what was committed (manifest.h)
     plan.jsonl            one planned trial a line
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
@@ -23,14 +24,12 @@ the same bytes for any number of workers and any number of interruptions. */
 
 #include "core/base/diagnostics.h"
 #include "datasets/journal/append_file.h"
+#include "datasets/journal/sealed_store.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_plan.h"
 #include "datasets/session/trial_record.h"
 
 namespace graspbench {
-
-/** Version of the folder's layout and of the records; older and newer ones are refused. */
-inline constexpr int kSessionSchema = 3;
 
 /** True when the folder holds a session, of whatever version and state. */
 bool HasSession(const std::filesystem::path& folder);
@@ -46,10 +45,11 @@ struct Session {
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
   /** Warnings about journal lines that were skipped; files are named from the session's folder. */
   Diagnostics findings;
+  std::vector<Damage> damage;  ///< found and accepted
 };
-/** @throws Error(kNotFound) no session there; kVersion; kFormat for damage to session.json or
-plan.jsonl and for unequal duplicates; kIo. */
-Session LoadSession(const std::filesystem::path& folder);
+/** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
+before anything is read, and for unequal duplicates; kIo. */
+Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
 /** The journals in a subfolder of the session's, by name; none when there is no such folder. */
 std::vector<std::filesystem::path> ListJournals(const std::filesystem::path& folder,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/base/csv.h"
 #include "human_study/recording/importers/delimited_text.h"
 
 namespace graspbench {
@@ -39,7 +40,10 @@ StudyTable::StudyTable(const std::string& text, const std::string& file, Diagnos
                         std::to_string(columns_.size()) + ", as many as the heading has");
       continue;
     }
-    rows_.push_back({reader.line(), {cells.begin(), cells.end()}});
+    rows_.push_back({reader.line(), {}});
+    for (const auto& cell : cells) {
+      rows_.back().cells.push_back(UnguardCell(std::string(cell)));
+    }
   }
   if (rows_.empty()) {
     problems.Fail(file, 0, "holds no rows; expected a heading and one row each");

@@ -20,12 +20,12 @@ std::string MakeCampaignReport(const CampaignData& data) {
       std::count_if(data.scenes.begin(), data.scenes.end(),
                     [](const SceneVariants& scene) { return scene.IsComplete(); });
   const CampaignConfig& config = data.campaign.config;
-  const std::string subtitle = std::to_string(num_complete) + " of " +
-                               FormatCount(static_cast<int>(data.scenes.size()), "scene") +
-                               " finished, " +
-                               FormatCount(config.optimise.evaluations, "evaluation") + " each, " +
-                               FormatCount(config.session.trials, "benchmark trial") +
-                               " per variant, seed " + std::to_string(config.optimise.seed);
+  const std::string subtitle =
+      std::to_string(num_complete) + " of " +
+      FormatCount(static_cast<int>(data.scenes.size()), "scene") + " finished, " +
+      FormatCount(config.optimise.evaluations, "evaluation") + " each, " +
+      FormatCount(config.session.trials, "benchmark trial") + " per variant, seed " +
+      std::to_string(config.optimise.seed) + DescribeDamage(data.campaign.damage);
   return MakeSectionedPage("Optimised grasps", subtitle, ListCampaignSections(), data);
 }
 

@@ -135,14 +135,36 @@ TEST_P(KillAndResume, GivesTheBytesOfAnUninterruptedRun) {
 
 INSTANTIATE_TEST_SUITE_P(Jobs, KillAndResume, testing::Values(1, 2, 4));
 
+// A trial of minutes: a first TERM is enough, and what it leaves is a session.
+TEST(Terminate, EndsInTenSecondsEvenIfATrialDoesNot) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("terminate_" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  const pid_t child = Start({"run", "--hand", "shadow", "--object", "golf_ball", "--trials", "2",
+                             "--jobs", "2", "--set", "strategy.hold_time_s=60", "--set",
+                             "sim.step_s=0.0001", "--out", folder.string()});
+  while (!fs::exists(folder / "session.json") && !HasEnded(child)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  ASSERT_FALSE(HasEnded(child));
+  const auto start = std::chrono::steady_clock::now();
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(WaitFor(child), 75);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_EQ(WaitFor(Start({"export", folder.string()})), 0);
+  if (!HasFailure()) fs::remove_all(folder);
+}
+
 /** Files below the folder that must not depend on workers and interruptions. */
 std::vector<fs::path> ListResults(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path path = entry.path().lexically_relative(folder);
     const fs::path benchmark = "benchmark";
-    const bool is_worker_journal =
-        path.parent_path() == benchmark / "journal" || path.parent_path() == benchmark / "judge";
+    const bool is_worker_journal =  // or what names these
+        path.parent_path() == benchmark / "journal" || path.parent_path() == benchmark / "judge" ||
+        path == benchmark / "manifest.json";
     if (entry.is_regular_file() && path.filename() != "run.json" && !is_worker_journal) {
       files.push_back(path);
     }

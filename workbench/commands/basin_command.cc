@@ -10,6 +10,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/map_basin.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/terminal_observer.h"
 
 namespace graspbench {
@@ -18,22 +19,26 @@ namespace {
 struct BasinOptions {
   BasinRequest request;
   std::string out;
+  bool replace = false;
   int num_workers = 1;
 };
 
 void Run(const BasinOptions& options) {
+  StagedFolder staged({options.out,
+                       "basin",
+                       options.replace,
+                       {options.request.hand, options.request.object, options.request.grasp}});
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer({}, stop);
   const BasinMap map = MapBasin(options.request, options.num_workers, observer, stop);
-  const std::filesystem::path folder = options.out;
-  MakeFolder(folder);
-  WriteFileAtomically(folder / "basin.csv", FormatBasinCsv(map.samples));
-  WriteFileAtomically(folder / "index.html", MakeBasinPage(map.title, map.samples));
+  WriteFileAtomically(staged.path() / "basin.csv", FormatBasinCsv(map.samples));
+  WriteFileAtomically(staged.path() / "index.html", MakeBasinPage(map.title, map.samples));
+  staged.Commit();
   const double radius = CalcBasinRadius(map.samples);
   PrintResult(map.title + ": basin radius " + FormatFixed(radius, 2) + " (" +
               FormatFixed(MmFromM(radius * kBasinOffset), 1) + " mm, " +
               FormatFixed(DegFromRad(radius * kBasinYaw), 1) + " deg)\nmap      " +
-              (folder / "index.html").string() + "\n");
+              (std::filesystem::path(options.out) / "index.html").string() + "\n");
 }
 
 }  // namespace
@@ -62,6 +67,7 @@ void AddBasinCommand(CLI::App& program, ExitCode&) {
   command.add_option("--out", options->out, "folder for index.html and basin.csv")
       ->required()
       ->option_text("DIR");
+  AddReplaceOption(command, options->replace);
   command.callback([options] { Run(*options); });
 }
 

@@ -7,6 +7,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/numerics_check.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/numerics_tables.h"
 
 namespace graspbench {
@@ -31,6 +32,7 @@ class VariantLines : public Observer {
 };
 
 void Check(const CheckOptions& options) {
+  if (!options.out.empty()) CheckOutputFile(options.out);
   const Session session = LoadSession(options.folder);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   VariantLines observer;

@@ -10,6 +10,7 @@ Results go to stdout, messages and progress to stderr. `--json` prints one objec
 
 #include "core/base/error.h"
 #include "core/optimise/grasp_optimiser.h"
+#include "datasets/journal/sealed_store.h"
 #include "datasets/session/session_config.h"
 #include "workbench/terminal.h"
 
@@ -39,6 +40,10 @@ void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
                        const std::string& example);
 /** "--evaluations" and "--fitness-trials". */
 void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of);
+/** "--replace": an older result of the command's own kind. */
+void AddReplaceOption(CLI::App& command, bool& replace);
+/** "--accept-damage": go on with what is left of a damaged store. */
+void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
 ///@}

@@ -18,6 +18,7 @@ namespace {
 struct JudgeOptions {
   std::string folder;
   int num_workers = 1;
+  OnDamage on_damage = OnDamage::kRefuse;
   bool json = false;
 };
 
@@ -41,11 +42,11 @@ void Judge(const JudgeOptions& options) {
         return options.folder + ": " + FormatCount(stage.num_left, "held grasp") + " to judge";
       },
       stop);
-  if (!JudgeSession(folder, options.num_workers, observer, stop)) {
+  if (!JudgeSession(folder, options.num_workers, observer, stop, options.on_damage)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. Continue with the same command");
   }
-  const Session session = LoadSession(folder);
+  const Session session = LoadSession(folder, options.on_damage);
   ExportSession(folder, session);
   const std::filesystem::path report = WriteSessionReport(folder, session);
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
@@ -71,6 +72,7 @@ void AddJudgeCommand(CLI::App& program, ExitCode&) {
       ->required()
       ->option_text("DIR");
   AddJobsOption(command, options->num_workers, "grasps");
+  AddAcceptDamageOption(command, options->on_damage);
   command.add_flag("--json", options->json, "print the evidence as one JSON object");
   command.callback([options] { Judge(*options); });
 }

@@ -7,6 +7,7 @@
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/save_recording.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/mocap_plot.h"
 
 namespace graspbench {
@@ -20,13 +21,14 @@ struct MocapOptions {
 
 using SharedOptions = std::shared_ptr<MocapOptions>;
 
-/** The original must survive: it may be the only copy. */
-void CheckDifferentFiles(const MocapOptions& options) {
+/** The original must survive: it may be the only copy. So must whatever else is there. */
+void CheckOutput(const MocapOptions& options) {
   std::error_code status;
   if (std::filesystem::equivalent(options.in, options.out, status)) {
     throw Error(ErrorKind::kUsage,
                 "\"" + options.out + "\" is the recording itself; name another file to write");
   }
+  CheckOutputFile(options.out);
 }
 
 void PrintFindings(const Recording& recording) {
@@ -67,7 +69,7 @@ void ShowRecording(const MocapOptions& options) {
 }
 
 void ConvertRecording(const MocapOptions& options) {
-  CheckDifferentFiles(options);
+  CheckOutput(options);
   const Recording recording = LoadRecording(options.in, options.import);
   PrintFindings(recording);
   const size_t num_left_out = SaveRecording(options.out, recording);
@@ -78,7 +80,7 @@ void ConvertRecording(const MocapOptions& options) {
 }
 
 void PlotRecording(const MocapOptions& options) {
-  CheckDifferentFiles(options);
+  CheckOutput(options);
   const Recording recording = LoadRecording(options.in, options.import);
   PrintFindings(recording);
   const std::string name = std::filesystem::path(options.in).filename().string();
@@ -87,7 +89,7 @@ void PlotRecording(const MocapOptions& options) {
 }
 
 void RedactFile(const MocapOptions& options) {
-  CheckDifferentFiles(options);
+  CheckOutput(options);
   const std::vector<PersonalField> fields = RedactRecording(options.in, options.out);
   for (const PersonalField& field : fields) {
     PrintMessage("blanked " + field.where + ": " + field.text);

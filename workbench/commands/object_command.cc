@@ -9,6 +9,7 @@
 #include "objects/check_mesh_file.h"
 #include "objects/load_mesh.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/object_tables.h"
 
 namespace graspbench {
@@ -74,6 +75,7 @@ ExitCode ReportMesh(const MeshCheckOptions& options) {
   if (options.repair && !report.problems.empty()) {
     const fs::path path(options.path);
     const std::string repaired = (path.parent_path() / (path.stem().string() + "-repaired.obj"));
+    CheckOutputFile(repaired);
     const MeshFileRepair repair = RepairMeshFile(file, repaired);
     report = repair.report;
     json["repair"] = {{"file", repair.is_written ? Json(repaired) : Json(nullptr)},

@@ -10,6 +10,7 @@
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
 namespace {
@@ -46,6 +47,7 @@ TrialResult RunNominalTrial(const std::shared_ptr<const Hand>& hand,
 }
 
 void Render(const RenderOptions& options) {
+  CheckOutputFile(options.out);
   const auto hand = std::make_shared<const Hand>(LoadHand(options.hand));
   const StandardGrasp grasp = LoadGrasp(*hand, options.grasp);
   const auto object = LoadObject(options.object);

@@ -27,6 +27,8 @@ struct RunOptions {
   int num_workers = 1;
   std::string out;
   bool resume = false;
+  OnDamage on_damage = OnDamage::kRefuse;
+  double trial_time_limit = kTrialTimeLimit;
   bool json = false;
 };
 
@@ -54,12 +56,14 @@ void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers
   PrintMessage(text);
 }
 
-ExitCode Finish(const fs::path& folder, bool json) {
-  const Session session = LoadSession(folder);
+ExitCode Finish(const PreparedSession& work, const RunOptions& options) {
+  const fs::path& folder = work.folder;
+  Session session = LoadSession(folder, options.on_damage);
+  session.damage = work.session.damage;  // what was found before the run sealed what is there
   ExportSession(folder, session);
   const fs::path report = WriteSessionReport(folder, session);
   const SessionSummary summary = SummariseSession(session);
-  if (json) {
+  if (options.json) {
     PrintJson(MakeSummaryJson(summary, folder, report));
   } else {
     PrintResult("\n" + FormatSummaryTable(summary) + "\nreport   " + report.string() +
@@ -74,19 +78,20 @@ ExitCode Run(const RunOptions& options) {
   request.name = options.session.name();
   request.out = options.out;
   request.resume = options.resume;
+  request.on_damage = options.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   const PreparedSession work = PrepareSession(request);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);
-  if (num_trials == 0) return Finish(work.folder, options.json);
+  if (num_trials == 0) return Finish(work, options);
 
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer({}, stop);
   RunRecord record;
   try {
-    record = RunSession(work, num_workers, observer, stop);
-    if (record.ending == "finished") return Finish(work.folder, options.json);
+    record = RunSession(work, num_workers, observer, stop, options.trial_time_limit);
+    if (record.ending == "finished") return Finish(work, options);
   } catch (const Error& error) {
     throw Error(error.kind(), std::string(error.what()) +
                                   "\nFinished trials are kept. Continue with\n  " +
@@ -112,6 +117,13 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("DIR")
       ->default_str("results/NAME-HASH");
   command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
+  AddAcceptDamageOption(command, options->on_damage);
+  command
+      .add_option("--trial-timeout", options->trial_time_limit,
+                  "seconds after which a trial is given up as a numerical failure")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S")
+      ->capture_default_str();
   command.add_flag("--json", options->json, "print the summary as one JSON object");
   command.callback([options, &exit_code] { exit_code = Run(*options); });
 }

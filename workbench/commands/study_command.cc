@@ -12,6 +12,7 @@
 #include "human_study/study/study_tables.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -23,6 +24,7 @@ struct StudyOptions {
   std::string data;  ///< folder of the recordings; empty: that of study.yaml
   std::string out;
   std::string robot;  ///< folder of a session; empty: what study.yaml says
+  bool replace = false;
 };
 
 std::optional<RobotSession> LoadRobot(const StudyOptions& options, const Study& study) {
@@ -47,12 +49,12 @@ std::vector<MeasureTable> ListTables(const StudyResult& result) {
   return tables;
 }
 
-StudyResult RunAndWrite(const StudyOptions& options) {
+/** Analyses the study into the folder that will become --out. */
+StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const Study study = LoadStudy(options.study_file, options.data);
   if (!study.warnings.entries().empty()) PrintMessage(study.warnings.Format());
   const std::optional<RobotSession> robot = LoadRobot(options, study);
-  const fs::path out = options.out;
-  MotionBidsWriter bids(out / "bids", study);
+  MotionBidsWriter bids(staged.path() / "bids", study);
   StudyWatch watch;
   watch.on_row = ShowProgress;
   watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
@@ -60,9 +62,12 @@ StudyResult RunAndWrite(const StudyOptions& options) {
   };
   StudyResult result = RunStudy(study, watch);
   bids.Finish();
-  WriteStudyTables(result, out);
-  SaveTidyExport(ListTables(result), out / "tidy");
-  const fs::path report = WriteStudyReport(out, result, robot ? &*robot : nullptr);
+  WriteStudyTables(result, staged.path());
+  SaveTidyExport(ListTables(result), staged.path() / "tidy");
+  const fs::path page = WriteStudyReport(staged.path(), result, robot ? &*robot : nullptr);
+  const fs::path report = fs::path(options.out) / page.lexically_relative(staged.path());
+  staged.Commit();
+  const fs::path out = options.out;
   PrintResult("kept     " + std::to_string(result.CountKept()) + " of " +
               FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
               (out / "measures.csv").string() + "\nR        " + (out / "tidy").string() +
@@ -77,12 +82,19 @@ std::string FormatErrors(const Answer<Summary>& errors) {
          std::to_string(errors->count);
 }
 
+void RunStudyFile(const StudyOptions& options) {
+  StagedFolder staged(
+      {options.out, "study", options.replace, {options.study_file, options.data, options.robot}});
+  RunAndWrite(options, staged);
+}
+
 void RunDemo(StudyOptions options) {
-  const fs::path input = fs::path(options.out) / "input";
+  StagedFolder staged({options.out, "study", options.replace, {options.robot}});
+  const fs::path input = staged.path() / "input";
   const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(MakeDemoOptions());
   WriteDemoStudy(trials, input);
   options.study_file = (input / "study.yaml").string();
-  const TruthComparison comparison = CompareWithTruth(RunAndWrite(options), trials);
+  const TruthComparison comparison = CompareWithTruth(RunAndWrite(options, staged), trials);
   PrintResult("truth    found - true over the trials that count\n  movement onset  " +
               FormatErrors(comparison.onset) + "\n  widest opening  " +
               FormatErrors(comparison.closure_start) + "\n  first contacts  " +
@@ -107,6 +119,7 @@ void AddStudyCommand(CLI::App& program, ExitCode&) {
         .add_option("--robot", options->robot,
                     "a session of graspbench run to put beside the people")
         ->option_text("SESSION");
+    AddReplaceOption(command, options->replace);
   };
 
   CLI::App& run = AddSubcommand(
@@ -120,7 +133,7 @@ void AddStudyCommand(CLI::App& program, ExitCode&) {
       ->option_text("DIR")
       ->default_str("that of study.yaml");
   add_common(run);
-  run.callback([options] { RunAndWrite(*options); });
+  run.callback([options] { RunStudyFile(*options); });
 
   CLI::App& demo = AddSubcommand(
       group, "demo", "Make up a study with known contacts, analyse it and report the errors.",

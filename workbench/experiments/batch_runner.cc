@@ -5,34 +5,55 @@
 #include "workbench/experiments/worker_pool.h"
 
 namespace graspbench {
+namespace {
+
+TrialResult MakeEndlessResult(double time_limit) {
+  TrialResult result;
+  result.outcome = Outcome::kNumericalFailure;
+  result.reason = "the trial had not ended after " + FormatJson(time_limit) + " s and was given up";
+  return result;
+}
+
+}  // namespace
 
 bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, const ShowBatch& show,
-              const std::atomic<bool>& stop) {
+              const std::atomic<bool>& stop, double time_limit) {
   StatusBoard board(CalcNumWorkers(num_workers, trials.size()));
-  const auto make_runner = [&](int worker, const std::atomic<bool>&) -> RunTask {
+  const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
-    return [&, worker, tools](size_t task) {
+    const auto record = std::make_shared<TrialRecord>();  // of the trial that has just run
+    const auto keep = [&board, tools](const TrialRecord& kept) {
+      tools->keep(kept);
+      board.Count(kept.result.outcome);
+    };
+    const RunTask run = [&board, &trials, worker, tools, record](size_t task) {
       board.SetBusy(worker, trials[task]);
-      const TrialRecord record{trials[task], tools->run(trials[task])};
-      tools->keep(record);
-      board.Count(record.result.outcome);
+      record->plan = trials[task];
+      record->result = tools->run(record->plan);
+    };
+    const RunTask keep_result = [&board, worker, keep, record](size_t) {
+      keep(*record);
       board.SetBusy(worker, std::nullopt);
     };
+    const RunTask give_up = [&trials, keep, time_limit](size_t task) {
+      keep({trials[task], MakeEndlessResult(time_limit)});
+    };
+    return {run, keep_result, time_limit < kNoTimeLimit ? give_up : RunTask()};
   };
   return RunTasks(
-      trials.size(), num_workers, make_runner, [&] { show(board.Read()); }, stop);
+      trials.size(), num_workers, make_runner, [&] { show(board.Read()); }, stop, time_limit);
 }
 
 bool RunBatchStage(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
                    const MakeBatchWorker& make_worker, Observer& observer,
-                   const std::atomic<bool>& stop) {
+                   const std::atomic<bool>& stop, double time_limit) {
   observer.BeginStage(stage);
   if (trials.empty()) return true;
   const auto show = [&](const BatchStatus& status) {
     observer.ShowStatus(status, stage.num_trials);
   };
-  const bool is_complete = RunBatch(trials, num_workers, make_worker, show, stop);
+  const bool is_complete = RunBatch(trials, num_workers, make_worker, show, stop, time_limit);
   observer.EndStage();
   return is_complete;
 }

@@ -5,6 +5,7 @@ is there. */
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "datasets/session/session_store.h"
@@ -23,15 +24,18 @@ using MakeBatchWorker = std::function<BatchWorker(int worker)>;
 
 using ShowBatch = std::function<void(const BatchStatus&)>;
 
+inline constexpr double kNoTimeLimit = std::numeric_limits<double>::infinity();
+
 /** Runs `trials` until all are done or `stop` is set; a trial that has begun is finished and kept.
-@returns, @throws  as RunTasks of worker_pool.h. */
+@param time_limit  [s of the clock]: a trial that has not ended by then is kept as a numerical
+failure, and the others go on.   @returns, @throws  as RunTasks of worker_pool.h. */
 bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, const ShowBatch& show,
-              const std::atomic<bool>& stop);
+              const std::atomic<bool>& stop, double time_limit = kNoTimeLimit);
 
 /** RunBatch as a stage that an observer sees. */
 bool RunBatchStage(const Stage& stage, const std::vector<PlannedTrial>& trials, int num_workers,
                    const MakeBatchWorker& make_worker, Observer& observer,
-                   const std::atomic<bool>& stop);
+                   const std::atomic<bool>& stop, double time_limit = kNoTimeLimit);
 
 }  // namespace graspbench

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/compliant_world.h"
@@ -184,28 +185,35 @@ NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& 
 }
 
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons) {
-  std::string csv = "variant,trial_id,hand,object,grasp,trial,outcome_before,outcome,flipped";
+  std::vector<Json> heading = {"variant", "trial_id",       "hand",    "object", "grasp",
+                               "trial",   "outcome_before", "outcome", "flipped"};
   for (const Measure& measure : {kGct, kGft, kGot, kSigma}) {
-    csv += std::string(",") + measure.name + "_before," + measure.name;
+    heading.push_back(std::string(measure.name) + "_before");
+    heading.push_back(measure.name);
   }
-  csv += ",hold_creep_m,steady_penetration_m,unconverged_steps\n";
-  const auto add_number = [&csv](double value) {
-    csv += ',';
-    if (std::isfinite(value)) csv += Json(value).dump();
-  };
+  for (const char* name : {"hold_creep_m", "steady_penetration_m", "unconverged_steps"}) {
+    heading.push_back(name);
+  }
+  std::string csv = FormatCsvLine(heading);
   for (const NumericsComparison& comparison : comparisons) {
     const PlannedTrial& plan = comparison.before.plan;
-    csv += comparison.variant + ',' + plan.id + ',' + plan.hand + ',' + plan.object + ',' +
-           plan.grasp + ',' + std::to_string(plan.trial) + ',' +
-           NameOf(comparison.before.result.outcome) + ',' + NameOf(comparison.after.outcome) +
-           (comparison.is_flipped() ? ",1" : ",0");
+    std::vector<Json> cells = {comparison.variant,
+                               plan.id,
+                               plan.hand,
+                               plan.object,
+                               plan.grasp,
+                               plan.trial,
+                               NameOf(comparison.before.result.outcome),
+                               NameOf(comparison.after.outcome),
+                               comparison.is_flipped() ? 1 : 0};
     for (const Measure& measure : {kGct, kGft, kGot, kSigma}) {
-      add_number(measure.value(comparison.before.result));
-      add_number(measure.value(comparison.after));
+      cells.push_back(JsonNumber(measure.value(comparison.before.result)));
+      cells.push_back(JsonNumber(measure.value(comparison.after)));
     }
-    add_number(comparison.after.hold_creep);
-    add_number(comparison.after.steady_penetration);
-    csv += ',' + std::to_string(comparison.after.num_unconverged) + '\n';
+    cells.push_back(JsonNumber(comparison.after.hold_creep));
+    cells.push_back(JsonNumber(comparison.after.steady_penetration));
+    cells.push_back(comparison.after.num_unconverged);
+    csv += FormatCsvLine(cells);
   }
   return csv;
 }

@@ -48,7 +48,10 @@ class StatusBoard {
 
   void SetBusy(int worker, std::optional<PlannedTrial> trial) {
     const std::lock_guard lock(mutex_);
-    status_.busy[static_cast<size_t>(worker)] = std::move(trial);
+    // A worker that was given up keeps its place, and the one in its stead gets a new one.
+    const auto place = static_cast<size_t>(worker);
+    if (place >= status_.busy.size()) status_.busy.resize(place + 1);
+    status_.busy[place] = std::move(trial);
   }
   void Count(Outcome outcome) {
     const std::lock_guard lock(mutex_);

@@ -6,6 +6,7 @@
 #include "core/base/files.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/learning_batch.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
 #include "workbench/experiments/session_worker.h"
@@ -30,7 +31,13 @@ class CampaignRun {
   }
 
   bool Run() {
-    CreateCampaign(folder_, config_);
+    if (HasCampaign(folder_)) {
+      CreateCampaign(folder_, config_);  // the same one, or an error
+    } else {
+      StagedFolder staged({folder_, "", false, {}});
+      CreateCampaign(staged.path(), config_);
+      staged.Commit();
+    }
     return OptimiseScenes() && Benchmark() && Compare();
   }
 
@@ -39,7 +46,7 @@ class CampaignRun {
     std::vector<LearningTask> tasks;
     for (const CampaignScene& scene : scenes_) {
       CreateScene(scene.folder, scene.config);
-      if (IsSceneFinished(scene.folder)) continue;
+      if (IsSceneFinished(scene.folder, scene.inputs)) continue;
       LearningTask task = MakeTask(scene, CountLearningTrials(config_.optimise));
       task.run = [&scene](TrialPool& pool, const ObserveLearning& observe) {
         RunScene(scene.folder, scene.config, scene.inputs, pool, observe);
@@ -79,6 +86,7 @@ class CampaignRun {
     if (tasks.empty()) return true;
     RunRecorder recorder(folder_, num_workers_, observer_);
     const bool is_complete = RunLearningBatch(tasks, num_workers_, recorder, stop_);
+    SealStore(kCampaignStore, folder_);
     recorder.EndStage();
     recorder.Keep(is_complete);
     return is_complete;
@@ -90,14 +98,17 @@ class CampaignRun {
     const SessionInputs inputs = AddSceneGrasps(inputs_, scenes_);
     const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
     if (!HasSession(folder)) CreateSession(folder, config, plan);
+    SealStore(kCampaignStore, folder_);
     const Session session = LoadSession(folder);
     CheckSameSession(session, config, plan);
     const std::vector<PlannedTrial> trials = FindUnfinished(session);
+    SealStore(kSessionStore, folder);
     const bool is_complete = Record(!trials.empty(), [&](Observer& observer) {
       return RunBatchStage(MakeSessionStage("benchmark", session, trials.size()), trials,
                            num_workers_, MakeSessionWorkers(config, inputs, folder), observer,
-                           stop_);
+                           stop_, kTrialTimeLimit);
     });
+    SealStore(kSessionStore, folder);
     if (!is_complete || !Judge(inputs)) return false;
     ExportSession(folder, LoadSession(folder));
     return true;

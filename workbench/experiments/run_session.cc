@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "datasets/session/judgement_store.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/session_worker.h"
 
 namespace graspbench {
@@ -21,7 +22,7 @@ fs::path FindFolder(const SessionRequest& request, const std::vector<PlannedTria
 PreparedSession PrepareSession(const SessionRequest& request) {
   PreparedSession prepared;
   const bool names_a_session = request.resume && !request.out.empty();
-  if (names_a_session) prepared.session = LoadSession(request.out);
+  if (names_a_session) prepared.session = LoadSession(request.out, request.on_damage);
   if (request.config) {
     prepared.config = *request.config;
   } else if (names_a_session) {
@@ -31,10 +32,14 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   const std::vector<PlannedTrial> plan = MakePlan(prepared.config, prepared.inputs);
   prepared.folder = FindFolder(request, plan);
   const bool may_continue = request.resume || request.out.empty();
-  if (!may_continue || !HasSession(prepared.folder)) {
-    CreateSession(prepared.folder, prepared.config, plan);
+  if (!HasSession(prepared.folder)) {
+    StagedFolder staged({prepared.folder, "", false, request.inputs});
+    CreateSession(staged.path(), prepared.config, plan);
+    staged.Commit();
+  } else if (!may_continue) {
+    CreateSession(prepared.folder, prepared.config, plan);  // says what is there
   }
-  if (!names_a_session) prepared.session = LoadSession(prepared.folder);
+  if (!names_a_session) prepared.session = LoadSession(prepared.folder, request.on_damage);
   CheckSameSession(prepared.session, prepared.config, plan);
   return prepared;
 }
@@ -49,19 +54,22 @@ Stage MakeSessionStage(const std::string& name, const Session& session, size_t n
 }
 
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
-                     const std::atomic<bool>& stop) {
+                     const std::atomic<bool>& stop, double trial_time_limit) {
   const std::vector<PlannedTrial> trials = FindUnfinished(prepared.session);
   const Stage stage = MakeSessionStage("run", prepared.session, trials.size());
   RunRecorder recorder(prepared.folder, num_workers, observer);
-  const bool is_complete = RunBatchStage(
-      stage, trials, num_workers,
-      MakeSessionWorkers(prepared.config, prepared.inputs, prepared.folder), recorder, stop);
+  SealStore(kSessionStore, prepared.folder);
+  const bool is_complete =
+      RunBatchStage(stage, trials, num_workers,
+                    MakeSessionWorkers(prepared.config, prepared.inputs, prepared.folder), recorder,
+                    stop, trial_time_limit);
+  SealStore(kSessionStore, prepared.folder);
   return recorder.Keep(is_complete);
 }
 
 bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop) {
-  const Session session = LoadSession(folder);
+                  const std::atomic<bool>& stop, OnDamage on_damage) {
+  const Session session = LoadSession(folder, on_damage);
   const SessionInputs inputs = LoadSessionInputs(session.config);
   CheckSameSession(session, session.config, MakePlan(session.config, inputs));
   return JudgeSession(session, inputs, folder, num_workers, observer, stop);
@@ -73,8 +81,11 @@ bool JudgeSession(const Session& session, const SessionInputs& inputs, const fs:
   Stage stage;
   stage.name = "judge";
   stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
-  return RunBatchStage(stage, trials, num_workers, MakeJudgeWorkers(session, inputs, folder),
-                       observer, stop);
+  SealStore(kSessionStore, folder);
+  const bool is_complete = RunBatchStage(stage, trials, num_workers,
+                                         MakeJudgeWorkers(session, inputs, folder), observer, stop);
+  SealStore(kSessionStore, folder);
+  return is_complete;
 }
 
 }  // namespace graspbench

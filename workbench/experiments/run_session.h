@@ -6,6 +6,7 @@ A session from its configuration to the last trial in its folder. */
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_inputs.h"
@@ -21,7 +22,9 @@ struct SessionRequest {
   /** Empty: results/<name>-<hash of the plan>, so the same session always has the same folder and
   another one never gets in its way; it is continued when it is there. */
   std::filesystem::path out;
-  bool resume = false;  ///< continue the session in `out`
+  bool resume = false;                        ///< continue the session in `out`
+  OnDamage on_damage = OnDamage::kRefuse;     ///< of the session to continue
+  std::vector<std::filesystem::path> inputs;  ///< files read besides, which `out` must not hold
 };
 
 /** A new session, or the rest of one. */
@@ -33,19 +36,24 @@ struct PreparedSession {
 };
 
 /** Loads what the session needs and creates its folder, or finds it there.
-@throws Error(kUsage) for a folder with another session; what LoadSessionInputs, MakePlan,
+@throws Error(kUsage) for a folder with another session or with foreign files, as
+CheckOutputFolder; what LoadSessionInputs, MakePlan,
 CreateSession and LoadSession throw. */
 PreparedSession PrepareSession(const SessionRequest& request);
 
+/** After this long a trial counts as endless [s of the clock]. The longest that the ranges of a
+session allow takes some five minutes alone on a processor. */
+inline constexpr double kTrialTimeLimit = 1800.0;
+
 /** Runs the trials that are left and adds itself to run.json. @returns that record. */
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
-                     const std::atomic<bool>& stop);
+                     const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
 
 /** Breaks the held grasps of a finished session that are not judged yet.
 @returns whether all are judged now. @throws Error(kVersion) when a trial gives another result than
 its record; Error(kUsage) when hands, objects or physics have changed since. */
 bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop);
+                  const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse);
 
 /** The same for a session that is loaded with its inputs. */
 bool JudgeSession(const Session& session, const SessionInputs& inputs,

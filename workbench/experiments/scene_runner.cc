@@ -4,6 +4,7 @@
 
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_plan.h"
+#include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
 namespace {
@@ -16,17 +17,14 @@ class JournaledTrials {
 
   std::vector<std::vector<LearningTrial>> Run(const std::vector<LearningRequest>& requests) {
     std::vector<EvaluationRecord> records;
-    size_t num_stored = 0;
     for (const LearningRequest& request : requests) {
       records.push_back(MakeRecord(request));
-      const bool is_gap = num_stored + 1 < records.size();
-      const EvaluationRecord* stored = is_gap ? nullptr : journal_.Next();
+      const EvaluationRecord* stored = journal_.Find(records.back().request);
       if (!stored) continue;
       CheckSame(*stored, records.back());
       records.back().trials = stored->trials;
-      ++num_stored;
     }
-    Simulate(requests, num_stored, records);
+    Simulate(requests, records);
     std::vector<std::vector<LearningTrial>> trials;
     for (size_t i = 0; i < records.size(); ++i) {
       for (const LearningTrial& trial : records[i].trials) observe_(requests[i], trial);
@@ -36,8 +34,9 @@ class JournaledTrials {
   }
 
  private:
-  EvaluationRecord MakeRecord(const LearningRequest& request) const {
+  EvaluationRecord MakeRecord(const LearningRequest& request) {
     EvaluationRecord record;
+    record.request = num_asked_++;
     record.stage = request.stage;
     record.individual = request.individual;
     for (const int draw : request.draws) {
@@ -54,11 +53,12 @@ class JournaledTrials {
                     "program; optimise anew into another folder");
   }
 
-  /** Runs the requests from number `first` on and appends them to the journal. */
-  void Simulate(const std::vector<LearningRequest>& requests, size_t first,
+  /** Runs the requests whose records have no trials yet and appends these to the journal. */
+  void Simulate(const std::vector<LearningRequest>& requests,
                 std::vector<EvaluationRecord>& records) {
     std::vector<TrialSetup> setups;
-    for (size_t i = first; i < requests.size(); ++i) {
+    for (size_t i = 0; i < requests.size(); ++i) {
+      if (!records[i].trials.empty()) continue;
       for (const int draw : requests[i].draws) {
         setups.push_back(MakeLearningSetup(config_, inputs_, requests[i], draw));
       }
@@ -66,12 +66,15 @@ class JournaledTrials {
     if (setups.empty()) return;
     const std::vector<TrialResult> results = pool_.Run(setups);
     auto result = results.begin();
-    for (size_t i = first; i < requests.size(); ++i) {
+    std::vector<EvaluationRecord> added;
+    for (size_t i = 0; i < requests.size(); ++i) {
+      if (!records[i].trials.empty()) continue;
       for (const int draw : requests[i].draws) {
         records[i].trials.push_back(MakeLearningTrial(draw, *result++, requests[i].keep_postures));
       }
+      added.push_back(records[i]);
     }
-    journal_.Append({records.begin() + static_cast<std::ptrdiff_t>(first), records.end()});
+    journal_.Append(added);
   }
 
   const SceneConfig& config_;
@@ -79,6 +82,7 @@ class JournaledTrials {
   EvaluationJournal& journal_;
   TrialPool& pool_;
   ObserveLearning observe_;
+  int num_asked_ = 0;
 };
 
 }  // namespace
@@ -108,16 +112,26 @@ OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& 
                         const ObserveLearning& observe) {
   CreateScene(folder, config);
   EvaluationJournal journal(folder / "journal.jsonl");
-  const OptimisedGrasp optimised =
-      OptimiseGrasp(*inputs.hand, *inputs.object, inputs.grasp, config.optimise,
-                    MakeJournaledTrials(config, inputs, journal, pool, observe));
-  WriteSceneResult(folder, config, inputs, optimised);
-  return optimised;
+  try {
+    const OptimisedGrasp optimised =
+        OptimiseGrasp(*inputs.hand, *inputs.object, inputs.grasp, config.optimise,
+                      MakeJournaledTrials(config, inputs, journal, pool, observe));
+    WriteSceneResult(folder, config, inputs, optimised);
+    return optimised;
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::kInterrupted) SealStore(kSceneStore, folder);
+    throw;
+  }
 }
 
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
                              const std::atomic<bool>& stop) {
+  if (!HasScene(folder)) {
+    StagedFolder staged({folder, "", false, {}});
+    CreateScene(staged.path(), config);
+    staged.Commit();
+  }
   Stage stage;
   stage.name = "optimisation";
   stage.num_all = stage.num_left = 1;
@@ -159,15 +173,22 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
   const SceneInputs inputs = LoadSceneInputs(scene.config);
   // The optimisation leads to the individual when it gets its stored answers again.
   std::optional<LearningRequest> request;
-  size_t next = 0, place = 0;
+  int next = 0;
+  const EvaluationRecord* stored_answer = nullptr;
   const auto answer = [&](const std::vector<LearningRequest>& requests) {
     std::vector<std::vector<LearningTrial>> trials;
     for (const LearningRequest& asked : requests) {
+      const EvaluationRecord* stored = FindEvaluation(scene.evaluations, next++);
+      if (!stored) {
+        throw Error(ErrorKind::kFormat, "the journal in \"" + folder.string() +
+                                            "\" lacks an evaluation; continue the optimisation, "
+                                            "then replay");
+      }
       if (asked.stage == LearningStage::kSearch && asked.individual.number == number) {
         request = asked;
-        place = next;
+        stored_answer = stored;
       }
-      trials.push_back(scene.evaluations.at(next++).trials);
+      trials.push_back(stored->trials);
     }
     return trials;
   };
@@ -176,7 +197,7 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
     throw Error(ErrorKind::kNotFound,
                 "no individual " + std::to_string(number) + " in \"" + folder.string() + "\"");
   }
-  const EvaluationRecord& stored = scene.evaluations[place];
+  const EvaluationRecord& stored = *stored_answer;
   std::vector<TrialSetup> setups;
   for (const int draw : request->draws) {
     setups.push_back(MakeLearningSetup(scene.config, inputs, *request, draw));

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -13,25 +15,103 @@
 namespace graspbench {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::milliseconds kShowInterval(100);
 
-class Pool {
- public:
-  Pool(size_t num_tasks, int num_workers, const std::atomic<bool>& stop)
-      : num_tasks_(num_tasks), stop_(stop), num_running_(num_workers) {}
+std::atomic<int> num_abandoned{0};
 
-  void Work(int worker, const MakeTaskRunner& make_runner) {
+/** Shared with its threads, because one that was given up may outlive the call that started it. */
+class Pool : public std::enable_shared_from_this<Pool> {
+ public:
+  Pool(size_t num_tasks, const std::atomic<bool>& stop, double time_limit)
+      : num_tasks_(num_tasks), stop_(stop), time_limit_(time_limit) {}
+
+  /** In a thread of its own. @param given_up  a task to give up before anything else. */
+  void Start(const MakeTaskRunner& make_runner, std::optional<size_t> given_up = std::nullopt) {
+    const std::lock_guard lock(mutex_);
+    ++num_running_;
+    seats_.push_back(std::make_unique<Seat>());
+    Seat& seat = *seats_.back();
+    seat.thread = std::thread([pool = shared_from_this(), &make_runner, &seat, given_up,
+                               worker = static_cast<int>(seats_.size()) - 1] {
+      pool->Work(seat, worker, make_runner, given_up);
+    });
+  }
+
+  /** In the caller's thread. */
+  void WorkHere(const MakeTaskRunner& make_runner) {
+    Seat* seat = nullptr;
+    int worker = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      ++num_running_;
+      worker = static_cast<int>(seats_.size());
+      seats_.push_back(std::make_unique<Seat>());
+      seat = seats_.back().get();
+    }
+    Work(*seat, worker, make_runner, std::nullopt);
+  }
+
+  /** Shows the status until every worker is through or given up. */
+  void Watch(const MakeTaskRunner& make_runner, const std::function<void()>& show) {
+    std::unique_lock lock(mutex_);
+    bool is_finished = false;
+    while (!is_finished) {
+      is_finished = finished_.wait_for(lock, kShowInterval, [this] { return num_running_ == 0; });
+      if (stop_) must_stop_ = true;
+      const std::vector<size_t> overdue = AbandonOverdue();
+      lock.unlock();
+      for (const size_t task : overdue) Start(make_runner, task);
+      show();
+      lock.lock();
+      is_finished = is_finished && overdue.empty();
+    }
+  }
+
+  /** Waits for the threads. @returns whether all tasks are done. */
+  bool Finish() {
+    for (const auto& seat : seats_) {
+      if (!seat->thread.joinable()) continue;
+      if (seat->is_abandoned) {
+        seat->thread.detach();
+      } else {
+        seat->thread.join();
+      }
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    return num_done_ == num_tasks_;
+  }
+
+ private:
+  struct Seat {
+    std::thread thread;
+    std::optional<size_t> task;  ///< that it works on and that may be given up
+    Clock::time_point start;     ///< of that task
+    bool is_abandoned = false;
+  };
+
+  void Work(Seat& seat, int worker, const MakeTaskRunner& make_runner,
+            std::optional<size_t> given_up) {
     try {
-      const RunTask run = make_runner(worker, must_stop_);
+      const TaskRunner runner = make_runner(worker, must_stop_);
+      if (given_up) {
+        runner.give_up(*given_up);
+        CountDone();
+      }
       size_t task = 0;
       while (Take(task)) {
-        run(task);
-        const std::lock_guard lock(mutex_);
-        ++num_done_;
+        if (runner.give_up) SetTask(seat, task);
+        runner.run(task);
+        if (!SetTask(seat, std::nullopt)) return;
+        if (runner.keep) runner.keep(task);
+        CountDone();
       }
     } catch (const Error& error) {
+      if (!SetTask(seat, std::nullopt)) return;
       if (error.kind() != ErrorKind::kInterrupted) KeepFailure();
     } catch (...) {
+      if (!SetTask(seat, std::nullopt)) return;
       KeepFailure();
     }
     const std::lock_guard lock(mutex_);
@@ -39,30 +119,39 @@ class Pool {
     finished_.notify_one();
   }
 
-  /** Shows the status until every worker is through. */
-  void Watch(const std::function<void()>& show) {
-    std::unique_lock lock(mutex_);
-    bool is_finished = false;
-    while (!is_finished) {
-      is_finished = finished_.wait_for(lock, kShowInterval, [this] { return num_running_ == 0; });
-      if (stop_) must_stop_ = true;
-      lock.unlock();
-      show();
-      lock.lock();
-    }
-  }
-
-  bool Finish() const {
-    if (failure_) std::rethrow_exception(failure_);
-    return num_done_ == num_tasks_;
-  }
-
- private:
   bool Take(size_t& task) {
     const std::lock_guard lock(mutex_);
     if (stop_ || must_stop_ || next_ == num_tasks_) return false;
     task = next_++;
     return true;
+  }
+
+  void CountDone() {
+    const std::lock_guard lock(mutex_);
+    ++num_done_;
+  }
+
+  /** False when the worker was given up meanwhile: it must touch nothing any more. */
+  bool SetTask(Seat& seat, std::optional<size_t> task) {
+    const std::lock_guard lock(mutex_);
+    if (seat.is_abandoned) return false;
+    seat.task = task;
+    seat.start = Clock::now();
+    return true;
+  }
+
+  /** @pre the mutex is held. @returns the tasks of the workers that are given up now. */
+  std::vector<size_t> AbandonOverdue() {
+    std::vector<size_t> tasks;
+    for (const auto& seat : seats_) {
+      const std::chrono::duration<double> time = Clock::now() - seat->start;
+      if (!seat->task || seat->is_abandoned || time.count() < time_limit_) continue;
+      seat->is_abandoned = true;
+      ++num_abandoned;
+      --num_running_;
+      tasks.push_back(*seat->task);
+    }
+    return tasks;
   }
 
   void KeepFailure() {
@@ -73,11 +162,13 @@ class Pool {
 
   const size_t num_tasks_;
   const std::atomic<bool>& stop_;
+  const double time_limit_;
   std::atomic<bool> must_stop_ = false;
   std::mutex mutex_;  // guards everything below
   std::condition_variable finished_;
+  std::vector<std::unique_ptr<Seat>> seats_;  // one a worker, by number
   size_t next_ = 0, num_done_ = 0;
-  int num_running_;
+  int num_running_ = 0;
   std::exception_ptr failure_;
 };
 
@@ -89,20 +180,18 @@ int CalcNumWorkers(int num_wanted, size_t num_tasks) {
 }
 
 bool RunTasks(size_t num_tasks, int num_workers, const MakeTaskRunner& make_runner,
-              const std::function<void()>& show, const std::atomic<bool>& stop) {
+              const std::function<void()>& show, const std::atomic<bool>& stop, double time_limit) {
   num_workers = CalcNumWorkers(num_workers, num_tasks);
-  Pool pool(num_tasks, num_workers, stop);
-  std::vector<std::thread> threads;
-  for (int worker = show ? 0 : 1; worker < num_workers; ++worker) {
-    threads.emplace_back([&pool, &make_runner, worker] { pool.Work(worker, make_runner); });
-  }
+  const auto pool = std::make_shared<Pool>(num_tasks, stop, time_limit);
+  for (int worker = show ? 0 : 1; worker < num_workers; ++worker) pool->Start(make_runner);
   if (show) {
-    pool.Watch(show);
+    pool->Watch(make_runner, show);
   } else {
-    pool.Work(0, make_runner);
+    pool->WorkHere(make_runner);
   }
-  for (std::thread& thread : threads) thread.join();
-  return pool.Finish();
+  return pool->Finish();
 }
+
+bool HasAbandonedTasks() { return num_abandoned > 0; }
 
 }  // namespace graspbench

@@ -7,13 +7,30 @@ on the number of workers. It knows neither physics nor files. */
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <utility>
 
 namespace graspbench {
 
 using RunTask = std::function<void(size_t task)>;
+
+/** What one worker does with a task. */
+struct TaskRunner {
+  TaskRunner(RunTask whole) : run(std::move(whole)) {}
+  TaskRunner(RunTask work, RunTask result, RunTask none)
+      : run(std::move(work)), keep(std::move(result)), give_up(std::move(none)) {}
+
+  /** The work. A task that may be given up must from then on touch only what its thread owns. */
+  RunTask run;
+  /** Keeps what `run` has found, if the task has ended in time; may be empty. */
+  RunTask keep;
+  /** Keeps that a task of another worker has not ended in time; empty: it is waited for. */
+  RunTask give_up;
+};
+
 /** Called in the worker's own thread, before its first task. `must_stop` is set when the pool is to
 end: a long task may look at it and give up by throwing Error(kInterrupted). */
-using MakeTaskRunner = std::function<RunTask(int worker, const std::atomic<bool>& must_stop)>;
+using MakeTaskRunner = std::function<TaskRunner(int worker, const std::atomic<bool>& must_stop)>;
 
 /** The number of threads for so many tasks: at least 1, no more than there are tasks. */
 int CalcNumWorkers(int num_wanted, size_t num_tasks);
@@ -23,9 +40,16 @@ finished, or gives up.
 @param show  called about ten times a second in the caller's thread, and once at the end; empty: the
 caller's thread works too.
 @returns whether all tasks are done.
+@param time_limit  of a task [s of the clock]: its worker is then given up and replaced by one with a
+new number, which calls give_up. Only where there is a `show`.
 @throws the first exception of a worker, Error(kInterrupted) aside, when the others have finished
 their current tasks. */
 bool RunTasks(size_t num_tasks, int num_workers, const MakeTaskRunner& make_runner,
-              const std::function<void()>& show, const std::atomic<bool>& stop);
+              const std::function<void()>& show, const std::atomic<bool>& stop,
+              double time_limit = std::numeric_limits<double>::infinity());
+
+/** True when a thread that was given up may still run: the program must not end by returning from
+main, which would take the ground from under it. */
+bool HasAbandonedTasks();
 
 }  // namespace graspbench

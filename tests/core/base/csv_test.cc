@@ -24,6 +24,34 @@ TEST(FormatCsv, QuotesOnlyWhatMustBeAndLeavesMissingEmpty) {
             "text,number_s,is_long\nplain,0.1,0\n\"a,b\",2.0,1\n\"say \"\"x\"\"\n\",,0\n");
 }
 
+TEST(FormatCsv, GuardsWhatASpreadsheetWouldRun) {
+  const std::vector<Row> rows = {{"=1+1", -1.0}, {"@SUM(A1), x", -2.0}, {"\tgo", 0.0}};
+  EXPECT_EQ(FormatCsv(ListColumns(), rows),
+            "text,number_s,is_long\n'=1+1,-1.0,0\n\"'@SUM(A1), x\",-2.0,0\n'\tgo,0.0,0\n");
+  EXPECT_EQ(GuardCell("-12.5e3"), "-12.5e3") << "a number is no formula";
+  EXPECT_EQ(GuardCell("-12.5e3x"), "'-12.5e3x");
+}
+
+TEST(GuardCell, IsUndoneForEveryText) {
+  const std::string letters =
+      "'=+-@\t\x7f\x01"
+      "a1";
+  for (const char a : letters) {
+    for (const char b : letters) {
+      for (const char c : letters) {
+        const std::string text = {a, b, c};
+        EXPECT_EQ(UnguardCell(GuardCell(text)), text);
+        const char first = GuardCell(text)[0];
+        const bool is_number = text[1] == '1' && text[2] == '1';
+        EXPECT_TRUE(is_number || std::string("'a1").find(first) != std::string::npos) << text;
+      }
+    }
+  }
+  for (const char* text : {"", "'", "''", "it's", "'=", "''=", "=", "\xc2\xb5m"}) {
+    EXPECT_EQ(UnguardCell(GuardCell(text)), text);
+  }
+}
+
 TEST(MakeTableSchema, SaysWhatEachColumnIs) {
   const Json schema = MakeTableSchema(ListColumns(), "text");
   EXPECT_EQ(schema.at("primaryKey"), "text");

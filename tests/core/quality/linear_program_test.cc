@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/random.h"
 
 namespace graspbench {
@@ -81,6 +82,25 @@ TEST(LinearProgram, AgreesWithTheBestCorner) {
     ASSERT_TRUE(result.is_bounded);
     ASSERT_NEAR(result.value, best, 1e-9) << "program " << i;
     ASSERT_TRUE(((planes * result.x - bounds).array() <= 1e-9).all());
+  }
+}
+
+// Friction of 1e100 once kept it going for ever. What comes out of such numbers is not looked at.
+TEST(LinearProgram, EndsForNumbersThatAreFarApart) {
+  RandomStream random("linear program", "far apart");
+  for (int run = 0; run < 200; ++run) {
+    const double scale = std::pow(10.0, random.NextUniform(0.0, 300.0));
+    Eigen::MatrixXd A(12, 30);
+    for (double& value : A.reshaped()) {
+      value = random.NextNormal() * (random.NextUnit() < 0.3 ? scale : 1.0);
+    }
+    Eigen::VectorXd c(30);
+    for (double& value : c) value = random.NextNormal();
+    try {
+      SolveLinearProgram(A, Eigen::VectorXd::Zero(12), c);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kRange);
+    }
   }
 }
 

@@ -24,6 +24,7 @@ void WriteSearch(const fs::path& path, const std::vector<double>& fitness) {
   EvaluationJournal journal(path);
   for (size_t i = 0; i < fitness.size(); ++i) {
     EvaluationRecord record;
+    record.request = static_cast<int>(i);
     record.stage = LearningStage::kSearch;
     record.individual.number = static_cast<int>(i);
     record.trial_ids = {"0123456789abcdef"};
@@ -61,7 +62,7 @@ TEST(CampaignStore, IsContinuedOnlyWithItsOwnSettings) {
   EXPECT_FALSE(HasCampaign(folder.path()));
   CreateCampaign(folder.path(), config);
   CreateCampaign(folder.path(), config);
-  EXPECT_EQ(LoadCampaignConfig(folder.path()).comparison.scenes, config.comparison.scenes);
+  EXPECT_EQ(LoadCampaign(folder.path()).config.comparison.scenes, config.comparison.scenes);
   config.optimise.evaluations = 77;
   try {
     CreateCampaign(folder.path(), config);

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "datasets/journal/checked_line.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -13,6 +14,7 @@ namespace {
 
 EvaluationRecord MakeRecord(int number) {
   EvaluationRecord record;
+  record.request = number;
   record.stage = LearningStage::kSearch;
   record.individual.number = number;
   record.individual.generation = 2;
@@ -63,14 +65,16 @@ class EvaluationJournalTest : public testing::Test {
  protected:
   std::filesystem::path path() const { return folder_.path() / "journal.jsonl"; }
 
-  /** Writes the records from `first` to 9 as a resumed run does, and returns the file. */
+  /** Writes what is missing of the records 0 to 9 as a resumed run does, and returns the file. */
   std::string Finish() {
     EvaluationJournal journal(path());
-    int number = 0;
-    while (const EvaluationRecord* stored = journal.Next()) {
-      EXPECT_EQ(stored->individual.number, number++);
+    for (int number = 0; number < 10; ++number) {
+      if (const EvaluationRecord* stored = journal.Find(number)) {
+        EXPECT_EQ(stored->individual.number, number);
+      } else {
+        journal.Append({MakeRecord(number)});
+      }
     }
-    for (; number < 10; ++number) journal.Append({MakeRecord(number)});
     return ReadFile(path());
   }
 
@@ -86,18 +90,41 @@ TEST_F(EvaluationJournalTest, IsContinuedWithTheSameBytesFromWhereverItWasCut) {
   }
 }
 
-TEST_F(EvaluationJournalTest, ADamagedLineEndsWhatCounts) {
+TEST_F(EvaluationJournalTest, ADamagedLineCostsItselfOnly) {
   const std::string whole = Finish();
   std::string damaged = whole;
-  damaged[damaged.find('\n', whole.size() / 2) + 30] ^= 1;
+  damaged[damaged.find('\n') + 30] ^= 1;  // in the second line
   WriteFileAtomically(path(), damaged);
   Diagnostics findings;
+  EXPECT_EQ(LoadEvaluations(path(), findings).size(), 9u);
+  EXPECT_EQ(
+      findings.Format(),
+      "journal.jsonl:2: warning: its bytes do not match their checksum; it counts as not run");
+  EXPECT_EQ(FindEvaluation(LoadEvaluations(path(), findings), 1), nullptr);
+  // The missing answer is given again, behind the others, which are all still there.
+  const std::string continued = Finish();
+  EXPECT_EQ(continued, damaged + FormatEvaluationLine(MakeRecord(1)) + "\n");
   const auto records = LoadEvaluations(path(), findings);
-  EXPECT_LT(records.size(), 9u);
-  EXPECT_EQ(findings.Format(), "journal.jsonl:" + std::to_string(records.size() + 1) +
-                                   ": warning: its bytes do not match their checksum; it and what "
-                                   "follows count as not run");
-  EXPECT_EQ(Finish(), whole);
+  ASSERT_EQ(records.size(), 10u);
+  for (int number = 0; number < 10; ++number) {
+    EXPECT_EQ(records[static_cast<size_t>(number)].individual.number, number);
+  }
+}
+
+TEST_F(EvaluationJournalTest, InOlderJournalsTheLinesPlaceIsTheNumber) {
+  std::string text;
+  for (int number = 0; number < 3; ++number) {
+    Json json = Json::parse(FormatEvaluationLine(MakeRecord(number)));
+    json.erase("request");
+    json.erase("xxh64");
+    text += number == 1 ? "damaged\n" : FormatCheckedLine(json) + "\n";
+  }
+  WriteFileAtomically(path(), text);
+  Diagnostics findings;
+  const auto records = LoadEvaluations(path(), findings);
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(FindEvaluation(records, 2)->individual.number, 2);
+  EXPECT_EQ(FindEvaluation(records, 1), nullptr);
 }
 
 TEST_F(EvaluationJournalTest, HasOneWriter) {

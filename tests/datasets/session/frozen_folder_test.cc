@@ -9,8 +9,17 @@
 namespace graspbench {
 namespace {
 
-constexpr FrozenKind kKind = {"experiment", "experiment.json", 4, "graspbench try",
-                              "try anew into another folder"};
+const StoreKind kKind = {"experiment",
+                         "experiment.json",
+                         4,
+                         4,
+                         4,
+                         "graspbench try",
+                         "try anew into another folder",
+                         {"experiment.json"},
+                         {},
+                         {},
+                         {}};
 
 class FrozenFolderTest : public testing::Test {
  protected:
@@ -34,7 +43,7 @@ TEST_F(FrozenFolderTest, GivesBackWhatWasFrozenInTheSameOrder) {
   const Json config = {{"z", 0.1}, {"a", {1, 2, 3}}};
   WriteFrozen(kKind, folder_.path(), config);
   EXPECT_TRUE(HasFrozen(kKind, folder_.path()));
-  EXPECT_EQ(LoadFrozen(kKind, folder_.path()).dump(), config.dump());
+  EXPECT_EQ(LoadFrozen(kKind, folder_.path()).config.dump(), config.dump());
 }
 
 TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {

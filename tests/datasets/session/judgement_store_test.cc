@@ -32,7 +32,7 @@ class JudgementStore : public ::testing::Test {
     }
   }
   std::filesystem::path folder() const { return temporary_.path() / "session"; }
-  void Damage(const std::string& text) {
+  void AppendText(const std::string& text) {
     std::ofstream(folder() / "judge" / "0.jsonl", std::ios::app) << text;
   }
 
@@ -62,9 +62,10 @@ TEST_F(JudgementStore, HeldTrialsAreJudgedOnce) {
 TEST_F(JudgementStore, DamageCostsTheLineAlone) {
   const std::vector<PlannedTrial> unjudged = FindUnjudged(LoadSession(folder()));
   JudgementWriter(folder(), 0).Append(unjudged[0].id, MakeJudgement(1.0));
-  Damage("{\"trial_id\":\"x\"}\n");
-  Damage("{\"cut");
-  const Session session = LoadSession(folder());
+  AppendText("{\"trial_id\":\"x\"}\n");
+  AppendText("{\"cut");
+  EXPECT_THROW(LoadSession(folder()), Error);
+  const Session session = LoadSession(folder(), OnDamage::kAccept);
   EXPECT_EQ(FindUnjudged(session).size(), unjudged.size() - 1);
   const std::string text = session.findings.Format();
   EXPECT_NE(text.find("judge/0.jsonl:2"), std::string::npos) << text;

@@ -160,6 +160,7 @@ TEST_F(SessionStore, KilledAtAnyMomentLosesNoFinishedTrial) {
   size_t num_finished = 0;
   for (int round = 0; round < 20; ++round) {
     const auto unfinished = FindUnfinished(LoadSession(folder()));
+    SealStore(kSessionStore, folder());  // as a run does when it begins
     acknowledged->store(0);
     const pid_t child = ::fork();
     if (child == 0) {
@@ -206,6 +207,7 @@ TEST_F(SessionStore, CutAnywhereTheJournalLosesTheCutTrialOnly) {
   }
   // The next line starts on a line of its own, and the torn one stays as a finding.
   WriteText(journal(0), whole.substr(0, whole.size() - 20));
+  SealStore(kSessionStore, folder());
   AppendAll(0, {plan.back()});
   const Session session = LoadSession(folder());
   EXPECT_EQ(JsonOf(session.records), JsonOfFakes(plan));
@@ -221,7 +223,11 @@ TEST_F(SessionStore, AFlippedByteCostsItsTrialOnly) {
     std::string damaged = whole;
     damaged[i] = static_cast<char>(damaged[i] ^ 1);
     WriteText(journal(0), damaged);
-    const Session session = LoadSession(folder());
+    const auto [kind, text] = FindError([&] { LoadSession(folder()); });
+    ASSERT_EQ(kind, ErrorKind::kFormat);
+    ExpectHas(text, "\n  journal/0.jsonl:2: ");
+    const Session session = LoadSession(folder(), OnDamage::kAccept);
+    ASSERT_EQ(session.damage.size(), 1u);
     ASSERT_EQ(session.records.size(), plan.size() - 1) << "byte " << i;
     const auto unfinished = FindUnfinished(session);
     ASSERT_EQ(unfinished.size(), 1u);
@@ -279,7 +285,7 @@ TEST_F(SessionStore, RefusesAnotherSchema) {
   const auto [kind, text] = FindError([&] { LoadSession(folder()); });
   EXPECT_EQ(kind, ErrorKind::kVersion);
   ExpectHas(text, "has schema 7, this program (");
-  ExpectHas(text, "reads schema 3; use graspbench 9.9.9 for it, or run the session anew");
+  ExpectHas(text, "reads schemas 3 to 4; use graspbench 9.9.9 for it, or run the session anew");
 }
 
 TEST_F(SessionStore, TellsOfADamagedConfigurationOrPlan) {
@@ -296,18 +302,35 @@ TEST_F(SessionStore, TellsOfADamagedConfigurationOrPlan) {
   WriteText(folder() / "session.json", json.dump());
   error = FindError([&] { LoadSession(folder()); });
   EXPECT_EQ(error.first, ErrorKind::kFormat);
+  ExpectHas(error.second, "\n  session.json: has ");
+  error = FindError([&] { LoadSession(folder(), OnDamage::kAccept); });
+  EXPECT_EQ(error.first, ErrorKind::kFormat);
   ExpectHas(error.second, "error: seed: is missing");
   ExpectHas(error.second, "error: sim.stp_s: unknown key; did you mean \"step_s\"?");
 
   WriteText(folder() / "session.json", frozen);
   const std::string plan = ReadFile(folder() / "plan.jsonl");
   WriteText(folder() / "plan.jsonl", "{}\n" + plan + plan.substr(0, plan.find('\n')));
-  error = FindError([&] { LoadSession(folder()); });
+  error = FindError([&] { LoadSession(folder(), OnDamage::kAccept); });
   EXPECT_EQ(error.first, ErrorKind::kFormat);
   ExpectHas(error.second, "plan.jsonl\" is damaged");
   ExpectHas(error.second, "plan.jsonl:1: error: ");
   ExpectHas(error.second, "plan.jsonl:6: error: trial ");
   ExpectHas(error.second, " is planned twice");
+}
+
+TEST_F(SessionStore, OneOlderThanManifestsIsReadAndSaysSo) {
+  const auto plan = CreateFakeSession(folder(), 1);
+  AppendAll(0, plan);
+  Json frozen = Json::parse(ReadFile(folder() / "session.json"));
+  frozen["schema"] = 3;
+  WriteText(folder() / "session.json", frozen.dump());
+  fs::remove(folder() / "manifest.json");
+  const Session session = LoadSession(folder());
+  EXPECT_EQ(JsonOf(session.records), JsonOfFakes(plan));
+  ExpectHas(session.findings.Format(), "older than manifests");
+  SealStore(kSessionStore, folder());
+  EXPECT_EQ(LoadSession(folder()).findings.Format(), "");
 }
 
 TEST_F(SessionStore, ListsTheSettingsThatDifferOnResume) {
@@ -370,7 +393,7 @@ TEST_F(SessionStore, AFullDiskIsAnErrorAndTheNextLineIsWhole) {
   int status = -1;
   ::waitpid(child, &status, 0);
   EXPECT_EQ(status, 0);
-  const Session session = LoadSession(folder());
+  const Session session = LoadSession(folder(), OnDamage::kAccept);
   EXPECT_EQ(JsonOf(session.records), JsonOfFakes({plan[0], plan[2]}));
   ExpectHas(session.findings.Format(), "journal/0.jsonl:2: warning: skipped: ");
 }

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <thread>
 
 #include "core/base/error.h"
+#include "workbench/experiments/worker_pool.h"
 
 namespace graspbench {
 namespace {
@@ -113,6 +116,44 @@ TEST_F(BatchRunnerTest, AWorkerThatCannotStartIsAnError) {
     throw Error(ErrorKind::kIo, "read-only folder");
   };
   EXPECT_THROW(RunBatch(MakeTrials(10), 2, make_worker, show_, stop_), Error);
+}
+
+// One trial never ends, on each number of workers: it is named, and the others go on.
+TEST_F(BatchRunnerTest, AnEndlessTrialIsANumericalFailureAndTheOthersGoOn) {
+  for (const int num_workers : {1, 3}) {
+    const auto is_released = std::make_shared<std::atomic<bool>>(false);
+    kept_.clear();
+    std::map<std::string, TrialResult> results;
+    std::set<int> numbers;
+    const auto make_worker = [&, is_released](int number) {
+      const std::lock_guard lock(mutex_);
+      numbers.insert(number);
+      BatchWorker worker;
+      worker.run = [is_released](const PlannedTrial& planned) {
+        while (planned.trial == 7 && !*is_released) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return RunFakeTrial(planned);
+      };
+      worker.keep = [&](const TrialRecord& record) {
+        const std::lock_guard own(mutex_);
+        kept_.push_back(record.plan.id);
+        results[record.plan.id] = record.result;
+      };
+      return worker;
+    };
+    EXPECT_TRUE(RunBatch(MakeTrials(20), num_workers, make_worker, show_, stop_, 0.3));
+    EXPECT_EQ(kept_.size(), 20u);
+    EXPECT_EQ(results.size(), 20u);
+    EXPECT_EQ(results["7"].outcome, Outcome::kNumericalFailure);
+    EXPECT_EQ(results["7"].reason, "the trial had not ended after 0.3 s and was given up");
+    EXPECT_EQ(last_.outcomes[Outcome::kNumericalFailure], 1);
+    EXPECT_EQ(static_cast<int>(numbers.size()), num_workers + 1) << "one came in its stead";
+    EXPECT_TRUE(HasAbandonedTasks());
+    *is_released = true;  // it ends after all, too late
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(kept_.size(), 20u);
+  }
 }
 
 TEST_F(BatchRunnerTest, ShowsWhatTheWorkersAreDoing) {

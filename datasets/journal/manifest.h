@@ -1,0 +1,76 @@
+#pragma once
+/** @file
+manifest.json: what a result folder consists of, so that damage is found before a number is shown.
+
+    {"kind":"session","versions":{"program":"0.1.0","physics":5,"schema":4},
+     "files":[{"path":"session.json","bytes":812,"sha256":".."},
+              {"path":"journal/0.jsonl","bytes":90112,"sha256":"..","lines":210}],
+     "sha256":".."}
+
+A file without `lines` never changes. One with `lines` is a journal: it may only grow, and `bytes`
+and `sha256` are of what it held when the manifest was written. The last member is the SHA-256 of
+the manifest itself without it. The manifest is written whole. What was appended to a journal since
+is good line by line, by the checksums of checked_line.h. */
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+
+namespace graspbench {
+
+inline constexpr char kManifestFile[] = "manifest.json";
+
+struct ManifestFile {
+  std::string path;          ///< from the folder, with slashes
+  uintmax_t bytes = 0;       ///< in a journal: of the committed lines
+  std::string sha256;        ///< of those bytes
+  std::optional<int> lines;  ///< a journal: how many line breaks were committed
+};
+
+struct Manifest {
+  std::string kind;  ///< "session", "optimisation", "campaign", "study", "basin"
+  Json versions = Json::object();
+  std::string inputs;               ///< hash of what the results depend on besides; empty: not kept
+  std::vector<ManifestFile> files;  ///< by path
+};
+
+/** What is wrong with a file, in words that follow its name. */
+struct Damage {
+  std::string path;
+  int line = 0;  ///< one-based; 0: the file as a whole
+  std::string text;
+};
+
+/** One line each, indented, at most ten: "\n  journal/0.jsonl:2: its bytes ..". */
+std::string FormatDamage(const std::vector<Damage>& damages);
+
+/** The same as the end of a sentence, for the first line of a report; empty when there is none. */
+std::string DescribeDamage(const std::vector<Damage>& damages);
+
+/** Reads the file as it is now, piece by piece. @throws Error(kNotFound, kIo). */
+ManifestFile SealFile(const std::filesystem::path& folder, const std::string& path);
+/** The same for a journal. A last line without its line break is left out, unless the next one will
+be written behind it. */
+ManifestFile SealJournal(const std::filesystem::path& folder, const std::string& path,
+                         bool with_torn_line);
+
+bool HasManifest(const std::filesystem::path& folder);
+/** @throws Error(kNotFound), Error(kFormat) when it is damaged itself, Error(kIo). */
+Manifest LoadManifest(const std::filesystem::path& folder);
+/** The file's whole text: the same manifest, the same bytes. */
+std::string FormatManifest(const Manifest& manifest);
+/** @throws Error(kIo). */
+void WriteManifest(const std::filesystem::path& folder, const Manifest& manifest);
+
+/** Everything in which the folder's files are not what the manifest says; in its order. Files that
+it does not name are not looked at. */
+std::vector<Damage> FindDamage(const std::filesystem::path& folder, const Manifest& manifest);
+
+/** Whole lines of a journal behind its first `committed` bytes that are no checked lines. */
+std::vector<Damage> FindBadLines(const std::filesystem::path& folder, const std::string& path,
+                                 uintmax_t committed);
+
+}  // namespace graspbench

@@ -1,0 +1,300 @@
+#include "datasets/journal/sealed_store.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/sha256.h"
+#include "core/base/text.h"
+#include "datasets/journal/append_file.h"
+#include "datasets/journal/checked_line.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kAside[] = ".damaged";
+
+void SortByPath(std::vector<ManifestFile>& files) {
+  std::sort(files.begin(), files.end(),
+            [](const ManifestFile& a, const ManifestFile& b) { return a.path < b.path; });
+}
+
+void Remove(std::vector<ManifestFile>& files, const std::vector<std::string>& patterns) {
+  files.erase(
+      std::remove_if(files.begin(), files.end(),
+                     [&](const ManifestFile& file) { return IsMatch(file.path, patterns); }),
+      files.end());
+}
+
+/** The old seal of a file; null: none. */
+const ManifestFile* FindFile(const Manifest& manifest, const std::string& path) {
+  const auto found = std::find_if(manifest.files.begin(), manifest.files.end(),
+                                  [&](const ManifestFile& file) { return file.path == path; });
+  return found == manifest.files.end() ? nullptr : &*found;
+}
+
+/** Schema and versions as the text of a frozen configuration has them. */
+Json ParseVersions(const StoreKind& kind, const std::string& text) {
+  try {
+    const Json frozen = Json::parse(text);
+    return {{"program", frozen.at("program_version")},
+            {"physics", frozen.at("physics_version")},
+            {"schema", IntFrom(frozen.at("schema"))}};
+  } catch (const Json::exception& e) {
+    throw Error(ErrorKind::kFormat, std::string(kind.file) + " is damaged: " + e.what());
+  }
+}
+
+Json LoadVersions(const StoreKind& kind, const fs::path& folder) {
+  return ParseVersions(kind, ReadFile(folder / kind.file));
+}
+
+/** The manifest that is there; empty when there is none that can be read. */
+Manifest FindManifest(const fs::path& folder) {
+  try {
+    if (HasManifest(folder)) return LoadManifest(folder);
+  } catch (const Error&) {
+  }
+  return {};
+}
+
+/** Of the files as they are now; the versions are left out. */
+Manifest MakeManifest(const StoreKind& kind, const fs::path& folder) {
+  Manifest manifest;
+  manifest.kind = kind.name;
+  for (const auto* patterns : {&kind.files, &kind.derived}) {
+    for (const std::string& path : ListMatches(folder, *patterns)) {
+      manifest.files.push_back(SealFile(folder, path));
+    }
+  }
+  for (const std::string& path : ListMatches(folder, kind.journals)) {
+    manifest.files.push_back(SealJournal(folder, path, kind.keeps_torn_lines));
+  }
+  SortByPath(manifest.files);
+  return manifest;
+}
+
+/** What never changes and cannot be made anew is judged by its first seal. */
+void KeepFirstSeals(const StoreKind& kind, const Manifest& before, Manifest& after) {
+  for (const ManifestFile& old : before.files) {
+    if (!IsMatch(old.path, kind.files)) continue;
+    Remove(after.files, {old.path});
+    after.files.push_back(old);
+  }
+  SortByPath(after.files);
+}
+
+/** Without the stores inside it. */
+StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder) {
+  StoreState state;
+  state.kind = kind.name;
+  Manifest manifest;
+  if (!HasManifest(folder)) {
+    try {
+      state.is_sealed = LoadVersions(kind, folder).at("schema").get<int>() >= kind.sealed_schema;
+      if (state.is_sealed) state.damages.push_back({kManifestFile, 0, "is missing"});
+    } catch (const Error&) {
+      state.damages.push_back({kind.file, 0, "is no configuration"});
+    }
+    if (!state.is_sealed) return state;
+  } else {
+    try {
+      manifest = LoadManifest(folder);
+      state.damages = FindDamage(folder, manifest);
+      if (manifest.kind != kind.name) {
+        state.damages.push_back({kManifestFile, 0, "is that of a " + manifest.kind});
+      }
+    } catch (const Error&) {
+      state.damages.push_back({kManifestFile, 0, "its bytes have changed"});
+    }
+  }
+  if (manifest.files.empty() && !state.damages.empty()) return state;
+  for (const std::string& file : ListMatches(folder, kind.files)) {
+    // Stores inside come and go between two seals; they vouch for themselves.
+    if (file.find('/') == file.npos && !FindFile(manifest, file)) {
+      state.damages.push_back({file, 0, "is not in the manifest"});
+    }
+  }
+  for (const std::string& journal : ListMatches(folder, kind.journals)) {
+    if (FindFile(manifest, journal)) continue;
+    const std::vector<Damage> bad = FindBadLines(folder, journal, 0);
+    state.damages.insert(state.damages.end(), bad.begin(), bad.end());
+  }
+  return state;
+}
+
+/** Moves the lines that are no records into a file beside. @returns how many. */
+int SetLinesAside(const fs::path& journal) {
+  const AppendFile lock(journal);
+  std::string good, bad;
+  int num_bad = 0;
+  ForEachLineOfFile(journal, [&](const FileLine& line) {
+    try {
+      if (line.text.empty()) return;
+      ParseCheckedLine(line.text);
+      good.append(line.text) += '\n';
+    } catch (const Error&) {
+      bad.append(line.text) += '\n';
+      ++num_bad;
+    }
+  });
+  if (num_bad == 0) return 0;
+  AppendFile(journal.string() + kAside).Append(bad);
+  WriteFileAtomically(journal, good);
+  return num_bad;
+}
+
+void SetFileAside(const fs::path& path) {
+  fs::path aside = path.string() + kAside;
+  for (int number = 2; fs::exists(aside); ++number) {
+    aside = path.string() + kAside + std::to_string(number);
+  }
+  std::error_code status;
+  fs::rename(path, aside, status);
+  if (status) {
+    throw Error(ErrorKind::kIo, "cannot rename \"" + path.string() + "\": " + status.message());
+  }
+}
+
+void RepairJournals(const StoreKind& kind, const fs::path& folder, const StoreState& state,
+                    StoreRepair& repair) {
+  for (const std::string& journal : ListMatches(folder, kind.journals)) {
+    const bool is_damaged =
+        std::any_of(state.damages.begin(), state.damages.end(), [&](const Damage& damage) {
+          return damage.path == journal || damage.path == kManifestFile;
+        });
+    if (!is_damaged) continue;
+    const int count = SetLinesAside(folder / journal);
+    if (count == 0) continue;
+    repair.actions.push_back(journal + ": " + FormatCount(count, "damaged line") +
+                             " set aside in " + journal + kAside);
+  }
+}
+
+/** True when something that can be made anew was damaged: then all of it is to be. */
+bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreState& state,
+                   StoreRepair& repair) {
+  bool is_damaged = false;
+  for (const Damage& damage : state.damages) {
+    if (!IsMatch(damage.path, kind.derived)) continue;
+    is_damaged = true;
+    std::string action = damage.path + ": ";
+    if (fs::exists(folder / damage.path)) {
+      SetFileAside(folder / damage.path);
+      action += "set aside as " + damage.path + kAside + "; ";
+    }
+    repair.actions.push_back(action + "continuing makes it anew");
+  }
+  return is_damaged;
+}
+
+void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& repair) {
+  const StoreState state = CheckOwnFiles(kind, folder);
+  if (!state.is_sealed || state.damages.empty()) return;
+  Manifest before = FindManifest(folder);
+  if (before.files.empty()) {
+    before.versions = LoadVersions(kind, folder);
+    repair.actions.push_back(std::string(kManifestFile) +
+                             ": made anew from the files as they are now");
+  }
+  RepairJournals(kind, folder, state, repair);
+  const bool are_derived_damaged = RepairDerived(kind, folder, state, repair);
+  Manifest after = MakeManifest(kind, folder);
+  after.versions = before.versions;
+  after.inputs = before.inputs;
+  if (are_derived_damaged) Remove(after.files, kind.derived);
+  KeepFirstSeals(kind, before, after);
+  WriteManifest(folder, after);
+  repair.actions.push_back("sealed what is there; what is missing runs again when it is continued");
+}
+
+const StoreKind* DemandKind(const fs::path& folder) {
+  const StoreKind* kind = FindStoreKind(folder);
+  if (kind || HasManifest(folder)) return kind;
+  throw Error(ErrorKind::kNotFound,
+              "\"" + folder.string() +
+                  "\" holds no session, optimisation, campaign or other result of graspbench");
+}
+
+/** The stores inside that are begun or that the manifest knows. */
+std::vector<std::string> ListStores(const StoreKind& kind, const fs::path& folder) {
+  std::vector<std::string> stores;
+  for (const std::string& name : ListMatches(folder, kind.stores)) {
+    if (FindStoreKind(folder / name)) stores.push_back(name);
+  }
+  return stores;
+}
+
+}  // namespace
+
+void SealNewStore(const StoreKind& kind, const fs::path& folder, const std::string& frozen) {
+  Manifest manifest = MakeManifest(kind, folder);
+  Remove(manifest.files, {kind.file});
+  manifest.files.push_back({kind.file, frozen.size(), CalcSha256(frozen), std::nullopt});
+  SortByPath(manifest.files);
+  manifest.versions = ParseVersions(kind, frozen);
+  WriteManifest(folder, manifest);
+}
+
+void SealStore(const StoreKind& kind, const fs::path& folder, const std::string& inputs) {
+  const Manifest before = FindManifest(folder);
+  Manifest manifest = MakeManifest(kind, folder);
+  KeepFirstSeals(kind, before, manifest);
+  manifest.versions = before.files.empty() ? LoadVersions(kind, folder) : before.versions;
+  manifest.inputs = inputs.empty() ? before.inputs : inputs;
+  WriteManifest(folder, manifest);
+}
+
+StoreState CheckStore(const fs::path& folder) {
+  const StoreKind* kind = DemandKind(folder);
+  if (!kind) {
+    StoreState state;
+    try {
+      const Manifest manifest = LoadManifest(folder);
+      state.kind = manifest.kind;
+      state.damages = FindDamage(folder, manifest);
+    } catch (const Error&) {
+      state.kind = "result";
+      state.damages.push_back({kManifestFile, 0, "its bytes have changed"});
+    }
+    return state;
+  }
+  StoreState state = CheckOwnFiles(*kind, folder);
+  for (const std::string& store : ListStores(*kind, folder)) {
+    const StoreState inner = CheckStore(folder / store);
+    for (const Damage& damage : inner.damages) {
+      state.damages.push_back({store + "/" + damage.path, damage.line, damage.text});
+    }
+  }
+  return state;
+}
+
+StoreState VerifyStore(const fs::path& folder, OnDamage on_damage) {
+  StoreState state = CheckStore(folder);
+  if (state.damages.empty() || on_damage == OnDamage::kAccept) return state;
+  throw Error(ErrorKind::kFormat,
+              "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
+                  FormatDamage(state.damages) + "\ngraspbench verify --repair " + folder.string() +
+                  " sets damaged lines aside and loses no whole one; report, export, judge and "
+                  "run --resume go on as it is with --accept-damage");
+}
+
+StoreRepair RepairStore(const fs::path& folder) {
+  const StoreKind* kind = DemandKind(folder);
+  StoreRepair repair;
+  if (kind) {
+    RepairOwnFiles(*kind, folder, repair);
+    for (const std::string& store : ListStores(*kind, folder)) {
+      const StoreRepair inner = RepairStore(folder / store);
+      for (const std::string& action : inner.actions) {
+        repair.actions.push_back(store + "/" + action);
+      }
+    }
+  }
+  repair.state = CheckStore(folder);
+  return repair;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,55 @@
+#pragma once
+/** @file
+A store and its manifest: sealing what was written, verifying it before it is read, repairing it.
+
+Sealed when it is created, when a run begins and when it ends; what a killed program appended behind
+the last seal is good line by line. A store of a schema older than manifests can be read and says
+so; from its next run on it is sealed too. */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "datasets/journal/manifest.h"
+#include "datasets/journal/store_kind.h"
+
+namespace graspbench {
+
+enum class OnDamage { kRefuse, kAccept };
+
+struct StoreState {
+  std::string kind;             ///< as in Manifest
+  bool is_sealed = true;        ///< false: older than manifests
+  std::vector<Damage> damages;  ///< names from the folder, those of stores inside it too
+};
+
+/** Writes the manifest of a folder whose frozen configuration comes next, with this text.
+@throws Error(kFormat, kIo). */
+void SealNewStore(const StoreKind& kind, const std::filesystem::path& folder,
+                  const std::string& frozen);
+
+/** Writes the manifest of a folder as its files are now; nobody else writes there. What never
+changes keeps the seal it has.
+@param inputs  see Manifest; empty: as in the manifest before.
+@throws Error(kNotFound) when the folder is no store; kFormat; kIo. */
+void SealStore(const StoreKind& kind, const std::filesystem::path& folder,
+               const std::string& inputs = "");
+
+/** The manifest's own text and files, and each whole line behind them.
+@throws Error(kNotFound) when there is neither a store nor a manifest. */
+StoreState CheckStore(const std::filesystem::path& folder);
+
+/** CheckStore before anything is read from the folder.
+@throws Error(kFormat) naming all damage and what can be done about it, unless it is accepted. */
+StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage);
+
+struct StoreRepair {
+  std::vector<std::string> actions;  ///< what was done, in words
+  StoreState state;                  ///< afterwards: what cannot be repaired
+};
+/** Moves each line that is no record into <journal>.damaged, and files that can be made anew aside
+under such a name; no byte is lost. What is left is sealed; damage to files that never change stays
+damage. Nothing is done in a store older than manifests. @throws as CheckStore; kFormat; kIo. */
+StoreRepair RepairStore(const std::filesystem::path& folder);
+
+}  // namespace graspbench

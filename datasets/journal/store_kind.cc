@@ -1,0 +1,103 @@
+#include "datasets/journal/store_kind.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+void AddMatches(const fs::path& folder, const fs::path& inside, const std::string& pattern,
+                std::vector<std::string>& names) {
+  const size_t slash = pattern.find('/');
+  const std::string part = pattern.substr(0, slash);
+  std::error_code status;
+  if (part.find('*') == std::string::npos) {
+    const fs::path name = inside / part;
+    if (slash != std::string::npos) {
+      AddMatches(folder, name, pattern.substr(slash + 1), names);
+    } else if (fs::exists(fs::symlink_status(folder / name, status))) {
+      names.push_back(name.generic_string());
+    }
+    return;
+  }
+  const std::string head = part.substr(0, part.find('*')), tail = part.substr(part.find('*') + 1);
+  for (const auto& entry : fs::directory_iterator(folder / inside, status)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() < head.size() + tail.size() || name[0] == '.' ||
+        name.compare(0, head.size(), head) != 0 ||
+        name.compare(name.size() - tail.size(), tail.size(), tail) != 0) {
+      continue;
+    }
+    if (slash == std::string::npos) {
+      names.push_back((inside / name).generic_string());
+    } else {
+      AddMatches(folder, inside / name, pattern.substr(slash + 1), names);
+    }
+  }
+}
+
+}  // namespace
+
+const StoreKind kSessionStore = {"session",
+                                 "session.json",
+                                 4,
+                                 3,
+                                 4,
+                                 "graspbench run",
+                                 "run the session anew into another folder",
+                                 {"session.json", "plan.jsonl"},
+                                 {},
+                                 {"journal/*.jsonl", "judge/*.jsonl"},
+                                 {},
+                                 true};
+const StoreKind kSceneStore = {"optimisation",
+                               "scene.json",
+                               3,
+                               2,
+                               3,
+                               "graspbench optimise",
+                               "optimise anew into another folder",
+                               {"scene.json"},
+                               {"result.json", "new-*.yaml", "individuals.csv"},
+                               {"journal.jsonl"},
+                               {}};
+const StoreKind kCampaignStore = {
+    "campaign",
+    "campaign.json",
+    2,
+    1,
+    2,
+    "graspbench campaign",
+    "run the campaign anew into another folder",
+    {"campaign.json", "scenes/*/scene.json", "benchmark/session.json"},
+    {},
+    {"comparison/*/*.jsonl"},
+    {"scenes/*", "benchmark"}};
+
+const StoreKind* FindStoreKind(const fs::path& folder) {
+  for (const StoreKind* kind : {&kCampaignStore, &kSessionStore, &kSceneStore}) {
+    std::error_code status;
+    if (fs::exists(folder / kind->file, status)) return kind;
+  }
+  return nullptr;
+}
+
+bool IsMatch(const std::string& name, const std::vector<std::string>& patterns) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+    return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
+  });
+}
+
+std::vector<std::string> ListMatches(const fs::path& folder,
+                                     const std::vector<std::string>& patterns) {
+  std::vector<std::string> names;
+  for (const std::string& pattern : patterns) AddMatches(folder, {}, pattern, names);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace graspbench

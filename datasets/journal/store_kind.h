@@ -1,0 +1,46 @@
+#pragma once
+/** @file
+The folders that are continued and vouched for: what makes a folder one, which of its files never
+change and which only grow. One row a kind; whoever changes the layout or the records of one raises
+its schema here. */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+struct StoreKind {
+  const char* name;     ///< "session"
+  const char* file;     ///< of the frozen configuration: its presence makes the folder one
+  int schema;           ///< of the layout and the records that this program writes
+  int oldest_schema;    ///< that it still reads
+  int sealed_schema;    ///< from here on there is a manifest
+  const char* command;  ///< "graspbench run": starts one
+  const char* remedy;   ///< for another schema: "run the session anew into another folder"
+
+  // Names from the folder; one star in a part stands for any letters but a slash.
+  std::vector<std::string> files;     ///< never change
+  std::vector<std::string> derived;   ///< never change, and can be made anew from the rest
+  std::vector<std::string> journals;  ///< grow by checked lines
+  std::vector<std::string> stores;    ///< folders with a manifest of their own
+
+  /** Whether a line that a crash has torn stays in its journal, and the next one follows on a line of
+  its own; or it is cut off before the journal is continued. */
+  bool keeps_torn_lines = false;
+};
+
+extern const StoreKind kSessionStore;
+extern const StoreKind kSceneStore;
+extern const StoreKind kCampaignStore;
+
+/** The kind whose frozen configuration the folder holds; null: none. */
+const StoreKind* FindStoreKind(const std::filesystem::path& folder);
+
+bool IsMatch(const std::string& name, const std::vector<std::string>& patterns);
+
+/** Names in the folder that match a pattern, sorted. */
+std::vector<std::string> ListMatches(const std::filesystem::path& folder,
+                                     const std::vector<std::string>& patterns);
+
+}  // namespace graspbench

@@ -1,0 +1,136 @@
+#include "datasets/journal/sealed_store.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "datasets/session/session_store.h"
+#include "tests/datasets/journal/store_mutations.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class SealedStore : public testing::Test {
+ protected:
+  SealedStore() : stores_(MakeStores(folder_.path())), session_(stores_[0]) {}
+
+  std::string Look(const fs::path& store) const { return FormatDamage(CheckStore(store).damages); }
+  /** Replaces the first occurrence of a text in a file. */
+  void Edit(const fs::path& path, const std::string& from, const std::string& to) const {
+    std::string text = ReadFile(path);
+    ASSERT_NE(text.find(from), text.npos) << path;
+    WriteFile(path, text.replace(text.find(from), from.size(), to));
+  }
+
+  TemporaryFolder folder_;
+  std::vector<fs::path> stores_;
+  fs::path session_;
+};
+
+TEST_F(SealedStore, IsWholeAsItWasWritten) {
+  const std::vector<std::string> kinds = {"session", "session", "optimisation", "campaign",
+                                          "study"};
+  for (size_t i = 0; i < stores_.size(); ++i) {
+    EXPECT_EQ(CheckStore(stores_[i]).kind, kinds[i]);
+    EXPECT_TRUE(CheckStore(stores_[i]).is_sealed);
+    EXPECT_EQ(Look(stores_[i]), "");
+    EXPECT_TRUE(RepairStore(stores_[i]).actions.empty());
+  }
+  EXPECT_THROW(CheckStore(folder_.path()), Error);
+}
+
+// The cases that were believed before there was a manifest.
+TEST_F(SealedStore, AnotherSeedStepOrPhysicsIsFound) {
+  const fs::path frozen = session_ / "session.json";
+  const std::string whole = ReadFile(frozen);
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"\"seed\": 1", "\"seed\": 2"},
+           {"\"step_s\": 0.002", "\"step_s\": 0.001"},
+           {"\"physics_version\": ", "\"physics_version\": 1"},
+           {"\"schema\": 4", "\"schema\": 3"}}) {
+    Edit(frozen, from, to);
+    EXPECT_NE(Look(session_), "") << from;
+    WriteFile(frozen, whole);
+  }
+  EXPECT_EQ(Look(session_), "");
+}
+
+TEST_F(SealedStore, APlanCutAtALineEndAndAnEmptiedJournalAreFound) {
+  const std::string plan = ReadFile(session_ / "plan.jsonl");
+  WriteFile(session_ / "plan.jsonl", plan.substr(0, plan.find('\n', plan.size() / 2) + 1));
+  EXPECT_NE(Look(session_).find("\n  plan.jsonl: has "), std::string::npos) << Look(session_);
+  WriteFile(session_ / "plan.jsonl", plan);
+  WriteFile(session_ / "journal/0.jsonl", "");
+  EXPECT_NE(Look(session_).find("\n  journal/0.jsonl: has 0 bytes and 0 lines; "),
+            std::string::npos)
+      << Look(session_);
+  try {
+    LoadSession(session_);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kFormat);
+    EXPECT_NE(std::string(error.what()).find("verify --repair"), std::string::npos);
+  }
+}
+
+TEST_F(SealedStore, RepairSetsTheDamagedLineAsideAndKeepsTheOthers) {
+  const size_t num_records = LoadSession(session_).records.size();
+  const std::string before = ReadFile(session_ / "journal/0.jsonl");
+  Edit(session_ / "journal/0.jsonl", "\"outcome\"", "\"outkome\"");
+  const std::string damaged = ReadFile(session_ / "journal/0.jsonl");
+  const StoreRepair repair = RepairStore(session_);
+  EXPECT_EQ(repair.actions.size(), 2u);
+  EXPECT_TRUE(repair.state.damages.empty());
+  EXPECT_EQ(LoadSession(session_).records.size(), num_records - 1);
+  const std::string aside = ReadFile(session_ / "journal/0.jsonl.damaged");
+  EXPECT_EQ(aside, damaged.substr(0, damaged.find('\n') + 1));
+  EXPECT_EQ(ReadFile(session_ / "journal/0.jsonl"), before.substr(before.find('\n') + 1));
+}
+
+TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
+  Edit(session_ / "session.json", "\"seed\": 1", "\"seed\": 2");
+  EXPECT_EQ(FormatDamage(RepairStore(session_).state.damages),
+            "\n  session.json: its bytes have changed");
+  SealStore(kSessionStore, session_);  // nor does a run that accepts it
+  EXPECT_EQ(Look(session_), "\n  session.json: its bytes have changed");
+}
+
+TEST_F(SealedStore, DerivedFilesAreMadeAnew) {
+  const fs::path scene = stores_[2];
+  Edit(scene / "new-target.yaml", "mug", "jug");
+  const StoreRepair repair = RepairStore(scene);
+  EXPECT_TRUE(repair.state.damages.empty()) << FormatDamage(repair.state.damages);
+  EXPECT_EQ(ReadFile(scene / "new-target.yaml.damaged"), "target of: jug\n");
+  const Manifest manifest = LoadManifest(scene);
+  for (const ManifestFile& file : manifest.files) EXPECT_NE(file.path, "result.json");
+  EXPECT_EQ(manifest.inputs, "hash of mug");
+}
+
+TEST_F(SealedStore, DamageInsideACampaignIsNamedFromItsFolder) {
+  const fs::path campaign = stores_[3];
+  Edit(campaign / "scenes/tum-mug/journal.jsonl", "search", "zearch");
+  EXPECT_NE(Look(campaign).find("\n  scenes/tum-mug/journal.jsonl:1: "), std::string::npos)
+      << Look(campaign);
+  fs::remove_all(campaign / "benchmark");
+  EXPECT_NE(Look(campaign).find("benchmark/session.json: is missing"), std::string::npos);
+}
+
+TEST_F(SealedStore, ScenesThatChangedPlacesAreFound) {
+  const fs::path scenes = stores_[3] / "scenes";
+  fs::rename(scenes / "tum-mug", scenes / "aside");
+  fs::rename(scenes / "tum-pencil", scenes / "tum-mug");
+  fs::rename(scenes / "aside", scenes / "tum-pencil");
+  EXPECT_NE(Look(stores_[3]), "");
+}
+
+TEST(StoreMutations, AreFoundAndLoseNoWholeLine) {
+  const TemporaryFolder folder;
+  const MutationCount count = MutateStores(folder.path(), "quick", 300);
+  EXPECT_EQ(count.examples, "");
+  EXPECT_GT(count.mutations, 250);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,280 @@
+#include "tests/datasets/journal/store_mutations.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/random.h"
+#include "datasets/campaign/campaign_store.h"
+#include "datasets/journal/checked_line.h"
+#include "datasets/session/judgement_store.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Files = std::map<std::string, std::string>;  // content by name from the folder of all stores
+
+Judgement MakeJudgement(double force) {
+  Judgement judgement;
+  judgement.loads = {{"force +x", force, true}};
+  judgement.breaking_force = force;
+  judgement.verdicts = {{"graspa", true, 4.0}};
+  return judgement;
+}
+
+void MakeSession(const fs::path& folder, int trials) {
+  const auto plan = CreateFakeSession(folder, trials);
+  JournalWriter first(folder, 0), second(folder, 1);
+  for (size_t i = 0; i < plan.size(); ++i) {
+    (i % 2 == 0 ? first : second).Append(MakeFakeRecord(plan[i]));
+  }
+  JudgementWriter judge(folder, 0);
+  for (const PlannedTrial& planned : plan) judge.Append(planned.id, MakeJudgement(trials));
+  SealStore(kSessionStore, folder);
+}
+
+void FillJournal(const fs::path& path, int count) {
+  MakeFolder(path.parent_path());
+  EvaluationJournal journal(path);
+  for (int i = 0; i < count; ++i) {
+    EvaluationRecord record;
+    record.request = i;
+    record.stage = LearningStage::kSearch;
+    record.individual.number = i;
+    record.individual.genome = Eigen::Vector2d(0.1, 0.2 * i);
+    record.trial_ids = {path.parent_path().filename().string() + std::to_string(i)};
+    record.trials.resize(1);
+    record.trials[0].sigma = 0.1 * i;
+    journal.Append({record});
+  }
+}
+
+void MakeScene(const fs::path& folder, const std::string& object) {
+  SceneConfig config;
+  config.hand = "tum";
+  config.object = object;
+  CreateScene(folder, config);
+  FillJournal(folder / "journal.jsonl", 6);
+  WriteFile(folder / "new-pregrasp.yaml", "pregrasp of: " + object + "\n");
+  WriteFile(folder / "new-target.yaml", "target of: " + object + "\n");
+  WriteFile(folder / "individuals.csv", "number\n" + object + "\n");
+  WriteFile(folder / "result.json", "{\"object\":\"" + object + "\"}\n");
+  SealStore(kSceneStore, folder, "hash of " + object);
+}
+
+void MakeCampaign(const fs::path& folder) {
+  CampaignConfig config;
+  config.comparison.scenes = {"tum/mug"};
+  CreateCampaign(folder, config);
+  MakeScene(folder / "scenes" / "tum-mug", "mug");
+  MakeScene(folder / "scenes" / "tum-pencil", "pencil");
+  MakeSession(folder / "benchmark", 2);
+  FillJournal(folder / "comparison" / "tum-mug" / "es-1.jsonl", 5);
+  FillJournal(folder / "comparison" / "tum-mug" / "de-1.jsonl", 4);
+  SealStore(kCampaignStore, folder);
+}
+
+void MakeStudy(const fs::path& folder) {
+  MakeFolder(folder / "tidy");
+  Manifest manifest;
+  manifest.kind = "study";
+  for (const char* name : {"index.html", "measures.csv", "tidy/data.csv"}) {
+    WriteFile(folder / name, std::string("content of ") + name + "\n");
+    manifest.files.push_back(SealFile(folder, name));
+  }
+  WriteManifest(folder, manifest);
+}
+
+Files ReadFiles(const fs::path& folder) {
+  Files files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files[entry.path().lexically_relative(folder).string()] = ReadFile(entry.path());
+    }
+  }
+  return files;
+}
+
+void WriteFiles(const fs::path& folder, const Files& files) {
+  const Files now = ReadFiles(folder);
+  for (const auto& [name, content] : now) {
+    if (files.count(name) == 0) fs::remove(folder / name);
+  }
+  for (const auto& [name, content] : files) {
+    const auto there = now.find(name);
+    if (there != now.end() && there->second == content) continue;
+    MakeFolder((folder / name).parent_path());
+    WriteFile(folder / name, content);
+  }
+}
+
+std::vector<std::string> SplitLines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t start = 0; start < text.size();) {
+    const size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
+    lines.push_back(text.substr(start, end - start));
+    start = end;
+  }
+  return lines;
+}
+
+std::string Join(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+bool IsJournal(const std::string& name) {
+  return name.find(".jsonl") != name.npos && name.find("plan") == name.npos;
+}
+
+/** The whole lines of all journals, each as often as it occurs, and of what was set aside. */
+std::multiset<std::string> ListRecords(const Files& files) {
+  std::multiset<std::string> records;
+  for (const auto& [name, content] : files) {
+    if (!IsJournal(name)) continue;
+    for (std::string line : SplitLines(content)) {
+      if (line.back() != '\n') continue;
+      line.pop_back();
+      try {
+        ParseCheckedLine(line);
+        records.insert(line);
+      } catch (const Error&) {
+      }
+    }
+  }
+  return records;
+}
+
+class Mutator {
+ public:
+  Mutator(const Files& files, const std::string& seed) : whole_(files), random_(seed, "mutation") {
+    for (const auto& [name, content] : files) names_.push_back(name);
+  }
+
+  /** What was done, in words, and the files after it. */
+  std::string Mutate(Files& files) {
+    files = whole_;
+    const std::string name = Choose(), other = Choose();
+    std::string& content = files[name];
+    switch (random_.NextIndex(8)) {
+      case 0:
+      case 1: {
+        const int bit = random_.NextIndex(static_cast<int>(8 * content.size()));
+        char& byte = content[static_cast<size_t>(bit / 8)];
+        byte = static_cast<char>(byte ^ (1 << bit % 8));
+        return "flip bit " + std::to_string(bit) + " of " + name;
+      }
+      case 2:
+        content.resize(static_cast<size_t>(random_.NextIndex(static_cast<int>(content.size()))));
+        return "cut " + name + " to " + std::to_string(content.size());
+      case 3:
+        files.erase(name);
+        return "delete " + name;
+      case 4:
+        std::swap(content, files[other]);
+        return "swap " + name + " and " + other;
+      case 5:
+        return MutateLine(files, name, other, "delete");
+      case 6:
+        return MutateLine(files, name, other, "swap");
+      default:
+        return MutateLine(files, name, other, "move");
+    }
+  }
+
+ private:
+  const std::string& Choose() {
+    return names_[static_cast<size_t>(random_.NextIndex(static_cast<int>(names_.size())))];
+  }
+
+  std::string MutateLine(Files& files, const std::string& name, const std::string& other,
+                         const std::string& what) {
+    std::vector<std::string> lines = SplitLines(files[name]);
+    const auto choose = [&](size_t count) {
+      return static_cast<size_t>(random_.NextIndex(static_cast<int>(count)));
+    };
+    const size_t line = choose(lines.size());
+    const std::string taken = lines[line];
+    if (what == "swap") {
+      std::swap(lines[line], lines[choose(lines.size())]);
+      files[name] = Join(lines);
+    } else {
+      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line));
+      files[name] = Join(lines);
+      if (what == "move") files[other] += taken;
+    }
+    return what + " line " + std::to_string(line + 1) + " of " + name +
+           (what == "move" ? " to " + other : "");
+  }
+
+  const Files whole_;
+  std::vector<std::string> names_;
+  RandomStream random_;
+};
+
+bool IsFound(const std::vector<fs::path>& stores) {
+  for (const fs::path& store : stores) {
+    try {
+      if (!CheckStore(store).damages.empty()) return true;
+    } catch (const Error&) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Repair(const std::vector<fs::path>& stores) {
+  for (const fs::path& store : stores) {
+    try {
+      RepairStore(store);
+    } catch (const Error&) {  // beyond repair, and said so
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> MakeStores(const fs::path& folder) {
+  MakeSession(folder / "session", 3);
+  MakeSession(folder / "other", 1);
+  MakeScene(folder / "scene", "mug");
+  MakeCampaign(folder / "campaign");
+  MakeStudy(folder / "study");
+  return {folder / "session", folder / "other", folder / "scene", folder / "campaign",
+          folder / "study"};
+}
+
+MutationCount MutateStores(const fs::path& folder, const std::string& seed, int count) {
+  const std::vector<fs::path> stores = MakeStores(folder);
+  const Files whole = ReadFiles(folder);
+  Mutator mutator(whole, seed);
+  MutationCount result;
+  if (IsFound(stores)) result.examples += "damage is found in whole stores\n";
+  for (int i = 0; i < count; ++i) {
+    Files files;
+    const std::string what = mutator.Mutate(files);
+    if (files == whole) continue;
+    ++result.mutations;
+    WriteFiles(folder, files);
+    if (!IsFound(stores)) {
+      ++result.undetected;
+      result.examples += "undetected: " + what + "\n";
+    }
+    Repair(stores);
+    const auto before = ListRecords(files), after = ListRecords(ReadFiles(folder));
+    if (!std::includes(after.begin(), after.end(), before.begin(), before.end())) {
+      ++result.records_lost;
+      result.examples += "lost records: " + what + "\n";
+    }
+    WriteFiles(folder, whole);
+  }
+  return result;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "datasets/journal/sealed_store.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+namespace {
+
+struct VerifyOptions {
+  std::string folder;
+  bool repair = false;
+  bool json = false;
+};
+
+const char* NameState(const StoreState& state) {
+  if (!state.damages.empty()) return "damaged";
+  return state.is_sealed ? "whole" : "older than manifests";
+}
+
+Json MakeVerifyJson(const VerifyOptions& options, const StoreRepair& repair) {
+  Json damage = Json::array();
+  for (const Damage& one : repair.state.damages) {
+    damage.push_back({{"file", one.path},
+                      {"line", one.line > 0 ? Json(one.line) : Json(nullptr)},
+                      {"text", one.text}});
+  }
+  return {{"folder", options.folder},
+          {"kind", repair.state.kind},
+          {"state", NameState(repair.state)},
+          {"repaired", repair.actions},
+          {"damage", damage}};
+}
+
+std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repair) {
+  std::string text;
+  for (const std::string& action : repair.actions) text += "repaired " + action + "\n";
+  text += options.folder + ": the " + repair.state.kind + " is " + NameState(repair.state);
+  if (!repair.state.is_sealed) {
+    text += "; only the checksums of its journals' lines can be checked, when they are read";
+  }
+  return text + FormatDamage(repair.state.damages) + "\n";
+}
+
+ExitCode Verify(const VerifyOptions& options) {
+  const StoreRepair repair =
+      options.repair ? RepairStore(options.folder) : StoreRepair{{}, CheckStore(options.folder)};
+  if (options.json) {
+    PrintJson(MakeVerifyJson(options, repair));
+  } else {
+    PrintResult(FormatVerdict(options, repair));
+  }
+  return repair.state.damages.empty() ? kExitOk : kExitBadInput;
+}
+
+}  // namespace
+
+void AddVerifyCommand(CLI::App& program, ExitCode& exit_code) {
+  CLI::App& command = AddSubcommand(
+      program, "verify", "Compare a result folder with the hashes in its manifest.",
+      "  graspbench verify results/pilot             whole, or what is damaged; exit code 3\n"
+      "  graspbench verify results/pilot --repair    sets damaged lines aside, seals the rest");
+  const auto options = std::make_shared<VerifyOptions>();
+  command.add_option("folder", options->folder, "folder of any result")
+      ->required()
+      ->option_text("DIR");
+  command.add_flag("--repair", options->repair,
+                   "move damaged lines into files beside their journals; nothing is thrown away");
+  command.add_flag("--json", options->json, "print the verdict as one JSON object");
+  command.callback([options, &exit_code] { exit_code = Verify(*options); });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,246 @@
+#include "workbench/experiments/output_folder.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/version.h"
+#include "datasets/journal/manifest.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kManifest[] = "manifest.json";
+constexpr char kLock[] = ".lock";  // in a folder that is being filled
+
+[[noreturn]] void Refuse(const fs::path& path, const std::string& text) {
+  throw Error(ErrorKind::kUsage, "\"" + path.string() + "\" " + text);
+}
+
+[[noreturn]] void FailOnSystem(const std::string& doing, const fs::path& path) {
+  throw Error(ErrorKind::kIo, doing + " \"" + path.string() + "\": " + std::strerror(errno));
+}
+
+void CheckName(const fs::path& path) {
+  if (path.empty()) {
+    throw Error(ErrorKind::kUsage, "the name of the output is empty; expected a file or folder");
+  }
+}
+
+/** The path without links and dots; its last parts need not be there. */
+fs::path FindPlace(const fs::path& path) {
+  std::error_code status;
+  fs::path place = fs::weakly_canonical(fs::absolute(path), status);
+  if (status)
+    throw Error(ErrorKind::kIo, "cannot use \"" + path.string() + "\": " + status.message());
+  return place.has_filename() ? place : place.parent_path();
+}
+
+bool IsWithin(const fs::path& inner, const fs::path& outer) {
+  const auto mismatch = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return mismatch.first == outer.end();
+}
+
+/** The root of the file system counts as one. */
+bool IsMountPoint(const fs::path& folder) {
+  struct stat own {
+  }, above{};
+  if (::stat(folder.c_str(), &own) != 0 || ::stat((folder / "..").c_str(), &above) != 0)
+    return false;
+  return own.st_dev != above.st_dev || own.st_ino == above.st_ino;
+}
+
+void CheckPlace(const OutputRequest& request, const fs::path& place) {
+  const char* home = std::getenv("HOME");
+  if (home && *home && place == FindPlace(home)) {
+    Refuse(request.folder, "is your home folder; name a new folder for the results");
+  }
+  if (IsMountPoint(place)) {
+    Refuse(request.folder, "is a mount point; name a new folder for the results");
+  }
+  // It would be swapped away from under the feet of the shell.
+  if (IsWithin(fs::current_path(), place)) {
+    Refuse(request.folder, "is the folder you are in; name a new folder for the results");
+  }
+  for (const fs::path& input : request.inputs) {
+    if (input.empty() || !fs::exists(input)) continue;
+    if (IsWithin(FindPlace(input), place)) {
+      Refuse(request.folder, "holds \"" + input.string() +
+                                 "\", which is read; name another folder for the results");
+    }
+  }
+}
+
+/** Regular files and whatever else is no folder, relative to it, sorted. */
+std::vector<std::string> ListFiles(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory() || entry.is_symlink()) {
+      files.push_back(entry.path().lexically_relative(folder).string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/** That of a whole result; none when the folder is no such result. */
+std::optional<Manifest> FindManifest(const fs::path& folder) {
+  try {
+    if (HasManifest(folder)) return LoadManifest(folder);
+  } catch (const Error&) {
+  }
+  return std::nullopt;
+}
+
+/** Files that were added, changed or replaced by links since the manifest was written. */
+std::vector<std::string> ListForeign(const fs::path& folder, const Manifest& manifest) {
+  std::vector<std::string> foreign;
+  for (const Damage& damage : FindDamage(folder, manifest)) foreign.push_back(damage.path);
+  for (const std::string& file : ListFiles(folder)) {
+    const bool is_listed =
+        file == kManifest || std::any_of(manifest.files.begin(), manifest.files.end(),
+                                         [&](const ManifestFile& own) { return own.path == file; });
+    if (!is_listed || fs::is_symlink(folder / file)) foreign.push_back(file);
+  }
+  std::sort(foreign.begin(), foreign.end());
+  return foreign;
+}
+
+/** "a", "b" and 3 more. */
+std::string FormatSome(const std::vector<std::string>& names) {
+  constexpr size_t kMaxShown = 3;
+  std::string text;
+  for (size_t i = 0; i < names.size() && i < kMaxShown; ++i) {
+    text += (i > 0 ? ", \"" : "\"") + names[i] + "\"";
+  }
+  if (names.size() > kMaxShown)
+    text += " and " + std::to_string(names.size() - kMaxShown) + " more";
+  return text;
+}
+
+void CheckContent(const OutputRequest& request, const fs::path& place) {
+  const std::optional<Manifest> manifest = FindManifest(place);
+  if (!manifest || request.kind.empty() || manifest->kind != request.kind) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(place)) {
+      names.push_back(entry.path().filename().string());
+    }
+    if (names.empty()) return;
+    std::sort(names.begin(), names.end());
+    const std::string what = request.kind.empty() ? "" : " and is no earlier " + request.kind;
+    Refuse(request.folder,
+           "holds " + FormatSome(names) + what + "; name a new or empty folder for the results");
+  }
+  const std::vector<std::string> foreign = ListForeign(place, *manifest);
+  if (!foreign.empty()) {
+    Refuse(request.folder, "holds " + FormatSome(foreign) + ", added or changed since its " +
+                               request.kind +
+                               " was written; move that away or name another folder");
+  }
+  if (!request.replace) {
+    Refuse(request.folder, "holds an earlier " + request.kind +
+                               "; --replace writes the new one in its place, or name another "
+                               "folder");
+  }
+}
+
+/** In one step where the file system can. */
+void Exchange(const fs::path& a, const fs::path& b) {
+  if (::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0) return;
+  const fs::path aside = a.string() + ".old";
+  if (::rename(b.c_str(), aside.c_str()) != 0 || ::rename(a.c_str(), b.c_str()) != 0 ||
+      ::rename(aside.c_str(), a.c_str()) != 0) {
+    FailOnSystem("cannot move the results to", b);
+  }
+}
+
+/** Removes what killed programs left beside the target: nobody holds its lock any more. */
+void RemoveAbandoned(const fs::path& target) {
+  const std::string head = "." + target.filename().string() + ".part-";
+  std::error_code status;
+  std::vector<fs::path> abandoned;
+  for (const auto& entry : fs::directory_iterator(target.parent_path(), status)) {
+    if (entry.path().filename().string().rfind(head, 0) != 0) continue;
+    const int lock = ::open((entry.path() / kLock).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (lock < 0) continue;
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) abandoned.push_back(entry.path());
+    ::close(lock);
+  }
+  for (const fs::path& folder : abandoned) fs::remove_all(folder, status);
+}
+
+}  // namespace
+
+void CheckOutputFolder(const OutputRequest& request) {
+  CheckName(request.folder);
+  const fs::path place = FindPlace(request.folder);
+  const fs::file_status status = fs::symlink_status(place);
+  CheckPlace(request, place);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) {
+    Refuse(request.folder, "is there and is no folder; name a new folder for the results");
+  }
+  CheckContent(request, place);
+}
+
+void CheckOutputFile(const fs::path& file) {
+  CheckName(file);
+  const fs::file_status status = fs::symlink_status(file);
+  if (fs::is_directory(status)) Refuse(file, "is a folder; name a new file");
+  if (fs::exists(status)) Refuse(file, "is already there; remove it or name another file");
+}
+
+StagedFolder::StagedFolder(OutputRequest request) : request_(std::move(request)) {
+  CheckOutputFolder(request_);
+  target_ = FindPlace(request_.folder);
+  MakeFolder(target_.parent_path());
+  RemoveAbandoned(target_);
+  staged_ = target_.parent_path() /
+            ("." + target_.filename().string() + ".part-" + std::to_string(::getpid()));
+  if (::mkdir(staged_.c_str(), 0777) != 0) FailOnSystem("cannot create", staged_);
+  lock_ = ::open((staged_ / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) FailOnSystem("cannot lock", staged_);
+}
+
+StagedFolder::~StagedFolder() {
+  if (lock_ >= 0) ::close(lock_);
+  std::error_code status;
+  if (!staged_.empty()) fs::remove_all(staged_, status);
+}
+
+void StagedFolder::Commit() {
+  fs::remove(staged_ / kLock);
+  if (!request_.kind.empty()) {
+    Manifest manifest;
+    manifest.kind = request_.kind;
+    manifest.versions = {{"program", program_version()}};
+    for (const std::string& file : ListFiles(staged_)) {
+      manifest.files.push_back(SealFile(staged_, file));
+    }
+    SyncFileSystem(staged_);
+    WriteManifest(staged_, manifest);
+  }
+  CheckOutputFolder(request_);
+  const bool is_swap = fs::exists(target_) && !fs::is_empty(target_);
+  if (is_swap) {
+    Exchange(staged_, target_);
+  } else if (::rename(staged_.c_str(), target_.c_str()) != 0) {
+    FailOnSystem("cannot move the results to", target_);
+  }
+  SyncFolder(target_.parent_path());
+  if (is_swap) fs::remove_all(staged_);  // the older result
+  staged_.clear();
+}
+
+}  // namespace graspbench

@@ -1,0 +1,59 @@
+#pragma once
+/** @file
+Where results may go, so that nothing of the user's is lost.
+
+A folder is graspbench's when it holds a mark: the frozen configuration of what can be continued
+(session.json, campaign.json, scene.json), or a manifest.json that names the kind of a whole result
+and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder that is not there or empty; a
+whole result may take the place of an older one of its kind whose files are all listed and
+unchanged. Everything else is refused and named: foreign or changed files, an existing file, an
+empty name, the home folder, a mount point, a folder that holds an input.
+
+A new folder is filled beside the target, in .<name>.part-<process>, and swapped in when it is
+complete, so that the target holds the old result, the new one, or nothing. What a killed program
+left there is removed by the next. */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace graspbench {
+
+struct OutputRequest {
+  std::filesystem::path folder;
+  std::string kind;      ///< of a whole result: "basin", "study"; empty: it brings its own mark
+  bool replace = false;  ///< an older result of this kind
+  std::vector<std::filesystem::path>
+      inputs;  ///< files and folders that are read; empty ones count not
+};
+
+/** @throws Error(kUsage) naming what stands in the way. */
+void CheckOutputFolder(const OutputRequest& request);
+
+/** A single file is written only where none is. @throws Error(kUsage). */
+void CheckOutputFile(const std::filesystem::path& file);
+
+class StagedFolder {
+ public:
+  /** Checks the request and creates the folder beside the target. @throws Error(kUsage, kIo). */
+  explicit StagedFolder(OutputRequest request);
+  /** Removes the folder unless it was committed. */
+  ~StagedFolder();
+  StagedFolder(const StagedFolder&) = delete;
+  StagedFolder& operator=(const StagedFolder&) = delete;
+
+  /** Write here. */
+  const std::filesystem::path& path() const { return staged_; }
+
+  /** Marks the result and swaps it in; an older one is removed. @throws Error(kUsage) when something
+  has come into the way since; Error(kIo). */
+  void Commit();
+
+ private:
+  OutputRequest request_;
+  std::filesystem::path target_;  // without links
+  std::filesystem::path staged_;
+  int lock_ = -1;  // held as long as the program lives
+};
+
+}  // namespace graspbench
