@@ -92,6 +92,9 @@ std::string FormatSummary(const std::vector<VariantSummary>& summaries) {
       FormatCsvLine({"hand", "object", "grasp", "variant", "trials", "successes", "mean_sigma",
                      "median_gft_ratio", "median_got_ratio", "median_gct_s"});
   for (const VariantSummary& s : summaries) {
+    csv += FormatCsvLine({s.hand, s.object, s.grasp, NameOf(s.variant), s.trials, s.successes,
+                          JsonNumber(s.mean_sigma), JsonNumber(s.median_gft_ratio),
+                          JsonNumber(s.median_got_ratio), JsonNumber(s.median_gct)});
   }
   return csv;
 }
