@@ -44,6 +44,48 @@ Eigen::Vector3d CalcHoldPlace(const SmoothPath& smooth, const ScalarCurve& speed
   return sum / static_cast<double>(samples.size());
 }
 
+/** SD of a coordinate about the hold by its median absolute deviation; NaN when hidden there. */
+double CalcHoldNoise(const Trajectory& p_O, const Hold& hold) {
+  constexpr double kSdPerMedian = 1.4826;  // of a normal distribution
+  const SampleRun window = FindSamples(p_O.times, std::max(hold.begin, hold.time - 0.05),
+                                       std::min(hold.end, hold.time + 0.1));
+  std::vector<double> deviations;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (size_t i = window.first; i < window.last; ++i) {
+      if (p_O.IsValid(i)) values.push_back(p_O.p(axis, static_cast<Column>(i)));
+    }
+    const double median = CalcMedian(values);
+    for (const double value : values) deviations.push_back(std::abs(value - median));
+  }
+  return kSdPerMedian * CalcMedian(std::move(deviations));
+}
+
+/** RMS distance from the mean place, without what noise of that SD makes of it. */
+double CalcLooseness(const SmoothPath& smooth, double noise, const Hold& hold) {
+  const SampleRun window = FindSamples(smooth.path.times, hold.time, hold.end);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double squares = 0.0, count = 0.0;
+  for (size_t i = window.first; i < window.last; ++i) {
+    if (!smooth.path.IsValid(i)) continue;
+    const Eigen::Vector3d p = smooth.path.p.col(static_cast<Column>(i));
+    sum += p;
+    squares += p.squaredNorm();
+    count += 1.0;
+  }
+  const double variance = (squares - sum.squaredNorm() / count) / count - 3.0 * noise * noise;
+  return std::sqrt(std::max(0.0, variance));
+}
+
+/** Median over the digits that have one; NaN below three. */
+double CalcTypical(const std::vector<DigitEvidence>& digits, double DigitEvidence::*value) {
+  std::vector<double> values;
+  for (const DigitEvidence& digit : digits) {
+    if (!std::isnan(digit.*value)) values.push_back(digit.*value);
+  }
+  return values.size() < 3 ? std::nan("") : CalcMedian(std::move(values));
+}
+
 }  // namespace
 
 ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& opening,
@@ -56,6 +98,7 @@ ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& ope
   evidence.object_displacement = object_displacement;
   const std::vector<TipAgainstObject>& tips =
       trial.FilterTipsAgainstObject(options.cutoff, options.object_cutoff);
+  const std::vector<TouchFits>& fits = trial.FitTouches(tips, hold, options.object_cutoff);
   for (size_t i = 0; i < tips.size(); ++i) {
     const TipAgainstObject& tip = tips[i];
     DigitEvidence digit;
@@ -67,8 +110,13 @@ ContactEvidence MakeContactEvidence(FilteredTrial& trial, const ScalarCurve& ope
         CalcCurve(tip.smooth, [&](const Eigen::Vector3d& p_O) { return (p_O - place).norm(); });
     digit.distance = tip.distance;
     if (digit.distance.size() > 0) digit.hold_distance = CalcHoldMedian(digit.distance, hold);
+    digit.noise_O = CalcHoldNoise(tip.p_O, hold);
+    digit.looseness = CalcLooseness(tip.smooth, tip.smooth_noise, hold);
+    digit.fits = fits[i];
     evidence.digits.push_back(std::move(digit));
   }
+  evidence.typical_hold_distance = CalcTypical(evidence.digits, &DigitEvidence::hold_distance);
+  evidence.typical_looseness = CalcTypical(evidence.digits, &DigitEvidence::looseness);
   return evidence;
 }
 
@@ -93,6 +141,19 @@ std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& di
     return fmt::format("in the hold its marker is {:.0f} mm from the surface",
                        MmFromM(digit.hold_distance));
   }
+  const double given = digit.track->pad_offset;
+  const double expected = std::isnan(given) ? evidence.typical_hold_distance : given;
+  if (digit.hold_distance > expected + options.max_pad_difference) {
+    return fmt::format("in the hold its marker is {:.0f} mm farther from the surface than {}",
+                       MmFromM(digit.hold_distance - expected),
+                       std::isnan(given) ? "those of the other digits" : "its pad offset");
+  }
+  // Less than half a millimetre may be the skin of a digit that holds.
+  if (digit.looseness > std::max(options.max_looseness * evidence.typical_looseness, 0.0005)) {
+    return fmt::format(
+        "while the object is held it moves {:.1f} mm (RMS) against it, the other digits {:.1f} mm",
+        MmFromM(digit.looseness), MmFromM(evidence.typical_looseness));
+  }
   // Below four standard deviations noise alone may look like motion.
   if (speed > std::max(options.speed_threshold, 4.0 * digit.speed.noise)) {
     return fmt::format("in the hold it moves at {:.0f} mm/s against the object", MmFromM(speed));
@@ -100,21 +161,15 @@ std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& di
   return "";
 }
 
-EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& evidence,
-                      double tolerance) {
-  // A slower approach is not extrapolated as such: the contact would lie too far away [m/s].
-  constexpr double kMinClosingSpeed = 0.02;
-  const int hold = FindHoldSample(distance, evidence.hold);
-  if (hold < 0) return MissingEvent("the digit is hidden in the hold");
-  const size_t first = FindSamples(distance.times, evidence.begin, evidence.hold.time).first;
-  EventTime event =
-      TraceBack(distance, static_cast<size_t>(hold), first, tolerance, Side::kBelow, kMinApproach);
-  if (!event.IsFound() || event.is_in_gap) return event;
-  const size_t after = FindSamples(distance.times, event.time, distance.times.back()).first;
-  const auto column = static_cast<Column>(after);
-  const double speed = (distance.values[column - 1] - distance.values[column]) /
-                       (distance.times[after] - distance.times[after - 1]);
-  event.time += tolerance / std::max(kMinClosingSpeed, speed);
+EventTime MakeTouchEvent(const DigitEvidence& digit, const TouchFit& fit,
+                         const ContactOptions& options) {
+  EventTime event = CalcTouchTime(fit, options.depths);
+  if (!event.IsFound()) return event;
+  const Trajectory& p_O = digit.p_O;
+  const auto is_measured = [&](size_t i) { return p_O.states[i] == SampleState::kMeasured; };
+  const size_t after = FindSamples(p_O.times, event.time, p_O.times.back()).first;
+  event.is_in_gap =
+      after == 0 || after == p_O.size() || !is_measured(after - 1) || !is_measured(after);
   return event;
 }
 
@@ -137,6 +192,25 @@ size_t FindContactDetector(const std::string& id) {
   throw Error(ErrorKind::kNotFound, "no contact detector \"" + id + "\"" + SuggestNames(id, known));
 }
 
+namespace {
+
+EventTime CheckUsable(const EventTime& event, const ContactOptions& options) {
+  const bool is_usable =
+      options.max_uncertainty == 0.0 || !(event.uncertainty > options.max_uncertainty);
+  if (!event.IsFound() || is_usable) return event;
+  return MissingEvent(fmt::format("{}: known to \u00b1 {:.0f} ms only", kNotUsable,
+                                  MsFromS(kCoverageFactor * event.uncertainty)));
+}
+
+double CalcOwnOf(const DigitEvidence& digit, const ContactOptions& options,
+                 const EventTime& contact) {
+  if (options.detector == "surface") return CalcOwnUncertainty(digit.fits.surface, options.depths);
+  if (options.detector == "breakpoint") return CalcOwnUncertainty(digit.fits.path, options.depths);
+  return contact.uncertainty;
+}
+
+}  // namespace
+
 std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
                                              const ContactOptions& options) {
   const size_t believed = FindContactDetector(options.detector);
@@ -145,10 +219,11 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     DigitContactEvents events;
     events.digit = digit.track->digit;
     events.is_thumb = digit.track->is_thumb;
+    events.noise_O = digit.noise_O;
     double earliest = std::numeric_limits<double>::infinity(), latest = -earliest;
     int num_found = 0;
     for (const ContactDetector& detector : ContactDetectorList()) {
-      events.by_detector.push_back(detector.find(evidence, digit, options));
+      events.by_detector.push_back(CheckUsable(detector.find(evidence, digit, options), options));
       const EventTime& event = events.by_detector.back();
       if (!event.IsFound()) continue;
       ++num_found;
@@ -156,6 +231,8 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
       latest = std::max(latest, event.time);
     }
     events.contact = events.by_detector[believed];
+    events.own_uncertainty = CalcOwnOf(digit, options, events.contact);
+    events.fit = digit.fits.surface.missing.empty() ? digit.fits.surface : digit.fits.path;
     if (num_found >= 2) events.disagreement = latest - earliest;
     contacts.push_back(std::move(events));
   }

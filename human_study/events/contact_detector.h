@@ -11,6 +11,7 @@ starts from there and looks back, so that touching and letting go before the gra
 */
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "human_study/events/event_time.h"
@@ -23,11 +24,15 @@ namespace graspbench {
 struct ContactOptions {
   std::string detector = "breakpoint";  ///< an id of ContactDetectorList(): the one believed
   double cutoff = 20.0;                 ///< of the zero-phase filter on the tips [Hz]
-  double object_cutoff = 6.0;           ///< of the filter on the object's pose [Hz]
+  double object_cutoff = 15.0;          ///< of the filter on the object's pose [Hz]
   double speed_threshold = 0.05;        ///< "speed": slower against the object [m/s]
-  double arrival_tolerance = 0.002;     ///< nearer than this a tip has nearly arrived [m]
   double max_pad_offset = 0.025;        ///< a marker held farther from the surface: no touch [m]
+  double max_pad_difference = 0.005;    ///< .. or farther than this beyond the other digits' [m]
+  double max_looseness = 3.0;           ///< held this many times looser than the others: no touch
+  double max_uncertainty = 0.04;        ///< a contact known less well is not usable [s]; 0: all are
   double force_noise_factor = 4.0;      ///< "force": above this many SD of the baseline's rate
+  /** How far digits go on after they touched (touch_fit.h). No setting: learned from a study. */
+  DepthWeights depths = kUsualDepths;
 
   template <class V>
   void Visit(V&& v) {
@@ -35,11 +40,16 @@ struct ContactOptions {
     v("cutoff_hz", cutoff);
     v("object_cutoff_hz", object_cutoff);
     v("speed_threshold_m_per_s", speed_threshold);
-    v("arrival_tolerance_m", arrival_tolerance);
     v("max_pad_offset_m", max_pad_offset);
+    v("max_pad_difference_m", max_pad_difference);
+    v("max_looseness", max_looseness);
+    v("max_uncertainty_s", max_uncertainty);
     v("force_noise_factor", force_noise_factor);
   }
 };
+
+/** How the reason starts why a contact that is known too badly (max_uncertainty) is missing. */
+inline constexpr std::string_view kNotUsable = "not usable here";
 
 /** What the detectors share, computed once a trial. "About the hold" is the part of the hold from
 50 ms before to 100 ms after its instant, or the sample of the hold nearest to that instant that
@@ -53,6 +63,13 @@ struct DigitEvidence {
   /** Median of the distance about the hold [m]; NaN: shape not known or hidden. Stands in for a pad
   offset that is not given. */
   double hold_distance = std::numeric_limits<double>::quiet_NaN();
+  /** SD of a coordinate of the unfiltered tip in O about the hold, median absolute: its noise
+  there, that of the object's pose at its lever included [m]; NaN when hidden. */
+  double noise_O = std::numeric_limits<double>::quiet_NaN();
+  /** RMS distance of the filtered tip from its mean place from the hold to its end, without its
+  noise [m]: a digit that is not on the object goes its own way. NaN when hidden. */
+  double looseness = std::numeric_limits<double>::quiet_NaN();
+  TouchFits fits;
   const DigitTrack* track = nullptr;
 };
 
@@ -61,6 +78,9 @@ struct ContactEvidence {
   Hold hold;
   ScalarCurve opening;              ///< of the hand, filtered [m]
   ScalarCurve object_displacement;  ///< [m]; empty: object not recorded
+  /** Medians over the digits, of three or more [m]; else NaN. */
+  double typical_hold_distance = std::numeric_limits<double>::quiet_NaN();
+  double typical_looseness = std::numeric_limits<double>::quiet_NaN();
   std::vector<DigitEvidence> digits;
 };
 
@@ -78,9 +98,14 @@ inline constexpr double kMinApproach = 0.04;
 int FindHoldSample(const ScalarCurve& curve, const Hold& hold);
 
 /** Why a digit does not take part in the grasp, as far as motion and shape can tell: hidden, moving
-against the object, or its marker too far from the surface. Empty when it may. */
+against the object, its marker too far from the surface (farther than a given pad offset or than the
+other digits' markers, too), or held more loosely than the other digits. Empty when it may. */
 std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& digit,
                         const ContactOptions& options);
+
+/** The event of a fit: in a gap when no sample was measured near it. */
+EventTime MakeTouchEvent(const DigitEvidence& digit, const TouchFit& fit,
+                         const ContactOptions& options);
 
 struct ContactDetector {
   const char* id;
@@ -90,11 +115,6 @@ struct ContactDetector {
                     const ContactOptions& options);
 };
 
-/** When a distance that is zero in the hold became zero: its last fall below the tolerance,
-extrapolated with the speed there. The tolerance keeps noise from deciding. */
-EventTime FindArrival(const ScalarCurve& distance, const ContactEvidence& evidence,
-                      double tolerance);
-
 const std::vector<ContactDetector>& ContactDetectorList();
 /** Place in ContactDetectorList(). @throws Error(kNotFound) with a suggestion. */
 size_t FindContactDetector(const std::string& id);
@@ -103,7 +123,12 @@ struct DigitContactEvents {
   std::string digit;
   bool is_thumb = false;
   std::vector<EventTime> by_detector;  ///< in the order of ContactDetectorList()
-  EventTime contact;                   ///< of the detector believed
+  /** Of `contact`, without what all digits share (CalcOwnUncertainty, of the fit that is believed)
+  [s]; its uncertainty where nothing is fitted. */
+  double own_uncertainty = std::numeric_limits<double>::quiet_NaN();
+  EventTime contact;  ///< of the detector believed
+  TouchFit fit;       ///< to the clearance from the surface, else to the path
+  double noise_O = std::numeric_limits<double>::quiet_NaN();  ///< DigitEvidence::noise_O [m]
   /** Latest minus earliest of the detectors that found one [s]; NaN below two. */
   double disagreement = std::numeric_limits<double>::quiet_NaN();
 };

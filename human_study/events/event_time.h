@@ -18,6 +18,9 @@ instants apart. What is not covered: an error common to all trials, such as a wr
 
 namespace graspbench {
 
+/** 95 % of normal errors lie within this many standard uncertainties. */
+inline constexpr double kCoverageFactor = 1.96;
+
 struct EventTime {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< on the trial's clock [s]; NaN: none
   double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< standard [s]

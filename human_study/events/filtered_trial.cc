@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "core/statistics/summary.h"
+#include "human_study/events/approach.h"
+
 namespace graspbench {
 namespace {
 
@@ -18,6 +21,33 @@ Trajectory ExpressInObject(const Trajectory& tip, const ObjectTrack& object) {
                             : Eigen::Vector3d::Constant(std::nan(""));
   }
   return p_O;
+}
+
+/** SD of a coordinate, from third differences: smooth motion has small ones. */
+double CalcNoise(const Trajectory& path) {
+  constexpr double kMedianPerSd = 1.5382;          // of the length of a normal vector
+  const double kSdOfDifference = std::sqrt(20.0);  // 1 + 9 + 9 + 1
+  std::vector<double> differences;
+  for (size_t i = 3; i < path.size(); ++i) {
+    bool is_measured = true;
+    for (size_t k = i - 3; k <= i; ++k) is_measured &= path.states[k] == SampleState::kMeasured;
+    if (!is_measured) continue;
+    const auto at = static_cast<Column>(i);
+    differences.push_back(
+        (path.p.col(at) - 3.0 * path.p.col(at - 1) + 3.0 * path.p.col(at - 2) - path.p.col(at - 3))
+            .norm());
+  }
+  // No marker is known better than this.
+  constexpr double kLeast = 2e-5;
+  if (differences.empty()) return kLeast;
+  return std::max(kLeast, CalcMedian(std::move(differences)) / (kMedianPerSd * kSdOfDifference));
+}
+
+TouchFit FitIfSeen(const TouchSamples& samples) {
+  if (!samples.times.empty()) return FitTouch(samples);
+  TouchFit fit;
+  fit.missing = "no approach to its place in the hold is seen";
+  return fit;
 }
 
 }  // namespace
@@ -47,6 +77,8 @@ const std::vector<TipAgainstObject>& FilteredTrial::FilterTipsAgainstObject(doub
     TipAgainstObject tip;
     tip.p_O = ExpressInObject(digit.tip, object);
     tip.smooth = Smooth(tip.p_O, cutoff);
+    tip.noise = std::hypot(CalcNoise(digit.tip), object.smooth_noise);
+    tip.smooth_noise = std::hypot(tip.smooth.smooth_noise, object.smooth_noise);
     tip.speed = CalcSpeed(tip.smooth);
     if (object.IsRecorded() && object.distance) {
       tip.distance = CalcCurve(tip.smooth, object.distance);
@@ -54,6 +86,27 @@ const std::vector<TipAgainstObject>& FilteredTrial::FilterTipsAgainstObject(doub
     tips.push_back(std::move(tip));
   }
   return tips;
+}
+
+const std::vector<TouchFits>& FilteredTrial::FitTouches(const std::vector<TipAgainstObject>& tips,
+                                                        const Hold& hold, double object_cutoff) {
+  std::vector<TouchFits>& fits = touch_fits_[{hold.time, hold.begin, hold.end, object_cutoff}];
+  if (!fits.empty()) return fits;
+  const SurfaceDistance& distance = trial_->object.distance;
+  for (size_t i = 0; i < tips.size(); ++i) {
+    const TipAgainstObject& tip = tips[i];
+    const Eigen::Vector3d place = FindHoldPlace(tip.p_O, hold);
+    TouchFits fit;
+    fit.path = FitIfSeen(TakeApproachToPlace(tip.p_O, place, hold, tip.noise));
+    if (trial_->object.IsRecorded() && distance) {
+      fit.surface = FitIfSeen(TakeApproachToSurface(tip.p_O, distance, place, hold, tip.noise,
+                                                    trial_->digits[i].pad_offset));
+    } else {
+      fit.surface.missing = "the object's pose or shape is not known";
+    }
+    fits.push_back(std::move(fit));
+  }
+  return fits;
 }
 
 }  // namespace graspbench

@@ -81,12 +81,12 @@ const std::vector<LiftOffRule>& LiftOffRuleList() {
 }
 
 ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& options) {
-  Trajectory origin;
+  Trajectory origin;  // the middle of the markers: no turn moves it
   origin.times = trial.times;
   origin.states = trial.object.states;
   origin.p.resize(3, static_cast<Column>(trial.times.size()));
   for (size_t i = 0; i < trial.times.size(); ++i) {
-    origin.p.col(static_cast<Column>(i)) = trial.object.X_LO[i].translation();
+    origin.p.col(static_cast<Column>(i)) = trial.object.X_LO[i] * trial.object.p_OC;
   }
   const SmoothPath smooth = Smooth(origin, options.cutoff);
   const Eigen::Vector3d place = FindRestingPlace(smooth.path);
@@ -101,8 +101,10 @@ ObjectTravel CalcObjectTravel(const ReachTrial& trial, const LiftOffOptions& opt
     curve->rate_noise = smooth.speed_noise;
     curve->reach = smooth.reach;
   }
+  travel.moved.resize(3, origin.p.cols());
   for (Column i = 0; i < origin.p.cols(); ++i) {
     const Eigen::Vector3d moved = smooth.path.p.col(i) - place;
+    travel.moved.col(i) = moved;
     travel.height.values[i] = up.dot(moved);
     travel.displacement.values[i] = moved.norm();
   }

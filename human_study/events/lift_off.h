@@ -14,7 +14,7 @@ namespace graspbench {
 
 struct LiftOffOptions {
   std::string rule = "traced_back";  ///< an id of LiftOffRuleList()
-  double cutoff = 10.0;              ///< of the zero-phase filter on the object's origin [Hz]
+  double cutoff = 10.0;              ///< of the zero-phase filter on the middle of the markers [Hz]
   double min_rise = 0.01;            ///< an object that rises less is not lifted [m]
   double rise = 0.003;               ///< "rise": this high [m]
   double speed = 0.01;               ///< "traced_back": slower than this [m/s]
@@ -54,6 +54,7 @@ trial. */
 struct ObjectTravel {
   ScalarCurve height;        ///< along the direction of the lift [m]
   ScalarCurve displacement;  ///< in any direction [m]
+  Eigen::Matrix3Xd moved;    ///< the same as vectors in L [m]; NaN where invalid
 };
 
 /** @pre the object was recorded and the direction of the lift is not zero. */

@@ -1,8 +1,12 @@
 #include "human_study/events/reach_trial.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <array>
 
 #include "core/base/error.h"
+#include "human_study/events/scalar_curve.h"
 #include "human_study/recording/cleaning/butterworth.h"
 #include "human_study/recording/cleaning/resample.h"
 
@@ -46,16 +50,58 @@ void CheckSpread(const Eigen::Matrix3Xd& p_OM) {
   }
 }
 
-/** One column of the poses' matrices over time. */
-Trajectory TakeColumn(const ReachTrial& trial, Column column) {
+/** A point for every pose. */
+template <class MakePoint>
+Trajectory TakePath(const ReachTrial& trial, const MakePoint& make_point) {
   Trajectory path;
   path.times = trial.times;
   path.states = trial.object.states;
   path.p.resize(3, static_cast<Column>(trial.times.size()));
   for (size_t i = 0; i < trial.times.size(); ++i) {
-    path.p.col(static_cast<Column>(i)) = trial.object.X_LO[i].matrix().col(column).head<3>();
+    path.p.col(static_cast<Column>(i)) = make_point(trial.object.X_LO[i]);
   }
   return path;
+}
+
+/** NaN for a pose that is not known. */
+Eigen::Vector3d CalcRotationVector(const Eigen::Matrix3d& R) {
+  if (R.hasNaN()) return Eigen::Vector3d::Constant(std::nan(""));
+  const Eigen::AngleAxisd turn(R);
+  return turn.angle() * turn.axis();
+}
+
+Eigen::Matrix3d CalcTurnLever(const Eigen::Matrix3Xd& p_OM) {
+  if (p_OM.cols() < 3) return Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3Xd r = p_OM.colwise() - p_OM.rowwise().mean();
+  const Eigen::Matrix3d spread = r * r.transpose();
+  const Eigen::Matrix3d J = spread.trace() * Eigen::Matrix3d::Identity() - spread;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J).operatorSqrt();
+}
+
+/** The nearest rotation. */
+Eigen::Matrix3d MakeOrthonormal(const Eigen::Matrix3d& axes) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+/** Mean over the known poses of the trial's first tenth, or the first pose known. */
+Eigen::Matrix3d FindRestingOrientation(const ObjectTrack& object) {
+  const size_t num_rest = std::max<size_t>(1, object.X_LO.size() / 10);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (size_t i = 0; i < object.X_LO.size(); ++i) {
+    if (i >= num_rest && !sum.isZero()) break;
+    if (object.states[i] != SampleState::kInvalid) sum += object.X_LO[i].linear();
+  }
+  return sum.isZero() ? Eigen::Matrix3d::Identity() : MakeOrthonormal(sum);
+}
+
+/** Turned back as far as noise may have turned it; see SmoothObject. */
+Eigen::Matrix3d ShrinkTurn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& lever, double noise) {
+  constexpr double kNoiseFactor = 4.0;
+  const Eigen::Vector3d w = CalcRotationVector(R);
+  const double ratio = kNoiseFactor * noise / (lever * w).norm();
+  const double share = ratio < 1.0 ? 1.0 - ratio * ratio : 0.0;  // 0 also for no turn at all
+  return MakeOrthonormal(Eigen::AngleAxisd(share * w.norm(), w.stableNormalized()).matrix());
 }
 
 }  // namespace
@@ -125,6 +171,8 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
 
   const size_t num_needed = std::min<size_t>(markers.size(), 3);
   ObjectTrack track;
+  track.p_OC = all_places.rowwise().mean();
+  track.turn_lever = CalcTurnLever(all_places);
   for (size_t i = 0; i < markers[0].size(); ++i) {
     Eigen::Matrix3Xd places(3, all_places.cols()), seen(3, all_places.cols());
     Column count = 0;
@@ -148,18 +196,34 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
 
 ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff) {
   ObjectTrack smooth = trial.object;
-  for (Column column = 0; column < 4; ++column) {
-    Trajectory path = TakeColumn(trial, column);
-    FilterLowPass(path, cutoff);
-    for (size_t i = 0; i < trial.times.size(); ++i) {
-      smooth.X_LO[i].matrix().col(column).head<3>() = path.p.col(static_cast<Column>(i));
+  const Eigen::Vector3d& p_OC = smooth.p_OC;
+  const SmoothPath middle = Smooth(
+      TakePath(trial, [&](const Pose& X_LO) { return Eigen::Vector3d(X_LO * p_OC); }), cutoff);
+  smooth.smooth_noise = middle.smooth_noise;
+  const bool turns = !smooth.turn_lever.isZero();
+  const Eigen::Matrix3d R_rest = FindRestingOrientation(trial.object);
+  std::array<Trajectory, 3> axes;
+  double noise = 0.0;
+  if (turns) {
+    for (int k = 0; k < 3; ++k) {
+      axes[k] = TakePath(trial, [k](const Pose& X_LO) { return X_LO.linear().col(k); });
+      FilterLowPass(axes[k], cutoff);
     }
+    const Trajectory u = TakePath(trial, [&](const Pose& X_LO) -> Eigen::Vector3d {
+      return smooth.turn_lever * CalcRotationVector(R_rest.transpose() * X_LO.linear());
+    });
+    noise = Smooth(u, cutoff).smooth_noise;
   }
   for (size_t i = 0; i < trial.times.size(); ++i) {
     if (smooth.states[i] == SampleState::kInvalid) continue;
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(smooth.X_LO[i].linear(),
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    smooth.X_LO[i].linear() = svd.matrixU() * svd.matrixV().transpose();
+    const auto column = static_cast<Column>(i);
+    Eigen::Matrix3d R = R_rest;
+    if (turns) {
+      for (int k = 0; k < 3; ++k) R.col(k) = axes[k].p.col(column);
+      R = R_rest * ShrinkTurn(R_rest.transpose() * MakeOrthonormal(R), smooth.turn_lever, noise);
+    }
+    smooth.X_LO[i].linear() = R;
+    smooth.X_LO[i].translation() = middle.path.p.col(column) - R * p_OC;
   }
   return smooth;
 }

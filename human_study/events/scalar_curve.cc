@@ -91,14 +91,12 @@ SmoothPath Smooth(const Trajectory& trajectory, double cutoff) {
   std::vector<double> taken_away;
   for (size_t i = 0; i < trajectory.size(); ++i) {
     if (trajectory.states[i] != SampleState::kMeasured) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto column = static_cast<Column>(i);
-      taken_away.push_back(std::abs(trajectory.p(axis, column) - smooth.path.p(axis, column)));
-    }
+    const auto column = static_cast<Column>(i);
+    taken_away.push_back((trajectory.p.col(column) - smooth.path.p.col(column)).norm());
   }
   const NoiseShares shares = CalcNoiseShares(MakeLowPass(cutoff, rate), rate);
-  constexpr double kSdPerMedian = 1.4826;  // of a normal distribution
-  smooth.noise = taken_away.empty() ? 0.0 : kSdPerMedian * CalcMedian(taken_away) / shares.taken;
+  constexpr double kMedianPerSd = 1.5382;  // of the length of a normal vector, in any frame
+  smooth.noise = taken_away.empty() ? 0.0 : CalcMedian(taken_away) / (kMedianPerSd * shares.taken);
   smooth.smooth_noise = shares.left * smooth.noise;
   smooth.speed_noise = shares.rate * smooth.noise;
   smooth.reach = 0.18 / cutoff;

@@ -18,6 +18,12 @@ void CheckPositive(const char* key, double value) {
               std::string(key) + " is " + std::to_string(value) + "; expected more than 0");
 }
 
+void CheckNotNegative(const char* key, double value) {
+  if (value >= 0.0 && std::isfinite(value)) return;
+  throw Error(ErrorKind::kRange,
+              std::string(key) + " is " + std::to_string(value) + "; expected 0 (off) or more");
+}
+
 void CheckCutoff(const char* key, double cutoff, double rate) {
   const double limit = 0.4 * rate;  // as MakeLowPass
   if (cutoff < limit) return;
@@ -44,11 +50,14 @@ Trajectory FindTransport(const ReachTrial& trial) {
 
 std::vector<DigitContactEvents> ListMissingContacts(const ReachTrial& trial,
                                                     const std::string& reason) {
-  const EventTime missing = MissingEvent(reason);
   std::vector<DigitContactEvents> contacts;
   for (const DigitTrack& digit : trial.digits) {
-    contacts.push_back({digit.digit, digit.is_thumb,
-                        std::vector<EventTime>(ContactDetectorList().size(), missing), missing});
+    DigitContactEvents& events = contacts.emplace_back();
+    events.digit = digit.digit;
+    events.is_thumb = digit.is_thumb;
+    events.contact = MissingEvent(reason);
+    events.by_detector.assign(ContactDetectorList().size(), events.contact);
+    events.fit.missing = reason;
   }
   return contacts;
 }
@@ -146,6 +155,33 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
   CalcUncertainties(analysis);
   NoteWeakEvents(analysis);
+  analysis.doubts = analysis.trial_doubts;
+  for (Doubt& doubt : FindContactDoubts(analysis.contacts, analysis.movement, analysis.object,
+                                        analysis.timing.gct, options.plausibility)) {
+    analysis.doubts.push_back(std::move(doubt));
+  }
+}
+
+/** The contacts; none when an unseen object was carried. */
+void FindTrialContacts(FilteredTrial& filtered, const ObjectTravel& travel,
+                       const AnalysisOptions& options, TrialAnalysis& analysis) {
+  const ReachTrial& trial = filtered.trial();
+  if (!trial.object.IsRecorded()) {
+    analysis.trial_doubts = FindUnseenCarrying(filtered.FilterTips(options.contact.cutoff),
+                                               analysis.hold, options.plausibility);
+    if (!analysis.trial_doubts.empty()) {
+      analysis.contacts = ListMissingContacts(trial, analysis.trial_doubts.front().text);
+      return;
+    }
+  }
+  if (!analysis.hold.IsFound()) {
+    analysis.contacts = ListMissingContacts(trial, "no hold");
+    return;
+  }
+  const ContactEvidence evidence =
+      MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
+                          analysis.hold, options.contact);
+  analysis.contacts = FindContacts(evidence, options.contact);
 }
 
 /** Found instants' difference; NaN when one is missing, as its time is NaN. */
@@ -187,9 +223,17 @@ void CheckOptions(const AnalysisOptions& options) {
   CheckPositive("contact.cutoff_hz", options.contact.cutoff);
   CheckPositive("contact.object_cutoff_hz", options.contact.object_cutoff);
   CheckPositive("contact.speed_threshold_m_per_s", options.contact.speed_threshold);
-  CheckPositive("contact.arrival_tolerance_m", options.contact.arrival_tolerance);
   CheckPositive("contact.max_pad_offset_m", options.contact.max_pad_offset);
+  CheckPositive("contact.max_pad_difference_m", options.contact.max_pad_difference);
+  CheckPositive("contact.max_looseness", options.contact.max_looseness);
+  CheckNotNegative("contact.max_uncertainty_s", options.contact.max_uncertainty);
   CheckPositive("contact.force_noise_factor", options.contact.force_noise_factor);
+  const PlausibilityOptions& plausibility = options.plausibility;
+  CheckNotNegative("plausibility.max_contact_after_end_s", plausibility.max_contact_after_end);
+  CheckNotNegative("plausibility.max_closure_time_s", plausibility.max_closure_time);
+  CheckNotNegative("plausibility.max_disagreement_s", plausibility.max_disagreement);
+  CheckNotNegative("plausibility.max_moved_before_s", plausibility.max_moved_before);
+  CheckNotNegative("plausibility.min_carried_m", plausibility.min_carried);
 }
 
 double FindLastContact(const std::vector<DigitContactEvents>& contacts) {
@@ -217,6 +261,8 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   if (trial.object.IsRecorded()) {
     travel = CalcObjectTravel(trial, options.lift_off);
     analysis.object = FindObjectEvents(travel, options.lift_off);
+    analysis.trial_doubts =
+        FindOtherLiftAxis(travel, analysis.object, options.lift_off, options.plausibility);
   } else {
     analysis.object.moved = analysis.object.lift_off = MissingEvent("the object was not recorded");
   }
@@ -232,14 +278,7 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   analysis.speed = CalcSpeed(Smooth(transport, options.movement.cutoff));
   analysis.movement =
       FindMovement(analysis.speed, trial.times.front(), FindReachEnd(analysis), options.movement);
-  if (analysis.hold.IsFound()) {
-    const ContactEvidence evidence =
-        MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
-                            analysis.hold, options.contact);
-    analysis.contacts = FindContacts(evidence, options.contact);
-  } else {
-    analysis.contacts = ListMissingContacts(trial, "no hold");
-  }
+  FindTrialContacts(filtered, travel, options, analysis);
   CalcMeasures(options, analysis);
   return analysis;
 }

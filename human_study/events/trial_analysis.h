@@ -18,6 +18,7 @@ measures. */
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
 #include "human_study/events/peak_opening.h"
+#include "human_study/events/plausibility.h"
 #include "human_study/events/reach_trial.h"
 
 namespace graspbench {
@@ -43,6 +44,7 @@ struct AnalysisOptions {
   HoldOptions hold;
   OpeningOptions opening;
   ContactOptions contact;
+  PlausibilityOptions plausibility;
 
   template <class V>
   void Visit(V&& v) {
@@ -51,6 +53,7 @@ struct AnalysisOptions {
     v("hold", hold);
     v("opening", opening);
     v("contact", contact);
+    v("plausibility", plausibility);
   }
 };
 
@@ -79,6 +82,8 @@ struct TrialAnalysis {
   double gct_uncertainty = std::numeric_limits<double>::quiet_NaN();
   bool used_filled = false;  ///< an event that a measure rests on was decided on filled samples
   bool used_gap = false;     ///< .. or fell into a gap
+  std::vector<Doubt> trial_doubts;  ///< about the trial as such
+  std::vector<Doubt> doubts;        ///< those, then those about the contacts believed
 };
 
 /** @throws Error as CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate. What a trial

@@ -8,6 +8,7 @@
 #include "human_study/recording/cleaning/residual_analysis.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/study/prepare_recording.h"
+#include "human_study/study/trial_removal.h"
 
 namespace graspbench {
 namespace {
@@ -49,38 +50,22 @@ std::vector<OpeningValues> CalcOpenings(FilteredTrial& trial, const TrialAnalysi
   return values;
 }
 
-/** Why a trial does not count under the study's rules; empty: it counts. */
-std::string FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
-  if (!analysis.movement.onset.IsFound()) {
-    return "no onset of the movement: " + analysis.movement.onset.missing;
-  }
-  if (!analysis.hold.IsFound()) return "no hold: " + analysis.hold.missing;
-  if (!analysis.closure_start.IsFound()) {
-    return "no widest opening: " + analysis.closure_start.missing;
-  }
-  std::string missing_finger;
-  int num_fingers = 0;
-  for (const DigitContactEvents& digit : analysis.contacts) {
-    const std::string name = NameOfDigit(digit.digit);
-    if (digit.contact.IsFound()) {
-      if (!digit.is_thumb) ++num_fingers;
-      if (rules.max_disagreement > 0.0 && digit.disagreement > rules.max_disagreement) {
-        return "detectors disagree on the contact of the " + name;
-      }
-      continue;
-    }
-    const std::string reason = "no contact of the " + name + ": " + digit.contact.missing;
-    if (digit.is_thumb || rules.missing_digit) return reason;
-    missing_finger = reason;
-  }
-  if (num_fingers == 0) return missing_finger;
-  if (rules.filled_event && analysis.used_filled) return "an event was decided on filled samples";
-  if (rules.gap_event && analysis.used_gap) return "an event fell into a gap";
-  return "";
-}
-
 bool DiffersInDetectorOnly(const Universe& a, const Universe& b) {
   return a.onset == b.onset && a.opening == b.opening && a.cutoff == b.cutoff;
+}
+
+/** How far digits go on after they touched, from the contacts of trials that count; few trials tell
+as much as all. */
+void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
+  std::vector<TouchFit> fits;
+  for (const StudyTrial& trial : trials) {
+    if (!trial.IsKept()) continue;
+    for (const DigitContactEvents& digit : trial.analysis->contacts) {
+      if (digit.contact.IsFound() && digit.fit.missing.empty()) fits.push_back(digit.fit);
+    }
+  }
+  result.num_learned = static_cast<int>(fits.size());
+  result.study.config.analysis.contact.depths = LearnDepths(fits);
 }
 
 /** Goes through the rows of trials.csv and collects. */
@@ -96,16 +81,18 @@ class Runner {
     trial.file = planned.file;
     trial.object = planned.object;
     trial.levels = planned.levels;
-    trial.removed = planned.remove;
-    if (!planned.remove.empty()) return Add(trial);
+    if (!planned.remove.empty()) {
+      Remove({"left_out", planned.remove}, trial);
+      return Add(trial);
+    }
     try {
       Load(planned);
       if (!prepared_.missing.empty()) {
-        trial.removed = prepared_.missing.front().text;
+        Remove({"missing_marker", prepared_.missing.front().text}, trial);
         return Add(trial);
       }
     } catch (const Error& error) {
-      trial.removed = error.what();
+      Remove({"unreadable", error.what()}, trial);
       loaded_.clear();
       return Add(trial);
     }
@@ -120,6 +107,11 @@ class Runner {
   }
 
  private:
+  static void Remove(const Removal& removal, StudyTrial& trial) {
+    trial.removed_code = removal.code;
+    trial.removed = removal.text;
+  }
+
   void Add(StudyTrial trial) {
     trial.id = trial.participant + "-" + trial.trial;
     if (trial.universes.empty()) trial.universes.assign(result_.universes.size(), std::nan(""));
@@ -162,9 +154,10 @@ class Runner {
       if (reach.begin >= planned.start && reach.end <= planned.end) parts.push_back(reach);
     }
     if (parts.empty()) {
-      trial.removed =
-          "no reach found: the hand is never first farther than cut.far_m and then "
-          "nearer than cut.near_m";
+      Remove({"no_reach",
+              "no reach found: the hand is never first farther than cut.far_m and then nearer than "
+              "cut.near_m"},
+             trial);
       Add(trial);
     }
     return parts;
@@ -181,14 +174,14 @@ class Runner {
       const AnalysisOptions& options = study_.config.analysis;
       FilteredTrial filtered(*reach);
       trial.analysis = AnalyseTrial(filtered, options);
-      trial.removed = FindRemoval(*trial.analysis, study_.config.removal);
-      if (trial.IsKept()) {
+      Remove(FindRemoval(*trial.analysis, study_.config.removal), trial);
+      if (trial.IsKept() && !result_.universes.empty()) {
         trial.openings = CalcOpenings(filtered, *trial.analysis, options);
         CalcUniverses(filtered, trial);
         EstimateNoise(*reach);
       }
     } catch (const Error& error) {
-      trial.removed = error.what();
+      Remove({"unreadable", error.what()}, trial);
     }
     Add(std::move(trial));
     const StudyTrial& added = result_.trials.back();
@@ -258,6 +251,19 @@ class Runner {
   std::vector<double> rates_, noises_, cutoffs_;
 };
 
+/** Trials of every n-th row, analysed once and with every contact, however uncertain. */
+std::vector<StudyTrial> RunSome(const Study& study) {
+  constexpr size_t kMaxRows = 120;
+  StudyResult result;
+  result.study = study;
+  result.study.config.analysis.contact.max_uncertainty = 0.0;
+  const StudyWatch nobody;
+  Runner runner(nobody, result);
+  const size_t step = (study.trials.size() + kMaxRows - 1) / kMaxRows;
+  for (size_t i = 0; i < study.trials.size(); i += step) runner.Run(study.trials[i]);
+  return result.trials;
+}
+
 }  // namespace
 
 int StudyResult::CountKept() const {
@@ -268,6 +274,7 @@ int StudyResult::CountKept() const {
 StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
   StudyResult result;
   result.study = study;
+  LearnFrom(RunSome(study), result);
   for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
     if (!study.config.markers.tips[digit].empty()) result.digits.push_back(IdOfDigit(digit));
   }

@@ -30,6 +30,7 @@ struct StudyTrial {
   std::string participant, trial, file, object;
   std::vector<std::string> levels;  ///< one per factor
   std::string removed;              ///< why it does not count; empty: it counts
+  std::string removed_code;         ///< the same for programs (trial_removal.h)
   double begin = NAN, end = NAN;    ///< part of the recording [s]; NaN when it was not read
   std::optional<TrialAnalysis> analysis;
   std::vector<OpeningValues> openings;  ///< in the order of HandOpeningList()
@@ -52,6 +53,7 @@ struct StudyResult {
   size_t num_frozen = 0;        ///< samples
   double rate = NAN;            ///< median of the recordings [Hz]
   double noise = NAN;           ///< median over trials, SD of one coordinate of the thumb [m]
+  int num_learned = 0;          ///< contacts from which analysis.contact.depths was learned
   double advised_cutoff = NAN;  ///< median over trials, by residual analysis of the thumb [Hz]
   std::vector<Universe> universes;
   StudyStatistics statistics;

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kAutomatic = "auto";  // contact.detector: chosen by what is known
+
 constexpr const char* kDigitIds[] = {"TH", "FF", "MF", "RF", "LF"};
 constexpr const char* kDigitNames[] = {"thumb", "index", "middle", "ring", "little"};
 
@@ -101,10 +103,14 @@ void CheckAnalysis(const AnalysisOptions& options, ConfigChecker& check) {
   check.CheckName("opening.measure", options.opening.measure,
                   ConfigChecker::ListIds(HandOpeningList()));
   check.CheckName("opening.maximum", options.opening.maximum, {"largest", "last"});
-  check.CheckName("contact.detector", options.contact.detector,
-                  ConfigChecker::ListIds(ContactDetectorList()));
+  std::vector<std::string> detectors = ConfigChecker::ListIds(ContactDetectorList());
+  detectors.push_back(kAutomatic);
+  check.CheckName("contact.detector", options.contact.detector, detectors);
   try {
-    CheckOptions(options);
+    AnalysisOptions settled = options;
+    if (settled.contact.detector == kAutomatic)
+      settled.contact.detector = ContactOptions().detector;
+    CheckOptions(settled);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::kNotFound) return;  // told above, with its line
     // "contact.cutoff_hz is -1; expected ..": the message starts with the key.
@@ -122,6 +128,12 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
   std::set<std::string> factors;
   for (const std::string& factor : config.factors) {
     if (!factors.insert(factor).second) check.Fail("factors", "\"" + factor + "\" stands twice");
+    // The name becomes a heading of every table.
+    if (factor.find_first_of("=+-@") == 0) {
+      check.Fail("factors",
+                 "\"" + factor +
+                     "\" begins like a formula, which spreadsheets would run; rename the column");
+    }
   }
   CheckMarkers(config, check);
   for (const std::string& measure : config.measures) {
@@ -330,6 +342,15 @@ void CheckObjectNames(const Study& study, const std::string& trials_file, Diagno
   }
 }
 
+/** One detector for all trials: two in one study would differ by their bias. */
+std::string ChooseDetector(const Study& study) {
+  const bool has_shapes =
+      !study.config.markers.object.empty() && !study.trials.empty() &&
+      std::all_of(study.trials.begin(), study.trials.end(),
+                  [&](const PlannedReach& trial) { return study.FindObject(trial.object); });
+  return has_shapes ? "surface" : "breakpoint";
+}
+
 }  // namespace
 
 const char* IdOfDigit(int digit) { return kDigitIds[digit]; }
@@ -357,25 +378,28 @@ Hypothesis Study::FindHypothesis(const std::string& measure) const {
 }
 
 StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
-                             Diagnostics& problems) {
+                             Diagnostics& problems, const std::vector<std::string>& settings) {
   StudyConfig config;
+  config.analysis.contact.detector = kAutomatic;
   const YAML::Node root = ParseYaml(text, file, problems);
   if (problems.num_errors() > 0) return config;
   ReadConfig(root, file, "study", config, problems);
   if (problems.num_errors() > 0) return config;  // defaults would give misleading follow-ups
+  for (const std::string& setting : settings) SetConfigValue(setting, config);
   ConfigChecker check(root, file, problems);
   CheckConfig(config, check);
   return config;
 }
 
-Study LoadStudy(const fs::path& path, const fs::path& recordings) {
+Study LoadStudy(const fs::path& path, const fs::path& recordings,
+                const std::vector<std::string>& settings) {
   Study study;
   Diagnostics problems;
   const std::string text = ReadFile(path);
   study.file = path.string();
   study.folder = path.parent_path();
   study.recordings = recordings.empty() ? study.folder : recordings;
-  study.config = ParseStudyConfig(text, study.file, problems);
+  study.config = ParseStudyConfig(text, study.file, problems, settings);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");
 
   const YAML::Node root = ParseYaml(text, study.file, problems);
@@ -411,6 +435,8 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings) {
   }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");
   study.warnings = problems;
+  std::string& detector = study.config.analysis.contact.detector;
+  if (detector == kAutomatic) detector = ChooseDetector(study);
   return study;
 }
 

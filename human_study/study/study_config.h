@@ -26,6 +26,9 @@ objects.csv: object, shape (sphere, cylinder, box or catalogue), length_m, width
 sphere's and a cylinder's diameter is length_m), centre_x_m .. centre_z_m: from the middle of the
 object's markers at rest to the centre of the solid, along the laboratory's axes (else zero).
 
+contact.detector is "auto" unless said otherwise: "surface" when the object is recorded and every
+trial names one whose shape is known, else "breakpoint". LoadStudy settles which.
+
 All other settings have defaults; `Study::config` is what an analysis goes by. Lengths in metres,
 times in seconds, frequencies in hertz. */
 
@@ -135,6 +138,7 @@ struct RemovalConfig {
   bool filled_event = false;      ///< an event was decided on filled samples
   bool gap_event = false;         ///< an event fell into a gap
   double max_disagreement = 0.0;  ///< of the detectors, any digit [s]; 0: none
+  bool implausible = true;        ///< there is a doubt (plausibility.h)
 
   template <class V>
   void Visit(V&& v) {
@@ -142,6 +146,7 @@ struct RemovalConfig {
     v("filled_event", filled_event);
     v("gap_event", gap_event);
     v("max_disagreement_s", max_disagreement);
+    v("implausible", implausible);
   }
 };
 
@@ -250,13 +255,15 @@ struct Study {
 
 /** Reads study.yaml and the tables beside it; the recordings are not opened.
 @param recordings  folder of the recordings; empty: that of study.yaml.
+@param settings  "contact.cutoff_hz=12" and the like, over what study.yaml says.
 @throws Error(kNotFound, kIo) for study.yaml itself; Error(kFormat) with every problem of all three
 files, each with file and line. */
-Study LoadStudy(const std::filesystem::path& path, const std::filesystem::path& recordings = {});
+Study LoadStudy(const std::filesystem::path& path, const std::filesystem::path& recordings = {},
+                const std::vector<std::string>& settings = {});
 
 /** The settings alone, from text in memory; `file` is its name in messages. Problems, also of
 ranges and unknown names, go into `problems`. */
 StudyConfig ParseStudyConfig(const std::string& text, const std::string& file,
-                             Diagnostics& problems);
+                             Diagnostics& problems, const std::vector<std::string>& settings = {});
 
 }  // namespace graspbench

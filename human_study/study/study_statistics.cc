@@ -205,6 +205,7 @@ void CalcStudyStatistics(StudyResult& result) {
   result.statistics.curves = CalcOpeningCurves(result);
   result.statistics.openings = CalcOpeningReliability(result);
   result.statistics.bias = CalcBias(result);
+  result.statistics.zero_gft = CalcZeroGft(result.trials);
 }
 
 }  // namespace graspbench

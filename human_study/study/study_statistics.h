@@ -10,6 +10,7 @@ known asynchrony. */
 #include "human_study/study/measure_statistics.h"
 #include "human_study/study/opening_reliability.h"
 #include "human_study/study/synthetic/bias_card.h"
+#include "human_study/study/zero_gft.h"
 
 namespace graspbench {
 
@@ -38,6 +39,7 @@ struct StudyStatistics {
   std::vector<OpeningCurve> curves;
   std::vector<OpeningReliability> openings;
   std::vector<BiasRow> bias;
+  ZeroGft zero_gft;
 };
 
 /** @pre the id is one of TrialMeasureList(). */

@@ -1,5 +1,7 @@
 #include "human_study/study/study_tables.h"
 
+#include <cmath>
+
 #include "core/base/files.h"
 #include "human_study/study/statistics_table.h"
 
@@ -45,7 +47,25 @@ TrialColumns ListTrialColumns(const StudyResult& result) {
                      [](const StudyTrial* trial) { return Json(trial->IsKept() ? 1 : 0); }});
   columns.push_back({"removed", "string", "", "why it does not count; empty when it does",
                      text(&StudyTrial::removed)});
+  columns.push_back(
+      {"removed_code", "string", "", "the same for programs", text(&StudyTrial::removed_code)});
   return columns;
+}
+
+/** One column a digit; NaN where a trial lacks it. */
+void AddTipNoise(const StudyResult& result, TrialColumns& columns) {
+  for (const std::string& digit : result.digits) {
+    columns.push_back({"tip_noise_" + digit + "_m", "number", "m",
+                       "noise of the unfiltered tip against the object about the hold, SD of a "
+                       "coordinate",
+                       [digit](const StudyTrial* trial) {
+                         double noise = std::nan("");
+                         for (const DigitContactEvents& events : trial->analysis->contacts) {
+                           if (events.digit == digit) noise = events.noise_O;
+                         }
+                         return JsonNumber(noise);
+                       }});
+  }
 }
 
 TrialColumns ListMeasureColumns(const StudyResult& result) {
@@ -70,6 +90,7 @@ TrialColumns ListMeasureColumns(const StudyResult& result) {
   columns.push_back({"grasp_closure_time_uncertainty_s", "number", "s",
                      "standard uncertainty of grasp_closure_time_s",
                      uncertainty(&TrialAnalysis::gct_uncertainty)});
+  AddTipNoise(result, columns);
   for (size_t i = 0; i < HandOpeningList().size(); ++i) {
     const std::string id = HandOpeningList()[i].id;
     columns.push_back(

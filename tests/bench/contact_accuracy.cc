@@ -65,16 +65,22 @@ std::vector<Recorder> ListRecorders(bool all) {
 void PrintHeading() {
   std::printf(
       "| rate [Hz] | noise [mm] | object markers | behaviour | kept | found | false | bias "
-      "[ms] | SD [ms] | coverage | GFT bias [ms] | GFT SD [ms] |\n");
-  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+      "[ms] | SD [ms] | coverage | GFT bias [ms] | GFT SD [ms] | median GFT [ms] | of a true zero "
+      "[ms] | limit [ms] |\n");
+  std::printf(
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
+      "|\n");
 }
 
 void PrintRow(const Recorder& recorder, const char* markers, const char* behaviour,
               const Accuracy& a) {
-  std::printf("| %g | %g | %s | %s | %d/%d | %d/%d | %d | %.1f | %.1f | %.2f | %.1f | %.1f |\n",
-              recorder.rate, 1e3 * recorder.noise, markers, behaviour, a.num_kept, a.num_trials,
-              a.num_contacts, a.num_true_contacts, a.num_false_contacts, 1e3 * a.bias, 1e3 * a.sd,
-              a.coverage, 1e3 * a.gft_bias, 1e3 * a.gft_sd);
+  std::printf(
+      "| %g | %g | %s | %s | %d/%d | %d/%d | %d | %.1f | %.1f | %.2f | %.1f | %.1f | %.1f | %.1f | "
+      "%.1f |\n",
+      recorder.rate, 1e3 * recorder.noise, markers, behaviour, a.num_kept, a.num_trials,
+      a.num_contacts, a.num_true_contacts, a.num_false_contacts, 1e3 * a.bias, 1e3 * a.sd,
+      a.coverage, 1e3 * a.gft_bias, 1e3 * a.gft_sd, 1e3 * a.median_gft, 1e3 * a.zero_median,
+      1e3 * a.zero_limit);
   std::fflush(stdout);
 }
 

@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/study/demo_study.h"
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/run_study.h"
 #include "human_study/study/study_tables.h"
+#include "human_study/study/trial_removal.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
@@ -25,6 +27,7 @@ struct StudyOptions {
   std::string out;
   std::string robot;  ///< folder of a session; empty: what study.yaml says
   bool replace = false;
+  std::vector<std::string> settings;
 };
 
 std::optional<RobotSession> LoadRobot(const StudyOptions& options, const Study& study) {
@@ -49,9 +52,25 @@ std::vector<MeasureTable> ListTables(const StudyResult& result) {
   return tables;
 }
 
+/** First of all what is not there. */
+void PrintRemoved(const StudyResult& result) {
+  if (result.CountKept() == 0) PrintResult("no trial counts:\n");
+  for (const RemovalGroup& group : GroupRemoved(result.trials)) {
+    PrintResult("removed  " + std::to_string(group.trials.size()) + " [" + group.code + "] " +
+                group.text + "\n");
+  }
+}
+
+void PrintZeroGft(const ZeroGft& zero) {
+  if (zero.num_trials == 0) return;
+  PrintResult("zero     GFT below " + FormatFixed(MsFromS(zero.limit), 0) +
+              " ms cannot be told from zero here; touching at once would show a median of " +
+              FormatFixed(MsFromS(zero.median), 0) + " ms\n");
+}
+
 /** Analyses the study into the folder that will become --out. */
 StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
-  const Study study = LoadStudy(options.study_file, options.data);
+  const Study study = LoadStudy(options.study_file, options.data, options.settings);
   if (!study.warnings.entries().empty()) PrintMessage(study.warnings.Format());
   const std::optional<RobotSession> robot = LoadRobot(options, study);
   MotionBidsWriter bids(staged.path() / "bids", study);
@@ -61,6 +80,8 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
     bids.WriteTrial(trial, reach);
   };
   StudyResult result = RunStudy(study, watch);
+  PrintRemoved(result);
+  PrintZeroGft(result.statistics.zero_gft);
   bids.Finish();
   WriteStudyTables(result, staged.path());
   SaveTidyExport(ListTables(result), staged.path() / "tidy");
@@ -82,10 +103,10 @@ std::string FormatErrors(const Answer<Summary>& errors) {
          std::to_string(errors->count);
 }
 
-void RunStudyFile(const StudyOptions& options) {
+StudyResult RunStudyFile(const StudyOptions& options) {
   StagedFolder staged(
       {options.out, "study", options.replace, {options.study_file, options.data, options.robot}});
-  RunAndWrite(options, staged);
+  return RunAndWrite(options, staged);
 }
 
 void RunDemo(StudyOptions options) {
@@ -104,7 +125,7 @@ void RunDemo(StudyOptions options) {
 
 }  // namespace
 
-void AddStudyCommand(CLI::App& program, ExitCode&) {
+void AddStudyCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& group =
       AddSubcommand(program, "study", "Analyse people's reaching and grasping from recordings.",
                     "  graspbench study demo --out demo\n"
@@ -132,8 +153,11 @@ void AddStudyCommand(CLI::App& program, ExitCode&) {
   run.add_option("--data", options->data, "folder of the recordings")
       ->option_text("DIR")
       ->default_str("that of study.yaml");
+  AddSettingsOption(run, options->settings, "contact.detector=surface");
   add_common(run);
-  run.callback([options] { RunStudyFile(*options); });
+  run.callback([options, &exit_code] {
+    if (RunStudyFile(*options).CountKept() == 0) exit_code = kExitFailed;
+  });
 
   CLI::App& demo = AddSubcommand(
       group, "demo", "Make up a study with known contacts, analyse it and report the errors.",

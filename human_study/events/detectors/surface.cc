@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "human_study/events/detectors/detector_list.h"
 
 namespace graspbench {
@@ -10,20 +8,16 @@ EventTime FindBySurface(const ContactEvidence& evidence, const DigitEvidence& di
   if (digit.distance.size() == 0) return MissingEvent("the object's pose or shape is not known");
   const std::string no_touch = FindNoTouch(evidence, digit, options);
   if (!no_touch.empty()) return MissingEvent(no_touch);
-  ScalarCurve clearance = digit.distance;
-  const double pad_offset =
-      std::isnan(digit.track->pad_offset) ? digit.hold_distance : digit.track->pad_offset;
-  clearance.values.array() -= pad_offset;
-
-  return FindArrival(clearance, evidence, options.arrival_tolerance);
+  return MakeTouchEvent(digit, digit.fits.surface, options);
 }
 
 }  // namespace
 
 ContactDetector MakeSurfaceDetector() {
   return {"surface",
-          "marker's distance from the object's surface less that of the hold (or a given pad "
-          "offset): last fall below a tolerance, extrapolated to zero with the speed there",
+          "where the marker's unfiltered distance from the object's surface breaks from approach "
+          "to rest: mean over all breaks and depths of settling, weighed by how well they explain "
+          "the samples; a given pad offset takes part, filled samples do not",
           "fingertip markers, the object's pose and shape", FindBySurface};
 }
 

@@ -331,6 +331,7 @@ Recording ImportC3d(const ImportSource& source, const ImportOptions& options) {
   Recording recording;
   const C3dHead head = ReadC3dHead(source.stream, source.name);
   const C3dParameters parameters(head.section, head.position, head.processor, source.name);
+  recording.findings = parameters.findings();
   const C3dLayout layout = FindC3dLayout(head, parameters, options, source.name, recording);
   recording.processor =
       std::string(NameOf(head.processor)) + (layout.is_float ? " float" : " integer");

@@ -178,7 +178,8 @@ C3dParameters::C3dParameters(std::string_view section, size_t position, C3dProce
     const std::string name = UpperCase(TrimEnd(section.substr(cursor, name_size)));
     cursor += name_size;
     const size_t distance = reader.Word(cursor);
-    const size_t next = distance == 0 ? 0 : cursor + distance;
+    size_t next = distance == 0 ? 0 : cursor + distance;
+    const size_t swapped = cursor + ((distance & 0xff) << 8 | distance >> 8);
     cursor += 2;
     if (id < 0) {
       group_names[-id] = name;
@@ -187,7 +188,16 @@ C3dParameters::C3dParameters(std::string_view section, size_t position, C3dProce
       group_of.push_back(id);
     }
     if (next == 0) break;
-    if (next < cursor || next > section.size()) {
+    // Behind the data stands a description: a byte with its length, then its text.
+    const size_t end = cursor < section.size() ? cursor + 1 + reader.Byte(cursor) : cursor;
+    if (next != end && (swapped == end || next > section.size())) {
+      findings_.push_back({"parameter_pointer", "byte " + std::to_string(position + at),
+                           "record " + name + " points to byte " + std::to_string(position + next) +
+                               " for the next record; where its own bytes end is taken, byte " +
+                               std::to_string(position + end)});
+      next = end;
+    }
+    if (next < cursor) {
       FailAtByte(file, position + at,
                  "record " + name + " points to byte " + std::to_string(position + next) +
                      " for the next record; its own data end at byte " +

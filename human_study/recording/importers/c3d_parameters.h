@@ -59,6 +59,8 @@ class C3dParameters {
  public:
   /** @param section   the parameter section from its first byte, as far as it can reach
   @param position  its place in the file
+  A pointer to the next record that leaves the section, or that points behind the record once its
+  bytes are swapped, is taken to mean the record's own end: some MIPS files store one so.
   @throws Error(kFormat) with the byte at which the chain breaks. */
   C3dParameters(std::string_view section, size_t position, C3dProcessor processor,
                 const std::string& file);
@@ -71,9 +73,12 @@ class C3dParameters {
   std::vector<double> Numbers(std::string_view group, const std::string& name,
                               bool is_unsigned = false) const;
   const std::vector<C3dParameter>& all() const { return parameters_; }
+  /** What was accepted. */
+  const std::vector<ImportFinding>& findings() const { return findings_; }
 
  private:
   std::vector<C3dParameter> parameters_;
+  std::vector<ImportFinding> findings_;
 };
 
 /** Texts that name a person or a day: those of SUBJECT, SUBJECTS and PATIENT, of any parameter

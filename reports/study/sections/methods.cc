@@ -2,6 +2,7 @@
 
 #include "core/base/config.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/base/version.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -57,6 +58,20 @@ std::string DescribeThreshold(const MovementOptions& options) {
          ")";
 }
 
+/** What the detectors that fit took from all contacts. */
+std::string DescribeDepth(const StudyResult& result) {
+  if (result.num_learned == 0) return "";
+  const DepthWeights& weights = result.study.config.analysis.contact.depths;
+  double sum = 0.0, depth = 0.0;
+  for (size_t k = 0; k < weights.size(); ++k) {
+    sum += weights[k];
+    depth += weights[k] * kSettlingDepths[k];
+  }
+  return ". How far a marker goes on after its digit touched was learned from " +
+         FormatCount(result.num_learned, "contact") + " of the study, " +
+         FormatFixed(MmFromM(depth / sum), 1) + " mm on average";
+}
+
 std::string DescribeEvents(const StudyResult& result) {
   const AnalysisOptions& options = result.study.config.analysis;
   const bool has_object = !result.study.config.markers.object.empty();
@@ -72,6 +87,7 @@ std::string DescribeEvents(const StudyResult& result) {
       ". Onset and end of the movement: " + TextOf(MovementRuleList(), options.movement.rule) +
       DescribeThreshold(options.movement) +
       ". First contact of each digit: " + TextOf(ContactDetectorList(), options.contact.detector) +
+      DescribeDepth(result) +
       ". Hand opening: " + TextOf(HandOpeningList(), options.opening.measure) +
       "; closure starts at its " + options.opening.maximum + " maximum. ";
   if (has_object) {

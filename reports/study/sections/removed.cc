@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "human_study/study/trial_removal.h"
 #include "reports/study/study_section.h"
 #include "reports/study/trial_flags.h"
 
@@ -9,40 +10,6 @@ namespace graspbench {
 namespace {
 
 constexpr int kMaxNamed = 12;
-
-/** Texts that differ in numbers alone are one kind. */
-std::string HideNumbers(const std::string& text) {
-  std::string hidden;
-  bool is_number = false;
-  for (const char c : text) {
-    const bool is_digit = c >= '0' && c <= '9';
-    if (is_digit && !is_number) hidden += "\u2026";
-    is_number = is_digit || (is_number && c == '.');
-    if (!is_number) hidden += c;
-  }
-  return hidden;
-}
-
-/** Trials by reason, most frequent first, names in the order of the plan. */
-std::vector<std::pair<std::string, std::vector<std::string>>> GroupRemoved(
-    const StudyResult& result) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
-  for (const StudyTrial& trial : result.trials) {
-    if (trial.IsKept()) continue;
-    const std::string kind = HideNumbers(trial.removed);
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& g) { return HideNumbers(g.first) == kind; });
-    if (group == groups.end()) {
-      group = groups.insert(groups.end(), {trial.removed, {}});
-    } else if (group->first != trial.removed) {
-      group->first = kind;
-    }
-    group->second.push_back(trial.id);
-  }
-  std::stable_sort(groups.begin(), groups.end(),
-                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
-  return groups;
-}
 
 std::string ListNames(const std::vector<std::string>& names) {
   std::string text;
@@ -54,12 +21,14 @@ std::string ListNames(const std::vector<std::string>& names) {
 }
 
 Html DrawRemoved(const StudyResult& result) {
-  const auto groups = GroupRemoved(result);
+  const std::vector<RemovalGroup> groups = GroupRemoved(result.trials);
   if (groups.empty()) return MakeParagraph("No trial was removed.");
-  Table table("Trials that do not count, by reason; trials.csv has every one.",
-              {{"Reason", Align::kProse}, {"Trials", Align::kNumber}, {"Which", Align::kProse}});
-  for (const auto& [reason, names] : groups) {
-    table.AddRow({Text(reason), Text(std::to_string(names.size())), Text(ListNames(names))});
+  Table table(
+      "Trials that do not count, by reason; trials.csv has every one.",
+      {{"Code"}, {"Reason", Align::kProse}, {"Trials", Align::kNumber}, {"Which", Align::kProse}});
+  for (const RemovalGroup& group : groups) {
+    table.AddRow({Element("code", {}, group.code), Text(group.text),
+                  Text(std::to_string(group.trials.size())), Text(ListNames(group.trials))});
   }
   return table.ToHtml();
 }

@@ -1,11 +1,28 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "human_study/study/trial_removal.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 
 namespace graspbench {
 namespace {
+
+/** Smallest and largest median of the main measure over all choices. */
+std::string DescribeRange(const StudyResult& result, const char* unit) {
+  double low = std::nan(""), high = std::nan("");
+  int count = 0;
+  for (const Universe& universe : result.universes) {
+    if (!universe.summary) continue;
+    const double median = universe.summary->median;
+    if (!(median >= low)) low = median;
+    if (!(median <= high)) high = median;
+    ++count;
+  }
+  if (count < 2) return "";
+  return " (" + FormatValue(low, unit) + " to " + FormatWithUnit(high, unit) + " over " +
+         std::to_string(count) + " choices of the analysis)";
+}
 
 /** The study's main test in a sentence, or why there is none. */
 std::string DescribeMainTest(const StudyResult& result) {
@@ -15,7 +32,7 @@ std::string DescribeMainTest(const StudyResult& result) {
   std::string text = std::string("Main measure: ") + measure.name + ", ";
   if (own.summary) {
     text += "median " + FormatWithUnit(own.summary->median, measure.unit) + " over " +
-            FormatCount(own.summary->count, "trial") + ". ";
+            FormatCount(own.summary->count, "trial") + DescribeRange(result, measure.unit) + ". ";
   } else {
     text += "no value (" + own.summary.reason() + "). ";
   }
@@ -27,6 +44,14 @@ std::string DescribeMainTest(const StudyResult& result) {
          ", p\u00A0" + (p < 0.001 ? "" : "=\u00A0") + FormatP(p) +
          " (Greenhouse-Geisser), generalised eta squared " +
          FormatFixed(own.test->generalised_eta_squared, 2) + ".";
+}
+
+/** What this recording cannot tell from touching at once. */
+std::string DescribeZeroGft(const ZeroGft& zero) {
+  if (zero.num_trials == 0) return "";
+  return " GFT below " + FormatWithUnit(zero.limit, "s") +
+         " cannot be told from zero here: digits that all touch at once would show a median of " +
+         FormatWithUnit(zero.median, "s") + ".";
 }
 
 Html DrawMeasureTable(const StudyResult& result) {
@@ -62,14 +87,21 @@ Html DrawSummary(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const int num_trials = static_cast<int>(result.trials.size());
   const int num_removed = num_trials - result.CountKept();
+  std::string reasons;
+  if (num_removed > 0) {
+    const RemovalGroup most = GroupRemoved(result.trials).front();
+    reasons = " (mostly, " + std::to_string(most.trials.size()) + ": " + most.text + ")";
+  }
   Html counts = Text(std::to_string(result.CountKept()) + " of " +
                      FormatCount(num_trials, "trial") + " count");
   if (num_removed > 0) {
     counts += Text("; " + std::to_string(num_removed) + (num_removed == 1 ? " was" : " were") +
                    " removed, ") +
-              LinkTo("removed", "and why");
+              LinkTo("removed", "and why") + Text(reasons);
   }
-  return Element("p", {{"class", "verdict"}}, counts + Text(". " + DescribeMainTest(result))) +
+  return Element("p", {{"class", "verdict"}},
+                 counts + Text(". " + DescribeMainTest(result) +
+                               DescribeZeroGft(result.statistics.zero_gft))) +
          DrawMeasureTable(result);
 }
 

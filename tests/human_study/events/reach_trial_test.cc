@@ -69,21 +69,72 @@ TEST(FindMarkerPlaces, AreMeansAtRestAboutTheGivenOrigin) {
             std::string::npos);
 }
 
-TEST(SmoothObject, KeepsASlowMotionAndTakesNoiseAway) {
+/** Markers of a body that moves as `pose` says, each coordinate with noise. */
+ReachTrial MakeMovingObject(const std::vector<Vector3d>& places, double noise,
+                            const std::function<Pose(double)>& pose) {
   ReachTrial trial;
   trial.times = MakeTimes(0, 2, 200);
   RandomStream random("object", "noise");
-  for (const double t : trial.times) {
-    const auto noise = [&] { return 0.01 * random.NextNormal(); };
-    trial.object.X_LO.push_back(
-        MakePose(MakeRotationRpy(0.1 * t + noise(), noise(), noise()), Vector3d(0.1 * t, 0, 0)));
-    trial.object.states.push_back(SampleState::kMeasured);
+  std::vector<Trajectory> markers;
+  for (const Vector3d& place : places) {
+    markers.push_back(SamplePath(trial.times, [&](double t) {
+      const Vector3d error(random.NextNormal(), random.NextNormal(), random.NextNormal());
+      return Vector3d(pose(t) * place + noise * error);
+    }));
   }
-  const ObjectTrack smooth = SmoothObject(trial, 6.0);
-  const Pose& pose = smooth.X_LO[200];
-  EXPECT_TRUE(pose.linear().isUnitary(1e-9));
-  EXPECT_NEAR(pose.translation().x(), 0.1, 1e-9);
-  EXPECT_LT((pose.linear() - MakeRotationRpy(0.1, 0, 0)).norm(), 0.01);
+  trial.object = MakeObjectTrack(markers, places);
+  return trial;
+}
+
+TEST(SmoothObject, KeepsAMotionAndTakesNoiseAway) {
+  const auto pose = [](double t) {
+    return MakePose(MakeRotationRpy(0.3 * t, 0, 0), Vector3d(0.1 * t, 0, 0));
+  };
+  const ObjectTrack exact = SmoothObject(MakeMovingObject(kPlaces, 0.0, pose), 6.0);
+  const ObjectTrack smooth = SmoothObject(MakeMovingObject(kPlaces, 0.0003, pose), 6.0);
+  for (size_t i = 100; i < 300; ++i) {
+    const Pose truth = pose(exact.X_LO[i].translation().x() / 0.1);
+    EXPECT_LT((exact.X_LO[i].matrix() - truth.matrix()).norm(), 1e-4);
+    EXPECT_TRUE(smooth.X_LO[i].linear().isUnitary(1e-9));
+    EXPECT_LT((smooth.X_LO[i].linear() - pose(0.005 * static_cast<double>(i)).linear()).norm(),
+              0.02);
+  }
+}
+
+/** SD of a coordinate, about its mean, of a fixed point near the hand, seen in O, away from the ends. */
+double CalcLeverNoise(const std::vector<Vector3d>& places) {
+  const ObjectTrack smooth =
+      SmoothObject(MakeMovingObject(places, 0.0005, [](double) { return Pose::Identity(); }), 6.0);
+  const Vector3d tip(0.04, 0.03, -0.06);
+  Vector3d sum = Vector3d::Zero();
+  double squares = 0.0;
+  for (size_t i = 40; i <= 360; ++i) {
+    const Vector3d off = smooth.X_LO[i].inverse() * tip - tip;
+    sum += off;
+    squares += off.squaredNorm();
+  }
+  return std::sqrt((squares - sum.squaredNorm() / 321.0) / (3.0 * 321.0));
+}
+
+TEST(SmoothObject, ThreeMarkersAreNoWorseThanOneHoweverCloseTogether) {
+  const double one = CalcLeverNoise({{0, 0, 0.06}});
+  EXPECT_GT(one, 0.00005);
+  for (const double edge : {0.005, 0.015, 0.03, 0.06}) {
+    const double height = edge * std::sqrt(3.0) / 2.0;
+    EXPECT_LT(CalcLeverNoise({{-edge / 2, 0, 0.06}, {edge / 2, 0, 0.06}, {0, height, 0.06}}), one)
+        << edge;
+  }
+}
+
+TEST(MakeObjectTrack, TheLeverOfATurnIsThatOfItsMarkers) {
+  // Four markers in a square of half diagonal a: J = diag(2, 2, 4) a^2.
+  constexpr double a = 0.02;
+  const std::vector<Vector3d> square = {{a, 0, 0.1}, {0, a, 0.1}, {-a, 0, 0.1}, {0, -a, 0.1}};
+  const ObjectTrack track =
+      MakeMovingObject(square, 0.0, [](double) { return Pose::Identity(); }).object;
+  const Vector3d lever(std::sqrt(2.0) * a, std::sqrt(2.0) * a, 2 * a);
+  EXPECT_LT((track.turn_lever - Eigen::Matrix3d(lever.asDiagonal())).norm(), 1e-12);
+  EXPECT_LT((track.p_OC - Vector3d(0, 0, 0.1)).norm(), 1e-12);
 }
 
 ReachTrial MakeTrial() {

@@ -12,12 +12,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kClockStep = 1e-4;   // of the search for the touch [s]
-constexpr double kPushTime = 0.15;    // of a push along the table [s]
-constexpr double kRollTime = 0.15;    // of a phalanx that turns on its pad [s]
-constexpr double kLiftHeight = 0.15;  // [m]
-constexpr double kLiftTime = 0.7;     // [s]
-constexpr double kHoldTime = 0.3;     // after the lift [s]
+constexpr double kClockStep = 1e-4;    // of the search for the touch [s]
+constexpr double kPushTime = 0.15;     // of a push along the table [s]
+constexpr double kRollTime = 0.15;     // of a phalanx that turns on its pad [s]
+constexpr double kSearchSpeed = 0.02;  // of a digit that did not find the object [m/s]
+constexpr double kLiftHeight = 0.15;   // [m]
+constexpr double kLiftTime = 0.7;      // [s]
+constexpr double kHoldTime = 0.3;      // after the lift [s]
 
 // Minimum jerk from 0 at u = 0 to 1 at u = 1, at rest outside.
 double Quintic(double u) {
@@ -81,6 +82,7 @@ struct Digit {
   double crossing = 1.0;       // share of the closing's path in time at which it meets the surface
   double closing_depth = 0.0;  // aimed at beneath the surface
   double touch_speed = 0.0;
+  bool hovers = false;
   Vector3d marker = Vector3d::Zero();  // from skin to marker
   double touch = std::numeric_limits<double>::quiet_NaN();
   Vector3d touch_O = Vector3d::Zero();  // skin at touch, in the object's frame
@@ -90,7 +92,10 @@ struct Digit {
       return home_gap + (open_gap - home_gap) * Quintic((t - onset) / (open_time - onset));
     }
     const double duration = (planned_touch - open_time) / crossing;
-    return open_gap - (open_gap + closing_depth) * Quintic((t - open_time) / duration);
+    // Where the object was pushed away, the digit closes on until it meets it.
+    const double late = hovers ? 0.0 : std::max(0.0, t - open_time - duration);
+    return open_gap - (open_gap + closing_depth) * Quintic((t - open_time) / duration) -
+           kSearchSpeed * late;
   }
   Vector3d SkinAt(double t, double onset) const {
     const double far = 1.0 - Quintic((t - onset) / (planned_touch - onset));
@@ -147,6 +152,7 @@ Digit PlanDigit(const ReachConditions& conditions, int d, double touch_time, dou
   digit.closing_depth = digit.open_gap * (1.0 / Quintic(digit.crossing) - 1.0);
   if (d == conditions.hovering_digit) {
     // Comes to rest off the surface.
+    digit.hovers = true;
     digit.crossing = 1.0;
     digit.closing_depth = -conditions.hover_gap;
   }

@@ -133,6 +133,8 @@ Accuracy CompareWithTruth(const StudyResult& result, const std::vector<Reach>& t
   accuracy.gft_bias = CalcMean(gft_errors);
   accuracy.gft_sd = CalcSd(gft_errors);
   accuracy.median_gft = CalcMedian(gfts);
+  accuracy.zero_median = result.statistics.zero_gft.median;
+  accuracy.zero_limit = result.statistics.zero_gft.limit;
   return accuracy;
 }
 

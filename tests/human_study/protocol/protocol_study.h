@@ -37,7 +37,9 @@ struct Accuracy {
   double coverage = 0.0;
   double gft_bias = 0.0;  ///< mean of found - true GFT, trials in which all that touched are found
   double gft_sd = 0.0;    ///< [s]
-  double median_gft = 0.0;  ///< found [s]
+  double median_gft = 0.0;   ///< found [s]
+  double zero_median = 0.0;  ///< ZeroGft::median of the study [s]
+  double zero_limit = 0.0;   ///< ZeroGft::limit [s]
 };
 
 Accuracy CompareWithTruth(const StudyResult& result, const std::vector<Reach>& truth);

@@ -180,5 +180,20 @@ TEST_F(StudyFolder, FaultsOfTheTablesHaveTheirLine) {
          "hypotheses.csv:2: error: equal_within: expected more than 0");
 }
 
+TEST(ParseStudyConfig, SettingsGoOverTheFile) {
+  Diagnostics problems;
+  const std::string text = "markers: {thumb: t, index: i}\ncontact: {detector: speed}\n";
+  const StudyConfig config =
+      ParseStudyConfig(text, "study.yaml", problems, {"contact.detector=surface"});
+  EXPECT_EQ(problems.num_errors(), 0);
+  EXPECT_EQ(config.analysis.contact.detector, "surface");
+}
+
+TEST(ParseStudyConfig, AFactorThatBeginsLikeAFormulaIsRefused) {
+  Diagnostics problems;
+  ParseStudyConfig("factors: [\"=A1\"]\nmarkers: {thumb: t, index: i}\n", "study.yaml", problems);
+  EXPECT_NE(problems.Format().find("begins like a formula"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace graspbench

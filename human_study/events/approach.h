@@ -1,0 +1,35 @@
+#pragma once
+/** @file
+The last stretch of a fingertip's way to where it holds, as samples in one dimension for
+touch_fit.h. Only measured samples of the unfiltered path take part. */
+
+#include <Eigen/Core>
+
+#include "human_study/events/hold.h"
+#include "human_study/events/object_surface.h"
+#include "human_study/events/touch_fit.h"
+#include "human_study/recording/cleaning/trajectory.h"
+
+namespace graspbench {
+
+/** Where a tip is about the hold: mean of its measured samples from 50 ms before to 100 ms
+after it, those far off left out, or, when hidden there, of the 10 nearest in the hold; NaN without
+any. */
+Eigen::Vector3d FindHoldPlace(const Trajectory& p_O, const Hold& hold);
+
+/** Clearance from the surface less that at the place of the hold. The touch is looked for from
+where it was last farther than 5 mm (or six standard deviations of the noise), because no skin
+yields more, to where it has come to rest.
+@param place  of the hold, in O.
+@param noise  SD of a coordinate [m].
+@param pad_offset  of the marker at the touch [m]; NaN: not known.
+@return no times when no such stretch is seen. */
+TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance& distance,
+                                   const Eigen::Vector3d& place, const Hold& hold, double noise,
+                                   double pad_offset);
+
+/** The same along the direction in which it came from about 8 mm to about 4 mm of its place. */
+TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Eigen::Vector3d& place,
+                                 const Hold& hold, double noise);
+
+}  // namespace graspbench

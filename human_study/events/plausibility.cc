@@ -1,0 +1,189 @@
+#include "human_study/events/plausibility.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double kRigid = 0.003;  // change of a distance between two digits that hold [m]
+constexpr double kSigmas = 3.0;   // of combined uncertainties
+constexpr double kRisingShare = 0.15;
+constexpr double kAxisShare = 0.9;  // of the way along its likely direction
+
+/** First valid sample above a value; -1 without any. */
+int FindFirstAbove(const ScalarCurve& curve, double value) {
+  for (size_t i = 0; i < curve.size(); ++i) {
+    if (curve.IsValid(i) && curve.values[static_cast<Column>(i)] > value)
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+/** First or last of those found; null without any. */
+const DigitContactEvents* FindExtreme(const std::vector<DigitContactEvents>& contacts, bool last) {
+  const DigitContactEvents* extreme = nullptr;
+  for (const DigitContactEvents& digit : contacts) {
+    if (!digit.contact.IsFound()) continue;
+    if (!extreme || (digit.contact.time > extreme->contact.time) == last) extreme = &digit;
+  }
+  return extreme;
+}
+
+/** Their times are those of thresholds, which slow arrivals cross early. */
+bool IsRough(const std::string& detector) {
+  return detector == "multiplied" || detector == "speed";
+}
+
+void AddDisagreement(const DigitContactEvents& digit, double limit, std::vector<Doubt>& doubts) {
+  if (!digit.contact.IsFound()) return;
+  const std::vector<ContactDetector>& detectors = ContactDetectorList();
+  for (size_t i = 0; i < detectors.size(); ++i) {
+    const EventTime& other = digit.by_detector[i];
+    if (!other.IsFound() || IsRough(detectors[i].id)) continue;
+    const double apart = std::abs(other.time - digit.contact.time);
+    if (apart <= limit ||
+        apart <= kSigmas * std::hypot(other.uncertainty, digit.contact.uncertainty)) {
+      continue;
+    }
+    doubts.push_back(
+        {"detectors_disagree",
+         fmt::format("digit {}: \"{}\" finds its contact {:.0f} ms away, more than both say of "
+                     "their uncertainty",
+                     digit.digit, detectors[i].id, MsFromS(apart))});
+    return;
+  }
+}
+
+}  // namespace
+
+double CalcJointTravel(const std::vector<SmoothPath>& tips, const Hold& hold) {
+  std::vector<const SmoothPath*> seen;
+  const std::vector<double>& times = tips.front().path.times;
+  const SampleRun run = FindSamples(times, times.front(), hold.time);
+  if (run.size() == 0) return 0.0;
+  const size_t at = run.last - 1;
+  for (const SmoothPath& tip : tips) {
+    if (tip.path.IsValid(at)) seen.push_back(&tip);
+  }
+  if (seen.size() < 2) return 0.0;
+  const auto place = [](const SmoothPath& tip, size_t i) -> Vector3d {
+    return tip.path.p.col(static_cast<Column>(i));
+  };
+  const auto is_rigid = [&](size_t i) {
+    for (size_t a = 0; a < seen.size(); ++a) {
+      for (size_t b = a + 1; b < seen.size(); ++b) {
+        if (!seen[a]->path.IsValid(i) || !seen[b]->path.IsValid(i)) continue;
+        const double now = (place(*seen[a], i) - place(*seen[b], i)).norm();
+        const double held = (place(*seen[a], at) - place(*seen[b], at)).norm();
+        const double noise = std::hypot(seen[a]->smooth_noise, seen[b]->smooth_noise);
+        if (std::abs(now - held) > std::max(kRigid, 4.0 * noise)) return false;
+      }
+    }
+    return true;
+  };
+  double farthest = 0.0;
+  for (size_t i = at; i-- > 0 && is_rigid(i);) {
+    Vector3d moved = Vector3d::Zero();
+    double count = 0.0;
+    for (const SmoothPath* tip : seen) {
+      if (!tip->path.IsValid(i)) continue;
+      moved += place(*tip, i) - place(*tip, at);
+      count += 1.0;
+    }
+    if (count > 0.0) farthest = std::max(farthest, moved.norm() / count);
+  }
+  return farthest;
+}
+
+std::vector<Doubt> FindUnseenCarrying(const std::vector<SmoothPath>& tips, const Hold& hold,
+                                      const PlausibilityOptions& options) {
+  if (options.min_carried == 0.0 || !hold.IsFound()) return {};
+  const double travel = CalcJointTravel(tips, hold);
+  if (travel < options.min_carried) return {};
+  return {{"carried_unseen",
+           fmt::format(
+               "the object was not recorded and the hand carried it: the digits moved {:.0f} mm "
+               "together, so where they touched is not determined; record a marker on the object, "
+               "or cut the trial before the lift (end_s)",
+               MmFromM(travel))}};
+}
+
+std::vector<Doubt> FindOtherLiftAxis(const ObjectTravel& travel, const ObjectEvents& object,
+                                     const LiftOffOptions& lift_off,
+                                     const PlausibilityOptions& options) {
+  if (!options.lift_axis) return {};
+  const int farthest = FindPeak(travel.displacement, {0, travel.displacement.size()});
+  if (farthest < 0) return {};
+  // A tilt may look like a small lift; what is lifted and carried aside rises first.
+  const auto rises = [&](Column i) {
+    const Vector3d stated = Vector3d(lift_off.up_x, lift_off.up_y, lift_off.up_z).normalized();
+    return stated.dot(travel.moved.col(i)) > kRisingShare * travel.moved.col(i).norm();
+  };
+  const int early = FindFirstAbove(travel.displacement, 3.0 * lift_off.min_rise);
+  if (object.lift_off.IsFound() && (early < 0 || rises(early) || rises(farthest))) return {};
+  const Vector3d way = travel.moved.col(farthest);
+  Column axis = 0;
+  const double along = way.cwiseAbs().maxCoeff(&axis);
+  if (way.norm() < 3.0 * lift_off.min_rise || along < kAxisShare * way.norm()) return {};
+  const double sign = way[axis] > 0.0 ? 1.0 : -1.0;
+  Vector3d up = Vector3d::Zero();
+  up[axis] = sign;
+  return {
+      {"other_lift_axis",
+       fmt::format(
+           "the object moves {:.0f} mm along {}{}, but does not rise along the stated "
+           "direction of the lift ({:g}, {:g}, {:g}); if that is up in the recording, say so in "
+           "study.yaml: lift_off: {{up_x: {:g}, up_y: {:g}, up_z: {:g}}}",
+           MmFromM(along), sign > 0.0 ? '+' : '-', "xyz"[axis], lift_off.up_x, lift_off.up_y,
+           lift_off.up_z, up.x(), up.y(), up.z())}};
+}
+
+std::vector<Doubt> FindContactDoubts(const std::vector<DigitContactEvents>& contacts,
+                                     const Movement& movement, const ObjectEvents& object,
+                                     double gct, const PlausibilityOptions& options) {
+  std::vector<Doubt> doubts;
+  const DigitContactEvents* first = FindExtreme(contacts, false);
+  const DigitContactEvents* last = FindExtreme(contacts, true);
+  if (first == nullptr) return doubts;
+  const double after = last->contact.time - movement.end.time;
+  if (options.max_contact_after_end > 0.0 && after > options.max_contact_after_end) {
+    doubts.push_back(
+        {"contact_after_end",
+         fmt::format("digit {} touches {:.0f} ms after the movement's end; expected at most "
+                     "{:.0f} (plausibility.max_contact_after_end_s)",
+                     last->digit, MsFromS(after), MsFromS(options.max_contact_after_end))});
+  }
+  if (options.max_closure_time > 0.0 && gct > options.max_closure_time) {
+    doubts.push_back(
+        {"closure_too_long", fmt::format("the hand closes for {:.0f} ms; expected at most {:.0f} "
+                                         "(plausibility.max_closure_time_s)",
+                                         MsFromS(gct), MsFromS(options.max_closure_time))});
+  }
+  if (options.max_disagreement > 0.0) {
+    for (const DigitContactEvents& digit : contacts) {
+      AddDisagreement(digit, options.max_disagreement, doubts);
+    }
+  }
+  if (options.max_moved_before > 0.0 && object.moved.IsFound()) {
+    const double before = first->contact.time - object.moved.time;
+    const double u = std::hypot(first->contact.uncertainty, object.moved.uncertainty);
+    if (before > std::max(options.max_moved_before, kSigmas * u)) {
+      doubts.push_back(
+          {"moved_before_touch",
+           fmt::format("the object moves {:.0f} ms before the first contact that was found "
+                       "(digit {})",
+                       MsFromS(before), first->digit)});
+    }
+  }
+  return doubts;
+}
+
+}  // namespace graspbench

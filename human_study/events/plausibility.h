@@ -1,0 +1,75 @@
+#pragma once
+/** @file
+What a person who looks at a trial would notice at once: contacts after the hand has long stopped,
+an object that moves before anything touched it. Each doubt has a code for programs and a text with
+the numbers; none repairs anything.
+
+  carried_unseen: the object was not recorded and the hand carried it: the digits moved together,
+    not against each other. Against the laboratory they then stop where the hand stops, not where
+    they touch, so contacts are not determined.
+  other_lift_axis: the object moves far, but not along the stated direction of the lift; names the
+    likely one (recordings with y up).
+  contact_after_end: a contact later after the end of the movement than a limit.
+  closure_too_long: GCT above a limit.
+  detectors_disagree: another detector finds a digit's contact elsewhere, beyond a limit and beyond
+    three times what both say of their uncertainty. "multiplied" and "speed" are not asked: they
+    stop at thresholds, which slow arrivals cross early.
+  moved_before_touch: the object left its place before the first contact, beyond a limit and three
+    times both uncertainties.
+
+Limits are for adults who reach for things on a table; a limit of 0 turns its doubt off. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/events/contact_detector.h"
+#include "human_study/events/lift_off.h"
+#include "human_study/events/movement.h"
+
+namespace graspbench {
+
+struct PlausibilityOptions {
+  double max_contact_after_end = 0.3;  ///< [s]
+  double max_closure_time = 1.5;       ///< [s]
+  double max_disagreement = 0.1;       ///< [s]
+  double max_moved_before = 0.05;      ///< [s]
+  double min_carried = 0.05;           ///< a shorter way is no carrying [m]
+  bool lift_axis = true;               ///< look for other directions of the lift
+
+  template <class V>
+  void Visit(V&& v) {
+    v("max_contact_after_end_s", max_contact_after_end);
+    v("max_closure_time_s", max_closure_time);
+    v("max_disagreement_s", max_disagreement);
+    v("max_moved_before_s", max_moved_before);
+    v("min_carried_m", min_carried);
+    v("lift_axis", lift_axis);
+  }
+};
+
+struct Doubt {
+  std::string code;
+  std::string text;
+};
+
+/** How far the digits moved together up to the hold: the longest stretch that ends there and in
+which no distance between two of them leaves that of the hold by more than 3 mm (or four standard
+deviations of the tips' noise); the largest distance of their middle from that in the hold [m]. 0
+when fewer than two are seen in the hold. */
+double CalcJointTravel(const std::vector<SmoothPath>& tips, const Hold& hold);
+
+/** Doubt about an object that is carried but was not recorded. */
+std::vector<Doubt> FindUnseenCarrying(const std::vector<SmoothPath>& tips, const Hold& hold,
+                                      const PlausibilityOptions& options);
+
+/** Doubt about the direction of the lift of a recorded object that was not lifted along it. */
+std::vector<Doubt> FindOtherLiftAxis(const ObjectTravel& travel, const ObjectEvents& object,
+                                     const LiftOffOptions& lift_off,
+                                     const PlausibilityOptions& options);
+
+/** Doubts about contacts. @param gct  [s]; NaN: missing, as everything else that may be. */
+std::vector<Doubt> FindContactDoubts(const std::vector<DigitContactEvents>& contacts,
+                                     const Movement& movement, const ObjectEvents& object,
+                                     double gct, const PlausibilityOptions& options);
+
+}  // namespace graspbench

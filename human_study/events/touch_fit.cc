@@ -1,0 +1,318 @@
+#include "human_study/events/touch_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+// Unknowns: rest r [m], drift c [m/s], speed v [m/s], and the next four derivatives of the approach.
+constexpr int kRest = 0, kSpeed = 1, kDrift = 6, kNumUnknowns = 7, kNumBefore = 6;
+using Vector = Eigen::Matrix<double, kNumUnknowns, 1>;
+using Matrix = Eigen::Matrix<double, kNumUnknowns, kNumUnknowns>;
+
+// Of reaches along minimum-jerk paths that close by 20 to 40 mm in 0.25 to 0.45 s.
+const Vector kPriorMean = (Vector() << 0.0, 0.05, 0.8, 10.0, -400.0, 3000.0, 0.0).finished();
+const Vector kPriorSd = (Vector() << 2e-3, 0.15, 1.2, 30.0, 600.0, 4000.0, 2e-3).finished();
+// What the model leaves out grows with the distance from the bracket.
+constexpr double kBeforeGrowth = 3.0;     // [m/s^3]
+constexpr double kAfterGrowth = 0.1;      // [m/s^2]: a phalanx that turns on its pad
+constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
+constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
+constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
+constexpr double kMaxStep = 4e-3;
+constexpr size_t kCoarseDepths = 3;  // every third depth tells where to look closer
+constexpr double kVolume = 0.6;
+constexpr double kUsualSpeed = 0.08;
+constexpr double kMinSpeed = 5e-3;  // slower is no approach [m/s]
+constexpr size_t kMinSamples = 6;
+
+double Square(double x) { return x * x; }
+
+using BeforeMatrix = Eigen::Matrix<double, kNumBefore, kNumBefore>;
+using BeforeVector = Eigen::Matrix<double, kNumBefore, 1>;
+
+/** Sums of weighted products of 1, s, s^2/2, .., s^5/120 over the samples before a touch. */
+struct BeforeSums {
+  BeforeMatrix products = BeforeMatrix::Zero();
+  BeforeVector with_place = BeforeVector::Zero();
+  double places = 0.0;
+};
+
+/** Inverse variances. They do not depend on the touch that is tried, so that it is not preferred
+for making the samples uncertain. */
+std::vector<double> CalcWeights(const TouchSamples& samples) {
+  std::vector<double> weights;
+  for (const double time : samples.times) {
+    const double before = std::max(0.0, samples.first - time);
+    const double after = std::max(0.0, time - samples.last);
+    const double model = kBeforeGrowth * before * before * before + kAfterGrowth * after * after;
+    weights.push_back(1.0 / (Square(samples.noise) + Square(model)));
+  }
+  return weights;
+}
+
+BeforeSums SumBefore(const TouchSamples& samples, const std::vector<double>& weights, size_t count,
+                     double tc) {
+  BeforeSums sums;
+  for (size_t i = 0; i < count; ++i) {
+    const double s = tc - samples.times[i], y = samples.places[i];
+    const double weight = weights[i];
+    BeforeVector basis;
+    basis[0] = 1.0;
+    for (int k = 1; k < kNumBefore; ++k) basis[k] = basis[k - 1] * s / k;
+    sums.products.noalias() += weight * basis * basis.transpose();
+    sums.with_place += weight * y * basis;
+    sums.places += weight * y * y;
+  }
+  return sums;
+}
+
+/** The normal equations of the unknowns, priors included. */
+struct Equations {
+  Matrix A = kPriorSd.cwiseInverse().cwiseAbs2().asDiagonal();
+  Vector b = kPriorMean.cwiseQuotient(kPriorSd.cwiseAbs2());
+  double squares = kPriorMean.cwiseQuotient(kPriorSd).squaredNorm();
+
+  void AddBefore(const BeforeSums& sums, double tau) {
+    // The column of v is s + tau.
+    BeforeMatrix products = sums.products;
+    products.row(kSpeed) += tau * products.row(kRest);
+    products.col(kSpeed) += tau * products.col(kRest);
+    A.topLeftCorner<kNumBefore, kNumBefore>() += products;
+    b.head<kNumBefore>() += sums.with_place;
+    b[kSpeed] += tau * sums.with_place[kRest];
+    squares += sums.places;
+  }
+
+  void AddAfter(const TouchSamples& samples, const std::vector<double>& weights, size_t first,
+                double tc, double tau) {
+    double decay = 0.0, step = -1.0, factor = 0.0;
+    for (size_t i = first; i < samples.times.size(); ++i) {
+      const double since = samples.times[i] - tc, y = samples.places[i];
+      if (tau > 0.0) {
+        const double interval = i == first ? since : samples.times[i] - samples.times[i - 1];
+        if (std::abs(interval - step) > 1e-9) factor = std::exp(-(step = interval) / tau);
+        decay = i == first ? factor : decay * factor;
+      }
+      const double weight = weights[i];
+      const double sunk = tau * decay;
+      A(kRest, kRest) += weight;
+      A(kRest, kSpeed) += weight * sunk;
+      A(kRest, kDrift) += weight * since;
+      A(kSpeed, kSpeed) += weight * sunk * sunk;
+      A(kSpeed, kDrift) += weight * sunk * since;
+      A(kDrift, kDrift) += weight * since * since;
+      b[kRest] += weight * y;
+      b[kSpeed] += weight * y * sunk;
+      b[kDrift] += weight * y * since;
+      squares += weight * y * y;
+    }
+  }
+
+  /** The clearance at the touch is known. */
+  void AddTouchPlace(double place, double tau) {
+    const double weight = 1.0 / Square(kPadTolerance);
+    A(kRest, kRest) += weight;
+    A(kRest, kSpeed) += weight * tau;
+    A(kSpeed, kSpeed) += weight * tau * tau;
+    b[kRest] += weight * place;
+    b[kSpeed] += weight * place * tau;
+    squares += weight * place * place;
+  }
+
+  struct Solution {
+    Vector unknowns;
+    double misfit;  ///< weighted squares that are left
+    double log_evidence;
+  };
+  Solution Solve() const {
+    const Eigen::LLT<Matrix> llt(A.transpose());  // of the lower triangle
+    Solution solution;
+    solution.unknowns = llt.solve(b);
+    solution.misfit = squares - b.dot(solution.unknowns);
+    const double log_root = llt.matrixLLT().diagonal().array().log().sum();
+    solution.log_evidence = -0.5 * solution.misfit - kVolume * log_root;
+    return solution;
+  }
+};
+
+/** One touch that was tried: its speed without sinking, and how likely it is for each depth. */
+struct Trial {
+  double time = 0.0;
+  std::array<double, kSettlingDepths.size()> log_evidence{};
+};
+
+class Fitter {
+ public:
+  explicit Fitter(const TouchSamples& samples)
+      : samples_(samples), weights_(CalcWeights(samples)) {}
+
+  Trial Try(double tc, size_t depth_step) {
+    Trial trial;
+    trial.time = tc;
+    trial.log_evidence.fill(-INFINITY);
+    const size_t num_before =
+        static_cast<size_t>(std::lower_bound(samples_.times.begin(), samples_.times.end(), tc) -
+                            samples_.times.begin());
+    const BeforeSums before = SumBefore(samples_, weights_, num_before, tc);
+    double speed = 0.0;
+    for (size_t k = 0; k < kSettlingDepths.size(); k += depth_step) {
+      const double tau = k == 0 ? 0.0 : kSettlingDepths[k] / std::max(kMinSpeed, speed);
+      Equations equations;
+      equations.AddBefore(before, tau);
+      equations.AddAfter(samples_, weights_, num_before, tc, tau);
+      if (!std::isnan(samples_.touch_place)) equations.AddTouchPlace(samples_.touch_place, tau);
+      const Equations::Solution solution = equations.Solve();
+      speed = solution.unknowns[kSpeed];
+      trial.log_evidence[k] = speed < kMinSpeed ? -INFINITY : solution.log_evidence;
+      least_misfit_ = std::min(least_misfit_, solution.misfit);
+    }
+    return trial;
+  }
+
+  /** Touches from `first` to `last`. */
+  std::vector<Trial> TryAll(double first, double last, double step, size_t depth_step = 1) {
+    std::vector<Trial> trials;
+    const int num_steps = std::max(1, static_cast<int>(std::ceil((last - first) / step)));
+    for (int i = 0; i <= num_steps; ++i) {
+      trials.push_back(Try(first + (last - first) * i / num_steps, depth_step));
+    }
+    return trials;
+  }
+
+  double least_misfit() const { return least_misfit_; }
+
+ private:
+  const TouchSamples& samples_;
+  std::vector<double> weights_;
+  double least_misfit_ = INFINITY;
+};
+
+double FindBest(const std::vector<Trial>& trials) {
+  double best = -INFINITY;
+  for (const Trial& trial : trials) {
+    for (const double value : trial.log_evidence) best = std::max(best, value);
+  }
+  return best;
+}
+
+/** The stretch outside of which nothing is likely. */
+std::pair<double, double> FindLikely(const std::vector<Trial>& trials) {
+  constexpr double kUnlikely = 14.0;  // e^-14
+  const double best = FindBest(trials);
+  size_t first = trials.size(), last = 0;
+  for (size_t i = 0; i < trials.size(); ++i) {
+    const auto& evidence = trials[i].log_evidence;
+    if (*std::max_element(evidence.begin(), evidence.end()) < best - kUnlikely) continue;
+    first = std::min(first, i);
+    last = i;
+  }
+  return {trials[first == 0 ? 0 : first - 1].time,
+          trials[std::min(last + 1, trials.size() - 1)].time};
+}
+
+}  // namespace
+
+const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
+
+TouchFit FitTouch(const TouchSamples& samples) {
+  GRASPBENCH_DEMAND(samples.times.size() == samples.places.size() && samples.first < samples.last,
+                    std::to_string(samples.times.size()));
+  TouchFit fit;
+  if (samples.times.size() < kMinSamples || samples.times.front() > samples.first ||
+      samples.times.back() < samples.last) {
+    fit.missing = "too few measured samples before or after the contact";
+    return fit;
+  }
+  Fitter fitter(samples);
+  const std::vector<Trial> coarse =
+      fitter.TryAll(samples.first, samples.last, kMaxStep, kCoarseDepths);
+  if (!std::isfinite(FindBest(coarse))) {
+    fit.missing = "it does not come nearer where it should touch";
+    return fit;
+  }
+  const auto [first, last] = FindLikely(coarse);
+  const double step = std::clamp(0.8 * samples.noise / kUsualSpeed, kMinStep, kMaxStep);
+  const std::vector<Trial> trials = fitter.TryAll(first, last, step);
+  const double best = FindBest(trials);
+  for (size_t k = 0; k < kSettlingDepths.size(); ++k) {
+    double sum = 0.0, moment = 0.0, squares = 0.0;
+    for (const Trial& trial : trials) {
+      const double weight = std::exp(trial.log_evidence[k] - best);
+      const double time = trial.time - first;
+      sum += weight;
+      moment += weight * time;
+      squares += weight * time * time;
+    }
+    // Of a bracket with one depth only, others say nothing.
+    fit.log_evidence[k] = sum > 0.0 ? std::log(sum) : -INFINITY;
+    fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
+    fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
+  }
+  const double degrees = static_cast<double>(samples.times.size());
+  fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
+  return fit;
+}
+
+EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
+  if (!fit.missing.empty()) return MissingEvent(fit.missing);
+  const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
+  const double origin = fit.time[0];
+  double sum = 0.0, moment = 0.0, squares = 0.0;
+  for (size_t k = 0; k < weights.size(); ++k) {
+    const double weight = weights[k] * std::exp(fit.log_evidence[k] - best);
+    const double time = fit.time[k] - origin;
+    sum += weight;
+    moment += weight * time;
+    squares += weight * (time * time + fit.variance[k]);
+  }
+  if (!(sum > 0.0)) return MissingEvent("no depth of settling explains the path");
+  EventTime event;
+  event.time = origin + moment / sum;
+  const double variance = std::max(0.0, squares / sum - Square(moment / sum));
+  // Where the best fit leaves more than the noise, the model is wrong by as much.
+  event.uncertainty = std::hypot(kModel, std::max(1.0, fit.noise_ratio) * std::sqrt(variance));
+  return event;
+}
+
+double CalcOwnUncertainty(const TouchFit& fit, const DepthWeights& weights) {
+  if (!fit.missing.empty()) return std::nan("");
+  const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
+  double sum = 0.0, variance = 0.0;
+  for (size_t k = 0; k < weights.size(); ++k) {
+    const double weight = weights[k] * std::exp(fit.log_evidence[k] - best);
+    sum += weight;
+    variance += weight * fit.variance[k];
+  }
+  return std::hypot(kModel, std::max(1.0, fit.noise_ratio) * std::sqrt(variance / sum));
+}
+
+DepthWeights LearnDepths(const std::vector<TouchFit>& fits) {
+  constexpr double kContactsBefore = 3.0;
+  constexpr int kNumRounds = 100;
+  const double usual = std::accumulate(kUsualDepths.begin(), kUsualDepths.end(), 0.0);
+  DepthWeights weights = kUsualDepths;
+  for (int round = 0; round < kNumRounds; ++round) {
+    DepthWeights next;
+    for (size_t k = 0; k < next.size(); ++k) next[k] = kContactsBefore * kUsualDepths[k] / usual;
+    for (const TouchFit& fit : fits) {
+      if (!fit.missing.empty()) continue;
+      const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
+      DepthWeights share;
+      double sum = 0.0;
+      for (size_t k = 0; k < share.size(); ++k) {
+        sum += share[k] = weights[k] * std::exp(fit.log_evidence[k] - best);
+      }
+      for (size_t k = 0; k < share.size(); ++k) next[k] += share[k] / sum;
+    }
+    weights = next;
+  }
+  return weights;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,73 @@
+#pragma once
+/** @file
+When a fingertip that comes nearer in one dimension touched, and how well that can be known.
+
+A marker does not stop when the skin touches: the skin sinks in, a phalanx turns on its pad. With s
+the time to the touch tc, the marker's clearance g is taken to be
+
+    before   g = r + D + v s + a s^2 / 2 + j s^3 / 6                    s = tc - t > 0
+    after    g = r + D exp(-v (t - tc) / D) + c (t - tc)
+
+r: place in the hold; v: speed at touch; D: depth by which it goes on. The speed is continuous at
+the touch: a deep D and a late tc look alike, and noise decides how alike. So the answer is not one
+fit but all of them, weighed by how well they explain the samples (Bayes): D over a list of depths,
+tc over a bracket of time, the rest integrated out, as it is linear with normal priors (people's
+reaches: v about 0.1 m/s, a about 1 m/s^2). Samples far from the touch count less, as the
+polynomials hold near it only. The depth belongs to the skin and the marker's place, not to the
+trial: its weights may be learned from all contacts of a study (LearnDepths), and then one contact
+whose own samples cannot tell is found without bias.
+
+Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
+stops as one that touches does. */
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "human_study/events/event_time.h"
+
+namespace graspbench {
+
+/** Depths D that are weighed [m]. */
+inline constexpr std::array<double, 8> kSettlingDepths = {0.0,    0.3e-3, 0.6e-3, 1.0e-3,
+                                                          1.5e-3, 2.0e-3, 2.5e-3, 3.5e-3};
+/** A weight for each of them. */
+using DepthWeights = std::array<double, kSettlingDepths.size()>;
+
+/** Before anything is learned: shallow is more likely than deep. */
+extern const DepthWeights kUsualDepths;
+
+struct TouchSamples {
+  std::vector<double> times;   ///< [s], increasing
+  std::vector<double> places;  ///< clearance, about 0 in the hold [m]
+  double noise = 0.0;          ///< SD of a place [m]
+  double first = 0.0;          ///< the touch lies between first ..
+  double last = 0.0;           ///< .. and last [s]
+  /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
+  double touch_place = std::numeric_limits<double>::quiet_NaN();
+};
+
+/** What the samples say for each depth. */
+struct TouchFit {
+  std::array<double, kSettlingDepths.size()> log_evidence{};
+  std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
+  std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
+  double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
+  std::string missing;       ///< why there is none; empty when there is one
+};
+
+/** @pre times and places are as many, first < last. */
+TouchFit FitTouch(const TouchSamples& samples);
+
+/** The touch under those weights: mean and standard deviation over all depths. */
+EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
+
+/** The part of that standard deviation which is not about the depth [s]: digits do not share it, so
+it is what makes touching at once look like a sequence. NaN when the touch is missing. */
+double CalcOwnUncertainty(const TouchFit& fit, const DepthWeights& weights);
+
+/** Weights of the depths from many contacts: those under which all are most likely (expectation
+maximisation of the mixture), with kUsualDepths as three contacts seen before. */
+DepthWeights LearnDepths(const std::vector<TouchFit>& fits);
+
+}  // namespace graspbench

@@ -1,0 +1,39 @@
+#pragma once
+/** @file
+Why a trial does not count. */
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "human_study/study/study_config.h"
+
+namespace graspbench {
+
+struct StudyTrial;
+
+/** A reason with its code. Besides those of plausibility.h: left_out (by a person, in trials.csv),
+unreadable, missing_marker, no_reach, no_onset, no_hold, no_opening, no_contact, not_usable (a
+contact known too badly), filled_event, gap_event, disagreement. */
+struct Removal {
+  std::string code;
+  std::string text;  ///< empty: the trial counts
+};
+
+/** What the study's rules say about an analysed trial. */
+Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules);
+
+struct RemovalGroup {
+  std::string code;
+  std::string text;                 ///< with an ellipsis for numbers that differ between the trials
+  std::vector<std::string> trials;  ///< ids, in the order of the plan
+};
+
+/** Trials that do not count by their reason, most frequent first; texts that differ in numbers
+alone are one reason. */
+std::vector<RemovalGroup> GroupRemoved(const std::vector<StudyTrial>& trials);
+
+/** The text with every number replaced by an ellipsis. */
+std::string HideNumbers(const std::string& text);
+
+}  // namespace graspbench

@@ -1,0 +1,76 @@
+#include "human_study/events/approach.h"
+
+#include <gtest/gtest.h>
+
+#include "human_study/events/object_surface.h"
+#include "tests/human_study/events/trajectories.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTouch = 1.0;
+const Hold kHold = {1.3, 1.2, 1.6, ""};
+
+/** Along -y at 0.1 m/s to a place 43 mm from the axis, there until the end. */
+Trajectory MakePath(double rate) {
+  return SamplePath(MakeTimes(0.0, 1.6, rate), [](double t) {
+    return Vector3d(0.0, 0.043 + 0.1 * std::max(0.0, kTouch - t), 0.01);
+  });
+}
+
+TEST(FindHoldPlace, IsTheMedianOfMeasuredSamplesAboutTheHold) {
+  Trajectory path = MakePath(100.0);
+  path.p.col(130) += Vector3d(0.5, 0.0, 0.0);  // one bad sample
+  EXPECT_LT((FindHoldPlace(path, kHold) - Vector3d(0.0, 0.043, 0.01)).norm(), 1e-9);
+  HideSamples(path, 1.1, 1.55);
+  EXPECT_LT((FindHoldPlace(path, kHold) - Vector3d(0.0, 0.043, 0.01)).norm(), 1e-9);
+  HideSamples(path, 1.1, 1.6);
+  EXPECT_TRUE(FindHoldPlace(path, kHold).hasNaN());
+}
+
+TEST(TakeApproach, TheBracketHoldsTheTouchAndPlacesEndAtZero) {
+  const SurfaceDistance distance = MakeCylinderDistance(0.035, 0.12);
+  for (const double rate : {60.0, 100.0, 500.0}) {
+    const Trajectory path = MakePath(rate);
+    const Vector3d place = FindHoldPlace(path, kHold);
+    for (const TouchSamples& samples :
+         {TakeApproachToSurface(path, distance, place, kHold, 2e-4, std::nan("")),
+          TakeApproachToPlace(path, place, kHold, 2e-4)}) {
+      ASSERT_GE(samples.times.size(), 8u) << rate;
+      EXPECT_LT(samples.first, kTouch - 0.03);
+      EXPECT_GT(samples.last, kTouch);
+      EXPECT_LT(samples.last, kTouch + 0.06);
+      EXPECT_NEAR(samples.places.back(), 0.0, 1e-9);
+      for (size_t i = 0; i < samples.times.size(); ++i) {
+        if (samples.times[i] > kTouch - 0.005) continue;
+        EXPECT_NEAR(samples.places[i], 0.1 * (kTouch - samples.times[i]), 1e-5) << rate;
+      }
+    }
+  }
+}
+
+TEST(TakeApproach, FilledSamplesTakeNoPart) {
+  Trajectory path = MakePath(100.0);
+  const SampleRun hidden = FindSamples(path.times, kTouch - 0.035, kTouch + 0.055);
+  for (size_t i = hidden.first; i < hidden.last; ++i) {
+    path.states[i] = SampleState::kFilled;
+    path.p.col(static_cast<Eigen::Index>(i)).y() = 0.044;
+  }
+  const TouchSamples samples = TakeApproachToPlace(path, FindHoldPlace(path, kHold), kHold, 2e-4);
+  for (const double time : samples.times) {
+    EXPECT_TRUE(time < kTouch - 0.034 || time > kTouch + 0.054) << time;
+  }
+  EXPECT_LT(samples.first, kTouch - 0.03);
+  EXPECT_GT(samples.last, kTouch + 0.03);
+}
+
+TEST(TakeApproach, ATipThatWasAlwaysThereHasNone) {
+  Trajectory path = MakePath(100.0);
+  path.p.colwise() = Vector3d(0.0, 0.043, 0.0);
+  EXPECT_TRUE(TakeApproachToPlace(path, FindHoldPlace(path, kHold), kHold, 2e-4).times.empty());
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,137 @@
+#include "human_study/events/touch_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/base/random.h"
+
+namespace graspbench {
+namespace {
+
+struct Approach {
+  double touch = 0.4;     // [s]
+  double speed = 0.1;     // at touch [m/s]
+  double slowing = 0.7;   // before it [m/s^2]
+  double depth = 0.0;     // that it goes on by [m]
+  double noise = 0.2e-3;  // [m]
+};
+
+/** A digit that slows evenly, touches and sinks in; the bracket is known to 60 ms. */
+TouchSamples Sample(const Approach& approach, RandomStream& random) {
+  TouchSamples samples;
+  samples.noise = approach.noise;
+  samples.first = approach.touch - 0.035;
+  samples.last = approach.touch + 0.025;
+  for (double t = approach.touch - 0.09; t < approach.touch + 0.1; t += 0.005) {
+    const double before = approach.touch - t;
+    double place =
+        approach.depth + approach.speed * before + approach.slowing * before * before / 2;
+    if (before < 0.0) {
+      place = approach.depth > 0.0
+                  ? approach.depth * std::exp(approach.speed * before / approach.depth)
+                  : 0.0;
+    }
+    samples.times.push_back(t);
+    samples.places.push_back(place + approach.noise * random.NextNormal());
+  }
+  return samples;
+}
+
+DepthWeights OnlyDepth(size_t index) {
+  DepthWeights weights{};
+  weights[index] = 1.0;
+  return weights;
+}
+
+TEST(FitTouch, WithoutNoiseTheTouchIsFoundForEveryDepth) {
+  RandomStream random("touch", "no noise");
+  for (const size_t k : {size_t{0}, size_t{3}, size_t{5}}) {
+    Approach approach;
+    approach.depth = kSettlingDepths[k];
+    approach.noise = 1e-7;
+    TouchSamples samples = Sample(approach, random);
+    samples.noise = 3e-5;
+    const EventTime found = CalcTouchTime(FitTouch(samples), OnlyDepth(k));
+    ASSERT_TRUE(found.IsFound());
+    EXPECT_NEAR(found.time, approach.touch, 0.0015) << kSettlingDepths[k];
+  }
+}
+
+TEST(FitTouch, AnotherClockGivesTheSameTouch) {
+  RandomStream random("touch", "clock");
+  TouchSamples samples = Sample({}, random);
+  const EventTime found = CalcTouchTime(FitTouch(samples), kUsualDepths);
+  for (double& time : samples.times) time += 64.0;
+  samples.first += 64.0;
+  samples.last += 64.0;
+  const EventTime later = CalcTouchTime(FitTouch(samples), kUsualDepths);
+  EXPECT_NEAR(later.time, found.time + 64.0, 1e-6);
+  EXPECT_NEAR(later.uncertainty, found.uncertainty, 1e-6);
+}
+
+TEST(FitTouch, AGivenPadOffsetTellsShallowFromDeep) {
+  RandomStream random("touch", "pad");
+  double blind = 0.0, seen = 0.0, covered = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    Approach approach;
+    approach.depth = 2e-3;
+    TouchSamples samples = Sample(approach, random);
+    blind += CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+    samples.touch_place = approach.depth;
+    const EventTime found = CalcTouchTime(FitTouch(samples), kUsualDepths);
+    seen += found.time - approach.touch;
+    covered += std::abs(found.time - approach.touch) <= kCoverageFactor * found.uncertainty;
+  }
+  EXPECT_LT(std::abs(seen), 0.5 * std::abs(blind));
+  EXPECT_GE(covered, 36.0);
+}
+
+// From all contacts of a study the depth becomes known, and with it each contact.
+TEST(LearnDepths, UncertaintiesCoverAndNoBiasIsLeft) {
+  for (const double depth : {0.0, 2e-3}) {
+    RandomStream random("touch", "learn " + std::to_string(depth));
+    std::vector<TouchFit> fits;
+    std::vector<double> truth;
+    for (int i = 0; i < 150; ++i) {
+      Approach approach;
+      approach.touch = 0.4 + 0.005 * random.NextUnit();
+      approach.speed = random.NextUniform(0.06, 0.15);
+      approach.slowing = random.NextUniform(0.2, 1.2);
+      approach.depth = depth;
+      truth.push_back(approach.touch);
+      fits.push_back(FitTouch(Sample(approach, random)));
+    }
+    const DepthWeights weights = LearnDepths(fits);
+    double bias = 0.0, covered = 0.0, usual_bias = 0.0;
+    for (size_t i = 0; i < fits.size(); ++i) {
+      const EventTime found = CalcTouchTime(fits[i], weights);
+      bias += (found.time - truth[i]) / 150.0;
+      usual_bias += (CalcTouchTime(fits[i], kUsualDepths).time - truth[i]) / 150.0;
+      covered += (std::abs(found.time - truth[i]) <= kCoverageFactor * found.uncertainty) / 150.0;
+    }
+    EXPECT_LT(std::abs(bias), 0.003) << depth;
+    EXPECT_GE(covered, 0.9) << depth;
+    if (depth > 0.0) {
+      EXPECT_LT(std::abs(bias), 0.5 * std::abs(usual_bias));
+    }
+    double mean_depth = 0.0;
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (size_t k = 0; k < weights.size(); ++k) mean_depth += weights[k] * kSettlingDepths[k] / sum;
+    EXPECT_NEAR(mean_depth, depth, 0.5e-3);
+  }
+}
+
+TEST(FitTouch, TooFewSamplesAreTold) {
+  RandomStream random("touch", "missing");
+  TouchSamples few = Sample({}, random);
+  few.times.resize(5);
+  few.places.resize(5);
+  EXPECT_EQ(FitTouch(few).missing, "too few measured samples before or after the contact");
+  EXPECT_EQ(CalcTouchTime(FitTouch(few), kUsualDepths).missing, FitTouch(few).missing);
+  EXPECT_TRUE(std::isnan(CalcOwnUncertainty(FitTouch(few), kUsualDepths)));
+}
+
+}  // namespace
+}  // namespace graspbench
