@@ -10,7 +10,6 @@ object.yaml: what is known of a thing to grasp beside its mesh.
     friction_dynamic: 0.40          # at most the static one
     # the rest may be left out
     contact_stiffness_n_per_m: 5e4        # of one contact point; else as the session has it
-    contact_dissipation_s_per_m: 20       # likewise
     torsion_radius_m: 0.003               # of a soft surface
     size_m: [0.12, 0.085, 0.09]           # the mesh must have it within 0.1 mm
     size_of_sight_m: [0.12, 0.085, 0.09]  # if soft: the size before it is squeezed

@@ -43,8 +43,11 @@ const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand) {
     const auto is_drawable = [&](const SceneSnapshot& s) { return IsDrawable(s, hand); };
     if (snapshots.empty() || !std::all_of(snapshots.begin(), snapshots.end(), is_drawable))
       continue;
-    if (record->result.outcome == Outcome::kSuccess) return record;
-    if (chosen == nullptr) chosen = record;
+    const Outcome outcome = record->result.outcome;
+    if (outcome == Outcome::kNotPhysical) return record;
+    const bool is_first_success =
+        outcome == Outcome::kSuccess && (!chosen || chosen->result.outcome != Outcome::kSuccess);
+    if (chosen == nullptr || is_first_success) chosen = record;
   }
   return chosen;
 }

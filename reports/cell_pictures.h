@@ -34,8 +34,8 @@ struct CellPictures {
 inline constexpr int kPictureWidth = 360;
 inline constexpr int kPictureHeight = 270;
 
-/** The cell's first successful trial whose snapshots fit the hand, else its first one that fits;
-null without any. */
+/** Of the cell's trials whose snapshots fit the hand the first that is not physical, else the first
+success, else the first; null without any. */
 const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand);
 
 /** All from one camera, which stands as near as the scenes allow. @throws Error when the machine

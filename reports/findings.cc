@@ -26,6 +26,17 @@ void AddJournalFindings(const ReportData& data, std::vector<std::string>& findin
   }
 }
 
+void AddNonsense(const ReportData& data, std::vector<std::string>& findings) {
+  for (const CellSummary& cell : data.summary.cells) {
+    for (const TrialRecord* record : cell.records) {
+      if (record->result.outcome != Outcome::kNotPhysical) continue;
+      findings.push_back("Not physical, so no success: " + NameOfCell(cell, data.models) +
+                         ", trial " + std::to_string(record->plan.trial) + ": " +
+                         record->result.reason + "; the cell's pictures show such a trial.");
+    }
+  }
+}
+
 void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings) {
   const int failures = data.summary.total.CountOf(Outcome::kNumericalFailure);
   if (failures > 0) {
@@ -37,8 +48,7 @@ void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings
     if (cell.num_early == 0) continue;
     findings.push_back(NameOfCell(cell, data.models) + ": in " +
                        FormatCount(cell.num_early, "trial") +
-                       " a digit touched before the start of closure, so GFT may exceed GCT; the "
-                       "times are kept as they are.");
+                       " a digit touched before the start of closure; the times leave it out.");
   }
 }
 
@@ -46,6 +56,7 @@ void AddTrialFindings(const ReportData& data, std::vector<std::string>& findings
 
 std::vector<std::string> ListFindings(const ReportData& data) {
   std::vector<std::string> findings;
+  AddNonsense(data, findings);
   AddMissingTrials(data, findings);
   AddJournalFindings(data, findings);
   AddTrialFindings(data, findings);

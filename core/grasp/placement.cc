@@ -16,8 +16,10 @@ using Eigen::Vector3d;
 
 constexpr double kLowestGrasp = 0.009;      ///< smallest h_g [m]
 constexpr double kBelowTop = 0.008;         ///< h_g stays this far below the object's top [m]
-constexpr double kPalmGap = 0.003;          ///< power: palm to object [m]
+constexpr double kPalmGap = 0.003;          ///< palm to object, at least; power: exactly [m]
+constexpr double kLeastHold = 0.003;        ///< by which pads reach past the object's near face [m]
 constexpr double kTableClearance = 0.0005;  ///< [m]
+constexpr double kFarAway = 1.0;            ///< from where a hand comes at the latest [m]
 constexpr int kClosingSteps = 200;
 
 struct Pads {
@@ -74,6 +76,40 @@ double CalcExtent(const Hand& hand, const std::vector<Pose>& X_HL, const Pose& X
     extent = std::max(extent, direction_W.dot(p_WS) + sphere.radius);
   }
   return extent;
+}
+
+/** How far along the approach the open hand must stop short of `placement` [m]. */
+double CalcWayBack(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+                   const Placement& placement) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, 0.0));
+  const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
+  const auto is_distal = [&](int link) {
+    return std::any_of(hand.digits.begin(), hand.digits.end(),
+                       [&](const Digit& digit) { return digit.distal_link == link; });
+  };
+  const auto calc_gap = [&](double back, bool of_distal_links) {
+    double gap = kFarAway;
+    for (const ContactSphere& sphere : hand.contact_spheres) {
+      if (is_distal(sphere.link) != of_distal_links) continue;
+      const double least = sphere.link == hand.palm_link && !grasp.palm_may_touch ? kPalmGap : 0.0;
+      const Vector3d p_WS = placement.X_WH * (X_HL[sphere.link] * sphere.p_LS);
+      const Vector3d p_OS = p_WS - back * placement.approach_W - p_WO;
+      gap = std::min(gap, object.field->CalcDistance(p_OS) - sphere.radius - least);
+    }
+    return gap;
+  };
+  // No point moves faster than the hand: a gap is a safe step.
+  constexpr double kNear = 1e-4;
+  double back = kFarAway;
+  while (back > 0.0) {
+    const double gap = calc_gap(back, false);
+    if (gap < kNear) break;
+    back = std::max(0.0, back - gap);
+  }
+  for (double gap; (gap = calc_gap(back, true)) < 0.0 && back < kFarAway;) {
+    back += std::max(-gap, kNear);
+  }
+  return back;
 }
 
 }  // namespace
@@ -163,6 +199,22 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   if (lowest < kTableClearance) {
     placement.X_WH.pretranslate((kTableClearance - lowest) * Vector3d::UnitZ());
   }
+  return placement;
+}
+
+Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
+  Placement placement = CalcPlacement(hand, grasp, object.size, object.mass_properties.p_OOcm);
+  if (grasp.placement) return placement;
+  const double back = CalcWayBack(hand, grasp, object, placement);
+  if (back == 0.0) return placement;
+  placement.X_WH.pretranslate(-back * placement.approach_W);
+  const Pads pads =
+      CalcPads(hand, grasp,
+               CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, placement.closing_at_contact)));
+  const Vector3d p_WG = placement.X_WH * Vector3d(0.5 * (pads.p_HThumb + pads.p_HFingers));
+  const bool from_side = std::abs(placement.approach_W.z()) < 0.5;
+  const double near_face = from_side ? -0.5 * object.size.y() : -object.size.z();
+  placement.reaches_object = placement.approach_W.dot(p_WG) >= near_face + kLeastHold;
   return placement;
 }
 

@@ -19,6 +19,11 @@ so that the pads clear the table; a power grasp brings the palm to 3 mm from the
 sphere of the hand comes nearer to the table than 0.5 mm while it closes to s*; what is thinner than
 9 mm is picked off the table, there it holds at s* only.
 
+The open hand comes from afar along the approach and stops where its palm would come nearer to the
+object than 3 mm (a palm that may touch: 0), or another link would meet it. Fingertips may brush the
+object on the way, but do not end inside it. When the pads of a hand that had to stop do not pass
+the object's near face by 3 mm, the grasp does not reach the object.
+
 An object taller than the fingers reach is grasped with power from the side: the approach is
 horizontal and the flexion axis of the fingers vertical, the grasp centre at half height; the
 strategy is the same, only position and orientation differ.
@@ -29,6 +34,7 @@ All of this is proposed by graspbench: the thesis gives d and alpha, and that p 
 
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
 
 namespace graspbench {
 
@@ -39,5 +45,9 @@ Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp,
 @param p_OOcm  its centre of mass [m]. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
                         const Eigen::Vector3d& object_size, const Eigen::Vector3d& p_OOcm);
+
+/** The same, and stops before the object as it is (its distance field). A placement that the grasp
+brings is left alone. */
+Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

@@ -36,6 +36,7 @@ struct Placement {
       Pose::Identity();  ///< at the grasp position, for an object with p_WO = (0, 0, height/2)
   Eigen::Vector3d approach_W = -Eigen::Vector3d::UnitZ();  ///< unit; the hand moves along it by d
   double closing_at_contact = 1.0;                         ///< s*, in [0, 1]
+  bool reaches_object = true;  ///< false: links would meet the object before the pads hold it
 };
 
 /** One grasp of one hand. Where the hand stands follows from the postures (placement.h), unless

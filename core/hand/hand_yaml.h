@@ -28,7 +28,6 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
     surfaces:                  # absent: all as the session has it; what is left out, too
       - links: [palm]
         contact_stiffness_n_per_m: 2e5   # of one contact point
-        contact_dissipation_s_per_m: 20
         friction_static: 0.6             # with the object's: core/physics/combine_surfaces.h
         friction_dynamic: 0.5
         torsion_radius_m: 0.002

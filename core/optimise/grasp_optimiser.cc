@@ -278,7 +278,7 @@ int CountLearningTrials(const OptimiseConfig& config) {
 StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
                               const StandardGrasp& standard, const std::string& id) {
   StandardGrasp grasp = standard;
-  grasp.placement = CalcPlacement(hand, standard, object.size, object.mass_properties.p_OOcm);
+  grasp.placement = CalcPlacement(hand, standard, object);
   grasp.object = object.id;
   grasp.id = id;
   return RoundAngles(hand, grasp, standard.id);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "core/base/units.h"
 #include "core/physics/combine_surfaces.h"
@@ -13,35 +12,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Directions in which the object's outermost vertices are looked for. */
-constexpr int kSupportDirections = 4000;
-/** Vertices this much higher than the lowest one do not carry the object [m]. */
-constexpr double kSupportBand = 2e-4;
-constexpr int kMaxTableContacts = 8;
-
-/** Vertices that can touch a plane: outermost ones over a Fibonacci lattice of directions. */
-std::vector<Vector3d> FindSupportPoints(const TriMesh& mesh) {
-  std::set<size_t> chosen;
-  const double golden_angle = kPi * (3.0 - std::sqrt(5.0));
-  for (int k = 0; k < kSupportDirections; ++k) {
-    const double z = 1.0 - (2.0 * k + 1.0) / kSupportDirections;
-    const double r = std::sqrt(1.0 - z * z);
-    const Vector3d direction(r * std::cos(golden_angle * k), r * std::sin(golden_angle * k), z);
-    size_t best = 0;
-    double most = -std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < mesh.vertices.size(); ++i) {
-      const double extent = direction.dot(mesh.vertices[i]);
-      if (extent > most) {
-        most = extent;
-        best = i;
-      }
-    }
-    chosen.insert(best);
-  }
-  std::vector<Vector3d> points;
-  for (size_t i : chosen) points.push_back(mesh.vertices[i]);
-  return points;
-}
+/** The table feels the object from here on, so that a fall of 0.2 m, which ends at 2 m/s, does not
+pass it within a step of 4 ms [m] */
+constexpr double kTableMargin = 0.008;
+/** Counts as the load of a point that has just touched, so that new ones share alike [N]. */
+constexpr double kUnknownLoad = 1e-6;
 
 struct ClosestPoints {
   Vector3d on_a, on_b;
@@ -80,8 +55,7 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
       spheres_(hand.contact_spheres),
       capsules_(hand.capsules),
       field_(object.field.get()),
-      support_points_(FindSupportPoints(object.mesh)) {
-  for (const Vector3d& p : support_points_) object_radius_ = std::max(object_radius_, p.norm());
+      support_(object.mesh) {
   GroupSpheres();
   FindCapsulePairs(hand);
   CombineMaterials(hand, object.surface, config);
@@ -139,24 +113,23 @@ void Collider::CombineMaterials(const Hand& hand, const SurfaceMaterial& object,
   object_underside.friction_static = object_underside.friction_dynamic = SurfaceMaterial::kUnset;
   object_table_ = CombineSurfaces(object_underside, table, config);
   for (CapsulePair& pair : pairs_) {
-    pair.material = CombineSurfaces(hand.links[capsules_[pair.a].link].surface,
-                                    hand.links[capsules_[pair.b].link].surface, config);
+    pair.material = CombineSurfaces(
+        MakeSelfSurface(hand.links[capsules_[pair.a].link].surface, config),
+        MakeSelfSurface(hand.links[capsules_[pair.b].link].surface, config), config);
   }
 }
 
 void Collider::Reset() {
   hand_object_memory_.assign(spheres_.size(), ContactMemory());
   hand_table_memory_.assign(spheres_.size(), ContactMemory());
-  object_table_memory_.assign(support_points_.size(), ContactMemory());
+  object_table_memory_.assign(static_cast<size_t>(support_.num_ids()), ContactMemory());
+  self_memory_.assign(pairs_.size(), ContactMemory());
 }
 
-void Collider::AddHandRows(const HandDynamics& dynamics, int link, double sign,
-                           const Vector3d& v_WH, ContactPoint& contact) const {
+void Collider::AddJointRows(const HandDynamics& dynamics, int link, double sign,
+                            ContactPoint& contact) {
   const int num_rows = contact.num_rows();
   const Vector3d rows[3] = {contact.nhat_BA_W, contact.tangent1_W, contact.tangent2_W};
-  for (int row = 0; row < std::min(num_rows, 3); ++row) {
-    contact.drift[row] += sign * rows[row].dot(v_WH);
-  }
   for (int joint : dynamics.chain(link)) {
     const double rate = dynamics.rate_of_joint(joint);
     if (rate == 0.0) continue;
@@ -184,13 +157,13 @@ void Collider::AddHandRows(const HandDynamics& dynamics, int link, double sign,
   }
 }
 
-void Collider::AddObjectRows(int first_dof, const Vector3d& p_WOcm, double sign,
-                             ContactPoint& contact) {
+void Collider::AddBodyRows(int first_dof, const Vector3d& p_WBody, const Vector3d& p_WFriction,
+                           double sign, ContactPoint& contact) {
   const int num_rows = contact.num_rows();
-  const Vector3d r = contact.p_WC - p_WOcm;
   const Vector3d rows[3] = {contact.nhat_BA_W, contact.tangent1_W, contact.tangent2_W};
   for (int k = 0; k < 6; ++k) contact.dofs[contact.num_dofs + k] = first_dof + k;
   for (int row = 0; row < num_rows; ++row) {
+    const Vector3d r = (row == kNormalRow ? contact.p_WC : p_WFriction) - p_WBody;
     const Vector3d angular = row < 3 ? Vector3d(r.cross(rows[row])) : contact.nhat_BA_W;
     const Vector3d linear = row < 3 ? rows[row] : Vector3d(Vector3d::Zero());
     for (int k = 0; k < 3; ++k) {
@@ -202,13 +175,13 @@ void Collider::AddObjectRows(int first_dof, const Vector3d& p_WOcm, double sign,
 }
 
 void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
-                              const Vector3d& p_WOcm, const Vector3d& v_WH, int step_number,
+                              const Vector3d& p_WOcm, int step_number,
                               std::vector<ContactPoint>& contacts) {
   const Eigen::Matrix3d R_WO = X_WO.linear();
   const Vector3d p_WO = X_WO.translation();
   for (const LinkSpheres& group : link_spheres_) {
     const Pose& X_WL = dynamics.X_WL(group.link);
-    const double reach = object_radius_ + group.radius + kMargin;
+    const double reach = support_.radius() + group.radius + kMargin;
     if ((X_WL * group.p_LCentre - p_WO).squaredNorm() > reach * reach) continue;
     const Vector3d p_OCentre = R_WO.transpose() * (X_WL * group.p_LCentre - p_WO);
     if (field_->CalcDistance(p_OCentre) > group.radius + kMargin) continue;
@@ -227,13 +200,14 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       contact.is_on_object = true;
       contact.memory = &hand_object_memory_[i];
       PrepareContact(h_, step_number, contact);
-      AddHandRows(dynamics, group.link, 1.0, v_WH, contact);
-      AddObjectRows(dynamics.num_dofs(), p_WOcm, -1.0, contact);
+      AddJointRows(dynamics, group.link, 1.0, contact);
+      AddBodyRows(dynamics.num_dofs(), dynamics.p_WH(), contact.p_WC, 1.0, contact);
+      AddBodyRows(dynamics.num_speeds(), p_WOcm, contact.p_WC, -1.0, contact);
     }
   }
 }
 
-void Collider::FindHandTable(const HandDynamics& dynamics, const Vector3d& v_WH, int step_number,
+void Collider::FindHandTable(const HandDynamics& dynamics, int step_number,
                              std::vector<ContactPoint>& contacts) {
   for (const LinkSpheres& group : link_spheres_) {
     const Pose& X_WL = dynamics.X_WL(group.link);
@@ -251,74 +225,58 @@ void Collider::FindHandTable(const HandDynamics& dynamics, const Vector3d& v_WH,
       contact.link = group.link;
       contact.memory = &hand_table_memory_[i];
       PrepareContact(h_, step_number, contact);
-      AddHandRows(dynamics, group.link, 1.0, v_WH, contact);
+      AddJointRows(dynamics, group.link, 1.0, contact);
+      AddBodyRows(dynamics.num_dofs(), dynamics.p_WH(), contact.p_WC, 1.0, contact);
     }
-  }
-}
-
-void Collider::ChooseCarrying(const std::vector<double>& heights, double lowest,
-                              const Vector3d& up_O, std::vector<int>& chosen) const {
-  thread_local std::vector<int> carrying;
-  carrying.clear();
-  for (size_t i = 0; i < support_points_.size(); ++i) {
-    if (heights[i] <= lowest + kSupportBand) carrying.push_back(static_cast<int>(i));
-  }
-  chosen.clear();
-  if (carrying.size() <= kMaxTableContacts) {
-    chosen = carrying;
-    return;
-  }
-  // The outermost ones hold the object; fixed directions of O keep the choice steady from step to
-  // step.
-  const Vector3d e1 = up_O.unitOrthogonal(), e2 = up_O.cross(e1);
-  for (int k = 0; k < kMaxTableContacts; ++k) {
-    const double angle = 2.0 * kPi * k / kMaxTableContacts;
-    const Vector3d direction = std::cos(angle) * e1 + std::sin(angle) * e2;
-    const int point = *std::max_element(carrying.begin(), carrying.end(), [&](int a, int b) {
-      return direction.dot(support_points_[a]) < direction.dot(support_points_[b]);
-    });
-    if (std::find(chosen.begin(), chosen.end(), point) == chosen.end()) chosen.push_back(point);
   }
 }
 
 void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
                                const Vector3d& p_WOcm, int step_number,
                                std::vector<ContactPoint>& contacts) {
-  const Vector3d p_WO = X_WO.translation();
-  if (p_WO.z() > object_radius_ + kMargin) return;
-  const Eigen::RowVector3d up_O = X_WO.linear().row(2);
-  double lowest = std::numeric_limits<double>::infinity();
-  thread_local std::vector<double> heights;
-  heights.resize(support_points_.size());
-  for (size_t i = 0; i < support_points_.size(); ++i) {
-    heights[i] = p_WO.z() + up_O.dot(support_points_[i]);
-    lowest = std::min(lowest, heights[i]);
+  thread_local std::vector<TableSupport::Contact> supports;
+  double face_factor = 1.0;
+  support_.FindContacts(X_WO, kTableMargin, supports, face_factor);
+  const auto memory_of = [&](const TableSupport::Contact& support) -> ContactMemory& {
+    return object_table_memory_[static_cast<size_t>(support.id)];
+  };
+  // The centre of pressure of the last step, about which the face's friction is spread.
+  Vector3d p_WPressure = Vector3d::Zero();
+  double pressure = 0.0;
+  for (const TableSupport::Contact& support : supports) {
+    const ContactMemory& memory = memory_of(support);
+    const bool is_known = step_number > 0 && memory.last_step == step_number - 1;
+    const double fn = is_known ? memory.normal_force : kUnknownLoad;
+    p_WPressure += fn * support.p_W;
+    pressure += fn;
   }
-  if (lowest > kMargin) return;
-
-  thread_local std::vector<int> chosen;
-  ChooseCarrying(heights, lowest, up_O.transpose(), chosen);
-  for (int point : chosen) {
+  if (pressure > 0.0) p_WPressure /= pressure;
+  for (const TableSupport::Contact& support : supports) {
     ContactPoint& contact = contacts.emplace_back();
     contact.material = object_table_;
     contact.nhat_BA_W = Vector3d::UnitZ();
-    contact.p_WC = X_WO * support_points_[point];
-    contact.depth = -heights[point];
+    contact.p_WC = support.p_W;
+    contact.depth = -support.p_W.z();
     contact.is_on_object = true;
-    contact.memory = &object_table_memory_[point];
+    contact.memory = &memory_of(support);
     PrepareContact(h_, step_number, contact);
-    AddObjectRows(dynamics.num_dofs(), p_WOcm, 1.0, contact);
+    Vector3d p_WFriction = support.p_W;
+    if (pressure > 0.0 && !support.is_round) {
+      p_WFriction = p_WPressure + face_factor * (support.p_W - p_WPressure);
+    }
+    AddBodyRows(dynamics.num_speeds(), p_WOcm, p_WFriction, 1.0, contact);
   }
 }
 
-void Collider::FindSelfContacts(const HandDynamics& dynamics, const Vector3d& v_WH, int step_number,
+void Collider::FindSelfContacts(const HandDynamics& dynamics, int step_number,
                                 std::vector<ContactPoint>& contacts) {
   capsule_ends_.resize(capsules_.size());
   for (size_t i = 0; i < capsules_.size(); ++i) {
     const Pose& X_WL = dynamics.X_WL(capsules_[i].link);
     capsule_ends_[i] = {X_WL * capsules_[i].p_LA, X_WL * capsules_[i].p_LB};
   }
-  for (const CapsulePair& pair : pairs_) {
+  for (size_t p = 0; p < pairs_.size(); ++p) {
+    const CapsulePair& pair = pairs_[p];
     const LinkCapsule &a = capsules_[pair.a], &b = capsules_[pair.b];
     const auto& [a0, a1] = capsule_ends_[pair.a];
     const auto& [b0, b1] = capsule_ends_[pair.b];
@@ -335,20 +293,21 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, const Vector3d& v_
     contact.p_WC = nearest.on_b + (b.radius + 0.5 * (distance - radii)) * contact.nhat_BA_W;
     contact.depth = radii - distance;
     contact.link = a.link;
+    contact.memory = &self_memory_[p];
     PrepareContact(h_, step_number, contact);
-    AddHandRows(dynamics, a.link, 1.0, v_WH, contact);
-    AddHandRows(dynamics, b.link, -1.0, v_WH, contact);
+    // Both links hang on the base, whose motion cancels.
+    AddJointRows(dynamics, a.link, 1.0, contact);
+    AddJointRows(dynamics, b.link, -1.0, contact);
   }
 }
 
 void Collider::FindContacts(const HandDynamics& dynamics, const Pose& X_WO, const Vector3d& p_WOcm,
-                            const Vector3d& v_WH, int step_number,
-                            std::vector<ContactPoint>& contacts) {
+                            int step_number, std::vector<ContactPoint>& contacts) {
   contacts.clear();
-  FindHandObject(dynamics, X_WO, p_WOcm, v_WH, step_number, contacts);
-  FindHandTable(dynamics, v_WH, step_number, contacts);
+  FindHandObject(dynamics, X_WO, p_WOcm, step_number, contacts);
+  FindHandTable(dynamics, step_number, contacts);
   FindObjectTable(dynamics, X_WO, p_WOcm, step_number, contacts);
-  FindSelfContacts(dynamics, v_WH, step_number, contacts);
+  FindSelfContacts(dynamics, step_number, contacts);
 }
 
 double Collider::CalcSmallestGap(const HandDynamics& dynamics, const Pose& X_WO) const {
@@ -360,12 +319,6 @@ double Collider::CalcSmallestGap(const HandDynamics& dynamics, const Pose& X_WO)
         {gap, p_WS.z() - sphere.radius, field_->CalcDistance(X_OW * p_WS) - sphere.radius});
   }
   return gap;
-}
-
-double Collider::CalcLowestPoint(const Pose& X_WO) const {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3d& p : support_points_) lowest = std::min(lowest, (X_WO * p).z());
-  return lowest;
 }
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Finds the points of contact of a scene: hand spheres against the object's distance field, hand
-spheres and the object against the table (z = 0), links of the hand against each other (capsules,
-without friction).
+spheres and the object against the table (z = 0), links of the hand against each other (capsules).
+Movable parts of an object (keys, a folding rule) are rigid.
 
 Points with a gap below kMargin are included, so that a fast approach is felt one step ahead. Order
 and names of contacts are fixed: the same scene gives the same list. */
@@ -15,6 +15,7 @@ and names of contacts are fixed: the same scene gives the same list. */
 #include "core/physics/contact.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/sim_config.h"
+#include "core/physics/table_support.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
@@ -29,18 +30,16 @@ class Collider {
   void Reset();
 
   /** Fills `contacts` for the hand's current positions and the object at X_WO, p_WOcm.
-  The degrees of freedom of the object are numbered from dynamics.num_dofs(): w_WO (3), v_WOcm (3).
-  @param v_WH  velocity of the hand's root at the end of the step. */
+  The object's degrees of freedom come after the hand's speeds: w_WO (3), v_WOcm (3). */
   void FindContacts(const HandDynamics& dynamics, const Pose& X_WO, const Eigen::Vector3d& p_WOcm,
-                    const Eigen::Vector3d& v_WH, int step_number,
-                    std::vector<ContactPoint>& contacts);
+                    int step_number, std::vector<ContactPoint>& contacts);
 
   /** Smallest gap between the hand and object or table; a lower bound beyond the field's grid [m].
    */
   double CalcSmallestGap(const HandDynamics& dynamics, const Pose& X_WO) const;
 
   /** Lowest point of the object [m]. */
-  double CalcLowestPoint(const Pose& X_WO) const;
+  double CalcLowestPoint(const Pose& X_WO) const { return support_.CalcLowestPoint(X_WO); }
 
  private:
   struct CapsulePair {
@@ -52,22 +51,20 @@ class Collider {
   void GroupSpheres();
   void FindCapsulePairs(const Hand& hand);
   void CombineMaterials(const Hand& hand, const SurfaceMaterial& object, const SimConfig& config);
-  void AddHandRows(const HandDynamics& dynamics, int link, double sign, const Eigen::Vector3d& v_WH,
-                   ContactPoint& contact) const;
-  static void AddObjectRows(int first_dof, const Eigen::Vector3d& p_WOcm, double sign,
-                            ContactPoint& contact);
+  static void AddJointRows(const HandDynamics& dynamics, int link, double sign,
+                           ContactPoint& contact);
+  /** Rows of a body with six speeds, angular first, about p_WBody: the hand's base or the object.
+  @param p_WFriction  where the contact's friction acts. */
+  static void AddBodyRows(int first_dof, const Eigen::Vector3d& p_WBody,
+                          const Eigen::Vector3d& p_WFriction, double sign, ContactPoint& contact);
   void FindHandObject(const HandDynamics& dynamics, const Pose& X_WO, const Eigen::Vector3d& p_WOcm,
-                      const Eigen::Vector3d& v_WH, int step_number,
-                      std::vector<ContactPoint>& contacts);
-  void FindHandTable(const HandDynamics& dynamics, const Eigen::Vector3d& v_WH, int step_number,
+                      int step_number, std::vector<ContactPoint>& contacts);
+  void FindHandTable(const HandDynamics& dynamics, int step_number,
                      std::vector<ContactPoint>& contacts);
   void FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
                        const Eigen::Vector3d& p_WOcm, int step_number,
                        std::vector<ContactPoint>& contacts);
-  /** The outermost of the support points that carry, at `heights`, seen along `up_O`. */
-  void ChooseCarrying(const std::vector<double>& heights, double lowest,
-                      const Eigen::Vector3d& up_O, std::vector<int>& chosen) const;
-  void FindSelfContacts(const HandDynamics& dynamics, const Eigen::Vector3d& v_WH, int step_number,
+  void FindSelfContacts(const HandDynamics& dynamics, int step_number,
                         std::vector<ContactPoint>& contacts);
 
   double h_;                            // step [s]
@@ -83,11 +80,11 @@ class Collider {
   std::vector<CapsulePair> pairs_;
   std::vector<std::array<Eigen::Vector3d, 2>> capsule_ends_;  // in W, of the current step
   const SignedDistanceField* field_;
-  double object_radius_ = 0.0;                             // of a ball around the object's O
-  std::vector<Eigen::Vector3d> support_points_;            // of the object, for the table
+  TableSupport support_;
   std::vector<ContactMaterial> link_object_, link_table_;  // by link
   ContactMaterial object_table_;
-  std::vector<ContactMemory> hand_object_memory_, hand_table_memory_, object_table_memory_;
+  std::vector<ContactMemory> hand_object_memory_, hand_table_memory_, object_table_memory_,
+      self_memory_;
 };
 
 }  // namespace graspbench

@@ -23,14 +23,9 @@ double CombineFriction(double a, double b) {
 
 ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial& b,
                                 const SimConfig& config) {
-  const auto or_session = [&](double k) { return std::isnan(k) ? config.contact_stiffness : k; };
-  const double k_a = or_session(a.stiffness), k_b = or_session(b.stiffness);
   ContactMaterial pair;
   pair.stiffness = Combine(a.stiffness, b.stiffness, config.contact_stiffness,
                            [](double ka, double kb) { return ka * kb / (ka + kb); });
-  pair.dissipation =
-      Combine(a.dissipation, b.dissipation, config.contact_dissipation,
-              [&](double d_a, double d_b) { return (k_b * d_a + k_a * d_b) / (k_a + k_b); });
   pair.friction_static = CombineFriction(a.friction_static, b.friction_static);
   pair.friction_dynamic = CombineFriction(a.friction_dynamic, b.friction_dynamic);
   pair.torsion_radius = Combine(a.torsion_radius, b.torsion_radius, 0.0,
@@ -38,6 +33,16 @@ ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial&
   pair.tangential_stiffness =
       config.tangential_stiffness * (pair.stiffness / config.contact_stiffness);
   return pair;
+}
+
+SurfaceMaterial MakeSelfSurface(const SurfaceMaterial& link, const SimConfig& config) {
+  SurfaceMaterial surface = link;
+  surface.torsion_radius = 0.0;
+  if (std::isnan(link.friction_static)) {
+    surface.friction_static = config.hand_friction_static;
+    surface.friction_dynamic = config.hand_friction_dynamic;
+  }
+  return surface;
 }
 
 SurfaceMaterial MakeTableSurface(const SimConfig& config) {

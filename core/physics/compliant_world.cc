@@ -13,7 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTransitionSpeed = 1e-4;  ///< of friction [m/s]
-constexpr double kAccuracy = 1e-4;         ///< of the integrator; absolute for positions in m
+/** c in Hunt and Crossley's 1 + 3/2 c xdot [s/m]. Simbody has no inelastic contact; this much loses
+most of the speed at 0.1 m/s. */
+constexpr double kDissipation = 40.0;
+constexpr double kAccuracy = 1e-4;  ///< of the integrator; absolute for positions in m
 /** At this force a contact is as deep as in our own world [N]. */
 constexpr double kTypicalForce = 2.0;
 constexpr double kTypicalRadius = 0.008;  ///< of a fingertip [m]
@@ -205,8 +208,7 @@ SimTK::ContactMaterial Model::MakeMaterial(const SimConfig& sim, double mu_s, do
   const double depth = kTypicalForce / sim.contact_stiffness;
   const double stiffness =
       2.0 * kTypicalForce / (4.0 / 3.0 * std::sqrt(kTypicalRadius) * std::pow(depth, 1.5));
-  // Simbody's force has 1 + 3/2 c xdot where ours has 1 + d xdot.
-  return {stiffness, sim.contact_dissipation / 1.5, mu_s, mu_d};
+  return {stiffness, kDissipation, mu_s, mu_d};
 }
 
 void Model::AddTable(const GraspObject& grasp_object, const SimConfig& sim) {

@@ -1,6 +1,7 @@
 #include "core/physics/contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace graspbench {
@@ -11,20 +12,15 @@ constexpr double kBristleDampingTime = 1e-3;
 /** Static friction is back after this time without sliding [s]. */
 constexpr double kRestTime = 0.02;
 
-struct Bristle {
-  double y1, y2, norm;
-};
+/** Friction before it is clipped: tangents, and spin over the torsion radius [N]. */
+using Bristle = std::array<double, 3>;
 
 Bristle CalcBristle(const ContactPoint& contact, const ContactRates& rates, double h) {
-  const double kt = contact.material.tangential_stiffness;
+  const double kt = contact.material.tangential_stiffness, r = contact.material.torsion_radius;
   const double gain = kt * (h + kBristleDampingTime);
-  const double y1 = kt * contact.stretch[0] + gain * rates[kTangentRow1];
-  const double y2 = kt * contact.stretch[1] + gain * rates[kTangentRow2];
-  return {y1, y2, std::sqrt(y1 * y1 + y2 * y2)};
-}
-
-double CalcSpinStiffness(const ContactMaterial& material) {
-  return material.tangential_stiffness * material.torsion_radius * material.torsion_radius;
+  return {kt * contact.stretch[0] + gain * rates[kTangentRow1],
+          kt * contact.stretch[1] + gain * rates[kTangentRow2],
+          r > 0.0 ? r * (kt * contact.twist + gain * rates[kSpinRow]) : 0.0};
 }
 
 }  // namespace
@@ -59,37 +55,31 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   ContactForces result;
   const ContactMaterial& material = contact.material;
   const double vn = rates[kNormalRow];
-  const double depth = contact.depth - h * vn;
-  const double damping = 1.0 - material.dissipation * vn;
-  if (depth > 0.0 && damping > 0.0) {
-    result.force[kNormalRow] = material.stiffness * depth * damping;
-    result.normal_gain = material.stiffness * (h * damping + material.dissipation * depth);
+  const double push =
+      material.stiffness * (std::max(contact.depth, 0.0) -
+                            (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h));
+  if (push > 0.0) {
+    result.force[kNormalRow] = push;
+    result.normal_gain = material.stiffness * (h + kContactRelaxationTime);
   }
   if (!contact.memory) return result;
 
-  const double limit = contact.friction_limit;
+  const double limit = contact.friction_limit, r = material.torsion_radius;
   const Bristle y = CalcBristle(contact, rates, h);
+  const double norm = std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
   const double gain = material.tangential_stiffness * (h + kBristleDampingTime);
-  if (y.norm <= limit) {
-    result.force[kTangentRow1] = -y.y1;
-    result.force[kTangentRow2] = -y.y2;
-    result.tangent_gain = {gain, 0.0, gain};
-  } else {
-    result.is_at_limit = true;
-    const double c1 = y.y1 / y.norm, c2 = y.y2 / y.norm;
-    result.force[kTangentRow1] = -limit * c1;
-    result.force[kTangentRow2] = -limit * c2;
-    const double across = gain * limit / y.norm;
-    result.tangent_gain = {across * c2 * c2, -across * c1 * c2, across * c1 * c1};
-  }
-  if (material.torsion_radius > 0.0) {
-    const double kr = CalcSpinStiffness(material);
-    const double spin_gain = kr * (h + kBristleDampingTime);
-    const double moment = kr * contact.twist + spin_gain * rates[kSpinRow];
-    const double spin_limit = limit * material.torsion_radius;
-    result.force[kSpinRow] = -std::clamp(moment, -spin_limit, spin_limit);
-    result.spin_gain = std::abs(moment) <= spin_limit ? spin_gain : 0.0;
-  }
+  result.is_at_limit = norm > limit;
+  // Clipped friction keeps its direction c: only what is across c still grows with the rates.
+  const double share = result.is_at_limit ? limit / norm : 1.0;
+  const double along = result.is_at_limit ? 1.0 : 0.0;
+  const Bristle c = norm > 0.0 ? Bristle{y[0] / norm, y[1] / norm, y[2] / norm} : Bristle{};
+  result.force[kTangentRow1] = -share * y[0];
+  result.force[kTangentRow2] = -share * y[1];
+  result.force[kSpinRow] = -share * y[2] * r;
+  const double g = gain * share;
+  result.friction_gain = {g * (1.0 - along * c[0] * c[0]), -g * along * c[0] * c[1],
+                          g * (1.0 - along * c[1] * c[1]), -g * along * c[0] * c[2] * r,
+                          -g * along * c[1] * c[2] * r,    g * (1.0 - along * c[2] * c[2]) * r * r};
   return result;
 }
 
@@ -99,18 +89,17 @@ void FinishContact(const ContactPoint& contact, const ContactRates& rates,
   const double fn = forces.force[kNormalRow];
   if (!memory || fn <= 0.0) return;  // a broken contact forgets
   const ContactMaterial& material = contact.material;
+  const double kt = material.tangential_stiffness, r = material.torsion_radius;
   double s1 = contact.stretch[0] + h * rates[kTangentRow1];
   double s2 = contact.stretch[1] + h * rates[kTangentRow2];
+  double twist = contact.twist + (r > 0.0 ? h * rates[kSpinRow] : 0.0);
   if (forces.is_at_limit) {
-    s1 = -forces.force[kTangentRow1] / material.tangential_stiffness;
-    s2 = -forces.force[kTangentRow2] / material.tangential_stiffness;
+    s1 = -forces.force[kTangentRow1] / kt;
+    s2 = -forces.force[kTangentRow2] / kt;
+    if (r > 0.0) twist = -forces.force[kSpinRow] / (kt * r * r);
   }
   memory->stretch = s1 * contact.tangent1_W + s2 * contact.tangent2_W;
-  if (material.torsion_radius > 0.0) {
-    const double most =
-        contact.friction_limit * material.torsion_radius / CalcSpinStiffness(material);
-    memory->twist = std::clamp(contact.twist + h * rates[kSpinRow], -most, most);
-  }
+  memory->twist = twist;
   memory->normal_force = fn;
   memory->last_step = step_number;
   if (forces.is_at_limit) memory->last_slide = step_number;

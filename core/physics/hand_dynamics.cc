@@ -54,6 +54,18 @@ SpatialVector CrossForce(const SpatialVector& V, const SpatialVector& F) {
   return result;
 }
 
+/** Motion vector of the base's k-th speed: turns about W's axes at H's origin, then shifts. */
+SpatialVector CalcBaseMotion(const Vector3d& p_WH, int k) {
+  const Vector3d axis = Vector3d::Unit(k % 3);
+  SpatialVector result;
+  if (k < 3) {
+    result << axis, p_WH.cross(axis);
+  } else {
+    result << Vector3d::Zero(), axis;
+  }
+  return result;
+}
+
 }  // namespace
 
 HandDynamics::HandDynamics(const Hand& hand) {
@@ -88,6 +100,7 @@ HandDynamics::HandDynamics(const Hand& hand) {
 }
 
 void HandDynamics::UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q) {
+  p_WH_ = X_WH.translation();
   for (size_t i = 0; i < parent_.size(); ++i) {
     const Pose& X_WP = parent_[i] < 0 ? X_WH : X_WL_[parent_[i]];
     const Matrix3d R_WJ = X_WP.linear() * X_PJ_[i].linear();
@@ -111,11 +124,14 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const {
     composite[i] = ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
   }
   M.setZero();
+  thread_local Eigen::Matrix<double, 6, Eigen::Dynamic> joint_momentum;  // of a unit rate
+  joint_momentum.setZero(6, num_dofs_);
   for (size_t i = num_links; i-- > 1;) {
     const int joint = joint_[i];
     if (joint >= 0 && rate_[joint] != 0.0) {
       const SpatialVector F = composite[i] * S_[joint];
       const int dof = dof_of_joint_[joint];
+      joint_momentum.col(dof) += rate_[joint] * F;
       for (int ancestor : chain_[i]) {
         const int other = dof_of_joint_[ancestor];
         const double value = rate_[joint] * rate_[ancestor] * S_[ancestor].dot(F);
@@ -125,22 +141,34 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const {
     }
     composite[parent_[i]].Add(composite[i]);
   }
+  const SpatialInertia& whole = composite[0];
+  for (int k = 0; k < 6; ++k) {
+    const SpatialVector S_k = CalcBaseMotion(p_WH_, k);
+    const SpatialVector F = whole * S_k;
+    for (int j = 0; j < 6; ++j) {
+      M(num_dofs_ + j, num_dofs_ + k) = CalcBaseMotion(p_WH_, j).dot(F);
+    }
+    M.col(num_dofs_ + k).head(num_dofs_) = joint_momentum.transpose() * S_k;
+    M.row(num_dofs_ + k).head(num_dofs_) = M.col(num_dofs_ + k).head(num_dofs_).transpose();
+  }
 }
 
-double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH,
-                              const Vector3d& lift_W, Eigen::Ref<Eigen::VectorXd> bias) const {
+void HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& gravity_W,
+                            Eigen::Ref<Eigen::VectorXd> bias) const {
   const size_t num_links = parent_.size();
   thread_local std::vector<SpatialVector> V, A, F;
   V.resize(num_links);
   A.resize(num_links);
   F.resize(num_links);
-  V[0] << Vector3d::Zero(), v_WH;
-  A[0] << Vector3d::Zero(), lift_W;
-  F[0].setZero();
-  double power = 0.0;
-  for (size_t i = 1; i < num_links; ++i) {
-    V[i] = V[parent_[i]];
-    A[i] = A[parent_[i]];
+  const Vector3d w_WH = u.segment<3>(num_dofs_), v_WH = u.segment<3>(num_dofs_ + 3);
+  for (size_t i = 0; i < num_links; ++i) {
+    if (i == 0) {
+      V[0] << w_WH, v_WH + p_WH_.cross(w_WH);
+      A[0] << Vector3d::Zero(), v_WH.cross(w_WH) - gravity_W;
+    } else {
+      V[i] = V[parent_[i]];
+      A[i] = A[parent_[i]];
+    }
     if (const int joint = joint_[i]; joint >= 0 && rate_[joint] != 0.0) {
       const SpatialVector Su = S_[joint] * (rate_[joint] * u[dof_of_joint_[joint]]);
       A[i] += CrossMotion(V[i], Su);
@@ -149,9 +177,6 @@ double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH,
     const SpatialInertia I =
         ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
     F[i] = I * A[i] + CrossForce(V[i], I * V[i]);
-    const Vector3d momentum_rel =
-        I.mass * (Vector3d(V[i].tail<3>()) - v_WH) - I.moment.cross(Vector3d(V[i].head<3>()));
-    power -= lift_W.dot(momentum_rel);
   }
   bias.setZero();
   for (size_t i = num_links; i-- > 1;) {
@@ -160,7 +185,7 @@ double HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& v_WH,
     }
     F[parent_[i]] += F[i];
   }
-  return power;
+  for (int k = 0; k < 6; ++k) bias[num_dofs_ + k] = CalcBaseMotion(p_WH_, k).dot(F[0]);
 }
 
 }  // namespace graspbench

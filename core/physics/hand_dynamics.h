@@ -10,8 +10,12 @@ Method: spatial vectors about the world's origin, expressed in W (Featherstone 2
 motion vector is S = (a, p x a); composite rigid bodies give the mass matrix, recursive Newton-Euler
 the bias.
 
-Degrees of freedom: one for every driven joint. A coupled distal joint shares that of its middle
-joint: u_joint = rate_j * u_dof (coupling.h). */
+Degrees of freedom: one for every driven joint, then six of the base, which an arm carries. A
+coupled distal joint shares that of its middle joint: u_joint = rate_j * u_dof (coupling.h). Speeds
+are
+
+    u = [ rates of the driven joints (num_dofs) | w_WH (3) | v_WH (3) ]      v_WH that of H's origin
+*/
 
 #include <Eigen/Core>
 #include <vector>
@@ -28,7 +32,8 @@ class HandDynamics {
  public:
   explicit HandDynamics(const Hand& hand);
 
-  int num_dofs() const { return num_dofs_; }
+  int num_dofs() const { return num_dofs_; }  ///< of the joints
+  int num_speeds() const { return num_dofs_ + 6; }
   int num_joints() const { return static_cast<int>(joint_link_.size()); }
   int dof_of_joint(int joint) const { return dof_of_joint_[joint]; }
   /** The joint a degree of freedom is named after (its middle joint when coupled). */
@@ -41,21 +46,20 @@ class HandDynamics {
   /** Poses of all links and the joints' motion vectors. @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
 
+  const Eigen::Vector3d& p_WH() const { return p_WH_; }
   const Pose& X_WL(int link) const { return X_WL_[link]; }
   /** Motion vector of a joint about the world's origin; a unit rate of the joint. */
   const SpatialVector& motion(int joint) const { return S_[joint]; }
   /** Joints between root and link, base first. */
   const std::vector<int>& chain(int link) const { return chain_[link]; }
 
-  /** Mass matrix (num_dofs x num_dofs) for the current positions. */
+  /** Mass matrix (num_speeds x num_speeds) for the current positions. */
   void CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const;
 
-  /** Generalised force (num_dofs) that gives zero acceleration of all degrees of freedom at speeds
-  u, the root moving with velocity v_WH; lift_W is the root's acceleration minus that of gravity.
-  Returns the power of gravity and of the root's inertial force on the links, relative to the moving
-  root [W]. */
-  double CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& v_WH,
-                  const Eigen::Vector3d& lift_W, Eigen::Ref<Eigen::VectorXd> bias) const;
+  /** Generalised force (num_speeds) that gives zero acceleration at speeds u (num_speeds): Coriolis,
+  centrifugal, gyroscopic, gravity. */
+  void CalcBias(const Eigen::VectorXd& u, const Eigen::Vector3d& gravity_W,
+                Eigen::Ref<Eigen::VectorXd> bias) const;
 
  private:
   struct LinkInertia {
@@ -65,7 +69,6 @@ class HandDynamics {
   };
 
   int num_dofs_ = 0;
-  Pose X_HR_ = Pose::Identity();
   std::vector<int> parent_;  // by link
   std::vector<int> joint_;   // by link; -1: fixed
   std::vector<Pose> X_PJ_;   // by link
@@ -79,6 +82,7 @@ class HandDynamics {
   std::vector<int> distal_of_dof_;
   std::vector<Pose> X_WL_;
   std::vector<SpatialVector> S_;  // by joint
+  Eigen::Vector3d p_WH_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace graspbench

@@ -29,11 +29,15 @@ Matrix3d Orthonormalize(const Matrix3d& R) {
   return Eigen::Quaterniond(R).normalized().toRotationMatrix();
 }
 
+double CalcScalarForce(const ScalarForce& scalar, const VectorXd& v) {
+  return std::clamp(scalar.offset - scalar.gain * v[scalar.dof], scalar.lower, scalar.upper);
+}
+
 }  // namespace
 
 ImplicitWorld::ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config)
     : World(hand, object, config), config_(config) {
-  const int n = dynamics_.num_dofs() + 6;
+  const int n = dynamics_.num_speeds() + 6;
   problem_.h = config.step;
   problem_.M = Eigen::MatrixXd::Zero(n, n);
   problem_.u = VectorXd::Zero(n);
@@ -47,8 +51,9 @@ std::unique_ptr<World> ImplicitWorld::Clone() const {
 
 void ImplicitWorld::Reset(const WorldState& state) {
   ResetScene(state);
-  v_ = VectorXd::Zero(dynamics_.num_dofs() + 6);
-  v_ << state.u, state.w_WO, state.v_WOcm;
+  v_ = VectorXd::Zero(dynamics_.num_speeds() + 6);
+  v_ << CalcHandSpeeds(), state.w_WO, state.v_WOcm;
+  commanded_v_WH_ = state.v_WH;
   problem_.contacts.clear();
   step_number_ = 0;
   SetExternalLoad(Vector3d::Zero(), Vector3d::Zero());
@@ -57,12 +62,33 @@ void ImplicitWorld::Reset(const WorldState& state) {
 }
 
 void ImplicitWorld::MovePositions(double h, const VectorXd& u, WorldState& state) const {
-  const int dofs = dynamics_.num_dofs();
+  const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
     state.q[joint] += h * dynamics_.rate_of_joint(joint) * u[dynamics_.dof_of_joint(joint)];
   }
-  state.R_WO = MakeRotation(h * u.segment<3>(dofs)) * state.R_WO;
-  state.p_WOcm += h * u.segment<3>(dofs + 3);
+  state.X_WH.linear() = MakeRotation(h * u.segment<3>(base)) * state.X_WH.linear();
+  state.X_WH.translation() += h * u.segment<3>(base + 3);
+  state.R_WO = MakeRotation(h * u.segment<3>(object)) * state.R_WO;
+  state.p_WOcm += h * u.segment<3>(object + 3);
+}
+
+void ImplicitWorld::AddArm(const WorldCommand& command) {
+  const double h = config_.step;
+  const Eigen::AngleAxisd turn(Matrix3d(command.X_WH.linear() * middle_.X_WH.linear().transpose()));
+  const Vector3d turned = turn.angle() * turn.axis();
+  const Vector3d moved = command.X_WH.translation() - middle_.X_WH.translation();
+  const auto add = [&](int dof, double stiffness, double distance, double speed, double limit) {
+    const double damping = stiffness * config_.arm_damping_time;
+    problem_.scalars.push_back({dof, stiffness * distance + damping * speed,
+                                0.5 * stiffness * h + damping, -limit, limit});
+  };
+  const int base = dynamics_.num_dofs();
+  for (int k = 0; k < 3; ++k) {
+    add(base + k, config_.arm_angular_stiffness, turned[k], 0.0, config_.arm_moment_limit);
+  }
+  for (int k = 0; k < 3; ++k) {
+    add(base + 3 + k, config_.arm_stiffness, moved[k], command.v_WH[k], config_.arm_force_limit);
+  }
 }
 
 void ImplicitWorld::AddDrivesAndLimits(const WorldCommand& command) {
@@ -79,6 +105,7 @@ void ImplicitWorld::AddDrivesAndLimits(const WorldCommand& command) {
                                 drive.torque_limit});
   }
   num_drives_ = static_cast<int>(problem_.scalars.size());
+  AddArm(command);
   for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
     const double rate = dynamics_.rate_of_joint(joint);
     if (rate == 0.0) continue;
@@ -103,80 +130,89 @@ void ImplicitWorld::AddDrivesAndLimits(const WorldCommand& command) {
   }
 }
 
-double ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& v_WH,
-                               const Vector3d& lift_W, VectorXd& bias) const {
-  const int dofs = dynamics_.num_dofs();
-  const double power = dynamics_.CalcBias(mean_speeds, v_WH, lift_W, bias.head(dofs));
-  const Vector3d w = mean_speeds.segment<3>(dofs), v = mean_speeds.segment<3>(dofs + 3);
-  const Vector3d momentum = problem_.M.block<3, 3>(dofs, dofs) * w;
-  bias.segment<3>(dofs) = w.cross(momentum) - external_moment_W_;
-  bias.segment<3>(dofs + 3) = -mass_.mass * state_.gravity_W - external_force_W_;
-  return power - mass_.mass * lift_W.dot(v - v_WH);
+/** Fills problem_.bias for an arm that carries the hand with `acceleration_W`. */
+void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& acceleration_W) {
+  const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
+  VectorXd& bias = problem_.bias;
+  dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
+  const Eigen::Matrix<double, 6, 1> inertia =
+      problem_.M.block<6, 3>(base, base + 3) * acceleration_W;
+  carrying_ = bias.segment<6>(base) + inertia;
+  bias.segment<6>(base) = -inertia;
+  const Vector3d w = mean_speeds.segment<3>(object);
+  const Vector3d momentum = problem_.M.block<3, 3>(object, object) * w;
+  bias.segment<3>(object) = w.cross(momentum) - external_moment_W_;
+  bias.segment<3>(object + 3) = -mass_.mass * state_.gravity_W - external_force_W_;
 }
 
 StepReport ImplicitWorld::Step(const WorldCommand& command) {
   const double h = config_.step;
-  const int dofs = dynamics_.num_dofs();
+  const int dofs = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   ChooseDistalModes(command, energy_.limits);
-  problem_.u << state_.u, state_.w_WO, state_.v_WOcm;
+  problem_.u << CalcHandSpeeds(), state_.w_WO, state_.v_WOcm;
 
   middle_ = state_;
   MovePositions(0.5 * h, problem_.u, middle_);
-  middle_.X_WH.translation() = 0.5 * (state_.X_WH.translation() + command.X_WH.translation());
   dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
-  dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(dofs, dofs));
-  problem_.M.block<3, 3>(dofs, dofs) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
-  problem_.M.block<3, 3>(dofs + 3, dofs + 3) = mass_.mass * Matrix3d::Identity();
+  dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
+  problem_.M.block<3, 3>(object, object) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
+  problem_.M.block<3, 3>(object + 3, object + 3) = mass_.mass * Matrix3d::Identity();
 
   const Pose X_WO = MakePose(middle_.R_WO, middle_.p_WOcm - middle_.R_WO * mass_.p_OOcm);
-  collider_.FindContacts(dynamics_, X_WO, middle_.p_WOcm, command.v_WH, step_number_,
-                         problem_.contacts);
+  collider_.FindContacts(dynamics_, X_WO, middle_.p_WOcm, step_number_, problem_.contacts);
   AddDrivesAndLimits(command);
 
-  const Vector3d lift_W = (command.v_WH - state_.v_WH) / h - state_.gravity_W;
-  const Vector3d mean_v_WH = 0.5 * (state_.v_WH + command.v_WH);
+  const Vector3d acceleration_W = (command.v_WH - commanded_v_WH_) / h;
+  commanded_v_WH_ = command.v_WH;
   VectorXd mean_speeds = 0.5 * (problem_.u + v_);
-  double power = CalcBias(mean_speeds, mean_v_WH, lift_W, problem_.bias);
+  CalcBias(mean_speeds, acceleration_W);
   const bool converged = solver_.Solve(problem_, v_, [&](const VectorXd& v) {
     const VectorXd refreshed = 0.5 * (problem_.u + v);
     if ((refreshed - mean_speeds).cwiseAbs().maxCoeff() < kBiasSpeedTolerance) return false;
     mean_speeds = refreshed;
-    power = CalcBias(mean_speeds, mean_v_WH, lift_W, problem_.bias);
+    CalcBias(mean_speeds, acceleration_W);
     return true;
   });
 
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     FinishContact(problem_.contacts[c], solver_.rates()[c], solver_.forces()[c], h, step_number_);
   }
-  AccountEnergy(v_, mean_v_WH, power);
+  AccountEnergy(v_);
   StepReport report = MakeReport(v_, converged);
   UpdateBlocks(report.link_touches_object);
 
   state_ = middle_;
   MovePositions(0.5 * h, v_, state_);
   state_.R_WO = Orthonormalize(state_.R_WO);
-  state_.X_WH = command.X_WH;
-  state_.v_WH = command.v_WH;
+  state_.X_WH.linear() = Orthonormalize(state_.X_WH.linear());
   state_.u = v_.head(dofs);
-  state_.w_WO = v_.segment<3>(dofs);
-  state_.v_WOcm = v_.segment<3>(dofs + 3);
+  state_.w_WH = v_.segment<3>(dofs);
+  state_.v_WH = v_.segment<3>(dofs + 3);
+  state_.w_WO = v_.segment<3>(object);
+  state_.v_WOcm = v_.segment<3>(object + 3);
   ++step_number_;
   report.is_finite = v_.allFinite() && state_.p_WOcm.allFinite();
   return report;
 }
 
-void ImplicitWorld::AccountEnergy(const VectorXd& v, const Vector3d& mean_v_WH, double power) {
+void ImplicitWorld::AccountEnergy(const VectorXd& v) {
   const double h = config_.step;
   const VectorXd mean = 0.5 * (problem_.u + v);
-  energy_.gravity += h * power;
+  // Momentum along W's axes of unit speeds, times gravity: the weight's generalised force.
+  const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
+  energy_.gravity +=
+      h * mean.head(object).dot(problem_.M.block(0, base + 3, object, 3) * state_.gravity_W) +
+      h * mass_.mass * state_.gravity_W.dot(mean.tail<3>());
   energy_.external += h * (external_moment_W_.dot(mean.tail<6>().head<3>()) +
-                           external_force_W_.dot(mean.tail<3>() - mean_v_WH));
+                           external_force_W_.dot(mean.tail<3>()));
+  energy_.arm += h * carrying_.dot(mean.segment<6>(base));
   for (size_t i = 0; i < problem_.scalars.size(); ++i) {
     const ScalarForce& scalar = problem_.scalars[i];
-    const double tau =
-        std::clamp(scalar.offset - scalar.gain * v[scalar.dof], scalar.lower, scalar.upper);
-    const double work = h * tau * mean[scalar.dof];
-    (static_cast<int>(i) < num_drives_ ? energy_.drives : energy_.limits) += work;
+    const double work = h * CalcScalarForce(scalar, v) * mean[scalar.dof];
+    const int index = static_cast<int>(i);
+    (index < num_drives_       ? energy_.drives
+     : index < num_drives_ + 6 ? energy_.arm
+                               : energy_.limits) += work;
   }
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     const ContactPoint& contact = problem_.contacts[c];
@@ -189,19 +225,12 @@ void ImplicitWorld::AccountEnergy(const VectorXd& v, const Vector3d& mean_v_WH, 
       }
       energy_.contacts += h * forces.force[row] * rate;
     }
-    // Side B or A is the object, which is seen from the moving root: subtract the frame's motion.
-    const Vector3d f_A = forces.force[kNormalRow] * contact.nhat_BA_W +
-                         forces.force[kTangentRow1] * contact.tangent1_W +
-                         forces.force[kTangentRow2] * contact.tangent2_W;
-    if (contact.is_on_object) {
-      energy_.contacts -= h * mean_v_WH.dot(contact.link >= 0 ? Vector3d(-f_A) : f_A);
-    }
   }
 }
 
 double ImplicitWorld::CalcEnergyResidual() {
   return CalcKineticEnergy() - energy_.kinetic_at_start - energy_.drives - energy_.limits -
-         energy_.gravity - energy_.contacts - energy_.external;
+         energy_.gravity - energy_.contacts - energy_.external - energy_.arm;
 }
 
 void ImplicitWorld::FindHandContacts(std::vector<HandContact>& contacts) const {
@@ -236,10 +265,22 @@ void ImplicitWorld::UpdateBlocks(const std::vector<bool>& link_touches_object) {
   }
 }
 
+/** Of a contact that has a force: how long before the step's end its surfaces met [s]. */
+double ImplicitWorld::CalcTouchAge(const ContactPoint& contact) const {
+  double approach = 0.0;
+  for (int i = 0; i < contact.num_dofs; ++i) {
+    approach -= contact.jacobian[kNormalRow][i] * problem_.u[contact.dofs[i]];
+  }
+  const double h = problem_.h;
+  if (approach <= 0.0) return contact.depth > 0.0 ? h : 0.0;
+  return std::clamp(0.5 * h + contact.depth / approach, 0.0, h);
+}
+
 StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
   StepReport report;
   report.converged = converged;
   report.link_touches_object.assign(hand_->links.size(), false);
+  report.touch_age.assign(hand_->links.size(), 0.0);
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     const ContactPoint& contact = problem_.contacts[c];
     const double fn = solver_.forces()[c].force[kNormalRow];
@@ -250,10 +291,17 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
     }
     report.grip_force += fn;
     report.link_touches_object[contact.link] = true;
+    report.touch_age[contact.link] =
+        std::max(report.touch_age[contact.link], CalcTouchAge(contact));
+    report.worst_contact_force = std::max(report.worst_contact_force, fn);
     report.worst_penetration =
         std::max(report.worst_penetration,
                  contact.depth - 0.5 * problem_.h * solver_.rates()[c][kNormalRow]);
   }
+  Eigen::Matrix<double, 6, 1> arm;
+  for (int k = 0; k < 6; ++k) arm[k] = CalcScalarForce(problem_.scalars[num_drives_ + k], v);
+  report.arm_moment = arm.head<3>().norm();
+  report.arm_force = arm.tail<3>().norm();
   report.is_finite = v.allFinite();
   return report;
 }

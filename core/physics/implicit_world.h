@@ -13,6 +13,11 @@ Drives act by the command, the angle and the speed of the step's end, so that a 
 a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
 middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
 
+The hand hangs on an arm: a spring with damping beside it, in six dimensions, between the hand's
+base and where it is commanded to be, that gives no more than the arm can (SimConfig). The arm
+carries the hand itself: its weight and inertia along the commanded motion load no spring, so that
+a hand that touches nothing is where it was told to be. The arm's own inertia is not modelled.
+
 A clone goes on to the very same bytes: it carries the bristles of all contacts, the speeds the
 solver starts from, the blocked links, loads and the account of energy. */
 
@@ -21,13 +26,14 @@ solver starts from, the blocked links, loads and the account of energy. */
 
 namespace graspbench {
 
-/** Energy account in the frame that moves with the hand's root [J]. Were the integration exact,
-kinetic_energy - start = drives + gravity + contacts + limits + external; the rest is the residual.
-*/
+/** Energy account [J]. Were the integration exact,
+kinetic_energy - start = drives + arm + gravity + contacts + limits + external; the rest is the
+residual. */
 struct EnergyAccount {
   double drives = 0.0;    ///< work of the drives on the joints
+  double arm = 0.0;       ///< work of the arm on the hand's base
   double limits = 0.0;    ///< work of the joint limits and of the stops of coupled joints
-  double gravity = 0.0;   ///< work of gravity and of the moving frame's inertial force
+  double gravity = 0.0;   ///< work of gravity
   double contacts = 0.0;  ///< work of the contacts on hand and object; minus what they dissipate
   double external = 0.0;  ///< work of the external load on the object
   double kinetic_at_start = 0.0;
@@ -54,9 +60,10 @@ class ImplicitWorld : public World {
  private:
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
   void AddDrivesAndLimits(const WorldCommand& command);
-  double CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& v_WH,
-                  const Eigen::Vector3d& lift_W, Eigen::VectorXd& bias) const;
-  void AccountEnergy(const Eigen::VectorXd& v, const Eigen::Vector3d& mean_v_WH, double power);
+  void AddArm(const WorldCommand& command);
+  void CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& acceleration_W);
+  void AccountEnergy(const Eigen::VectorXd& v);
+  double CalcTouchAge(const ContactPoint& contact) const;
   StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
   void UpdateBlocks(const std::vector<bool>& link_touches_object);
 
@@ -64,10 +71,12 @@ class ImplicitWorld : public World {
   StepSolver solver_;
   StepProblem problem_;
   WorldState middle_;  // of the current step
-  Eigen::VectorXd v_;  // speeds at the end of the last step: [hand dofs, w, v]
+  Eigen::VectorXd v_;  // speeds at the end of the last step: [u, w_WH, v_WH, w_WO, v_WOcm]
+  Eigen::Vector3d commanded_v_WH_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix<double, 6, 1> carrying_ = Eigen::Matrix<double, 6, 1>::Zero();  // the hand itself
   Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
-  int num_drives_ = 0;  // the first entries of problem_.scalars
+  int num_drives_ = 0;  // the first entries of problem_.scalars; then six of the arm
   int step_number_ = 0;
   EnergyAccount energy_;
 };

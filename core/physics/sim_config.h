@@ -6,27 +6,43 @@ namespace graspbench {
 
 /** Counts changes of the physics that change results. Part of every trial id, so that records of
 different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 5;
+inline constexpr int kPhysicsVersion = 6;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
-  double step = 0.002;             ///< [s]
-  double contact_stiffness = 1e5;  ///< normal, per contact point [N/m]
-  /** Hunt-Crossley d in f = k x (1 + d xdot) [s/m]. Proposed: what meets at 0.05 m/s parts with 0.6
-  of that, as soft fingertips and things on a table do; metal balls have 0.1 to 0.5. */
-  double contact_dissipation = 20.0;
+  double step = 0.002;                 ///< [s]
+  double contact_stiffness = 1e5;      ///< normal, per contact point [N/m]
   double tangential_stiffness = 1e5;   ///< bristle, per contact point [N/m]
   double table_friction_static = 0.4;  ///< object and fingers on the table
   double table_friction_dynamic = 0.35;
+  double hand_friction_static = 0.5;  ///< of the hand against itself, where its links say nothing
+  double hand_friction_dynamic = 0.4;
+
+  /** The arm is a spring with damping beside it between the hand's base and its commanded pose; it
+  carries the hand itself without load. The thesis names the arms (PUMA; Mitsubishi PA-10), not
+  their stiffness: all five are proposed. 1 mm at 20 N; 1 mm at 0.3 m at the same force; close to
+  critical damping with a hand of 1 to 4 kg; the weight of the PA-10's payload of 10 kg, and that
+  weight 0.2 m from the wrist. */
+  double arm_stiffness = 2e4;          ///< [N/m]
+  double arm_angular_stiffness = 2e3;  ///< about H's origin [N m/rad]
+  double arm_damping_time = 0.02;      ///< damping over stiffness [s]
+  double arm_force_limit = 98.0;       ///< along each axis of W; at it the trial ends [N]
+  double arm_moment_limit = 20.0;      ///< about H's origin, likewise [N m]
 
   template <class V>
   void Visit(V&& v) {
     v("step_s", step);
     v("contact_stiffness_n_per_m", contact_stiffness);
-    v("contact_dissipation_s_per_m", contact_dissipation);
     v("tangential_stiffness_n_per_m", tangential_stiffness);
     v("table_friction_static", table_friction_static);
     v("table_friction_dynamic", table_friction_dynamic);
+    v("hand_friction_static", hand_friction_static);
+    v("hand_friction_dynamic", hand_friction_dynamic);
+    v("arm_stiffness_n_per_m", arm_stiffness);
+    v("arm_angular_stiffness_nm_per_rad", arm_angular_stiffness);
+    v("arm_damping_time_s", arm_damping_time);
+    v("arm_force_limit_n", arm_force_limit);
+    v("arm_moment_limit_nm", arm_moment_limit);
   }
 };
 

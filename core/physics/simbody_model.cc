@@ -19,7 +19,9 @@ struct SimbodyModel::Impl {
   SimTK::MobilizedBody::Free root;
   SimTK::MobilizedBody::Free object;
   std::vector<int> link_of_joint;
-  Pose X_HR = Pose::Identity();  ///< root link in H
+  Pose X_HR = Pose::Identity();                      ///< root link in H
+  Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< its origin from H's, in W
+  Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();
   SimTK::State state;
 };
 
@@ -67,27 +69,30 @@ SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
 
 SimbodyModel::~SimbodyModel() = default;
 
-int SimbodyModel::num_speeds() const { return static_cast<int>(impl_->link_of_joint.size()) + 6; }
+int SimbodyModel::num_speeds() const { return static_cast<int>(impl_->link_of_joint.size()) + 12; }
 
 void SimbodyModel::SetPositions(const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WOcm) {
   Impl& model = *impl_;
   model.root.setQToFitTransform(model.state, ToSimTK(X_WH * model.X_HR));
+  model.p_HR_W = X_WH.linear() * model.X_HR.translation();
   for (size_t j = 0; j < model.link_of_joint.size(); ++j) {
     model.links[model.link_of_joint[j]].setOneQ(model.state, 0, q[static_cast<Eigen::Index>(j)]);
   }
   model.object.setQToFitTransform(model.state, ToSimTK(X_WOcm));
 }
 
-void SimbodyModel::SetSpeeds(const Eigen::Vector3d& v_WH, const Eigen::VectorXd& u) {
+void SimbodyModel::SetSpeeds(const Eigen::VectorXd& u) {
   Impl& model = *impl_;
-  model.root.setUToFitVelocity(model.state, SimTK::SpatialVec(SimTK::Vec3(0), ToSimTK(v_WH)));
   const auto num_joints = static_cast<Eigen::Index>(model.link_of_joint.size());
+  model.w_WH = u.segment<3>(num_joints);
+  const Eigen::Vector3d v_WR = u.segment<3>(num_joints + 3) + model.w_WH.cross(model.p_HR_W);
+  model.root.setUToFitVelocity(model.state, SimTK::SpatialVec(ToSimTK(model.w_WH), ToSimTK(v_WR)));
   for (Eigen::Index j = 0; j < num_joints; ++j) {
     model.links[model.link_of_joint[static_cast<size_t>(j)]].setOneU(model.state, 0, u[j]);
   }
   model.object.setUToFitVelocity(
-      model.state, SimTK::SpatialVec(ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints))),
-                                     ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints + 3)))));
+      model.state, SimTK::SpatialVec(ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints + 6))),
+                                     ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints + 9)))));
 }
 
 void SimbodyModel::CalcLinkPoses(std::vector<Pose>& X_WL) {
@@ -108,8 +113,21 @@ std::vector<int> FindSpeedIndices(const Model& model) {
   for (int link : model.link_of_joint) {
     indices.push_back(model.links[link].getFirstUIndex(model.state));
   }
+  for (int i = 0; i < 6; ++i) indices.push_back(model.root.getFirstUIndex(model.state) + i);
   for (int i = 0; i < 6; ++i) indices.push_back(model.object.getFirstUIndex(model.state) + i);
   return indices;
+}
+
+/** Simbody's speeds, in our order, of ours: its root's origin is not H's. */
+template <class Model>
+Eigen::MatrixXd MakeSpeedMap(const Model& model) {
+  const auto num_joints = static_cast<Eigen::Index>(model.link_of_joint.size());
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(num_joints + 12, num_joints + 12);
+  for (int k = 0; k < 3; ++k) {
+    T.block<3, 1>(num_joints + 3, num_joints + k) =
+        Eigen::Vector3d(Eigen::Vector3d::Unit(k)).cross(model.p_HR_W);
+  }
+  return T;
 }
 
 /** Weight of every body. */
@@ -139,7 +157,8 @@ Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
   for (int i = 0; i < num_speeds(); ++i) {
     for (int j = 0; j < num_speeds(); ++j) result(i, j) = M(indices[i], indices[j]);
   }
-  return result;
+  const Eigen::MatrixXd T = MakeSpeedMap(model);
+  return T.transpose() * result * T;
 }
 
 Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
@@ -147,14 +166,18 @@ Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
   model.system.realize(model.state, SimTK::Stage::Velocity);
   const SimTK::Vector_<SimTK::SpatialVec> forces = MakeWeights(model, gravity_W);
   const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
-  const SimTK::Vector accelerations(model.state.getNU(), 0.0);
+  SimTK::Vector accelerations(model.state.getNU(), 0.0);
+  // With H at constant velocity the root's own origin goes in a circle.
+  const Eigen::Vector3d a_WR = model.w_WH.cross(model.w_WH.cross(model.p_HR_W));
+  for (int k = 0; k < 3; ++k)
+    accelerations[model.root.getFirstUIndex(model.state) + 3 + k] = a_WR[k];
   SimTK::Vector residual;
   model.matter.calcResidualForceIgnoringConstraints(model.state, no_mobility_forces, forces,
                                                     accelerations, residual);
   const std::vector<int> indices = FindSpeedIndices(model);
   Eigen::VectorXd result(num_speeds());
   for (int i = 0; i < num_speeds(); ++i) result[i] = residual[indices[i]];
-  return result;
+  return MakeSpeedMap(model).transpose() * result;
 }
 
 Eigen::VectorXd SimbodyModel::CalcJointAccelerations(const Eigen::VectorXd& torques,

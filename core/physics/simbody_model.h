@@ -2,10 +2,12 @@
 /** @file
 The hand and the object as a Simbody multibody system: the one place where Simbody is spoken to.
 
-Bodies: the hand's root on a Free mobilizer whose pose the strategy prescribes, one Pin (or Weld) a
-link, the object on a Free mobilizer about its centre of mass. Generalised speeds are ordered as
+Bodies: the hand's root on a Free mobilizer, one Pin (or Weld) a link, the object on a Free mobilizer
+about its centre of mass. Generalised speeds are ordered as
 
-    u = [ joint rates (num_joints) | w_WO (3) | v_WOcm (3) ]      object's parts expressed in W
+    u = [ joint rates (num_joints) | w_WH (3) | v_WH (3) | w_WO (3) | v_WOcm (3) ]
+
+with the last four expressed in W and v_WH that of H's origin.
 
 Debian's Simbody is built without NDEBUG, which changes the layout of its classes; this library must
 be too (checked in the .cc). One model belongs to one thread. */
@@ -30,22 +32,21 @@ class SimbodyModel {
                std::optional<DistalMode> coupled = std::nullopt);
   ~SimbodyModel();
 
-  int num_speeds() const;  ///< num_joints + 6
+  int num_speeds() const;  ///< num_joints + 12
 
   /** Sets all positions. @param X_WH  the hand's frame H; @param q  all joint angles;
   @param X_WOcm  the object's centre of mass, axes of O. */
   void SetPositions(const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WOcm);
-  /** Sets all speeds; the root moves with translational velocity v_WH. @pre SetPositions. */
-  void SetSpeeds(const Eigen::Vector3d& v_WH, const Eigen::VectorXd& u);
+  /** Sets all speeds. @pre SetPositions. */
+  void SetSpeeds(const Eigen::VectorXd& u);
 
   /** Poses X_WL of all links; costs a realisation of the position stage. */
   void CalcLinkPoses(std::vector<Pose>& X_WL);
 
   /** Mass matrix (num_speeds x num_speeds), by Simbody's calcM. Not for a loop. */
   Eigen::MatrixXd CalcMassMatrix();
-  /** Generalised force that gives zero acceleration of joints and object under gravity, the root at
-  constant speed: Coriolis, centrifugal, gyroscopic, gravity (num_speeds). By Simbody's
-  calcResidualForceIgnoringConstraints. */
+  /** Generalised force that gives zero acceleration under gravity: Coriolis, centrifugal,
+  gyroscopic, gravity (num_speeds). By Simbody's calcResidualForceIgnoringConstraints. */
   Eigen::VectorXd CalcBias(const Eigen::Vector3d& gravity_W);
   /** Accelerations of all joints under torques and gravity, the root at constant speed, with the
   constraints of coupled joints (num_joints) [rad/s^2]. By Simbody's calcAcceleration. */

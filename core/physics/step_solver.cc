@@ -25,14 +25,14 @@ bool IsInsideClamp(const ScalarForce& scalar, double v) {
 
 }  // namespace
 
-void StepSolver::CalcRates(const StepProblem& problem, const Eigen::VectorXd& v, bool with_drift,
+void StepSolver::CalcRates(const StepProblem& problem, const Eigen::VectorXd& v,
                            std::vector<ContactRates>& rates) const {
   rates.resize(problem.contacts.size());
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactPoint& contact = problem.contacts[c];
     const int num_rows = contact.num_rows();
     for (int row = 0; row < num_rows; ++row) {
-      double rate = with_drift ? contact.drift[row] : 0.0;
+      double rate = 0.0;
       for (int i = 0; i < contact.num_dofs; ++i) {
         rate += contact.jacobian[row][i] * v[contact.dofs[i]];
       }
@@ -48,7 +48,7 @@ void StepSolver::CalcResidual(const StepProblem& problem, const Eigen::VectorXd&
   for (const ScalarForce& scalar : problem.scalars) {
     residual_[scalar.dof] -= h * CalcScalarForce(scalar, v[scalar.dof]);
   }
-  CalcRates(problem, v, true, rates_);
+  CalcRates(problem, v, rates_);
   forces_.resize(problem.contacts.size());
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactPoint& contact = problem.contacts[c];
@@ -99,20 +99,26 @@ void StepSolver::CalcHessian(const StepProblem& problem, const Eigen::VectorXd& 
     const ContactPoint& contact = problem.contacts[c];
     const ContactForces& f = forces_[c];
     const auto& J = contact.jacobian;
-    const bool has_tangent = contact.memory && f.tangent_gain[0] + f.tangent_gain[2] > 0.0;
-    if (f.normal_gain == 0.0 && !has_tangent && f.spin_gain == 0.0) continue;
+    const auto& g = f.friction_gain;
+    const bool has_friction = contact.memory && g[0] + g[2] + g[5] > 0.0;
+    const bool has_spin = has_friction && contact.num_rows() == kNumContactRows;
+    if (f.normal_gain == 0.0 && !has_friction) continue;
     for (int i = 0; i < contact.num_dofs; ++i) {
-      const double gn = h * f.normal_gain * J[kNormalRow][i];
-      double g1 = 0.0, g2 = 0.0, gs = 0.0;
-      if (has_tangent) {
-        g1 = h * (f.tangent_gain[0] * J[kTangentRow1][i] + f.tangent_gain[1] * J[kTangentRow2][i]);
-        g2 = h * (f.tangent_gain[1] * J[kTangentRow1][i] + f.tangent_gain[2] * J[kTangentRow2][i]);
+      const double normal = h * f.normal_gain * J[kNormalRow][i];
+      double tangent1 = 0.0, tangent2 = 0.0, spin = 0.0;  // h J^T G
+      if (has_friction) {
+        tangent1 = h * (g[0] * J[kTangentRow1][i] + g[1] * J[kTangentRow2][i]);
+        tangent2 = h * (g[1] * J[kTangentRow1][i] + g[2] * J[kTangentRow2][i]);
       }
-      if (f.spin_gain > 0.0) gs = h * f.spin_gain * J[kSpinRow][i];
+      if (has_spin) {
+        tangent1 += h * g[3] * J[kSpinRow][i];
+        tangent2 += h * g[4] * J[kSpinRow][i];
+        spin = h * (g[3] * J[kTangentRow1][i] + g[4] * J[kTangentRow2][i] + g[5] * J[kSpinRow][i]);
+      }
       for (int j = 0; j <= i; ++j) {
-        double value = gn * J[kNormalRow][j];
-        if (has_tangent) value += g1 * J[kTangentRow1][j] + g2 * J[kTangentRow2][j];
-        if (f.spin_gain > 0.0) value += gs * J[kSpinRow][j];
+        double value = normal * J[kNormalRow][j];
+        if (has_friction) value += tangent1 * J[kTangentRow1][j] + tangent2 * J[kTangentRow2][j];
+        if (has_spin) value += spin * J[kSpinRow][j];
         // Dofs of a contact ascend, so this stays in the lower triangle.
         H_(contact.dofs[i], contact.dofs[j]) += value;
       }
@@ -155,7 +161,7 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
     direction_ = factor_.solve(-residual_);
     if (!direction_.allFinite()) return false;
     M_direction_.noalias() = problem.M * direction_;
-    CalcRates(problem, direction_, false, direction_rates_);
+    CalcRates(problem, direction_, direction_rates_);
 
     v += SearchAlong(problem, v) * direction_;
   }
@@ -177,11 +183,11 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
       contact.is_dynamic = true;
     }
     const double limit = contact.mu() * fn;
-    const double used = std::hypot(f.force[kTangentRow1], f.force[kTangentRow2]);
-    const bool matters =
-        f.is_at_limit || used > limit ||
-        std::abs(f.force[kSpinRow]) >
-            0.999 * std::min(limit, contact.friction_limit) * contact.material.torsion_radius;
+    const double spin = contact.material.torsion_radius > 0.0
+                            ? f.force[kSpinRow] / contact.material.torsion_radius
+                            : 0.0;
+    const double used = std::hypot(f.force[kTangentRow1], f.force[kTangentRow2], spin);
+    const bool matters = f.is_at_limit || used > limit;
     if (matters && std::abs(limit - contact.friction_limit) > kLimitShare * fn + kLimitForce) {
       changed = true;
     }

@@ -9,7 +9,7 @@ potential of v, so Newton with an exact line search always finds the one solutio
 are taken from the new normal forces until they agree, a fixed point that Anderson's mixing of the
 last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). Both details are
 needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
-factor of at most 30 unknowns per iteration, none when the last speeds solve the step already. */
+factor of at most 36 unknowns per iteration, none when the last speeds solve the step already. */
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -70,7 +70,7 @@ class StepSolver {
   /** Returns whether a limit that matters was off; only then moves them. */
   bool RefreshFrictionLimits(StepProblem& problem);
   void MixLimits(StepProblem& problem) const;
-  void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v, bool with_drift,
+  void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v,
                  std::vector<ContactRates>& rates) const;
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
   double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;

@@ -29,15 +29,20 @@ Pose World::CalcObjectPose() const {
   return MakePose(state_.R_WO, state_.p_WOcm - state_.R_WO * mass_.p_OOcm);
 }
 
+Eigen::VectorXd World::CalcHandSpeeds() const {
+  Eigen::VectorXd u(dynamics_.num_speeds());
+  u << state_.u, state_.w_WH, state_.v_WH;
+  return u;
+}
+
 double World::CalcKineticEnergy() {
-  const int dofs = dynamics_.num_dofs();
   dynamics_.UpdatePositions(state_.X_WH, state_.q);
-  Eigen::MatrixXd M(dofs, dofs);
+  Eigen::MatrixXd M(dynamics_.num_speeds(), dynamics_.num_speeds());
   dynamics_.CalcMassMatrix(M);
+  const Eigen::VectorXd u = CalcHandSpeeds();
   const Eigen::Vector3d w_O = state_.R_WO.transpose() * state_.w_WO;
-  const Eigen::Vector3d v = state_.v_WOcm - state_.v_WH;
   return 0.5 *
-         (state_.u.dot(M * state_.u) + w_O.dot(mass_.I_OOcm * w_O) + mass_.mass * v.squaredNorm());
+         (u.dot(M * u) + w_O.dot(mass_.I_OOcm * w_O) + mass_.mass * state_.v_WOcm.squaredNorm());
 }
 
 void World::ChooseDistalModes(const WorldCommand& command, double& stop_work) {

@@ -4,8 +4,8 @@ A hand, an object and a table in time: what every backend shows to a trial. The 
 ImplicitWorld (implicit_world.h); another moves the same scene by other means (compliant_world.h),
 and the whole course of a trial runs on it unchanged.
 
-The hand's root moves as it is commanded; its motion is prescribed, whatever force that takes. A
-world refers to its hand and object, which must outlive it, and belongs to one thread. */
+The hand's base follows the commanded motion as its backend's arm does. A world refers to its hand
+and object, which must outlive it, and belongs to one thread. */
 
 #include <Eigen/Core>
 #include <memory>
@@ -23,7 +23,8 @@ namespace graspbench {
 
 struct WorldState {
   Pose X_WH = Pose::Identity();
-  Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();  ///< of the prescribed root [m/s]
+  Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();  ///< of the hand's base [rad/s]
+  Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();  ///< of H's origin [m/s]
   Eigen::VectorXd q;                               ///< (num_joints) [rad]
   Eigen::VectorXd u;                               ///< (num_dofs) [rad/s]
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
@@ -50,7 +51,13 @@ struct StepReport {
   double grip_force = 0.0;                ///< sum of normal forces of the hand on the object [N]
   double table_force = 0.0;               ///< normal force of the table on the object [N]
   double worst_penetration = 0.0;         ///< deepest point of the hand in the object [m]
+  double worst_contact_force = 0.0;       ///< largest normal force of one hand contact [N]
+  double arm_force = 0.0;                 ///< that the arm bears beside the hand itself [N]
+  double arm_moment = 0.0;                ///< the same about H's origin [N m]
   std::vector<bool> link_touches_object;  ///< (num_links)
+  /** Time since a link that touches met the object within this step, at most the step, by the speed
+  of approach at its start (num_links) [s]; empty where the backend does not look into its steps. */
+  std::vector<double> touch_age;
 };
 
 /** A point where the hand presses on the object. */
@@ -99,11 +106,12 @@ class World {
   virtual double CalcEnergyResidual() = 0;
 
   const WorldState& state() const { return state_; }
-  Pose CalcObjectPose() const;  ///< X_WO
-  double CalcKineticEnergy();   ///< relative to the moving root [J]
+  Pose CalcObjectPose() const;                                     ///< X_WO
+  double CalcKineticEnergy();                                      ///< of hand and object [J]
   const MassProperties& mass_properties() const { return mass_; }  ///< of the object
   const Collider& collider() const { return collider_; }
   HandDynamics& dynamics() { return dynamics_; }
+  Eigen::VectorXd CalcHandSpeeds() const;  ///< [u, w_WH, v_WH], as HandDynamics has them
 
  protected:
   World(const Hand& hand, const GraspObject& object, const SimConfig& config);

@@ -3,8 +3,8 @@
 What a surface brings into a contact. Every object and every link of a hand has one; how the two of
 a contact are combined says core/physics/combine_surfaces.h.
 
-Stiffness and dissipation are those of one contact point, f = k x (1 + d x'), not of a material as
-such: a link has as many points as its surface has balls. */
+Stiffness is that of one contact point, f = k x, not of a material as such: a link has as many
+points as its surface has balls. */
 
 #include <limits>
 
@@ -20,7 +20,6 @@ struct SurfaceMaterial {
   double friction_static = kUnset;   ///< Coulomb coefficient
   double friction_dynamic = kUnset;  ///< <= friction_static
   double stiffness = kUnset;         ///< k, normal, per contact point [N/m]
-  double dissipation = kUnset;       ///< d of Hunt and Crossley [s/m]
   double torsion_radius = kUnset;    ///< r: resists spin up to mu fn r [m]
 
   /** v(key in files, value, least, most). */
@@ -29,7 +28,6 @@ struct SurfaceMaterial {
     v("friction_static", friction_static, 0.0, 5.0);
     v("friction_dynamic", friction_dynamic, 0.0, 5.0);
     v("contact_stiffness_n_per_m", stiffness, 100.0, 1e7);
-    v("contact_dissipation_s_per_m", dissipation, 0.0, 100.0);
     v("torsion_radius_m", torsion_radius, 0.0, 0.1);
   }
 };

@@ -20,6 +20,9 @@ enum class Outcome {
   kLostWhileClosing,     ///< touched, but contact was lost again before lift-off
   kSlippedInLiftOff,     ///< it did not come along
   kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
+  kUnreachable,          ///< this grasp cannot hold this object without the palm inside it
+  kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
+  kNotPhysical,          ///< held, but in a way no real hand could: see trial_outcome.h
   kNumericalFailure,     ///< the simulation gave up; `reason` says why
 };
 
@@ -50,6 +53,9 @@ inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kLostWhileClosing, "lost while closing", "LC", OutcomeKind::kFailure},
     {Outcome::kSlippedInLiftOff, "slipped in lift-off", "SL", OutcomeKind::kFailure},
     {Outcome::kDroppedWhileHolding, "dropped while holding", "DH", OutcomeKind::kMaybeInHand},
+    {Outcome::kUnreachable, "unreachable", "UR", OutcomeKind::kFailure},
+    {Outcome::kArmOverloaded, "arm overloaded", "AO", OutcomeKind::kMaybeInHand},
+    {Outcome::kNotPhysical, "not physical", "NP", OutcomeKind::kMaybeInHand},
     {Outcome::kNumericalFailure, "numerical failure", "NF", OutcomeKind::kNumerical},
 };
 /** Without kNotRun. */

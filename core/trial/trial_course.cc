@@ -27,8 +27,7 @@ TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup)
     : world_(std::move(world)),
       setup_(setup),
       hand_(*setup.hand),
-      placement_(CalcPlacement(hand_, setup.grasp, setup.object->size,
-                               setup.object->mass_properties.p_OOcm)),
+      placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
              ContactEventRecorder(hand_, setup.sim.step)} {
   for (const std::string& id : setup.grasp.digits) {
@@ -90,6 +89,7 @@ void TrialCourse::Begin() {
   state.X_WH.pretranslate(-notes_.strategy.CalcPlacingDistance(before_arrival) *
                           placement_.approach_W);
   world_->Reset(state);
+  notes_.start_gap = CalcGap(nullptr);
   notes_.rest_extent = CalcExtent();
 }
 
@@ -112,13 +112,12 @@ bool TrialCourse::IsTouching(int digit) const {
                      [&](int link) { return notes_.report.link_touches_object[link]; });
 }
 
-double TrialCourse::CalcGap(int digit) const {
-  const std::vector<int>& links = hand_.digits[digit].links;
+double TrialCourse::CalcGap(const std::vector<int>* links) const {
   const Pose X_OW = world_->CalcObjectPose().inverse();
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, world_->state().q);
   double gap = std::numeric_limits<double>::infinity();
   for (const ContactSphere& sphere : hand_.contact_spheres) {
-    if (std::find(links.begin(), links.end(), sphere.link) == links.end()) continue;
+    if (links && std::find(links->begin(), links->end(), sphere.link) == links->end()) continue;
     const Vector3d p_OS = X_OW * (world_->state().X_WH * (X_HL[sphere.link] * sphere.p_LS));
     gap = std::min(gap, setup_.object->field->Query(p_OS).distance - sphere.radius);
   }
@@ -153,17 +152,28 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
   }
 }
 
+/** The time at which a digit's first link touched in the step that has just ended [s]. */
+double TrialCourse::CalcTouchTime(int digit) const {
+  double ago = 0.0;
+  for (int link : hand_.digits[digit].links) {
+    if (!notes_.report.touch_age.empty()) ago = std::max(ago, notes_.report.touch_age[link]);
+  }
+  return notes_.time - ago;
+}
+
+/** What touches when the object is being lifted takes no part in the closure. */
 void TrialCourse::ObserveTouches(double closing) {
+  if (notes_.strategy.phase() >= Phase::kLiftOff) return;
   const bool is_closing = notes_.strategy.phase() == Phase::kClosure ||
                           notes_.strategy.phase() == Phase::kStabilisation;
   for (size_t d = 0; d < digits_.size(); ++d) {
     if (!std::isnan(notes_.result.contacts[d].time)) continue;
     DigitTouch& touch = notes_.result.touches[d];
     if (IsTouching(digits_[d])) {
-      notes_.result.contacts[d].time = notes_.time;
+      notes_.result.contacts[d].time = CalcTouchTime(digits_[d]);
       touch = {closing, world_->state().q, 0.0};
     } else if (is_closing && notes_.result.num_steps % kGapInterval == 0) {
-      touch.smallest_gap = std::fmin(touch.smallest_gap, CalcGap(digits_[d]));
+      touch.smallest_gap = std::fmin(touch.smallest_gap, CalcGap(&hand_.digits[digits_[d]].links));
     }
   }
 }
@@ -215,6 +225,8 @@ TrialFacts TrialCourse::MakeFacts() const {
   facts.time_in_phase = notes_.strategy.time_in_phase();
   facts.lift_time = setup_.strategy.lift_time;
   facts.lift_distance = setup_.grasp.approach_distance;
+  facts.is_reachable = placement_.reaches_object;
+  facts.start_gap = notes_.start_gap;
   facts.is_finite = notes_.report.is_finite;
   facts.unconverged_time = notes_.unconverged_time;
   facts.grip_force = notes_.report.grip_force;
@@ -224,6 +236,10 @@ TrialFacts TrialCourse::MakeFacts() const {
   facts.displacement = (world_->state().p_WOcm - notes_.rest_position).head<2>().norm();
   facts.rise = CalcRise();
   facts.relative_speed = (world_->state().v_WOcm - world_->state().v_WH).norm();
+  facts.arm_force = notes_.report.arm_force;
+  facts.arm_moment = notes_.report.arm_moment;
+  facts.arm_force_limit = setup_.sim.arm_force_limit;
+  facts.arm_moment_limit = setup_.sim.arm_moment_limit;
   return facts;
 }
 
@@ -239,6 +255,10 @@ TrialResult TrialCourse::End() {
   facts.extent = CalcExtent();
   facts.rest_extent = notes_.rest_extent;
   facts.contacts = notes_.result.contacts;
+  facts.penetration = notes_.report.worst_penetration;
+  facts.contact_force = notes_.report.worst_contact_force;
+  facts.contact_force_limit = CalcContactForceLimit(hand_, setup_.sim.arm_force_limit);
+  facts.energy_residual = world_->CalcEnergyResidual();
   TrialResult result = notes_.result;
   const OutcomeReason outcome = FindOutcome(facts);
   result.outcome = outcome.outcome;
@@ -259,7 +279,7 @@ TrialResult TrialCourse::End() {
   stability.sigma = is_held() ? stability.hold.sigma : 0.0;
   stability.sigma_proposed = is_held() ? stability.stabilisation.sigma_proposed : 0.0;
   result.simulated_time = notes_.time;
-  result.energy_residual = world_->CalcEnergyResidual();
+  result.energy_residual = facts.energy_residual;
   for (DigitContact& contact : result.contacts) contact.time -= notes_.closure_start;
   for (PhaseStart& phase : result.phases) phase.time -= notes_.closure_start;
   result.contact_events = notes_.events.MakeEvents();

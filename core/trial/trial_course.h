@@ -42,6 +42,7 @@ struct TrialNotes {
   double closure_start = kUnset;
   double last_touch = 0.0;
   double unconverged_time = 0.0;
+  double start_gap = 0.0;                                   ///< of hand and object at the start [m]
   double rest_height = 0.0;                                 ///< of the object's O [m]
   double rest_extent = 0.0;                                 ///< height of the object [m]
   Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();  ///< p_WOcm [m]
@@ -98,9 +99,11 @@ class TrialCourse {
     return world_->CalcObjectPose().translation().z() - notes_.rest_height;
   }
   double CalcCreep() const;
-  double CalcGap(int digit) const;
+  /** Between the object and the spheres of some links, of all where `links` is null [m]. */
+  double CalcGap(const std::vector<int>* links) const;
   Pose CalcObjectInPalm() const;  ///< the frame Ocm in the palm's
   bool IsTouching(int digit) const;
+  double CalcTouchTime(int digit) const;
 
   std::unique_ptr<World> world_;
   const TrialSetup& setup_;

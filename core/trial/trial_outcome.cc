@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -17,10 +18,44 @@ constexpr double kTippedShare = 0.1;  ///< change of the height of an object tha
 
 /** A trial is given up after this long without the solver converging [s]. */
 constexpr double kMaxUnconvergedTime = 0.1;
+// What no grasp of a real hand shows at the end of a hold.
+constexpr double kDeepestContact = 0.001;     ///< [m]
+constexpr double kUnexplainedEnergy = 0.001;  ///< of a whole trial [J]
+constexpr double kShortestLever = 0.01;       ///< of a contact about a joint [m]
+
 /** The object counts as lost when the hand has not touched it for this long [s]. */
 constexpr double kLostTime = 0.15;
 
+bool IsArmOverloaded(const TrialFacts& facts) {
+  return facts.arm_force >= facts.arm_force_limit || facts.arm_moment >= facts.arm_moment_limit;
+}
+
+bool IsUnreachable(const TrialFacts& facts) { return !facts.is_reachable || facts.start_gap < 0.0; }
+
+/** Why a held object is not held as a real one would be; empty: it is. */
+std::string FindNonsense(const TrialFacts& facts) {
+  if (facts.penetration > kDeepestContact) {
+    return fmt::format("the hand is {:.2f} mm inside the object (limit {:.0f} mm)",
+                       MmFromM(facts.penetration), MmFromM(kDeepestContact));
+  }
+  if (facts.contact_force > facts.contact_force_limit) {
+    return fmt::format("one contact presses with {:.0f} N; drives and arm can give {:.0f} N",
+                       facts.contact_force, facts.contact_force_limit);
+  }
+  if (std::abs(facts.energy_residual) > kUnexplainedEnergy) {
+    return fmt::format("{:.2f} mJ of energy have no cause (limit {:.0f} mJ)",
+                       1e3 * facts.energy_residual, 1e3 * kUnexplainedEnergy);
+  }
+  return "";
+}
+
 }  // namespace
+
+double CalcContactForceLimit(const Hand& hand, double arm_force_limit) {
+  double torque = 0.0;
+  for (const HandJoint& joint : hand.joints) torque = std::max(torque, joint.drive.torque_limit);
+  return arm_force_limit + torque / kShortestLever;
+}
 
 bool IsHeld(const TrialFacts& facts) {
   return facts.grip_force > 0.0 && facts.table_force == 0.0 &&
@@ -29,6 +64,7 @@ bool IsHeld(const TrialFacts& facts) {
 
 bool IsDecided(const TrialFacts& facts) {
   if (!facts.is_finite || facts.unconverged_time > kMaxUnconvergedTime) return true;
+  if (IsUnreachable(facts) || IsArmOverloaded(facts)) return true;
   const bool is_free = facts.time - facts.last_touch > kLostTime;
   switch (facts.phase) {
     case Phase::kPlacing:
@@ -47,6 +83,14 @@ bool IsDecided(const TrialFacts& facts) {
 }
 
 OutcomeReason FindOutcome(const TrialFacts& facts) {
+  if (!facts.is_reachable) {
+    return {Outcome::kUnreachable,
+            "the palm or another link would meet the object before the fingertips hold it"};
+  }
+  if (facts.start_gap < 0.0) {
+    return {Outcome::kUnreachable, fmt::format("the hand would start {:.1f} mm inside the object",
+                                               MmFromM(-facts.start_gap))};
+  }
   if (!facts.is_finite) {
     return {Outcome::kNumericalFailure,
             fmt::format("positions or speeds became infinite {:.3f} s into the trial", facts.time)};
@@ -56,6 +100,13 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
             fmt::format("the solver did not converge for {:.2f} s, up to {:.3f} s into the trial",
                         facts.unconverged_time, facts.time)};
   }
+  if (IsArmOverloaded(facts)) {
+    return {Outcome::kArmOverloaded,
+            fmt::format("the arm bore {:.0f} N and {:.1f} N m beside the hand's weight (limits "
+                        "{:.0f} N, {:.1f} N m)",
+                        facts.arm_force, facts.arm_moment, facts.arm_force_limit,
+                        facts.arm_moment_limit)};
+  }
   if (facts.phase < Phase::kLiftOff) {
     return {Outcome::kPushedAway,
             fmt::format("the object was pushed {:.0f} mm aside before it was held",
@@ -64,6 +115,8 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
   const bool was_lifted = facts.phase == Phase::kHold || facts.phase == Phase::kDone;
   if (IsHeld(facts)) {
     if (facts.phase == Phase::kDone && facts.relative_speed <= kSteadySpeed) {
+      const std::string nonsense = FindNonsense(facts);
+      if (!nonsense.empty()) return {Outcome::kNotPhysical, nonsense};
       return {Outcome::kSuccess, ""};
     }
     return {Outcome::kDroppedWhileHolding,

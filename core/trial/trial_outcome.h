@@ -7,6 +7,7 @@ What a trial is called in the end, decided from a few observed facts. */
 
 #include "core/grasp/contact_timing.h"
 #include "core/grasp/strategy.h"
+#include "core/hand/hand.h"
 #include "core/trial/outcome.h"
 
 namespace graspbench {
@@ -19,6 +20,8 @@ struct TrialFacts {
   double lift_time = 0.0;      ///< planned length of the lift-off [s]
   double lift_distance = 0.0;  ///< by which the hand rises [m]
 
+  bool is_reachable = true;  ///< the placement reaches the object
+  double start_gap = 0.0;    ///< of hand and object at the start; negative: inside it [m]
   bool is_finite = true;
   double unconverged_time = 0.0;  ///< since the solver last converged [s]
 
@@ -30,7 +33,16 @@ struct TrialFacts {
   double rise = 0.0;               ///< of the object's centre above its start [m]
   double relative_speed = 0.0;     ///< of the object against the palm [m/s]
 
+  double arm_force = 0.0;         ///< of object and table on the hand, now [N]
+  double arm_moment = 0.0;        ///< the same about H's origin [N m]
+  double arm_force_limit = 0.0;   ///< [N]
+  double arm_moment_limit = 0.0;  ///< [N m]
+
   // For FindOutcome alone.
+  double penetration = 0.0;          ///< deepest point of the hand in the object, now [m]
+  double contact_force = 0.0;        ///< largest normal force of one contact, now [N]
+  double contact_force_limit = 0.0;  ///< what drives and arm can give [N]
+  double energy_residual = 0.0;      ///< energy of the trial without a cause [J]
   double extent = 0.0;       ///< height of the object, from its lowest to its highest point [m]
   double rest_extent = 0.0;  ///< the same at the start [m]
   std::vector<DigitContact> contacts;
@@ -49,6 +61,10 @@ bool IsDecided(const TrialFacts& facts);
 /** The outcome if the trial ends here: after the hold, once it is decided, or when the hand is to
 be lifted without touching the object. */
 OutcomeReason FindOutcome(const TrialFacts& facts);
+/** The largest normal force that the hand's drives and the arm can put on one contact [N]: a
+drive's torque acts at 10 mm or more from its axis, the thickness of a phalanx; what acts along a
+finger is borne by the arm. More can only come from bodies inside each other. */
+double CalcContactForceLimit(const Hand& hand, double arm_force_limit);
 /** The object hangs in the hand, off the table. */
 bool IsHeld(const TrialFacts& facts);
 

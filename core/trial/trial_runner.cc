@@ -18,6 +18,11 @@ using Eigen::VectorXd;
 /** Largest relative difference from Simbody's mass matrix and bias. */
 constexpr double kSimbodyTolerance = 1e-9;
 
+/** Largest difference over the largest of their entries. */
+double CalcDifference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs) {
+  return (ours - theirs).cwiseAbs().maxCoeff() / theirs.cwiseAbs().maxCoeff();
+}
+
 bool IsSame(const SimConfig& a, const SimConfig& b) {
   bool same = true;
   std::vector<double> values;
@@ -60,25 +65,31 @@ the largest entry. */
 double TrialRunner::Impl::CalcSimbodyDifference(World& own) {
   HandDynamics& dynamics = own.dynamics();
   const WorldState& state = own.state();
-  const int joints = dynamics.num_joints(), dofs = dynamics.num_dofs();
-  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints, dofs);  // u_joint = T u_dof
+  const int joints = dynamics.num_joints(), speeds = dynamics.num_speeds();
+  // Theirs = T ours: rates of joints, then the base.
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, speeds);
   for (int j = 0; j < joints; ++j) T(j, dynamics.dof_of_joint(j)) = dynamics.rate_of_joint(j);
+  T.bottomRightCorner<6, 6>().setIdentity();
 
-  VectorXd u(joints + 6);
-  u << T * state.u, state.w_WO, state.v_WOcm;
+  VectorXd u(joints + 12);
+  u << T * own.CalcHandSpeeds(), state.w_WO, state.v_WOcm;
   simbody.SetPositions(state.X_WH, state.q, MakePose(state.R_WO, state.p_WOcm));
-  simbody.SetSpeeds(state.v_WH, u);
+  simbody.SetSpeeds(u);
   const Eigen::MatrixXd M_theirs =
-      T.transpose() * simbody.CalcMassMatrix().topLeftCorner(joints, joints) * T;
-  const VectorXd bias_theirs = T.transpose() * simbody.CalcBias(state.gravity_W).head(joints);
+      T.transpose() * simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6) * T;
+  const VectorXd bias_theirs = T.transpose() * simbody.CalcBias(state.gravity_W).head(joints + 6);
 
   dynamics.UpdatePositions(state.X_WH, state.q);
-  Eigen::MatrixXd M(dofs, dofs);
+  Eigen::MatrixXd M(speeds, speeds);
   dynamics.CalcMassMatrix(M);
-  VectorXd bias(dofs);
-  dynamics.CalcBias(state.u, state.v_WH, -state.gravity_W, bias);
-  return std::max((M - M_theirs).cwiseAbs().maxCoeff() / M_theirs.cwiseAbs().maxCoeff(),
-                  (bias - bias_theirs).cwiseAbs().maxCoeff() / bias_theirs.cwiseAbs().maxCoeff());
+  VectorXd bias(speeds);
+  dynamics.CalcBias(own.CalcHandSpeeds(), state.gravity_W, bias);
+  // The base is so much heavier than a finger that both have a scale of their own.
+  const int dofs = dynamics.num_dofs();
+  return std::max({CalcDifference(M, M_theirs),
+                   CalcDifference(M.topLeftCorner(dofs, dofs), M_theirs.topLeftCorner(dofs, dofs)),
+                   CalcDifference(bias, bias_theirs),
+                   CalcDifference(bias.head(dofs), bias_theirs.head(dofs))});
 }
 
 TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,

@@ -57,12 +57,15 @@ void FinishCell(CellSummary& cell) {
     if (IsNumericalFailure(result.outcome)) continue;
     RaiseTo(result.worst_penetration, cell.tally.worst_penetration);
     RaiseTo(std::abs(result.energy_residual), cell.tally.worst_energy_residual);
-    cell.num_early += result.timing.contact_before_start;
-    gct.push_back(result.timing.gct);
-    gft.push_back(result.timing.gft);
-    got.push_back(result.timing.got);
-    gft_ratio.push_back(result.timing.gft_ratio);
-    got_ratio.push_back(result.timing.got_ratio);
+    if (result.timing.contact_before_start) {
+      ++cell.num_early;  // a class of its own: its closure began with a touch
+    } else {
+      gct.push_back(result.timing.gct);
+      gft.push_back(result.timing.gft);
+      got.push_back(result.timing.got);
+      gft_ratio.push_back(result.timing.gft_ratio);
+      got_ratio.push_back(result.timing.got_ratio);
+    }
     if (const std::string order = FindContactOrder(result).Format(); !order.empty()) {
       ++orders[order];
     }

@@ -4,7 +4,8 @@ What a session's records say, counted once for the terminal, JSON and the report
 
 A rate is always kept with its counts, so that it is never printed without n and its interval. Time
 measures are summarised by median and range over the trials in which they are defined: a digit that
-never touched leaves GCT and GFT of its trial missing, not zero. Trials with a numerical failure
+never touched leaves GCT and GFT of its trial missing, not zero, and a trial in which one touched
+before closure began is counted apart and in no time measure. Trials with a numerical failure
 count as not successful and are left out of every other figure. */
 
 #include <array>
@@ -19,6 +20,7 @@ namespace graspbench {
 
 /** Median and range of a sample; NaN when it is empty. */
 struct Spread {
+  static constexpr int kFew = 5;  ///< a median of fewer is marked where it is shown
   int n = 0;
   double median = 0.0;
   double lowest = 0.0;

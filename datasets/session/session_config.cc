@@ -34,10 +34,16 @@ constexpr Range kRanges[] = {
     {"strategy.hold_time_s", 0, 60},
     {"sim.step_s", 1e-4, 1e-2},
     {"sim.contact_stiffness_n_per_m", 100, 1e7},
-    {"sim.contact_dissipation_s_per_m", 0, 100},
     {"sim.tangential_stiffness_n_per_m", 100, 1e7},
     {"sim.table_friction_static", 0, 2},
     {"sim.table_friction_dynamic", 0, 2},
+    {"sim.hand_friction_static", 0, 2},
+    {"sim.hand_friction_dynamic", 0, 2},
+    {"sim.arm_stiffness_n_per_m", 100, 1e7},
+    {"sim.arm_angular_stiffness_nm_per_rad", 10, 1e6},
+    {"sim.arm_damping_time_s", 0, 1},
+    {"sim.arm_force_limit_n", 1, 1e6},
+    {"sim.arm_moment_limit_nm", 0.1, 1e6},
 };
 
 Json FindValue(const Json& config, const std::string& full_key) {
@@ -91,6 +97,10 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   if (config.sim.table_friction_dynamic > config.sim.table_friction_static) {
     problems.push_back(
         {"sim.table_friction_dynamic", "must not be higher than sim.table_friction_static"});
+  }
+  if (config.sim.hand_friction_dynamic > config.sim.hand_friction_static) {
+    problems.push_back(
+        {"sim.hand_friction_dynamic", "must not be higher than sim.hand_friction_static"});
   }
   return problems;
 }

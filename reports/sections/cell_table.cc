@@ -27,6 +27,12 @@ Html ListFailures(const Tally& tally) {
 }
 
 constexpr char kEarly[] = "†";
+constexpr char kFew[] = "*";
+
+Html FormatMedian(const Spread& spread, double unit, int decimals, const std::string& mark) {
+  const char* few = spread.n > 0 && spread.n < Spread::kFew ? kFew : "";
+  return Text(FormatFixed(unit * spread.median, decimals) + few + mark);
+}
 
 /** "g1 all finger precision, .. ; NC no contact, .." for what stands in the table. */
 std::string ExplainCodes() {
@@ -39,7 +45,10 @@ std::string ExplainCodes() {
     text += std::string(" ") + CodeOf(outcome) + " " + NameOf(outcome) + ",";
   }
   text.back() = '.';
-  return text + " " + kEarly + " a digit of some trial touched before the start of closure.";
+  return text + " " + kEarly +
+         " a digit of some trial touched before the start of closure: that trial is left out of "
+         "the times. " +
+         kFew + " median of fewer than " + std::to_string(Spread::kFew) + " trials.";
 }
 
 Html DrawCellTable(const ReportData& data) {
@@ -68,10 +77,9 @@ Html DrawCellTable(const ReportData& data) {
                   Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
                   Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),
                   DrawRate(tally), Text(FormatRateInterval(tally)), ListFailures(tally),
-                  Text(FormatFixed(cell.gct.median, 3)), Text(FormatFixed(cell.gft.median, 3)),
-                  Text(FormatFixed(cell.got.median, 3)),
-                  Text(FormatFixed(100.0 * cell.gft_ratio.median, 1) + early),
-                  Text(FormatFixed(100.0 * cell.got_ratio.median, 1) + early),
+                  FormatMedian(cell.gct, 1.0, 3, ""), FormatMedian(cell.gft, 1.0, 3, ""),
+                  FormatMedian(cell.got, 1.0, 3, ""), FormatMedian(cell.gft_ratio, 100.0, 1, early),
+                  FormatMedian(cell.got_ratio, 100.0, 1, early),
                   Text(FormatFixed(MmFromM(tally.worst_penetration), 2))});
   }
   return table.ToHtml() + Element("p", {{"class", "small"}}, ExplainCodes());

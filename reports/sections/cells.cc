@@ -12,6 +12,8 @@
 namespace graspbench {
 namespace {
 
+constexpr char kFewMark[] = "*";
+
 std::string DescribeObject(const CellSummary& cell, const SessionModels& models) {
   const auto object = models.FindObject(cell.object);
   if (!object) return {};
@@ -128,7 +130,8 @@ Html DrawTiming(const CellSummary& cell) {
   const auto add = [&](const char* name, const Spread& spread, double unit, int decimals) {
     const auto format = [&](double value) { return FormatFixed(unit * value, decimals); };
     table.AddRow(
-        {Text(name), Text(format(spread.median)),
+        {Text(name),
+         Text(format(spread.median) + (spread.n > 0 && spread.n < Spread::kFew ? kFewMark : "")),
          Text(spread.n == 0 ? "n/a" : format(spread.lowest) + " to " + format(spread.highest)),
          Text(std::to_string(spread.n))});
   };
@@ -140,7 +143,11 @@ Html DrawTiming(const CellSummary& cell) {
   Html html = table.ToHtml() + DescribeOrders(cell);
   if (cell.num_early > 0) {
     html += MakeSmall("In " + FormatCount(cell.num_early, "trial") +
-                      " a digit touched before the start of closure; GFT may exceed GCT.");
+                      " a digit touched before the start of closure; these measures leave it out.");
+  }
+  if (cell.gct.n < Spread::kFew || cell.gft.n < Spread::kFew || cell.got.n < Spread::kFew) {
+    html += MakeSmall(std::string(kFewMark) + " of fewer than " + std::to_string(Spread::kFew) +
+                      " trials.");
   }
   return Element("div", {}, html);
 }

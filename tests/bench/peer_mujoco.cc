@@ -108,8 +108,7 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
     if (grasp.id == grasp_id) setup.grasp = grasp;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());
-  const Placement placement =
-      CalcPlacement(*hand, setup.grasp, setup.object->size, setup.object->mass_properties.p_OOcm);
+  const Placement placement = CalcPlacement(*hand, setup.grasp, *setup.object);
 
   std::vector<std::unique_ptr<TrialCourse>> courses;  // they own the worlds
   const auto run = [&](std::unique_ptr<World> world, const TrialSetup& own_setup) {

@@ -75,8 +75,9 @@ void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id
   HandDynamics& dynamics = world.dynamics();
   Collider collider(*setup.hand, *setup.object, setup.sim);
   std::vector<ContactPoint> contacts;
-  Eigen::MatrixXd M(dynamics.num_dofs(), dynamics.num_dofs());
-  Eigen::VectorXd bias(dynamics.num_dofs());
+  Eigen::MatrixXd M(dynamics.num_speeds(), dynamics.num_speeds());
+  Eigen::VectorXd bias(dynamics.num_speeds());
+  const Eigen::VectorXd hand_speeds = world.CalcHandSpeeds();
   int step = 0;
   for (auto _ : state) {
     switch (part) {
@@ -90,11 +91,10 @@ void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id
         dynamics.CalcMassMatrix(M);
         break;
       case StepPart::kBias:
-        dynamics.CalcBias(held.u, held.v_WH, -held.gravity_W, bias);
+        dynamics.CalcBias(hand_speeds, held.gravity_W, bias);
         break;
       case StepPart::kCollision:
-        collider.FindContacts(dynamics, world.CalcObjectPose(), held.p_WOcm, held.v_WH, step++,
-                              contacts);
+        collider.FindContacts(dynamics, world.CalcObjectPose(), held.p_WOcm, step++, contacts);
         break;
     }
   }

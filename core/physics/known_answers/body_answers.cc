@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/physics/contact.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
@@ -25,16 +26,23 @@ std::string FormatStep(double step) {
 
 constexpr double kSteps[] = {0.0005, 0.001, 0.002, 0.004};
 
-/** Speed of rebound over speed of impact of a mass that meets k x (1 + d x'). With
-F(v) = (d v - ln(1 + d v)) / d^2, F(v) + k x^2 / (2 m) stays: F(impact) = F(-rebound). */
-double CalcRestitution(double speed, double d) {
-  const auto F = [d](double v) { return (d * v - std::log1p(d * v)) / (d * d); };
-  double low = 0.0, high = speed;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (F(-middle) < F(speed) ? low : high) = middle;
-  }
-  return low / speed;
+/** Speed of return over speed of approach of a mass on a spring with damping beside it that can only
+push, `damping_ratio` times critical, above 1 (Schwager and Poeschel 2007). */
+double CalcRestitution(double damping_ratio) {
+  const double root = std::sqrt(damping_ratio * damping_ratio - 1.0);
+  return std::exp(-damping_ratio / root *
+                  std::log((damping_ratio + root) / (damping_ratio - root)));
+}
+
+/** Speed of return over `speed` of a body that meets the table without weight. */
+double MeasureRestitution(const GraspObject& object, double speed, double step) {
+  SmallWorld body(object, MakeConfig(step));
+  body.start().gravity_W.setZero();
+  body.start().p_WOcm = Vector3d(0.0, 0.0, 0.5 * object.size.z() + 1.7 * speed * step);
+  body.start().v_WOcm = Vector3d(0.0, 0.0, -speed);
+  body.Reset();
+  body.Run(0.05);
+  return body.state().v_WOcm.z() / speed;
 }
 
 }  // namespace
@@ -122,20 +130,74 @@ std::vector<KnownAnswer> CheckForceDepthLaw() {
 
 std::vector<KnownAnswer> CheckRestitution() {
   std::vector<KnownAnswer> answers;
-  const double speed = 0.2;
-  for (double dissipation : {0.5, 1.0, 2.0}) {
-    // The implicit step damps a little by itself; at this step by far less than the tolerance.
-    SimConfig config = MakeConfig(1e-6);
-    config.contact_dissipation = dissipation;
-    SmallWorld body(MakeBlock(0.5), config);
-    body.start().gravity_W.setZero();
-    body.start().p_WOcm = Vector3d(0.0, 0.0, 0.01 + 1e-5);
-    body.start().v_WOcm = Vector3d(0.0, 0.0, -speed);
+  const GraspObject ball = MakeSolid(MakeSphere(0.02), 0.05, 0.5, 0.5), block = MakeBlock(0.5);
+  for (double speed : {0.05, 0.2, 1.0}) {
+    const std::string with_speed = ", " + std::to_string(speed).substr(0, 4) + " m/s, ";
+    for (double step : kSteps) {
+      const std::string how = with_speed + FormatStep(step) + ": returns";
+      answers.push_back(
+          {"ball of 50 g" + how, "", 0.0, MeasureRestitution(ball, speed, step), 0.05});
+      answers.push_back(
+          {"block of 0.5 kg" + how, "", 0.0, MeasureRestitution(block, speed, step), 0.05});
+    }
+    // A fine step shows the law itself.
+    constexpr double kFineStep = 1e-5;
+    const auto expect = [](int num_points, double mass) {
+      const double k = num_points * SimConfig().contact_stiffness;
+      return CalcRestitution(0.5 * kContactRelaxationTime * std::sqrt(k / mass));
+    };
+    const std::string how = with_speed + FormatStep(kFineStep) + ": returns";
+    answers.push_back({"ball of 50 g" + how, "", expect(1, 0.05),
+                       MeasureRestitution(ball, speed, kFineStep), 0.002});
+    answers.push_back({"block of 0.5 kg" + how, "", expect(4, 0.5),
+                       MeasureRestitution(block, speed, kFineStep), 0.002});
+  }
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckRolling() {
+  std::vector<KnownAnswer> answers;
+  constexpr double kSpeed = 0.5, kTime = 1.5;
+  for (int segments : {32, 64, 128}) {
+    const GraspObject ball = MakeSolid(MakeSphere(0.03, segments), 0.1, 0.5, 0.5);
+    for (double step : {0.0005, 0.001, 0.002}) {
+      SmallWorld body(ball, MakeConfig(step));
+      body.start().p_WOcm = Vector3d(0.0, 0.0, 0.03);
+      body.start().v_WOcm = Vector3d(kSpeed * std::cos(0.3), kSpeed * std::sin(0.3), 0.0);
+      body.Reset();
+      body.Run(kTime);
+      const double expected = 5.0 / 7.0 * kSpeed;
+      answers.push_back(
+          {std::to_string(segments) + " segments, " + FormatStep(step) + ": speed after 1.5 s",
+           "m/s", expected, body.state().v_WOcm.head<2>().norm(), 0.02 * expected});
+    }
+  }
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckSpinningDisc() {
+  std::vector<KnownAnswer> answers;
+  constexpr double kRadius = 0.03, kMu = 0.3, kSpin = 20.0;
+  const GraspObject disc =
+      MakeSolid(MakeRevolution({{0.0, -0.01}, {kRadius, -0.01}, {kRadius, 0.01}, {0.0, 0.01}}, 64),
+                0.2, 0.5, 0.5);
+  // Uniform pressure has the moment 2/3 mu m g a; m a^2 / 2 turns.
+  const double expected = 0.75 * kRadius * kSpin / (kMu * kStandardGravity);
+  for (double step : kSteps) {
+    SimConfig config = MakeConfig(step);
+    config.table_friction_static = config.table_friction_dynamic = kMu;
+    SmallWorld body(disc, config);
+    const double depth = 0.2 * kStandardGravity / (8.0 * config.contact_stiffness);
+    body.start().p_WOcm = Vector3d(0.0, 0.0, 0.01 - depth);
+    body.start().w_WO = Vector3d(0.0, 0.0, kSpin);
     body.Reset();
-    body.Run(0.006);
-    answers.push_back({"d = " + std::to_string(dissipation).substr(0, 3) + " s/m, 0.2 m/s", "",
-                       CalcRestitution(speed, dissipation), body.state().v_WOcm.z() / speed,
-                       0.003});
+    double time = 0.0;
+    while (time < 1.0 && body.state().w_WO.z() > 0.001 * kSpin) {
+      body.Step();
+      time += step;
+    }
+    answers.push_back({"disc of 60 mm, " + FormatStep(step) + ": stops after", "s", expected, time,
+                       0.01 * expected + step});
   }
   return answers;
 }
@@ -145,7 +207,6 @@ std::vector<KnownAnswer> CheckBounces() {
   const GraspObject ball = MakeSolid(MakeSphere(0.02), 0.05, 0.5, 0.5);
   for (double step : {0.0001, 0.0005, 0.001, 0.002, 0.004}) {
     SimConfig config = MakeConfig(step);
-    config.contact_dissipation = 0.0;
     SmallWorld body(ball, config);
     body.start().p_WOcm = Vector3d(0.0, 0.0, 0.1);
     body.Reset();
@@ -162,7 +223,7 @@ std::vector<KnownAnswer> CheckBounces() {
       top = std::max(top, body.state().p_WOcm.z());
       if (num_touches > 0) largest_gain = std::max(largest_gain, top - top_before);
     }
-    const std::string what = "d = 0, " + FormatStep(step) + ": ";
+    const std::string what = FormatStep(step) + ": ";
     answers.push_back({what + "largest gain of height", "m", 0.0, largest_gain, 1e-9});
     answers.push_back(
         {what + "touches the table (1 = yes)", "", 1.0, num_touches > 0 ? 1.0 : 0.0, 0.0});

@@ -37,8 +37,10 @@ Hand MakeUncoupled(Hand hand) {
   return hand;
 }
 
-/** A hand without drives, stops and contact with itself. */
+/** A hand without drives, stops and contact with itself, on a base that stays where it is. */
 Hand MakeLoose(Hand hand, double damping) {
+  hand.links[0].mass = MakeBareHand().links[0].mass;
+  hand.links[0].I_LLcm = MakeBareHand().links[0].I_LLcm;
   for (HandJoint& joint : hand.joints) {
     joint.lower = -100.0;
     joint.upper = 100.0;
@@ -105,26 +107,28 @@ std::vector<KnownAnswer> CheckSimbodyDynamics() {
     double worst_mass = 0.0, worst_bias = 0.0;
     for (int i = 0; i < kNumStates; ++i) {
       const VectorXd q = MakeRandomVector(joints, 1.0, random);
-      VectorXd u = VectorXd::Zero(joints + 6);
+      VectorXd u = VectorXd::Zero(joints + 12);
       u.head(joints) = MakeRandomVector(joints, 5.0, random);
+      u.segment<3>(joints) = MakeRandomVector(3, 1.0, random);
+      u.segment<3>(joints + 3) = MakeRandomVector(3, 0.3, random);
       const Vector3d rpy = MakeRandomVector(3, 2.0, random);
-      const Vector3d v_WH = MakeRandomVector(3, 0.3, random);
       const Vector3d gravity_W = MakeRandomVector(3, 6.0, random);
       const Pose X_WH =
           MakePose(MakeRotationRpy(rpy.x(), rpy.y(), rpy.z()), MakeRandomVector(3, 0.2, random));
       simbody.SetPositions(X_WH, q, Pose::Identity());
-      simbody.SetSpeeds(v_WH, u);
+      simbody.SetSpeeds(u);
       dynamics.UpdatePositions(X_WH, q);
-      Eigen::MatrixXd M(joints, joints);
+      const int speeds = dynamics.num_speeds();
+      Eigen::MatrixXd M(speeds, speeds);
       dynamics.CalcMassMatrix(M);
-      VectorXd bias(joints);
-      dynamics.CalcBias(u.head(joints), v_WH, -gravity_W, bias);
-      const Eigen::MatrixXd M_simbody = simbody.CalcMassMatrix().topLeftCorner(joints, joints);
-      const VectorXd bias_simbody = simbody.CalcBias(gravity_W).head(joints);
+      VectorXd bias(speeds);
+      dynamics.CalcBias(u.head(speeds), gravity_W, bias);
+      const Eigen::MatrixXd M_simbody = simbody.CalcMassMatrix().topLeftCorner(speeds, speeds);
+      const VectorXd bias_simbody = simbody.CalcBias(gravity_W).head(speeds);
       worst_mass = std::max(worst_mass, (M - M_simbody).cwiseAbs().maxCoeff());
       worst_bias = std::max(worst_bias, (bias - bias_simbody).cwiseAbs().maxCoeff());
     }
-    const std::string what = hand.name + ", " + std::to_string(joints) + " joints: ";
+    const std::string what = hand.name + ", " + std::to_string(joints) + " joints and base: ";
     answers.push_back({what + "mass matrix", "kg m^2", 0.0, worst_mass, 1e-12});
     answers.push_back({what + "bias", "N m", 0.0, worst_bias, 1e-12});
   }
@@ -154,21 +158,24 @@ std::vector<KnownAnswer> CheckCoupledAccelerations() {
       for (int i = 0; i < kNumStates; ++i) {
         VectorXd q = MakeRandomVector(joints, 0.7, random);
         ApplyCoupling(hand, q);
-        const VectorXd u = MakeRandomVector(dynamics.num_dofs(), 5.0, random);
+        const int dofs = dynamics.num_dofs(), speeds = dynamics.num_speeds();
+        VectorXd u = VectorXd::Zero(speeds);
+        u.head(dofs) = MakeRandomVector(dofs, 5.0, random);
         const VectorXd torques = MakeRandomVector(joints, 0.2, random);
         const Vector3d gravity_W = MakeRandomVector(3, 6.0, random);
-        VectorXd all_speeds = VectorXd::Zero(joints + 6);
-        all_speeds.head(joints) = T * u;
+        VectorXd all_speeds = VectorXd::Zero(joints + 12);
+        all_speeds.head(joints) = T * u.head(dofs);
         simbody.SetPositions(Pose::Identity(), q, MakePose(Vector3d(1.0, 0.0, 0.0)));
-        simbody.SetSpeeds(Vector3d::Zero(), all_speeds);
+        simbody.SetSpeeds(all_speeds);
         const VectorXd expected = simbody.CalcJointAccelerations(torques, gravity_W);
 
         dynamics.UpdatePositions(Pose::Identity(), q);
-        Eigen::MatrixXd M(dynamics.num_dofs(), dynamics.num_dofs());
+        Eigen::MatrixXd M(speeds, speeds);
         dynamics.CalcMassMatrix(M);
-        VectorXd bias(dynamics.num_dofs());
-        dynamics.CalcBias(u, Vector3d::Zero(), -gravity_W, bias);
-        const VectorXd obtained = T * M.llt().solve(T.transpose() * torques - bias);
+        VectorXd bias(speeds);
+        dynamics.CalcBias(u, gravity_W, bias);
+        const VectorXd obtained =
+            T * M.topLeftCorner(dofs, dofs).llt().solve(T.transpose() * torques - bias.head(dofs));
         worst = std::max(worst, (obtained - expected).norm() / expected.norm());
       }
       std::string what = "rule " + NameOf(rule);
@@ -230,6 +237,47 @@ std::vector<KnownAnswer> CheckCouplingRules() {
   answers.push_back({"rule middle-first: motion of J2 while J1 opens", "rad", 0.0, moved, 1e-12});
   answers.push_back(
       {"rule middle-first: J1 at its stop", "deg", 0.0, DegFromRad(world.state().q[distal]), 0.2});
+  return answers;
+}
+
+std::vector<KnownAnswer> CheckArm() {
+  constexpr double kRadius = 0.01, kTime = 0.5;
+  Hand hand = MakeBareHand();
+  hand.links[0].mass = 1.0;
+  hand.links[0].I_LLcm = 1e-3 * Eigen::Matrix3d::Identity();
+  hand.contact_spheres.push_back({0, Vector3d::Zero(), kRadius});
+  std::vector<KnownAnswer> answers;
+  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
+    SimConfig config;
+    config.step = step;
+    SmallWorld world(hand, MakeBlock(0.1), config);
+    world.start().p_WOcm = Vector3d(5.0, 0.0, 0.01);
+    // The hand is moved by x(t) = a t^2 / 2 and stays at the end.
+    const auto move = [&](double start, double end) {
+      world.start().X_WH = MakePose(Vector3d(0.0, 0.0, start));
+      world.Reset();
+      StepReport report;
+      double worst = 0.0;
+      const double acceleration = 2.0 * (end - start) / (kTime * kTime);
+      for (double t = step; t < 2.0 * kTime; t += step) {
+        const double now = std::min(t, kTime), speed = t < kTime ? acceleration * now : 0.0;
+        const double z = start + 0.5 * acceleration * now * now;
+        report = world.world().Step(
+            {VectorXd(), MakePose(Vector3d(0.0, 0.0, z)), Vector3d(0.0, 0.0, speed)});
+        if (t < kTime) worst = std::max(worst, std::abs(world.state().X_WH.translation().z() - z));
+      }
+      return std::make_pair(report.arm_force, worst);
+    };
+    const std::string how = "step " + std::to_string(std::lround(step * 1e6)) + " us: ";
+    answers.push_back({how + "a free hand is off by", "m", 0.0, move(1.0, 1.2).second, 1e-9});
+    const double in_a_row = 1.0 / (1.0 / config.arm_stiffness + 1.0 / config.contact_stiffness);
+    answers.push_back({how + "told to be 1 mm in the table", "N", 0.001 * in_a_row,
+                       move(kRadius + 0.001, kRadius - 0.001).first, 1e-4});
+    answers.push_back(
+        {how + "energy without a cause", "J", 0.0, world.world().CalcEnergyResidual(), 1e-6});
+    answers.push_back({how + "told to be 20 mm in the table", "N", config.arm_force_limit,
+                       move(kRadius + 0.001, kRadius - 0.02).first, 1e-9});
+  }
   return answers;
 }
 

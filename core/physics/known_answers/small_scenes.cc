@@ -42,8 +42,8 @@ Hand MakeBareHand() {
   Hand hand;
   HandLink root;
   root.name = "root";
-  root.mass = 1.0;
-  root.I_LLcm = 1e-3 * Eigen::Matrix3d::Identity();
+  root.mass = 1e12;
+  root.I_LLcm = 1e12 * Eigen::Matrix3d::Identity();
   hand.links.push_back(root);
   return hand;
 }

@@ -19,7 +19,7 @@ GraspObject MakeBlock(double mass);
 the first is x. */
 TriMesh MakePrism(int num_sides, double apothem, double height);
 
-/** A root and nothing else. */
+/** A root so heavy that it stays where it is, and nothing else. */
 Hand MakeBareHand();
 
 /** Appends a link along its z, turning about `axis` at X_PJ, without drive, limits or surface. */

@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
+#include "core/shape/primitives.h"
 
 namespace graspbench {
 namespace {
@@ -100,6 +101,57 @@ TEST_P(PlacementTest, ComesStraightDownOnWhatIsLow) {
   const double tilt =
       std::acos(std::clamp((R * hand_.palm_normal).dot(placement.approach_W), -1.0, 1.0));
   EXPECT_NEAR(tilt, std::abs(grasp_.tilt), 1e-9);
+}
+
+GraspObject MakeCylinder(double radius, double height) {
+  const double z = 0.5 * height;
+  GraspObject object;
+  object.mesh = MakeRevolution({{0.0, -z}, {radius, -z}, {radius, z}, {0.0, z}}, 48);
+  object.size = Vector3d(2.0 * radius, 2.0 * radius, height);
+  object.field = std::make_shared<SignedDistanceField>(SignedDistanceField::Build(object.mesh));
+  return object;
+}
+
+/** Distance of a sphere from an upright cylinder that stands on the table; negative inside. */
+double CalcGap(const Vector3d& p_W, double sphere, double radius, double height) {
+  const double out = p_W.head<2>().norm() - radius;
+  const double beyond = std::abs(p_W.z() - 0.5 * height) - 0.5 * height;
+  const double gap = std::max(out, beyond) < 0.0
+                         ? std::max(out, beyond)
+                         : std::hypot(std::max(out, 0.0), std::max(beyond, 0.0));
+  return gap - sphere;
+}
+
+// However tall the object, the palm stays 3 mm off it and all links outside, from afar to the end;
+// a grasp whose pads then hold nothing says so.
+TEST_P(PlacementTest, TheHandStaysOutOfATallThing) {
+  constexpr double kRadius = 0.025;
+  for (double height : {0.06, 0.12, 0.16, 0.2, 0.25}) {
+    const Placement placement = CalcPlacement(hand_, grasp_, MakeCylinder(kRadius, height));
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosingPosture(hand_, grasp_, 0.0));
+    for (double back : {0.0, 0.01, 0.03, 0.1}) {
+      const Pose X_WH = MakePose(Vector3d(-back * placement.approach_W)) * placement.X_WH;
+      for (const ContactSphere& sphere : hand_.contact_spheres) {
+        const bool is_tip =
+            std::any_of(hand_.digits.begin(), hand_.digits.end(),
+                        [&](const Digit& digit) { return digit.distal_link == sphere.link; });
+        if (is_tip && back > 0.0) continue;
+        const bool keeps_off = sphere.link == hand_.palm_link && !grasp_.palm_may_touch;
+        EXPECT_GT(CalcGap(X_WH * (X_HL[sphere.link] * sphere.p_LS), sphere.radius, kRadius, height),
+                  keeps_off ? 0.0029 : -1e-4)
+            << hand_.links[sphere.link].name << ", " << height << " m tall, " << back;
+      }
+    }
+    const Placement freely =
+        CalcPlacement(hand_, grasp_, Vector3d(2 * kRadius, 2 * kRadius, height), Vector3d::Zero());
+    const double s = placement.closing_at_contact;
+    const Vector3d grip = 0.5 * (CalcPad(placement, s, true) + CalcPad(placement, s, false));
+    if (grasp_.type != GraspType::kPower && !placement.X_WH.isApprox(freely.X_WH)) {
+      EXPECT_EQ(placement.reaches_object, grip.z() <= height - 0.003) << height;
+    } else {
+      EXPECT_TRUE(placement.reaches_object);
+    }
+  }
 }
 
 TEST_P(PlacementTest, AShiftedCentreOfMassShiftsTheHand) {

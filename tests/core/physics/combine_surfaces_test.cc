@@ -10,18 +10,16 @@ TEST(CombineSurfaces, WhatNeitherSideGivesIsTheSessions) {
   const ContactMaterial pair = CombineSurfaces({}, {}, config);
   EXPECT_EQ(pair.stiffness, config.contact_stiffness);
   EXPECT_EQ(pair.tangential_stiffness, config.tangential_stiffness);
-  EXPECT_EQ(pair.dissipation, config.contact_dissipation);
   EXPECT_EQ(pair.friction_static, 0.0);
   EXPECT_EQ(pair.torsion_radius, 0.0);
 }
 
 TEST(CombineSurfaces, WhatOneSideGivesHolds) {
-  const SurfaceMaterial rubber{0.9, 0.8, 2e4, 30.0, 0.003};
+  const SurfaceMaterial rubber{0.9, 0.8, 2e4, 0.003};
   for (const bool swapped : {false, true}) {
     const ContactMaterial pair = swapped ? CombineSurfaces({}, rubber, SimConfig())
                                          : CombineSurfaces(rubber, {}, SimConfig());
     EXPECT_EQ(pair.stiffness, 2e4);
-    EXPECT_EQ(pair.dissipation, 30.0);
     EXPECT_EQ(pair.friction_static, 0.9);
     EXPECT_EQ(pair.friction_dynamic, 0.8);
     EXPECT_EQ(pair.torsion_radius, 0.003);
@@ -29,20 +27,27 @@ TEST(CombineSurfaces, WhatOneSideGivesHolds) {
   }
 }
 
-// Two springs in series: the pair yields by f / k, of which each side takes f / kA and f / kB. The
-// work dissipated at a given rate of the pair is that of both sides.
+// Two springs in series: the pair yields by f / k, of which each side takes f / kA and f / kB.
 TEST(CombineSurfaces, TwoSidesAreSpringsInSeries) {
-  const SurfaceMaterial a{0.8, 0.6, 2e4, 10.0, 0.004}, b{0.4, 0.3, 6e4, 30.0, 0.002};
+  const SurfaceMaterial a{0.8, 0.6, 2e4, 0.004}, b{0.4, 0.3, 6e4, 0.002};
   const ContactMaterial pair = CombineSurfaces(a, b, SimConfig());
   EXPECT_DOUBLE_EQ(1.0 / pair.stiffness, 1.0 / 2e4 + 1.0 / 6e4);
-  // Side A takes 3/4 of the rate, side B 1/4: d = 3/4 * 10 + 1/4 * 30.
-  EXPECT_DOUBLE_EQ(pair.dissipation, 15.0);
   EXPECT_DOUBLE_EQ(pair.friction_static, 2.0 * 0.8 * 0.4 / 1.2);
   EXPECT_DOUBLE_EQ(pair.friction_dynamic, 0.4);
   EXPECT_EQ(pair.torsion_radius, 0.002);
   const ContactMaterial mirrored = CombineSurfaces(b, a, SimConfig());
-  EXPECT_DOUBLE_EQ(mirrored.dissipation, pair.dissipation);
   EXPECT_DOUBLE_EQ(mirrored.stiffness, pair.stiffness);
+}
+
+TEST(CombineSurfaces, TheHandHasFrictionAgainstItself) {
+  const SimConfig config;
+  SurfaceMaterial rubber;
+  rubber.friction_static = rubber.friction_dynamic = 1.0;
+  const SurfaceMaterial plain = MakeSelfSurface({}, config);
+  EXPECT_EQ(CombineSurfaces(plain, plain, config).friction_static, config.hand_friction_static);
+  EXPECT_EQ(CombineSurfaces(plain, plain, config).torsion_radius, 0.0);
+  EXPECT_DOUBLE_EQ(CombineSurfaces(MakeSelfSurface(rubber, config), plain, config).friction_static,
+                   2.0 / 3.0);
 }
 
 TEST(CombineSurfaces, TwoSlipperySidesHaveNoFriction) {

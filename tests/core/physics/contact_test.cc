@@ -11,7 +11,7 @@ constexpr double kStep = 0.002;
 
 ContactPoint MakeContact(double depth, double torsion_radius, ContactMemory& memory) {
   ContactPoint contact;
-  contact.material = {5e4, 20.0, 3e4, 0.6, 0.5, torsion_radius};
+  contact.material = {5e4, 3e4, 0.6, 0.5, torsion_radius};
   contact.depth = depth;
   contact.memory = &memory;
   return contact;
@@ -21,12 +21,10 @@ ContactPoint MakeContact(double depth, double torsion_radius, ContactMemory& mem
 gains the header promises are the whole of -df/dv: what it leaves out must be zero. */
 void ExpectGainsAreDerivatives(const ContactPoint& contact, const ContactRates& rates) {
   const ContactForces at = CalcContactForces(contact, rates, kStep);
-  Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
-  expected(0, 0) = at.normal_gain;
-  expected(1, 1) = at.tangent_gain[0];
-  expected(1, 2) = expected(2, 1) = at.tangent_gain[1];
-  expected(2, 2) = at.tangent_gain[2];
-  expected(3, 3) = at.spin_gain;
+  const std::array<double, 6>& g = at.friction_gain;
+  Eigen::Matrix4d expected;
+  expected << at.normal_gain, 0.0, 0.0, 0.0, 0.0, g[0], g[1], g[3], 0.0, g[1], g[2], g[4], 0.0,
+      g[3], g[4], g[5];
   for (int column = 0; column < contact.num_rows(); ++column) {
     const double step = column == kSpinRow ? 1e-5 : 1e-7;
     ContactRates more = rates, less = rates;
@@ -100,6 +98,23 @@ TEST(CalcContactForces, SlidingFrictionIsTheLimitAgainstTheMotion) {
   EXPECT_TRUE(forces.is_at_limit);
   EXPECT_NEAR(forces.force[kTangentRow1], -2.5 * 0.6, 1e-12);
   EXPECT_NEAR(forces.force[kTangentRow2], 2.5 * 0.8, 1e-12);
+}
+
+// Howe and Cutkosky's ellipsoid: at a tangential share s of its limit a turning pad gives
+// sqrt(1 - s^2) of its largest moment.
+TEST(CalcContactForces, TorsionAndTangentialForceShareOneLimit) {
+  constexpr double kRadius = 0.004, kLimit = 2.0;
+  ContactMemory memory;
+  ContactPoint contact = MakeContact(1e-4, kRadius, memory);
+  contact.friction_limit = kLimit;
+  for (const auto& [share, torsion] :
+       {std::pair{0.0, 1.0}, {0.5, 0.8660}, {0.8, 0.6}, {0.98, 0.1990}, {1.0, 0.0}}) {
+    const ContactForces forces =
+        CalcContactForces(contact, {0.0, share, 0.0, torsion / kRadius}, kStep);
+    EXPECT_TRUE(forces.is_at_limit);
+    EXPECT_NEAR(forces.force[kTangentRow1], -share * kLimit, 1e-4);
+    EXPECT_NEAR(forces.force[kSpinRow], -torsion * kLimit * kRadius, 1e-6);
+  }
 }
 
 TEST(CalcContactForces, NothingPullsAcrossAGap) {

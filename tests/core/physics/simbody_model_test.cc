@@ -22,6 +22,11 @@ VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
 /** A tree of `num_links` links with random frames, axes and inertia; branches are random too. */
 Hand MakeRandomHand(int num_links, RandomStream& random) {
   Hand hand = MakeBareHand();
+  HandLink& root = hand.links[0];
+  root.mass = 1.3;
+  root.p_LLcm = Vector3d(0.02, -0.01, 0.03);
+  root.I_LLcm = Vector3d(1e-3, 2e-3, 2.5e-3).asDiagonal();
+  root.X_PJ = MakePose(MakeRotationRpy(0.1, 0.7, -0.4), Vector3d(0.01, 0.04, -0.1));
   for (int i = 0; i < num_links; ++i) {
     const auto parent = random.NextIndex(static_cast<int>(hand.links.size()));
     const Pose X_PJ = MakePose(
@@ -48,18 +53,18 @@ TEST(HandDynamics, EqualsSimbodyOnRandomTreesAndStates) {
     object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
     SimbodyModel simbody(hand, object);
     HandDynamics dynamics(hand);
-    ASSERT_EQ(simbody.num_speeds(), joints + 6);
+    ASSERT_EQ(simbody.num_speeds(), joints + 12);
     ASSERT_EQ(dynamics.num_dofs(), joints);
 
     const VectorXd q = MakeRandomVector(joints, 1.0, random);
-    const VectorXd u = MakeRandomVector(joints, 3.0, random);
-    const Vector3d v_WH = MakeRandomVector(3, 0.3, random);
+    const int speeds = joints + 6;
+    const VectorXd u = MakeRandomVector(speeds, 3.0, random);
     const Vector3d gravity = MakeRandomVector(3, 5.0, random);
     const Pose X_WH = MakePose(MakeRotationRpy(0.3, -0.8, 2.0), Vector3d(0.1, -0.2, 0.3));
     simbody.SetPositions(X_WH, q, Pose::Identity());
-    VectorXd all_speeds = VectorXd::Zero(joints + 6);
-    all_speeds.head(joints) = u;
-    simbody.SetSpeeds(v_WH, all_speeds);
+    VectorXd all_speeds = VectorXd::Zero(joints + 12);
+    all_speeds.head(speeds) = u;
+    simbody.SetSpeeds(all_speeds);
 
     dynamics.UpdatePositions(X_WH, q);
     std::vector<Pose> X_WL;
@@ -67,13 +72,13 @@ TEST(HandDynamics, EqualsSimbodyOnRandomTreesAndStates) {
     for (size_t i = 0; i < X_WL.size(); ++i) {
       EXPECT_LT((X_WL[i].matrix() - dynamics.X_WL(static_cast<int>(i)).matrix()).norm(), 1e-12);
     }
-    Eigen::MatrixXd M(joints, joints);
+    Eigen::MatrixXd M(speeds, speeds);
     dynamics.CalcMassMatrix(M);
-    EXPECT_LT((M - simbody.CalcMassMatrix().topLeftCorner(joints, joints)).cwiseAbs().maxCoeff(),
+    EXPECT_LT((M - simbody.CalcMassMatrix().topLeftCorner(speeds, speeds)).cwiseAbs().maxCoeff(),
               1e-12);
-    VectorXd bias(joints);
-    dynamics.CalcBias(u, v_WH, -gravity, bias);
-    EXPECT_LT((bias - simbody.CalcBias(gravity).head(joints)).cwiseAbs().maxCoeff(), 1e-12);
+    VectorXd bias(speeds);
+    dynamics.CalcBias(u, gravity, bias);
+    EXPECT_LT((bias - simbody.CalcBias(gravity).head(speeds)).cwiseAbs().maxCoeff(), 1e-11);
   }
 }
 
@@ -84,19 +89,19 @@ TEST(SimbodyModel, HoldsTheObjectAboutItsCentreOfMass) {
   SimbodyModel simbody(MakeBareHand(), object);
   const Pose X_WO = MakePose(MakeRotationRpy(0.4, 0.5, 0.6), Vector3d(1, 2, 3));
   const Vector3d w(1.0, -2.0, 3.0);
-  VectorXd u(6);
-  u << w, 0.1, 0.2, 0.3;
+  VectorXd u(12);
+  u << VectorXd::Zero(6), w, 0.1, 0.2, 0.3;
   simbody.SetPositions(Pose::Identity(), VectorXd(), X_WO);
-  simbody.SetSpeeds(Vector3d::Zero(), u);
+  simbody.SetSpeeds(u);
   const Eigen::Matrix3d I_W = X_WO.linear() * object.I_OOcm * X_WO.linear().transpose();
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6, 6);
   M.topLeftCorner<3, 3>() = I_W;
   M.bottomRightCorner<3, 3>() = 0.2 * Eigen::Matrix3d::Identity();
-  EXPECT_LT((simbody.CalcMassMatrix() - M).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((simbody.CalcMassMatrix().bottomRightCorner(6, 6) - M).cwiseAbs().maxCoeff(), 1e-15);
   VectorXd bias(6);
   bias << w.cross(I_W * w), 0.0, 0.0, 0.2 * kStandardGravity;  // Euler's equations
-  EXPECT_LT((simbody.CalcBias(Vector3d(0, 0, -kStandardGravity)) - bias).cwiseAbs().maxCoeff(),
-            1e-14);
+  const Vector3d gravity_W(0, 0, -kStandardGravity);
+  EXPECT_LT((simbody.CalcBias(gravity_W).tail(6) - bias).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 }  // namespace

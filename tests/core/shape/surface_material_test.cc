@@ -27,7 +27,6 @@ TEST(SurfaceMaterial, WhatIsLeftOutStaysUnset) {
   EXPECT_EQ(FindProblems("contact_stiffness_n_per_m: 3e4\ntorsion_radius_m: 0.002\n", surface), "");
   EXPECT_EQ(surface.stiffness, 3e4);
   EXPECT_EQ(surface.torsion_radius, 0.002);
-  EXPECT_TRUE(std::isnan(surface.dissipation));
   EXPECT_TRUE(std::isnan(surface.friction_static));
 }
 

@@ -16,6 +16,7 @@ TrialFacts MakeGoodEnd() {
   facts.lift_distance = facts.rise = 0.1;
   facts.grip_force = facts.closed_grip_force = 3.0;
   facts.extent = facts.rest_extent = 0.03;
+  facts.arm_force_limit = facts.arm_moment_limit = facts.contact_force_limit = 100.0;
   facts.contacts = {{"FF", false, 0.5}, {"TH", true, 0.6}};
   return facts;
 }
@@ -75,6 +76,57 @@ TEST(TrialOutcome, EveryFailureHasItsName) {
   facts.unconverged_time = 0.11;
   ExpectOutcome(facts, Outcome::kNumericalFailure,
                 "the solver did not converge for 0.11 s, up to 4.000 s into the trial");
+}
+
+TEST(TrialOutcome, WhatNoRealHandCouldDoIsNoSuccess) {
+  TrialFacts facts = MakeGoodEnd();
+  facts.penetration = 0.00099;
+  facts.contact_force = 99.0;
+  facts.energy_residual = -0.00099;
+  ExpectOutcome(facts, Outcome::kSuccess, "");
+  facts.energy_residual = -0.0011;
+  ExpectOutcome(facts, Outcome::kNotPhysical, "-1.10 mJ of energy have no cause (limit 1 mJ)");
+  facts.contact_force = 2000.0;
+  ExpectOutcome(facts, Outcome::kNotPhysical,
+                "one contact presses with 2000 N; drives and arm can give 100 N");
+  facts.penetration = 0.0012;
+  ExpectOutcome(facts, Outcome::kNotPhysical, "the hand is 1.20 mm inside the object (limit 1 mm)");
+}
+
+TEST(TrialOutcome, AnOverloadedArmEndsTheTrial) {
+  TrialFacts facts = MakeGoodEnd();
+  facts.phase = Phase::kClosure;
+  facts.arm_force = 101.0;
+  EXPECT_TRUE(IsDecided(facts));
+  ExpectOutcome(
+      facts, Outcome::kArmOverloaded,
+      "the arm bore 101 N and 0.0 N m beside the hand's weight (limits 100 N, 100.0 N m)");
+  facts.arm_force = 99.0;
+  facts.arm_moment = 101.0;
+  EXPECT_TRUE(IsDecided(facts));
+  facts.arm_moment = 0.0;
+  EXPECT_FALSE(IsDecided(facts));
+}
+
+TEST(TrialOutcome, AnObjectThatCannotBeReachedIsNotTried) {
+  TrialFacts facts = MakeGoodEnd();
+  facts.is_reachable = false;
+  EXPECT_TRUE(IsDecided(facts));
+  ExpectOutcome(facts, Outcome::kUnreachable,
+                "the palm or another link would meet the object before the fingertips hold it");
+  facts.is_reachable = true;
+  facts.start_gap = -0.0012;
+  EXPECT_TRUE(IsDecided(facts));
+  ExpectOutcome(facts, Outcome::kUnreachable, "the hand would start 1.2 mm inside the object");
+}
+
+// A drive of 2 N m at 10 mm, and the arm behind it.
+TEST(TrialOutcome, AContactHasWhatDrivesAndArmCanGive) {
+  Hand hand;
+  hand.joints.resize(2);
+  hand.joints[0].drive.torque_limit = 0.5;
+  hand.joints[1].drive.torque_limit = 2.0;
+  EXPECT_DOUBLE_EQ(CalcContactForceLimit(hand, 50.0), 250.0);
 }
 
 TEST(TrialOutcome, IsDecidedAsSoonAsNothingCanChangeIt) {

@@ -148,6 +148,27 @@ TEST_P(TrialTest, AnImpossibleStateIsANumericalFailureWithItsReason) {
   EXPECT_FALSE(result.reason.empty());
 }
 
+// A bottle that would end inside the palm is held as a real hand could, or not at all.
+TEST(TrialRunner, TallThingsAreNeverHeldFromWithin) {
+  for (const char* id : {"tum", "shadow"}) {
+    const auto hand = std::make_shared<const Hand>(LoadHand(id));
+    for (double height : {0.16, 0.25}) {
+      const double z = 0.5 * height;
+      GraspObject bottle = MakeSolid(
+          MakeRevolution({{0.0, -z}, {0.025, -z}, {0.025, z}, {0.0, z}}, 48), 0.3, 0.5, 0.45);
+      bottle.id = "bottle";
+      const auto object = std::make_shared<const GraspObject>(bottle);
+      TrialRunner runner(hand, object);
+      for (const char* grasp : {"g1", "g5"}) {
+        const TrialResult result = runner.Run(MakeSetup(hand, grasp, object));
+        EXPECT_LT(result.worst_penetration, 0.001) << id << ' ' << grasp << ' ' << height;
+        EXPECT_LT(result.grip_force, 200.0) << id << ' ' << grasp << ' ' << height;
+        EXPECT_LT(std::abs(result.energy_residual), 0.001) << id << ' ' << grasp << ' ' << height;
+      }
+    }
+  }
+}
+
 TEST(TrialRunner, RefusesAChainOfTooManyJoints) {
   Hand hand = MakeBareHand();
   hand.id = "snake";

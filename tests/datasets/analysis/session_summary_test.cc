@@ -65,6 +65,20 @@ TEST(SummariseSession, ADigitThatNeverTouchedIsMissingNotZero) {
   EXPECT_EQ(cell.got.n, 2);
 }
 
+TEST(SummariseSession, ATouchBeforeClosureIsAClassOfItsOwn) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
+  TrialResult& result = session.records[0].result;
+  result.contacts[0].time = -0.2;
+  result.timing = CalcContactTiming(result.contacts, 0.0);
+  const CellSummary cell = SummariseSession(session).cells.at(0);
+  EXPECT_EQ(cell.num_early, 1);
+  EXPECT_EQ(cell.tally.successes(), 3);
+  for (const Spread& spread : {cell.gct, cell.gft, cell.got, cell.gft_ratio, cell.got_ratio}) {
+    EXPECT_EQ(spread.n, 2);
+  }
+  EXPECT_NEAR(cell.gft.highest, 0.2, 1e-12);
+}
+
 TEST(SummariseSession, ANumericalFailureCountsInTheRateAndNowhereElse) {
   Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
   session.records[2].result.outcome = Outcome::kNumericalFailure;

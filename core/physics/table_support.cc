@@ -1,0 +1,300 @@
+#include "core/physics/table_support.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+/** Directions in which the object's outermost vertices are looked for. */
+constexpr int kSupportDirections = 4000;
+/** Vertices this much higher than the lowest one do not carry the object [m]. */
+constexpr double kSupportBand = 2e-4;
+/** Faces of a smooth part meet at less than this; 16 segments: 22.5 degrees. */
+const double kSmoothCosine = std::cos(RadFromDeg(25.0));
+/** Longest edge on a ball over its radius; 16 segments: 0.39, and 0.55 across. The corners of a long
+cylinder lie on a sphere too, but not its faces. */
+constexpr double kLongestEdge = 0.6;
+/** A fit's largest miss over the height of the cap it covers. */
+constexpr double kFitShare = 0.05;
+/** Triangles whose normals and planes differ by less than these are one face. */
+constexpr double kFlatCosine = 1.0 - 1e-6;
+constexpr double kFlatBand = 2e-5;  ///< [m]
+/** Smaller faces are none, as a share of the object's radius squared. */
+constexpr double kLeastFace = 0.01;
+/** An object stands on a face that is level within a degree. */
+const double kLevelCosine = std::cos(RadFromDeg(1.0));
+/** Balls that differ by less than this share of their radius are one. */
+constexpr double kSameBall = 0.02;
+
+/** Vertices that can touch a plane: outermost ones over a Fibonacci lattice of directions. */
+std::vector<size_t> FindSupportVertices(const TriMesh& mesh) {
+  std::set<size_t> chosen;
+  const double golden_angle = kPi * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < kSupportDirections; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / kSupportDirections;
+    const double r = std::sqrt(1.0 - z * z);
+    const Vector3d direction(r * std::cos(golden_angle * k), r * std::sin(golden_angle * k), z);
+    size_t best = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const double extent = direction.dot(mesh.vertices[i]);
+      if (extent > most) {
+        most = extent;
+        best = i;
+      }
+    }
+    chosen.insert(best);
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+struct FittedBall {
+  Vector3d centre;
+  double radius;
+};
+
+/** The sphere |p|^2 = 2 c.p + w through points about the first of them, by least squares; nothing
+when they do not lie on one. */
+std::optional<FittedBall> FitBall(const std::vector<Vector3d>& points) {
+  Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d b = Eigen::Vector4d::Zero();
+  double size = 0.0;
+  for (const Vector3d& p : points) size = std::max(size, (p - points[0]).norm());
+  for (const Vector3d& p : points) {
+    const Vector3d scaled = (p - points[0]) / size;
+    Eigen::Vector4d row;
+    row << 2.0 * scaled, 1.0;
+    A += row * row.transpose();
+    b += row * scaled.squaredNorm();
+  }
+  const Eigen::LDLT<Eigen::Matrix4d> factor(A);
+  // Points in a plane lie on every sphere, or on none.
+  if (factor.info() != Eigen::Success || factor.vectorD().minCoeff() < 1e-9) return std::nullopt;
+  const Eigen::Vector4d solution = factor.solve(b);
+  const Vector3d centre = solution.head<3>();
+  const double radius = std::sqrt(centre.squaredNorm() + solution[3]);
+  if (!std::isfinite(radius)) return std::nullopt;
+  const double cap_height = 0.5 / radius;  // of points at distance 1 in units of `size`
+  for (const Vector3d& p : points) {
+    const double miss = std::abs(((p - points[0]) / size - centre).norm() - radius);
+    if (miss > kFitShare * cap_height) return std::nullopt;
+  }
+  return FittedBall{points[0] + size * centre, size * radius};
+}
+
+/** Integral of the distance from the origin over the triangle with corners 0, a, b, signed. */
+double IntegrateDistance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d edge = b - a;
+  const double length = edge.norm();
+  const double twice_area = a.x() * b.y() - a.y() * b.x();
+  if (length == 0.0 || twice_area == 0.0) return 0.0;
+  const double d = std::abs(twice_area) / length;  // distance of the edge
+  // With t the tangent of the angle from the perpendicular, r goes to d sec: the integral of
+  // d^3 sec^3 / 3 is d^3 (t sqrt(1 + t^2) + asinh t) / 6.
+  const auto primitive = [](double t) { return t * std::sqrt(1.0 + t * t) + std::asinh(t); };
+  const double t_a = a.dot(edge) / length / d, t_b = b.dot(edge) / length / d;
+  return std::copysign(d * d * d / 6.0 * (primitive(t_b) - primitive(t_a)), twice_area);
+}
+
+}  // namespace
+
+TableSupport::TableSupport(const TriMesh& mesh) {
+  const std::vector<size_t> vertices = FindSupportVertices(mesh);
+  for (size_t i : vertices) {
+    points_.push_back({mesh.vertices[i]});
+    radius_ = std::max(radius_, mesh.vertices[i].norm());
+  }
+  FindBalls(mesh, vertices);
+  FindFaces(mesh);
+}
+
+void TableSupport::FindFaces(const TriMesh& mesh) {
+  std::vector<std::vector<Eigen::Vector3i>> triangles;  // by face
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const Vector3d& p = mesh.vertices[t[0]];
+    const Vector3d cross = (mesh.vertices[t[1]] - p).cross(mesh.vertices[t[2]] - p);
+    if (cross.norm() == 0.0) continue;
+    const Vector3d normal = cross.normalized();
+    auto face = std::find_if(faces_.begin(), faces_.end(), [&](const Face& other) {
+      return other.normal_O.dot(normal) > kFlatCosine &&
+             std::abs(other.offset - normal.dot(p)) < kFlatBand;
+    });
+    if (face == faces_.end()) {
+      // A plane that cuts the object is no face to stand on.
+      const double offset = normal.dot(p);
+      const bool is_outermost = std::all_of(
+          points_.begin(), points_.end(),
+          [&](const Point& point) { return normal.dot(point.p_O) <= offset + kFlatBand; });
+      if (!is_outermost) continue;
+      faces_.push_back({normal, offset, 0.0, Vector3d::Zero(), 0.0});
+      triangles.emplace_back();
+      face = faces_.end() - 1;
+    }
+    const double area = 0.5 * cross.norm();
+    face->area += area;
+    face->p_OCentroid += area / 3.0 * (p + mesh.vertices[t[1]] + mesh.vertices[t[2]]);
+    triangles[static_cast<size_t>(face - faces_.begin())].push_back(t);
+  }
+  for (size_t f = 0; f < faces_.size(); ++f) {
+    Face& face = faces_[f];
+    face.p_OCentroid /= face.area;
+    const Vector3d e1 = face.normal_O.unitOrthogonal(), e2 = face.normal_O.cross(e1);
+    const auto flatten = [&](int vertex) -> Eigen::Vector2d {
+      const Vector3d p = mesh.vertices[vertex] - face.p_OCentroid;
+      return {e1.dot(p), e2.dot(p)};
+    };
+    for (const Eigen::Vector3i& t : triangles[f]) {
+      double sum = 0.0;
+      for (int k = 0; k < 3; ++k) {
+        sum += IntegrateDistance(flatten(t[k]), flatten(t[(k + 1) % 3]));
+      }
+      face.mean_distance += sum / face.area;
+    }
+  }
+  const double least_area = kLeastFace * radius_ * radius_;
+  faces_.erase(std::remove_if(faces_.begin(), faces_.end(),
+                              [&](const Face& face) { return face.area < least_area; }),
+               faces_.end());
+}
+
+void TableSupport::FindBalls(const TriMesh& mesh, const std::vector<size_t>& vertices) {
+  std::vector<std::vector<size_t>> faces(mesh.vertices.size());
+  std::vector<Vector3d> normals;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const Vector3d normal = (mesh.vertices[t[1]] - mesh.vertices[t[0]])
+                                .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+    for (int corner : {t[0], t[1], t[2]}) {
+      faces[static_cast<size_t>(corner)].push_back(normals.size());
+    }
+    normals.push_back(normal.normalized());
+  }
+  for (size_t k = 0; k < vertices.size(); ++k) {
+    const size_t vertex = vertices[k];
+    Vector3d outwards = Vector3d::Zero();
+    std::set<size_t> around;
+    for (size_t face : faces[vertex]) {
+      outwards += normals[face];
+      const Eigen::Vector3i& t = mesh.triangles[face];
+      for (int corner : {t[0], t[1], t[2]}) around.insert(static_cast<size_t>(corner));
+    }
+    outwards.normalize();
+    const bool is_smooth =
+        std::all_of(faces[vertex].begin(), faces[vertex].end(),
+                    [&](size_t face) { return normals[face].dot(outwards) > kSmoothCosine; });
+    std::vector<Vector3d> ring = {mesh.vertices[vertex]};
+    for (size_t i : around) {
+      if (i != vertex) ring.push_back(mesh.vertices[i]);
+      points_[k].neighbourhood =
+          std::max(points_[k].neighbourhood, (mesh.vertices[i] - ring[0]).norm());
+    }
+    const std::optional<FittedBall> ball = is_smooth ? FitBall(ring) : std::nullopt;
+    if (!ball || points_[k].neighbourhood > kLongestEdge * ball->radius ||
+        (ring[0] - ball->centre).dot(outwards) < 0.0) {
+      continue;
+    }
+    const auto same = std::find_if(balls_.begin(), balls_.end(), [&](const Ball& other) {
+      return (other.p_OCentre - ball->centre).norm() < kSameBall * other.radius &&
+             std::abs(other.radius - ball->radius) < kSameBall * other.radius;
+    });
+    points_[k].ball = static_cast<int>(same - balls_.begin());
+    if (same == balls_.end()) balls_.push_back({ball->centre, ball->radius});
+  }
+}
+
+bool TableSupport::IsOnBall(const Point& point, const Pose& X_WO) const {
+  if (point.ball < 0) return false;
+  const Ball& ball = balls_[static_cast<size_t>(point.ball)];
+  const Vector3d p_OLowest = ball.p_OCentre - ball.radius * X_WO.linear().row(2).transpose();
+  return (p_OLowest - point.p_O).norm() <= point.neighbourhood;
+}
+
+void TableSupport::ChooseOutermost(const Vector3d& up_O, std::vector<int>& carrying) const {
+  if (carrying.size() <= kMaxContacts) return;
+  // Fixed directions of O keep the choice steady from step to step.
+  const Vector3d e1 = up_O.unitOrthogonal(), e2 = up_O.cross(e1);
+  std::vector<int> chosen;
+  for (int k = 0; k < kMaxContacts; ++k) {
+    const double angle = 2.0 * kPi * k / kMaxContacts;
+    const Vector3d direction = std::cos(angle) * e1 + std::sin(angle) * e2;
+    const int point = *std::max_element(carrying.begin(), carrying.end(), [&](int a, int b) {
+      return direction.dot(points_[a].p_O) < direction.dot(points_[b].p_O);
+    });
+    if (std::find(chosen.begin(), chosen.end(), point) == chosen.end()) chosen.push_back(point);
+  }
+  carrying = chosen;
+}
+
+double TableSupport::CalcFaceFactor(const Vector3d& up_O, const std::vector<int>& chosen) const {
+  if (chosen.size() < 2) return 1.0;
+  if (chosen.size() == 2) return 0.5;
+  const auto face = std::find_if(faces_.begin(), faces_.end(), [&](const Face& candidate) {
+    return -candidate.normal_O.dot(up_O) > kLevelCosine;
+  });
+  if (face == faces_.end()) return 1.0;
+  double mean = 0.0;
+  for (int point : chosen) {
+    const Vector3d p = points_[point].p_O - face->p_OCentroid;
+    mean += (p - p.dot(up_O) * up_O).norm() / static_cast<double>(chosen.size());
+  }
+  return std::min(1.0, face->mean_distance / mean);
+}
+
+void TableSupport::FindContacts(const Pose& X_WO, double reach, std::vector<Contact>& contacts,
+                                double& face_factor) const {
+  contacts.clear();
+  if (X_WO.translation().z() > radius_ + reach) return;
+  const Vector3d up_O = X_WO.linear().row(2).transpose();
+  thread_local std::vector<double> heights;
+  heights.resize(points_.size());
+  size_t lowest = 0;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    heights[i] = X_WO.translation().z() + up_O.dot(points_[i].p_O);
+    if (heights[i] < heights[lowest]) lowest = i;
+  }
+  if (heights[lowest] > reach) return;
+
+  thread_local std::vector<int> corners;
+  corners.clear();
+  thread_local std::vector<bool> ball_carries;
+  ball_carries.assign(balls_.size(), false);
+  for (size_t i = 0; i < points_.size(); ++i) {
+    if (heights[i] > heights[lowest] + kSupportBand || !IsOnBall(points_[i], X_WO)) continue;
+    ball_carries[static_cast<size_t>(points_[i].ball)] = true;
+  }
+  for (size_t i = 0; i < points_.size(); ++i) {
+    if (heights[i] > heights[lowest] + kSupportBand) continue;
+    if (points_[i].ball < 0 || !ball_carries[static_cast<size_t>(points_[i].ball)]) {
+      corners.push_back(static_cast<int>(i));
+    }
+  }
+  ChooseOutermost(up_O, corners);
+  face_factor = CalcFaceFactor(up_O, corners);
+  for (int point : corners) contacts.push_back({point, X_WO * points_[point].p_O, false});
+  for (size_t b = 0; b < balls_.size(); ++b) {
+    if (!ball_carries[b]) continue;
+    const Vector3d p_W = X_WO * balls_[b].p_OCentre - balls_[b].radius * Vector3d::UnitZ();
+    contacts.push_back({static_cast<int>(points_.size() + b), p_W, true});
+  }
+}
+
+double TableSupport::CalcLowestPoint(const Pose& X_WO) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Point& point : points_) {
+    lowest = std::min(lowest, (X_WO * point.p_O).z());
+    if (!IsOnBall(point, X_WO)) continue;
+    const Ball& ball = balls_[static_cast<size_t>(point.ball)];
+    lowest = std::min(lowest, (X_WO * ball.p_OCentre).z() - ball.radius);
+  }
+  return lowest;
+}
+
+}  // namespace graspbench

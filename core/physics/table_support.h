@@ -1,0 +1,83 @@
+#pragma once
+/** @file
+Where an object touches the table z = 0: corners and rims at vertices of its mesh, round parts at
+the lowest point of their ball.
+
+A mesh that stands for a smooth surface must not roll on its vertices: each would be an impact.
+Where a vertex and the vertices around it lie on a sphere and no edge there is sharper than a smooth
+mesh of 16 segments has, that ball carries the object, and not the vertices. Round in one direction
+only (a can on its side, an egg) stays a polyhedron and rolls as one; that is not modelled.
+
+A face presses evenly: at most eight points at its outline hold the object against tipping, each for
+its sector of the face, and the sector's friction acts nearer to the middle than its outline. Pulled
+in towards the centre of pressure by
+
+    f = mean distance of the face's area from its centroid / mean distance of the points
+
+the points resist a turn about the normal as uniform pressure does (a disc: f = 2/3; on an edge:
+1/2). Where only a rim touches, f is 1. */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+class TableSupport {
+ public:
+  static constexpr int kMaxContacts = 8;
+
+  struct Contact {
+    int id = 0;                                     ///< the same for the same corner or ball
+    Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< lowest point [m]
+    bool is_round = false;
+  };
+
+  explicit TableSupport(const TriMesh& mesh);
+
+  int num_ids() const { return static_cast<int>(points_.size() + balls_.size()); }
+  double radius() const { return radius_; }  ///< of a ball around all of the object, about O [m]
+
+  /** Contacts of the object at X_WO in a fixed order; empty when nothing is lower than `reach`.
+  `face_factor` is f of the contacts that are not round. */
+  void FindContacts(const Pose& X_WO, double reach, std::vector<Contact>& contacts,
+                    double& face_factor) const;
+
+  /** Height of the lowest point of the object [m]. */
+  double CalcLowestPoint(const Pose& X_WO) const;
+
+ private:
+  struct Point {
+    Eigen::Vector3d p_O;
+    int ball = -1;               // index into balls_; -1: a corner
+    double neighbourhood = 0.0;  // distance to the farthest neighbour in the mesh [m]
+  };
+  struct Ball {
+    Eigen::Vector3d p_OCentre;
+    double radius;
+  };
+  /** A flat face that the object can stand on. */
+  struct Face {
+    Eigen::Vector3d normal_O;
+    double offset;  // of the plane from O [m]
+    double area;
+    Eigen::Vector3d p_OCentroid;
+    double mean_distance;  // of its area from its centroid [m]
+  };
+
+  void FindBalls(const TriMesh& mesh, const std::vector<size_t>& vertices);
+  void FindFaces(const TriMesh& mesh);
+  /** Whether the ball of `point` carries: its lowest point lies among the point's neighbours. */
+  bool IsOnBall(const Point& point, const Pose& X_WO) const;
+  void ChooseOutermost(const Eigen::Vector3d& up_O, std::vector<int>& carrying) const;
+  double CalcFaceFactor(const Eigen::Vector3d& up_O, const std::vector<int>& chosen) const;
+
+  std::vector<Point> points_;
+  std::vector<Ball> balls_;
+  std::vector<Face> faces_;
+  double radius_ = 0.0;
+};
+
+}  // namespace graspbench
