@@ -133,11 +133,9 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
                                   "  graspbench object check mug.stl --unit mm\n"
                                   "  graspbench object check mug.stl --unit mm --repair");
   const auto options = std::make_shared<MeshCheckOptions>();
-  check
-      .add_option("path", options->path,
-                  "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh")
-      ->required()
-      ->option_text("PATH");
+  const std::string what =
+      "mesh file (" + ListMeshFormats() + "), or folder with object.yaml and a mesh";
+  check.add_option("path", options->path, what)->required()->option_text("PATH");
   check.add_option("--unit", options->unit, "of the mesh file's numbers: " + ListNames(kUnits))
       ->check(CLI::IsMember(kUnits))
       ->option_text("UNIT")

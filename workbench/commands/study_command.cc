@@ -1,20 +1,18 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "core/base/text.h"
-#include "core/base/units.h"
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/study/demo_study.h"
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/run_study.h"
 #include "human_study/study/study_tables.h"
-#include "human_study/study/trial_removal.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/study_text.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -52,22 +50,6 @@ std::vector<MeasureTable> ListTables(const StudyResult& result) {
   return tables;
 }
 
-/** First of all what is not there. */
-void PrintRemoved(const StudyResult& result) {
-  if (result.CountKept() == 0) PrintResult("no trial counts:\n");
-  for (const RemovalGroup& group : GroupRemoved(result.trials)) {
-    PrintResult("removed  " + std::to_string(group.trials.size()) + " [" + group.code + "] " +
-                group.text + "\n");
-  }
-}
-
-void PrintZeroGft(const ZeroGft& zero) {
-  if (zero.num_trials == 0) return;
-  PrintResult("zero     GFT below " + FormatFixed(MsFromS(zero.limit), 0) +
-              " ms cannot be told from zero here; touching at once would show a median of " +
-              FormatFixed(MsFromS(zero.median), 0) + " ms\n");
-}
-
 /** Analyses the study into the folder that will become --out. */
 StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const Study study = LoadStudy(options.study_file, options.data, options.settings);
@@ -80,8 +62,7 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
     bids.WriteTrial(trial, reach);
   };
   StudyResult result = RunStudy(study, watch);
-  PrintRemoved(result);
-  PrintZeroGft(result.statistics.zero_gft);
+  PrintResult(FormatRemoved(result) + FormatZeroGft(result.statistics.zero_gft));
   bids.Finish();
   WriteStudyTables(result, staged.path());
   SaveTidyExport(ListTables(result), staged.path() / "tidy");
@@ -94,13 +75,6 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
               (out / "measures.csv").string() + "\nR        " + (out / "tidy").string() +
               "\nBIDS     " + (out / "bids").string() + "\nreport   " + report.string() + "\n");
   return result;
-}
-
-std::string FormatErrors(const Answer<Summary>& errors) {
-  if (!errors) return errors.reason();
-  return "bias " + FormatFixed(1e3 * errors->mean, 1) + " ms, SD " +
-         FormatFixed(1e3 * errors->standard_deviation.value_or(std::nan("")), 1) + " ms, n " +
-         std::to_string(errors->count);
 }
 
 StudyResult RunStudyFile(const StudyOptions& options) {
@@ -116,11 +90,7 @@ void RunDemo(StudyOptions options) {
   WriteDemoStudy(trials, input);
   options.study_file = (input / "study.yaml").string();
   const TruthComparison comparison = CompareWithTruth(RunAndWrite(options, staged), trials);
-  PrintResult("truth    found - true over the trials that count\n  movement onset  " +
-              FormatErrors(comparison.onset) + "\n  widest opening  " +
-              FormatErrors(comparison.closure_start) + "\n  first contacts  " +
-              FormatErrors(comparison.contact) + "\n  GFT             " +
-              FormatErrors(comparison.gft) + "\n");
+  PrintResult(FormatTruth(comparison));
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+/** @file
+What a human study found, for the terminal. */
+
+#include <string>
+
+#include "human_study/study/demo_study.h"
+#include "human_study/study/run_study.h"
+
+namespace graspbench {
+
+/** A line for each reason by which trials were removed; first that none is left, if so. */
+std::string FormatRemoved(const StudyResult& result);
+
+/** What GFT can be told from zero; empty when no trial says. */
+std::string FormatZeroGft(const ZeroGft& zero);
+
+/** Found minus true times of a made-up study. */
+std::string FormatTruth(const TruthComparison& comparison);
+
+}  // namespace graspbench
