@@ -19,7 +19,7 @@ std::string_view SkipApostrophes(std::string_view text) {
 }
 
 bool IsNumber(std::string_view text) {
-  if (text[0] == '+') text.remove_prefix(1);
+  if (text[0] == '+' && text.substr(1, 1) != "-") text.remove_prefix(1);
   double value = 0.0;
   const auto [rest, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   return fault == std::errc() && rest == text.data() + text.size();
