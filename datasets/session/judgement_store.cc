@@ -67,10 +67,11 @@ void LoadJudgements(const std::filesystem::path& folder, Session& session) {
       }
     });
   }
-  conflicts.ThrowIfErrors(ErrorKind::kFormat,
-                          "two versions of the program have judged this session or a file was "
-                          "edited; delete the folder \"judge\", seal the rest with graspbench verify "
-                          "--repair and judge the session anew");
+  conflicts.ThrowIfErrors(
+      ErrorKind::kFormat,
+      "two versions of the program have judged this session or a file was "
+      "edited; delete the folder \"judge\", seal the rest with graspbench verify "
+      "--repair and judge the session anew");
 }
 
 std::vector<PlannedTrial> FindUnjudged(const Session& session) {
