@@ -1,0 +1,146 @@
+/** @file
+Files that fail at random under a command (tests/support/fail_files.cc), and commands that are
+killed at random: afterwards the same command ends with the bytes of an undisturbed run. */
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/files.h"
+#include "core/base/random.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class FailingDisk : public testing::Test {
+ protected:
+  FailingDisk()
+      : top_(fs::path(testing::TempDir()) /
+             (std::string("failing_disk_") +
+              testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+              std::to_string(::getpid()))) {
+    fs::remove_all(top_);
+    fs::create_directories(top_);
+  }
+  ~FailingDisk() override {
+    if (!HasFailure()) fs::remove_all(top_);
+  }
+
+  /** A shell line in the test's folder; GB stands for the program. */
+  pid_t Start(std::string line, int fault_seed = 0) const {
+    const std::string program = std::string("'") + GRASPBENCH_PROGRAM + "'";
+    line = "exec " + program + " " + line + " >>log 2>&1 </dev/null";
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    if (::chdir(top_.c_str()) != 0) ::_exit(126);
+    if (fault_seed > 0) {
+      ::setenv("LD_PRELOAD", GRASPBENCH_FAIL_FILES, 1);
+      ::setenv("GRASPBENCH_FAULTS", (std::to_string(fault_seed) + " 0.03 out").c_str(), 1);
+    }
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    ::_exit(127);
+  }
+  static int Wait(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+  int Run(const std::string& line, int fault_seed = 0) const {
+    return Wait(Start(line, fault_seed));
+  }
+
+  std::string Log() const { return ReadFile(top_ / "log"); }
+  void ExpectSame(const std::vector<std::string>& files) const {
+    for (const std::string& file : files) {
+      EXPECT_TRUE(ReadFile(top_ / "whole" / file) == ReadFile(top_ / "out" / file)) << file;
+    }
+  }
+
+  fs::path top_;
+  int num_failed_ = 0;
+
+  /** The command fails with the exit code of the environment or succeeds, then is run undisturbed. */
+  void RunUnderFaults(const std::string& line, const std::string& again, int first_seed,
+                      int num_attempts) {
+    for (int attempt = 0; attempt < num_attempts; ++attempt) {
+      const bool is_begun = fs::exists(top_ / "out" / "session.json");
+      const int exit_code = Run(is_begun ? again : line, first_seed + attempt);
+      EXPECT_TRUE(exit_code == 0 || exit_code == 5) << exit_code << "\n" << Log();
+      num_failed_ += exit_code != 0;
+    }
+    const bool is_begun = fs::exists(top_ / "out" / "session.json");
+    EXPECT_EQ(Run(is_begun ? again : line), 0) << Log();
+    EXPECT_EQ(Run("verify out"), 0) << Log();
+  }
+};
+
+TEST_F(FailingDisk, SessionsAreContinuedAndJudgedToTheSameBytes) {
+  const std::string session = "run --hand tum --object tennis_ball --trials 6 --jobs 2 --out ";
+  ASSERT_EQ(Run(session + "whole"), 0) << Log();
+  ASSERT_EQ(Run("judge whole"), 0) << Log();
+  for (int round = 0; round < 2; ++round) {
+    fs::remove_all(top_ / "out");
+    const int seed = 1 + 20 * round;
+    RunUnderFaults(session + "out", "run --resume --jobs 2 --out out", seed, 5);
+    RunUnderFaults("judge out", "judge out", seed + 5, 4);
+    RunUnderFaults("export out", "export out", seed + 9, 3);
+    RunUnderFaults("report out", "report out", seed + 12, 3);
+    ExpectSame({"session.json", "plan.jsonl", "export/trials.csv", "export/records.jsonl",
+                "index.sqlite", "report/index.html"});
+  }
+  EXPECT_GT(num_failed_, 4) << "the faults must bite";
+}
+
+TEST_F(FailingDisk, OptimisationsAreContinuedToTheSameBytes) {
+  const std::string line = "optimise --hand tum --object golf_ball --evaluations 4 --out ";
+  ASSERT_EQ(Run(line + "whole"), 0) << Log();
+  for (int round = 0; round < 2; ++round) {
+    fs::remove_all(top_ / "out");
+    RunUnderFaults(line + "out", line + "out", 101 + 10 * round, 4);
+    ExpectSame({"scene.json", "journal.jsonl", "result.json", "individuals.csv", "new-target.yaml",
+                "manifest.json"});
+  }
+  EXPECT_GT(num_failed_, 1) << "the faults must bite";
+}
+
+// A basin and a study are there as a whole or not at all, whenever the program is killed.
+TEST_F(FailingDisk, WholeResultsAppearWholeWhenKilled) {
+  const std::vector<std::pair<std::string, std::string>> commands = {
+      {"basin --hand tum --object golf_ball --samples 6 --out ", "basin.csv"},
+      {"study demo --out ", "measures.csv"}};
+  for (const auto& [line, file] : commands) {
+    fs::remove_all(top_ / "whole");
+    fs::remove_all(top_ / "out");
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(Run(line + "whole"), 0) << Log();
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+    RandomStream moments(line, "kill");
+    for (int kill = 0; kill < 4 && !fs::exists(top_ / "out"); ++kill) {
+      const pid_t child = Start(line + "out");
+      std::this_thread::sleep_for(duration * moments.NextUniform(0.1, 1.0));
+      ::kill(child, SIGKILL);
+      Wait(child);
+      if (fs::exists(top_ / "out")) {
+        EXPECT_EQ(Run("verify out"), 0) << Log();
+      }
+    }
+    if (!fs::exists(top_ / "out")) {
+      EXPECT_EQ(Run(line + "out"), 0) << Log();
+    }
+    ExpectSame({file, "manifest.json"});
+    for (const auto& entry : fs::directory_iterator(top_)) {
+      EXPECT_NE(entry.path().filename().string()[0], '.') << entry.path() << " is left";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,133 @@
+// To be preloaded into another program: what it does to files whose names hold a text fails at random.
+// GRASPBENCH_FAULTS="SEED PROBABILITY TEXT": opening for writing, write (at times half of it is
+// written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+struct Faults {
+  uint64_t seed = 0;
+  double probability = 0.0;
+  char text[4096] = "";
+};
+
+const Faults& Read() {
+  static const Faults faults = [] {
+    Faults read;
+    unsigned long long seed = 0;
+    const char* setting = std::getenv("GRASPBENCH_FAULTS");
+    if (setting &&
+        std::sscanf(setting, "%llu %lf %4095s", &seed, &read.probability, read.text) == 3) {
+      read.seed = seed;
+    }
+    return read;
+  }();
+  return faults;
+}
+
+/** Uniform in [0, 1), another one at each call (SplitMix64). */
+double Draw() {
+  static std::atomic<uint64_t> count{0};
+  uint64_t z = Read().seed * 0x9e3779b97f4a7c15u + ++count * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+bool FailsName(const char* name) {
+  const Faults& faults = Read();
+  return faults.text[0] && std::strstr(name, faults.text) && Draw() < faults.probability;
+}
+
+bool FailsFile(int file) {
+  if (!Read().text[0]) return false;
+  char link[64], name[4096];
+  std::snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+  const ssize_t size = ::readlink(link, name, sizeof name - 1);
+  if (size <= 0) return false;
+  name[size] = '\0';
+  return FailsName(name);
+}
+
+int Fail(int reason) {
+  errno = reason;
+  return -1;
+}
+
+template <class Function>
+Function Next(const char* name) {
+  void* const found = ::dlsym(RTLD_NEXT, name);
+  Function function = nullptr;
+  std::memcpy(&function, &found, sizeof function);
+  return function;
+}
+
+int Open(const char* name, int flags, va_list rest) {
+  const int mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, int) : 0;
+  if ((flags & O_ACCMODE) != O_RDONLY && FailsName(name)) return Fail(EIO);
+  return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, name, flags, mode));
+}
+
+}  // namespace
+
+extern "C" {
+
+int open(const char* name, int flags, ...) {
+  va_list rest;
+  va_start(rest, flags);
+  const int file = Open(name, flags, rest);
+  va_end(rest);
+  return file;
+}
+
+int open64(const char* name, int flags, ...) {
+  va_list rest;
+  va_start(rest, flags);
+  const int file = Open(name, flags, rest);
+  va_end(rest);
+  return file;
+}
+
+ssize_t write(int file, const void* bytes, size_t size) {
+  if (FailsFile(file)) {
+    if (Draw() < 0.5) return Fail(ENOSPC);
+    size = (size + 1) / 2;
+  }
+  return ::syscall(SYS_write, file, bytes, size);
+}
+
+int fsync(int file) {
+  return FailsFile(file) ? Fail(EIO) : static_cast<int>(::syscall(SYS_fsync, file));
+}
+
+int fdatasync(int file) {
+  return FailsFile(file) ? Fail(EIO) : static_cast<int>(::syscall(SYS_fdatasync, file));
+}
+
+int ftruncate(int file, off_t length) noexcept {
+  return FailsFile(file) ? Fail(EIO) : static_cast<int>(::syscall(SYS_ftruncate, file, length));
+}
+
+int rename(const char* from, const char* to) noexcept {
+  if (FailsName(to)) return Fail(EIO);
+  return static_cast<int>(::syscall(SYS_rename, from, to));
+}
+
+int close(int file) {
+  const bool fails = FailsFile(file);
+  const int result = static_cast<int>(::syscall(SYS_close, file));
+  return fails ? Fail(EIO) : result;
+}
+
+}  // extern "C"
