@@ -256,10 +256,10 @@ MutationCount MutateStores(const fs::path& folder, const std::string& seed, int 
   Mutator mutator(whole, seed);
   MutationCount result;
   if (IsFound(stores)) result.examples += "damage is found in whole stores\n";
-  for (int i = 0; i < count; ++i) {
+  while (result.mutations < count) {
     Files files;
     const std::string what = mutator.Mutate(files);
-    if (files == whole) continue;
+    if (files == whole) continue;  // two equal lines have changed places
     ++result.mutations;
     WriteFiles(folder, files);
     if (!IsFound(stores)) {
