@@ -112,6 +112,34 @@ double CalcWayBack(const Hand& hand, const StandardGrasp& grasp, const GraspObje
   return back;
 }
 
+/** The palm's normal, turned about the flexion axis by the tilt: towards the fingertips, whichever
+way the axis points. */
+Vector3d CalcApproach(const Hand& hand, double tilt) {
+  Vector3d fingertips_H = Vector3d::Zero();
+  const std::vector<Pose> X_HL_rest = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const Digit& digit : hand.digits) {
+    if (!digit.is_thumb) fingertips_H += X_HL_rest[digit.distal_link] * digit.p_LTip;
+  }
+  Vector3d forward_H = hand.palm_normal.cross(CalcFlexionAxis(hand)).normalized();
+  if (forward_H.dot(fingertips_H) < 0.0) forward_H = -forward_H;
+  return std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
+}
+
+/** Raises the hand until it is clear of the table on its whole `course`. What is thinner than the
+lowest grasp is picked off the table: there the fingertips may slide on it until they meet the
+object. */
+void LiftOffTable(const Hand& hand, const std::vector<std::vector<Pose>>& course, double height,
+                  Placement& placement) {
+  const size_t first = height < kLowestGrasp ? course.size() - 1 : 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (size_t k = first; k < course.size(); ++k) {
+    lowest = std::min(lowest, -CalcExtent(hand, course[k], placement.X_WH, -1, -Vector3d::UnitZ()));
+  }
+  if (lowest < kTableClearance) {
+    placement.X_WH.pretranslate((kTableClearance - lowest) * Vector3d::UnitZ());
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s) {
@@ -129,17 +157,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   const bool from_side = grasp.type == GraspType::kPower && height > CalcReach(hand);
 
   const Vector3d lateral_H = CalcFlexionAxis(hand);
-  const double tilt = from_side ? 0.0 : grasp.tilt;
-  // Turning about the flexion axis by the tilt moves the approach from the palm's normal towards
-  // the fingertips, whichever way the axis points.
-  Vector3d fingertips_H = Vector3d::Zero();
-  const std::vector<Pose> X_HL_rest = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
-  for (const Digit& digit : hand.digits) {
-    if (!digit.is_thumb) fingertips_H += X_HL_rest[digit.distal_link] * digit.p_LTip;
-  }
-  Vector3d forward_H = hand.palm_normal.cross(lateral_H).normalized();
-  if (forward_H.dot(fingertips_H) < 0.0) forward_H = -forward_H;
-  const Vector3d approach_H = std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
+  const Vector3d approach_H = CalcApproach(hand, from_side ? 0.0 : grasp.tilt);
 
   // The opening seen along the approach.
   const auto across = [&](const Vector3d& v) -> Vector3d {
@@ -189,16 +207,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
     placement.X_WH.pretranslate((near_face - kPalmGap - palm) * placement.approach_W);
   }
 
-  // What is thinner than the lowest grasp is picked off the table: there the fingertips may slide
-  // on it until they meet the object.
-  const size_t first = height < kLowestGrasp ? course.size() - 1 : 0;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (size_t k = first; k < course.size(); ++k) {
-    lowest = std::min(lowest, -CalcExtent(hand, course[k], placement.X_WH, -1, -Vector3d::UnitZ()));
-  }
-  if (lowest < kTableClearance) {
-    placement.X_WH.pretranslate((kTableClearance - lowest) * Vector3d::UnitZ());
-  }
+  LiftOffTable(hand, course, height, placement);
   return placement;
 }
 

@@ -49,6 +49,61 @@ std::string FindNonsense(const TrialFacts& facts) {
   return "";
 }
 
+/** What ended the trial, whatever the hand holds; NotRun: nothing did. */
+OutcomeReason FindBreakdown(const TrialFacts& facts) {
+  if (!facts.is_reachable) {
+    return {Outcome::kUnreachable,
+            "the palm or another link would meet the object before the fingertips hold it"};
+  }
+  if (facts.start_gap < 0.0) {
+    return {Outcome::kUnreachable, fmt::format("the hand would start {:.1f} mm inside the object",
+                                               MmFromM(-facts.start_gap))};
+  }
+  if (!facts.is_finite) {
+    return {Outcome::kNumericalFailure,
+            fmt::format("positions or speeds became infinite {:.3f} s into the trial", facts.time)};
+  }
+  if (facts.unconverged_time > kMaxUnconvergedTime) {
+    return {Outcome::kNumericalFailure,
+            fmt::format("the solver did not converge for {:.2f} s, up to {:.3f} s into the trial",
+                        facts.unconverged_time, facts.time)};
+  }
+  if (IsArmOverloaded(facts)) {
+    return {Outcome::kArmOverloaded,
+            fmt::format("the arm bore {:.0f} N and {:.1f} N m beside the hand's weight (limits "
+                        "{:.0f} N, {:.1f} N m)",
+                        facts.arm_force, facts.arm_moment, facts.arm_force_limit,
+                        facts.arm_moment_limit)};
+  }
+  return {Outcome::kNotRun, ""};
+}
+
+/** Why an object stayed behind that did not tip over. */
+OutcomeReason FindLoss(const TrialFacts& facts) {
+  int num_touched = 0;
+  std::string untouched;
+  for (const DigitContact& contact : facts.contacts) {
+    if (!std::isnan(contact.time)) {
+      ++num_touched;
+    } else {
+      untouched += (untouched.empty() ? "" : ", ") + contact.digit;
+    }
+  }
+  if (num_touched < 2) return {Outcome::kNoContact, "never touched by " + untouched};
+  if (facts.displacement > kPushedAway) {
+    return {Outcome::kPushedAway,
+            fmt::format("the object was pushed {:.0f} mm aside and stayed behind",
+                        MmFromM(facts.displacement))};
+  }
+  if (!untouched.empty()) return {Outcome::kNoContact, "never touched by " + untouched};
+  if (facts.closed_grip_force == 0.0) {
+    return {Outcome::kLostWhileClosing, "all digits had touched, but none did before lift-off"};
+  }
+  return {
+      Outcome::kSlippedInLiftOff,
+      fmt::format("gripped with {:.2f} N in all, but it stayed behind", facts.closed_grip_force)};
+}
+
 }  // namespace
 
 double CalcContactForceLimit(const Hand& hand, double arm_force_limit) {
@@ -83,30 +138,8 @@ bool IsDecided(const TrialFacts& facts) {
 }
 
 OutcomeReason FindOutcome(const TrialFacts& facts) {
-  if (!facts.is_reachable) {
-    return {Outcome::kUnreachable,
-            "the palm or another link would meet the object before the fingertips hold it"};
-  }
-  if (facts.start_gap < 0.0) {
-    return {Outcome::kUnreachable, fmt::format("the hand would start {:.1f} mm inside the object",
-                                               MmFromM(-facts.start_gap))};
-  }
-  if (!facts.is_finite) {
-    return {Outcome::kNumericalFailure,
-            fmt::format("positions or speeds became infinite {:.3f} s into the trial", facts.time)};
-  }
-  if (facts.unconverged_time > kMaxUnconvergedTime) {
-    return {Outcome::kNumericalFailure,
-            fmt::format("the solver did not converge for {:.2f} s, up to {:.3f} s into the trial",
-                        facts.unconverged_time, facts.time)};
-  }
-  if (IsArmOverloaded(facts)) {
-    return {Outcome::kArmOverloaded,
-            fmt::format("the arm bore {:.0f} N and {:.1f} N m beside the hand's weight (limits "
-                        "{:.0f} N, {:.1f} N m)",
-                        facts.arm_force, facts.arm_moment, facts.arm_force_limit,
-                        facts.arm_moment_limit)};
-  }
+  OutcomeReason breakdown = FindBreakdown(facts);
+  if (breakdown.outcome != Outcome::kNotRun) return breakdown;
   if (facts.phase < Phase::kLiftOff) {
     return {Outcome::kPushedAway,
             fmt::format("the object was pushed {:.0f} mm aside before it was held",
@@ -131,28 +164,7 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
   if (std::abs(facts.extent - facts.rest_extent) > kTippedShare * facts.rest_extent) {
     return {Outcome::kKnockedOver, "the object tipped over and stayed behind"};
   }
-  int num_touched = 0;
-  std::string untouched;
-  for (const DigitContact& contact : facts.contacts) {
-    if (!std::isnan(contact.time)) {
-      ++num_touched;
-    } else {
-      untouched += (untouched.empty() ? "" : ", ") + contact.digit;
-    }
-  }
-  if (num_touched < 2) return {Outcome::kNoContact, "never touched by " + untouched};
-  if (facts.displacement > kPushedAway) {
-    return {Outcome::kPushedAway,
-            fmt::format("the object was pushed {:.0f} mm aside and stayed behind",
-                        MmFromM(facts.displacement))};
-  }
-  if (!untouched.empty()) return {Outcome::kNoContact, "never touched by " + untouched};
-  if (facts.closed_grip_force == 0.0) {
-    return {Outcome::kLostWhileClosing, "all digits had touched, but none did before lift-off"};
-  }
-  return {
-      Outcome::kSlippedInLiftOff,
-      fmt::format("gripped with {:.2f} N in all, but it stayed behind", facts.closed_grip_force)};
+  return FindLoss(facts);
 }
 
 }  // namespace graspbench
