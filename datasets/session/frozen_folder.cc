@@ -15,6 +15,15 @@ std::string FormatSchemas(const StoreKind& kind) {
   return "schemas " + std::to_string(kind.oldest_schema) + " to " + std::to_string(kind.schema);
 }
 
+/** A manifest of ours: any other file of that name says nothing. */
+bool HasManifestOf(const StoreKind& kind, const fs::path& folder) {
+  try {
+    return HasManifest(folder) && LoadManifest(folder).kind == kind.name;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 bool HasFrozen(const StoreKind& kind, const fs::path& folder) {
@@ -24,7 +33,7 @@ bool HasFrozen(const StoreKind& kind, const fs::path& folder) {
 
 Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_damage) {
   const fs::path path = folder / kind.file;
-  if (!HasFrozen(kind, folder) && HasManifest(folder)) {
+  if (!HasFrozen(kind, folder) && HasManifestOf(kind, folder)) {
     throw Error(ErrorKind::kFormat, "\"" + path.string() +
                                         "\" is missing, which the manifest beside it names; take "
                                         "it from a backup");

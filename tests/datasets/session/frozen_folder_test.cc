@@ -52,6 +52,13 @@ TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {
   EXPECT_EQ(FindFault().second, "no experiment in \"" + folder +
                                     "\" (experiment.json is not there); graspbench try --out " +
                                     folder + " starts one");
+  WriteFile(folder_.path() / "manifest.json", "somebody else's");
+  EXPECT_EQ(FindFault().first, ErrorKind::kNotFound);
+  WriteFrozen(kKind, folder_.path(), {{"a", 1}});
+  std::filesystem::remove(file());
+  EXPECT_EQ(FindFault().first, ErrorKind::kFormat);
+  EXPECT_NE(FindFault().second.find("experiment.json\" is missing, which the manifest"),
+            std::string::npos);
   WriteFile(file(), R"({"schema":5,"program_version":"9.9.9","config":{}})");
   EXPECT_EQ(FindFault().first, ErrorKind::kVersion);
   EXPECT_NE(FindFault().second.find("has schema 5"), std::string::npos);
