@@ -101,7 +101,7 @@ TEST(SmoothObject, KeepsAMotionAndTakesNoiseAway) {
   }
 }
 
-/** SD of a coordinate, about its mean, of a fixed point near the hand, seen in O, away from the ends. */
+/** SD of a coordinate, about its mean, of a fixed point near the hand, seen in O. */
 double CalcLeverNoise(const std::vector<Vector3d>& places) {
   const ObjectTrack smooth =
       SmoothObject(MakeMovingObject(places, 0.0005, [](double) { return Pose::Identity(); }), 6.0);

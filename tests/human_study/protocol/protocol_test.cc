@@ -1,6 +1,6 @@
 /** @file
-The analysis against reaches that share nothing with it, each condition on seeds of its own; the whole
-table is human_study/ACCURACY.md. */
+The analysis against reaches that share nothing with it, each condition on seeds of its own; the
+whole table is human_study/ACCURACY.md. */
 
 #include <gtest/gtest.h>
 
