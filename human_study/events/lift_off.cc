@@ -13,16 +13,6 @@ using Column = Eigen::Index;
 
 constexpr double kRestShare = 0.1;  // of the trial, at its start
 
-/** First sample above the threshold; -1 when there is none. */
-int FindFirstAbove(const ScalarCurve& curve, double threshold) {
-  for (size_t i = 0; i < curve.size(); ++i) {
-    if (curve.IsValid(i) && curve.values[static_cast<Column>(i)] > threshold) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
 ScalarCurve CalcRate(const ScalarCurve& curve) {
   ScalarCurve rate = curve;
   rate.noise = curve.rate_noise;

@@ -19,14 +19,6 @@ constexpr double kRisingShare = 0.15;
 constexpr double kAxisShare = 0.9;  // of the way along its likely direction
 
 /** First valid sample above a value; -1 without any. */
-int FindFirstAbove(const ScalarCurve& curve, double value) {
-  for (size_t i = 0; i < curve.size(); ++i) {
-    if (curve.IsValid(i) && curve.values[static_cast<Column>(i)] > value)
-      return static_cast<int>(i);
-  }
-  return -1;
-}
-
 /** First or last of those found; null without any. */
 const DigitContactEvents* FindExtreme(const std::vector<DigitContactEvents>& contacts, bool last) {
   const DigitContactEvents* extreme = nullptr;

@@ -15,7 +15,7 @@ namespace {
 
 using Column = Eigen::Index;
 
-constexpr size_t kMinSamples = 10;
+constexpr size_t kMinTrialSamples = 10;
 
 [[noreturn]] void Refuse(const std::string& text) {
   throw Error(ErrorKind::kRange, "this trial cannot be analysed: " + text);
@@ -97,9 +97,9 @@ Eigen::Matrix3d FindRestingOrientation(const ObjectTrack& object) {
 
 /** Turned back as far as noise may have turned it; see SmoothObject. */
 Eigen::Matrix3d ShrinkTurn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& lever, double noise) {
-  constexpr double kNoiseFactor = 4.0;
+  constexpr double kRotationFactor = 4.0;
   const Eigen::Vector3d w = CalcRotationVector(R);
-  const double ratio = kNoiseFactor * noise / (lever * w).norm();
+  const double ratio = kRotationFactor * noise / (lever * w).norm();
   const double share = ratio < 1.0 ? 1.0 - ratio * ratio : 0.0;  // 0 also for no turn at all
   return MakeOrthonormal(Eigen::AngleAxisd(share * w.norm(), w.stableNormalized()).matrix());
 }
@@ -107,9 +107,9 @@ Eigen::Matrix3d ShrinkTurn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& leve
 }  // namespace
 
 void CheckTrial(const ReachTrial& trial) {
-  if (trial.times.size() < kMinSamples) {
+  if (trial.times.size() < kMinTrialSamples) {
     Refuse("it has " + std::to_string(trial.times.size()) + " samples; expected " +
-           std::to_string(kMinSamples) + " or more");
+           std::to_string(kMinTrialSamples) + " or more");
   }
   if (!FindSampling(trial.times).is_even) {
     Refuse("its samples are not evenly spaced; resample them");

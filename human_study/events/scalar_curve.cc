@@ -225,4 +225,12 @@ EventTime TraceBack(const ScalarCurve& curve, size_t from, size_t first, double 
   return event;
 }
 
+int FindFirstAbove(const ScalarCurve& curve, double threshold) {
+  for (size_t i = 0; i < curve.size(); ++i) {
+    const auto sample = static_cast<Eigen::Index>(i);
+    if (curve.IsValid(i) && curve.values[sample] > threshold) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 }  // namespace graspbench

@@ -93,4 +93,7 @@ latest instant at which it was not: linear between two samples, or the middle of
 EventTime TraceBack(const ScalarCurve& curve, size_t from, size_t first, double threshold,
                     Side side, double min_duration = 0.0);
 
+/** First sample above the threshold; -1 when there is none. */
+int FindFirstAbove(const ScalarCurve& curve, double threshold);
+
 }  // namespace graspbench
