@@ -20,19 +20,20 @@ struct CsvColumn {
   std::function<Json(const Row&)> value;  ///< null: missing; a boolean is 0 or 1
 };
 
-/** Empty for null; numbers shortest-exact; text guarded, and quoted after RFC 4180 where it must be. */
+/** Empty for null; numbers shortest-exact; text guarded, and quoted after RFC 4180 where it must
+be. */
 std::string FormatCsvCell(const Json& value);
 
-/** Spreadsheets run a text that begins with = + - @ or a control character as a formula. Such a text
-gets an apostrophe in front, unless it is a number; one that has apostrophes there already gets one
-more, so that UnguardCell gives every text back. */
+/** Spreadsheets run a text that begins with = + - @ or a control character as a formula. Such a
+text gets an apostrophe in front, unless it is a number; one that has apostrophes there already
+gets one more, so that UnguardCell gives every text back. */
 std::string GuardCell(const std::string& text);
 std::string UnguardCell(const std::string& cell);
 
 /** One line of a table: the cells with commas between them, and a line feed. */
 std::string FormatCsvLine(const std::vector<Json>& cells);
 
-/** RFC 4180 with line feeds; the one writer of comma-separated tables: a heading and one line a row. */
+/** RFC 4180 with line feeds: a heading and one line a row. The one writer of such tables. */
 template <class Row>
 std::string FormatCsv(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
   std::string csv;

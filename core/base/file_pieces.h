@@ -8,8 +8,8 @@ Files that are larger than what should be held of them. */
 
 namespace graspbench {
 
-/** Hands a file over piece by piece until `take` gives false. Regular files only: a device or a pipe
-is refused, not waited for.
+/** Hands a file over piece by piece until `take` gives false. Regular files only: a device or a
+pipe is refused, not waited for.
 @throws Error(kNotFound, kIo) naming the file and the system's reason; what `take` throws. */
 void ReadPieces(const std::filesystem::path& path,
                 const std::function<bool(std::string_view)>& take);

@@ -25,8 +25,8 @@ struct StoreKind {
   std::vector<std::string> journals;  ///< grow by checked lines
   std::vector<std::string> stores;    ///< folders with a manifest of their own
 
-  /** Whether a line that a crash has torn stays in its journal, and the next one follows on a line of
-  its own; or it is cut off before the journal is continued. */
+  /** Whether a line that a crash has torn stays in its journal, and the next one follows on a line
+  of its own; or it is cut off before the journal is continued. */
   bool keeps_torn_lines = false;
 };
 

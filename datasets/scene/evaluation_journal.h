@@ -8,9 +8,9 @@ Everything that an optimisation asked of the simulation, one line a request, in 
 
 The optimisation is deterministic: the same answers lead to the same questions. So it is resumed by
 asking again from the start and answering from the journal what is there, and a resumed journal has
-the same bytes as one that was never interrupted. A line is good when its checksum is right, whatever
-the lines before it are: `request` says which question it answers. What a crash has left of a line
-at the end is cut off when the journal is opened for writing. */
+the same bytes as one that was never interrupted. A line is good when its checksum is right,
+whatever the lines before it are: `request` says which question it answers. What a crash has left
+of a line at the end is cut off when the journal is opened for writing. */
 
 #include <filesystem>
 #include <string>

@@ -67,7 +67,7 @@ class FailingDisk : public testing::Test {
   fs::path top_;
   int num_failed_ = 0;
 
-  /** The command fails with the exit code of the environment or succeeds, then is run undisturbed. */
+  /** The command fails with the environment's exit code or succeeds, then is run undisturbed. */
   void RunUnderFaults(const std::string& line, const std::string& again, int first_seed,
                       int num_attempts) {
     for (int attempt = 0; attempt < num_attempts; ++attempt) {

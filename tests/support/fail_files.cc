@@ -1,4 +1,5 @@
-// To be preloaded into another program: what it does to files whose names hold a text fails at random.
+// To be preloaded into another program: what it does to files whose names hold a text fails at
+// random.
 // GRASPBENCH_FAULTS="SEED PROBABILITY TEXT": opening for writing, write (at times half of it is
 // written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
 #include <dlfcn.h>

@@ -4,10 +4,10 @@ Where results may go, so that nothing of the user's is lost.
 
 A folder is graspbench's when it holds a mark: the frozen configuration of what can be continued
 (session.json, campaign.json, scene.json), or a manifest.json that names the kind of a whole result
-and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder that is not there or empty; a
-whole result may take the place of an older one of its kind whose files are all listed and
-unchanged. Everything else is refused and named: foreign or changed files, an existing file, an
-empty name, the home folder, a mount point, a folder that holds an input.
+and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder
+that is not there or empty; a whole result may take the place of an older one of its kind whose
+files are all listed and unchanged. Everything else is refused and named: foreign or changed files,
+an existing file, an empty name, the home folder, a mount point, a folder that holds an input.
 
 A new folder is filled beside the target, in .<name>.part-<process>, and swapped in when it is
 complete, so that the target holds the old result, the new one, or nothing. What a killed program

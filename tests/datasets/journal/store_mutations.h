@@ -19,7 +19,8 @@ struct MutationCount {
   std::string examples;  ///< of what went wrong, one line each
 };
 /** Makes `count` changes, one at a time, in stores made in `folder`: flips bits, cuts, deletes and
-swaps files and lines. Each must be found by CheckStore, and repairing must keep every whole line. */
+swaps files and lines. Each must be found by CheckStore, and repairing must keep every whole
+line. */
 MutationCount MutateStores(const std::filesystem::path& folder, const std::string& seed, int count);
 
 }  // namespace graspbench
