@@ -18,7 +18,6 @@ constexpr double kSigmas = 3.0;   // of combined uncertainties
 constexpr double kRisingShare = 0.15;
 constexpr double kAxisShare = 0.9;  // of the way along its likely direction
 
-/** First valid sample above a value; -1 without any. */
 /** First or last of those found; null without any. */
 const DigitContactEvents* FindExtreme(const std::vector<DigitContactEvents>& contacts, bool last) {
   const DigitContactEvents* extreme = nullptr;
