@@ -22,8 +22,8 @@ TEST_P(TrialTest, ALightCubeIsLiftedAndHeldWithoutCreep) {
   EXPECT_LT(result.end_speed, 1e-6);
   EXPECT_LT(std::abs(result.energy_residual), 0.01);
   ASSERT_EQ(result.snapshots.size(), 3u);
-  EXPECT_EQ(result.snapshots[0].name, "pregrasp");
-  EXPECT_EQ(result.snapshots[2].name, "lifted");
+  EXPECT_EQ(result.snapshots[0].moment, Moment::kPreGrasp);
+  EXPECT_EQ(result.snapshots[2].moment, Moment::kLifted);
   // Two digits: forming and opposing are the same.
   EXPECT_EQ(result.timing.gft, result.timing.got);
   EXPECT_GE(result.timing.gct, result.timing.gft);
