@@ -187,8 +187,8 @@ TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {
   const Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
   const SessionSummary summary = SummariseSession(session);
   CellPictures pictures;
-  pictures.by_cell["tum-can-g3"] = {&session.records[0],
-                                    {{"pregrasp", 0.0, "abc"}, {Moment::kClosed, 1.25, "def"}}};
+  pictures.by_cell["tum-can-g3"] = {
+      &session.records[0], {{Moment::kPreGrasp, 0.0, "abc"}, {Moment::kClosed, 1.25, "def"}}};
   const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
   ExpectSoundPage(page);
   ExpectContains(page, "src=\"data:image/webp;base64,YWJj\"");
@@ -221,7 +221,8 @@ TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
   const std::string webp(45000, 'x');  // more than a picture of this size takes
   for (const CellSummary& cell : summary.cells) {
     pictures.by_cell[cell.key] = {
-        cell.records[0], {{"pregrasp", 0, webp}, {Moment::kClosed, 1, webp}, {"lifted", 2, webp}}};
+        cell.records[0],
+        {{Moment::kPreGrasp, 0, webp}, {Moment::kClosed, 1, webp}, {Moment::kLifted, 2, webp}}};
   }
   const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
   EXPECT_LT(page.size(), 10'000'000u);
