@@ -1,6 +1,7 @@
 #include "datasets/journal/manifest.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -38,7 +39,7 @@ class ManifestFolder : public testing::Test {
     }
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "manifest";
+  fs::path folder_ = fs::path(testing::TempDir()) / ("manifest_" + std::to_string(::getpid()));
 };
 
 TEST_F(ManifestFolder, VouchesForWhatItHasSeen) {
