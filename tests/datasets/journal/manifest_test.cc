@@ -29,6 +29,7 @@ class ManifestFolder : public testing::Test {
                       SealFile(folder_, "session.json")};
     WriteManifest(folder_, manifest);
   }
+  void TearDown() override { fs::remove_all(folder_); }
 
   /** "" when nothing is wrong; the manifest's own damage counts. */
   std::string Look() const {
