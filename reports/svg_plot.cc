@@ -94,7 +94,8 @@ Html DrawStackedBars(const StackedBars& plot) {
   Html content;
   for (size_t k = 0; k < plot.classes.size(); ++k) {
     const double x = width / kLegendColumns * static_cast<double>(k % kLegendColumns);
-    const double y = kLegendRow * static_cast<double>(k / kLegendColumns);
+    const size_t legend_row = k / kLegendColumns;
+    const double y = kLegendRow * static_cast<double>(legend_row);
     content += Rect(Numbered("part part", k), x, y, kTextNeeds, kLegendRow - 4.0);
     content += Label("middle small", x + kTextNeeds / 2.0, y + kLegendRow / 2.0 - 2.0,
                      plot.classes[k].code);
@@ -129,8 +130,25 @@ Html DrawStackedBars(const StackedBars& plot) {
   return Svg("group", width, height, plot.text, content);
 }
 
+namespace {
+
+Html DrawDot(const DotStrips::Dot& dot, double x, double y) {
+  constexpr double kRadius = 3.2;
+  if (dot.is_filled) {
+    return Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(kRadius)}},
+                   Hint(dot.hint));
+  }
+  return Element(
+      "path",
+      {{"class", "cross"},
+       {"d", "M" + Px(x - kRadius) + " " + Px(y - kRadius) + "l6.4 6.4m0 -6.4l-6.4 6.4"}},
+      Hint(dot.hint));
+}
+
+}  // namespace
+
 Html DrawDotStrips(const DotStrips& plot) {
-  constexpr double kRow = 34.0, kSpread = 20.0, kAxis = 38.0, kPlot = 320.0, kDot = 3.2;
+  constexpr double kRow = 34.0, kSpread = 20.0, kAxis = 38.0, kPlot = 320.0;
   std::vector<std::string> labels;
   double lowest = 0.0, highest = 0.0;
   for (const DotStrips::Row& row : plot.rows) {
@@ -169,15 +187,7 @@ Html DrawDotStrips(const DotStrips& plot) {
       const double x = place_x(dot.value);
       const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(row.dots.size());
       const double y = middle + kSpread * (place - 0.5);
-      content +=
-          dot.is_filled
-              ? Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(kDot)}},
-                        Hint(dot.hint))
-              : Element(
-                    "path",
-                    {{"class", "cross"},
-                     {"d", "M" + Px(x - kDot) + " " + Px(y - kDot) + "l6.4 6.4m0 -6.4l-6.4 6.4"}},
-                    Hint(dot.hint));
+      content += DrawDot(dot, x, y);
     }
     if (std::isfinite(row.median)) {
       const double x = place_x(row.median);

@@ -10,7 +10,7 @@
 namespace graspbench {
 namespace {
 
-StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, YAML::Node node,
+StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& node,
                         const std::string& file, Diagnostics& problems) {
   const std::string where = "grasp " + taxon.id;
   YamlMap map(node, file, where, problems);

@@ -192,6 +192,7 @@ struct Model {
 Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig& sim,
              const Pose& X_WH, const HandDynamics& dynamics, const Course& course) {
   contact.setTransitionVelocity(kTransitionSpeed);
+  // A handle: the subsystem keeps what it makes. NOLINTNEXTLINE(bugprone-unused-raii)
   SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -kStandardGravity));
   const SimTK::ContactMaterial skin = MakeMaterial(sim, grasp_object.surface.friction_static,
                                                    grasp_object.surface.friction_dynamic);

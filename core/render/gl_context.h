@@ -72,6 +72,7 @@ namespace graspbench {
   X(Viewport)
 
 struct GlFunctions {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a declared name takes none.
 #define GRASPBENCH_DECLARE(name) decltype(&::gl##name) name = nullptr;
   GRASPBENCH_FOR_EACH_GL_FUNCTION(GRASPBENCH_DECLARE)
 #undef GRASPBENCH_DECLARE

@@ -86,8 +86,8 @@ Spread CalcSpread(std::vector<double> values) {
   values.erase(
       std::remove_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }),
       values.end());
-  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-  if (values.empty()) return {0, kMissing, kMissing, kMissing};
+  constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {0, kNoValue, kNoValue, kNoValue};
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   return {static_cast<int>(values.size()), CalcMedian(values), *lowest, *highest};
 }

@@ -46,7 +46,7 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
 }
 
 /** Fills evaluations_to_90 of the runs of one scene. */
-void CountEvaluations(std::vector<ComparisonRun*> runs) {
+void CountEvaluations(const std::vector<ComparisonRun*>& runs) {
   double best = -std::numeric_limits<double>::infinity();
   for (const ComparisonRun* run : runs) {
     for (const double fitness : run->fitness) best = std::max(best, fitness);

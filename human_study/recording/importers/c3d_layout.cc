@@ -200,7 +200,8 @@ void FindFrames(const C3dHead& head, const C3dParameters& parameters, const Impo
                    std::to_string(head.Word(c3d_header::kLastFrame)) +
                    " and no parameter counts them either");
   }
-  const double capacity = static_cast<double>(available / layout.frame_size());
+  const auto num_whole = available / layout.frame_size();
+  const auto capacity = static_cast<double>(num_whole);
   const auto left_over = [&](const FrameCount& c) {
     return static_cast<double>(available) - c.count * static_cast<double>(layout.frame_size());
   };

@@ -130,6 +130,7 @@ class RecordReader {
     C3dParameter parameter;
     parameter.name = name;
     parameter.processor = processor_;
+    // Signed: -1 is text. NOLINTNEXTLINE(bugprone-signed-char-misuse)
     parameter.type = static_cast<int8_t>(Byte(cursor));
     if (!(parameter.type == -1 || parameter.type == 1 || parameter.type == 2 ||
           parameter.type == 4)) {
@@ -172,6 +173,7 @@ C3dParameters::C3dParameters(std::string_view section, size_t position, C3dProce
   while (at + 2 <= section.size()) {
     const auto name_size = static_cast<size_t>(std::abs(static_cast<int8_t>(reader.Byte(at))));
     if (name_size == 0) break;
+    // Signed: groups are negative. NOLINTNEXTLINE(bugprone-signed-char-misuse)
     const int id = static_cast<int8_t>(reader.Byte(at + 1));
     size_t cursor = at + 2;
     reader.Need(at, cursor + name_size + 2, "name");

@@ -27,6 +27,10 @@ std::ifstream OpenFile(const fs::path& path) {
   if (fs::is_directory(path, status)) {
     throw Error(ErrorKind::kIo, "\"" + path.string() + "\" is a folder; a recording was expected");
   }
+  if (!fs::is_regular_file(path, status)) {
+    throw Error(ErrorKind::kIo, "\"" + path.string() +
+                                    "\" is a device, a pipe or a socket; a recording was expected");
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     throw Error(ErrorKind::kIo, "cannot read \"" + path.string() + "\": " + std::strerror(errno));
