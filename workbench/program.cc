@@ -65,7 +65,7 @@ std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
   }
   const std::vector<std::string> extras = command.remaining();
   std::string text;
-  if (!extras.empty() && extras.front().rfind("-", 0) == 0) {
+  if (!extras.empty() && extras.front().rfind('-', 0) == 0) {
     text = "unknown option \"" + extras.front() + "\"" +
            SuggestNames(extras.front(), ListOptions(command));
   } else if (!extras.empty() && !subcommands.empty()) {
