@@ -16,7 +16,7 @@ middle by the whole of h v, which makes stiff springs settle in one step instead
 The hand hangs on an arm: a spring with damping beside it, in six dimensions, between the hand's
 base and where it is commanded to be, that gives no more than the arm can (SimConfig). The arm
 carries the hand itself: its weight and inertia along the commanded motion load no spring, so that
-a hand that touches nothing is where it was told to be. The arm's own inertia is not modelled.
+a hand that touches nothing is where it is commanded to be. The arm's own inertia is not modelled.
 
 A clone goes on to the very same bytes: it carries the bristles of all contacts, the speeds the
 solver starts from, the blocked links, loads and the account of energy. */

@@ -151,6 +151,14 @@ bool HasManifest(const fs::path& folder) {
   return fs::exists(fs::symlink_status(folder / kManifestFile, status));
 }
 
+std::optional<Manifest> FindManifest(const fs::path& folder) {
+  try {
+    if (HasManifest(folder)) return LoadManifest(folder);
+  } catch (const Error&) {
+  }
+  return std::nullopt;
+}
+
 Manifest LoadManifest(const fs::path& folder) {
   const fs::path path = folder / kManifestFile;
   const std::string text = ReadFile(path);

@@ -2,7 +2,7 @@
 /** @file
 manifest.json: what a result folder consists of, so that damage is found before a number is shown.
 
-    {"kind":"session","versions":{"program":"0.1.0","physics":5,"schema":4},
+    {"kind":"session","versions":{"program":"0.1.0","physics":6,"schema":4},
      "files":[{"path":"session.json","bytes":812,"sha256":".."},
               {"path":"journal/0.jsonl","bytes":90112,"sha256":"..","lines":210}],
      "sha256":".."}
@@ -58,6 +58,8 @@ ManifestFile SealJournal(const std::filesystem::path& folder, const std::string&
                          bool with_torn_line);
 
 bool HasManifest(const std::filesystem::path& folder);
+/** None when there is none that can be read. */
+std::optional<Manifest> FindManifest(const std::filesystem::path& folder);
 /** @throws Error(kNotFound), Error(kFormat) when it is damaged itself, Error(kIo). */
 Manifest LoadManifest(const std::filesystem::path& folder);
 /** The file's whole text: the same manifest, the same bytes. */

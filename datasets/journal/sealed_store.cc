@@ -51,15 +51,6 @@ Json LoadVersions(const StoreKind& kind, const fs::path& folder) {
   return ParseVersions(kind, ReadFile(folder / kind.file));
 }
 
-/** The manifest that is there; empty when there is none that can be read. */
-Manifest FindManifest(const fs::path& folder) {
-  try {
-    if (HasManifest(folder)) return LoadManifest(folder);
-  } catch (const Error&) {
-  }
-  return {};
-}
-
 /** Of the files as they are now; the versions are left out. */
 Manifest MakeManifest(const StoreKind& kind, const fs::path& folder) {
   Manifest manifest;
@@ -193,7 +184,7 @@ bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreSta
 void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& repair) {
   const StoreState state = CheckOwnFiles(kind, folder);
   if (!state.is_sealed || state.damages.empty()) return;
-  Manifest before = FindManifest(folder);
+  Manifest before = FindManifest(folder).value_or(Manifest());
   if (before.files.empty()) {
     before.versions = LoadVersions(kind, folder);
     repair.actions.push_back(std::string(kManifestFile) +
@@ -239,7 +230,7 @@ void SealNewStore(const StoreKind& kind, const fs::path& folder, const std::stri
 }
 
 void SealStore(const StoreKind& kind, const fs::path& folder, const std::string& inputs) {
-  const Manifest before = FindManifest(folder);
+  const Manifest before = FindManifest(folder).value_or(Manifest());
   Manifest manifest = MakeManifest(kind, folder);
   KeepFirstSeals(kind, before, manifest);
   manifest.versions = before.files.empty() ? LoadVersions(kind, folder) : before.versions;

@@ -41,41 +41,45 @@ void AddMatches(const fs::path& folder, const fs::path& inside, const std::strin
 
 }  // namespace
 
-const StoreKind kSessionStore = {"session",
-                                 "session.json",
-                                 4,
-                                 3,
-                                 4,
-                                 "graspbench run",
-                                 "run the session anew into another folder",
-                                 {"session.json", "plan.jsonl"},
-                                 {},
-                                 {"journal/*.jsonl", "judge/*.jsonl"},
-                                 {},
-                                 true};
-const StoreKind kSceneStore = {"optimisation",
-                               "scene.json",
-                               3,
-                               2,
-                               3,
-                               "graspbench optimise",
-                               "optimise anew into another folder",
-                               {"scene.json"},
-                               {"result.json", "new-*.yaml", "individuals.csv"},
-                               {"journal.jsonl"},
-                               {}};
+const StoreKind kSessionStore = {
+    /*name=*/"session",
+    /*file=*/"session.json",
+    /*schema=*/4,
+    /*oldest_schema=*/3,
+    /*sealed_schema=*/4,
+    /*command=*/"graspbench run",
+    /*remedy=*/"run the session anew into another folder",
+    /*files=*/{"session.json", "plan.jsonl"},
+    /*derived=*/{},
+    /*journals=*/{"journal/*.jsonl", "judge/*.jsonl"},
+    /*stores=*/{},
+    /*keeps_torn_lines=*/true};
+const StoreKind kSceneStore = {
+    /*name=*/"optimisation",
+    /*file=*/"scene.json",
+    /*schema=*/3,
+    /*oldest_schema=*/2,
+    /*sealed_schema=*/3,
+    /*command=*/"graspbench optimise",
+    /*remedy=*/"optimise anew into another folder",
+    /*files=*/{"scene.json"},
+    /*derived=*/{"result.json", "new-*.yaml", "individuals.csv"},
+    /*journals=*/{"journal.jsonl"},
+    /*stores=*/{},
+    /*keeps_torn_lines=*/false};
 const StoreKind kCampaignStore = {
-    "campaign",
-    "campaign.json",
-    2,
-    1,
-    2,
-    "graspbench campaign",
-    "run the campaign anew into another folder",
-    {"campaign.json", "scenes/*/scene.json", "benchmark/session.json"},
-    {},
-    {"comparison/*/*.jsonl"},
-    {"scenes/*", "benchmark"}};
+    /*name=*/"campaign",
+    /*file=*/"campaign.json",
+    /*schema=*/2,
+    /*oldest_schema=*/1,
+    /*sealed_schema=*/2,
+    /*command=*/"graspbench campaign",
+    /*remedy=*/"run the campaign anew into another folder",
+    /*files=*/{"campaign.json", "scenes/*/scene.json", "benchmark/session.json"},
+    /*derived=*/{},
+    /*journals=*/{"comparison/*/*.jsonl"},
+    /*stores=*/{"scenes/*", "benchmark"},
+    /*keeps_torn_lines=*/false};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
   for (const StoreKind* kind : {&kCampaignStore, &kSessionStore, &kSceneStore}) {

@@ -17,11 +17,8 @@ std::string FormatSchemas(const StoreKind& kind) {
 
 /** A manifest of ours: any other file of that name says nothing. */
 bool HasManifestOf(const StoreKind& kind, const fs::path& folder) {
-  try {
-    return HasManifest(folder) && LoadManifest(folder).kind == kind.name;
-  } catch (const Error&) {
-    return false;
-  }
+  const std::optional<Manifest> manifest = FindManifest(folder);
+  return manifest && manifest->kind == kind.name;
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ void CheckAnalysis(const AnalysisOptions& options, ConfigChecker& check) {
       settled.contact.detector = ContactOptions().detector;
     CheckOptions(settled);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::kNotFound) return;  // told above, with its line
+    if (error.kind() == ErrorKind::kNotFound) return;  // reported above, with its line
     // "contact.cutoff_hz is -1; expected ..": the message starts with the key.
     const std::string text = error.what();
     const size_t space = text.find(' ');

@@ -2,7 +2,6 @@
 // random.
 // GRASPBENCH_FAULTS="SEED PROBABILITY TEXT": opening for writing, write (at times half of it is
 // written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -64,14 +63,6 @@ bool FailsFile(int file) {
 int Fail(int reason) {
   errno = reason;
   return -1;
-}
-
-template <class Function>
-Function Next(const char* name) {
-  void* const found = ::dlsym(RTLD_NEXT, name);
-  Function function = nullptr;
-  std::memcpy(&function, &found, sizeof function);
-  return function;
 }
 
 int Open(const char* name, int flags, va_list rest) {

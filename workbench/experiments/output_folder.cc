@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kManifest[] = "manifest.json";
 constexpr char kLock[] = ".lock";  // in a folder that is being filled
 
 [[noreturn]] void Refuse(const fs::path& path, const std::string& text) {
@@ -94,23 +93,14 @@ std::vector<std::string> ListFiles(const fs::path& folder) {
   return files;
 }
 
-/** That of a whole result; none when the folder is no such result. */
-std::optional<Manifest> FindManifest(const fs::path& folder) {
-  try {
-    if (HasManifest(folder)) return LoadManifest(folder);
-  } catch (const Error&) {
-  }
-  return std::nullopt;
-}
-
 /** Files that were added, changed or replaced by links since the manifest was written. */
 std::vector<std::string> ListForeign(const fs::path& folder, const Manifest& manifest) {
   std::vector<std::string> foreign;
   for (const Damage& damage : FindDamage(folder, manifest)) foreign.push_back(damage.path);
   for (const std::string& file : ListFiles(folder)) {
-    const bool is_listed =
-        file == kManifest || std::any_of(manifest.files.begin(), manifest.files.end(),
-                                         [&](const ManifestFile& own) { return own.path == file; });
+    const bool is_listed = file == kManifestFile ||
+                           std::any_of(manifest.files.begin(), manifest.files.end(),
+                                       [&](const ManifestFile& own) { return own.path == file; });
     if (!is_listed || fs::is_symlink(folder / file)) foreign.push_back(file);
   }
   std::sort(foreign.begin(), foreign.end());

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
 #include "core/physics/known_answers/small_scenes.h"
+#include "tests/core/physics/random_vector.h"
 
 namespace graspbench {
 namespace {
@@ -14,12 +15,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Simbody is the oracle in simbody_model_test.cc; here are differences of positions alone.
-
-VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
-  VectorXd v(size);
-  for (double& value : v) value = scale * random.NextNormal();
-  return v;
-}
 
 class EveryHandDynamics : public testing::TestWithParam<const char*> {};
 

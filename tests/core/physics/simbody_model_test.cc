@@ -6,18 +6,13 @@
 #include "core/base/units.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/known_answers/small_scenes.h"
+#include "tests/core/physics/random_vector.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-VectorXd MakeRandomVector(int size, double scale, RandomStream& random) {
-  VectorXd v(size);
-  for (double& value : v) value = scale * random.NextNormal();
-  return v;
-}
 
 /** A tree of `num_links` links with random frames, axes and inertia; branches are random too. */
 Hand MakeRandomHand(int num_links, RandomStream& random) {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/shape/primitives.h"
+#include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {
 namespace {
@@ -18,29 +19,21 @@ double CalcArea(const TriMesh& mesh) {
   return area;
 }
 
-TriMesh Join(TriMesh mesh, const TriMesh& part, const Eigen::Vector3d& offset) {
-  const int first = mesh.num_vertices();
-  for (const Eigen::Vector3d& p : part.vertices) mesh.vertices.push_back(p + offset);
-  for (const Eigen::Vector3i& t : part.triangles) {
-    mesh.triangles.push_back(t + Eigen::Vector3i::Constant(first));
-  }
-  return mesh;
-}
-
 TEST(ExposedSurfaceTest, HiddenFacesGoAndTheRestStays) {
   const TriMesh box = MakeRoundedBox({0.04, 0.03, 0.02}, 0.0);
   const double area = 2.0 * (0.04 * 0.03 + 0.03 * 0.02 + 0.02 * 0.04);
   EXPECT_NEAR(CalcArea(FindExposedSurface(box, 1e-3)), area, 1e-12);
   // End to end: each loses the face that touches.
-  EXPECT_NEAR(CalcArea(FindExposedSurface(Join(box, box, {0.04, 0.0, 0.0}), 1e-3)),
+  EXPECT_NEAR(CalcArea(FindExposedSurface(JoinMeshes(box, box, {0.04, 0.0, 0.0}), 1e-3)),
               2.0 * (area - 0.03 * 0.02), 1e-9);
   // Shifted: the parts of the faces that touch, to within a cell along their rim.
-  EXPECT_NEAR(CalcArea(FindExposedSurface(Join(box, box, {0.04, 0.01, 0.004}), 5e-4)),
+  EXPECT_NEAR(CalcArea(FindExposedSurface(JoinMeshes(box, box, {0.04, 0.01, 0.004}), 5e-4)),
               2.0 * (area - 0.02 * 0.016), 4.0 * 0.036 * 5e-4);
   // A box within another is hidden.
   TriMesh inner = box;
   for (Eigen::Vector3d& p : inner.vertices) p *= 0.5;
-  EXPECT_NEAR(CalcArea(FindExposedSurface(Join(box, inner, {0.0, 0.0, 0.0}), 1e-3)), area, 1e-12);
+  EXPECT_NEAR(CalcArea(FindExposedSurface(JoinMeshes(box, inner, {0.0, 0.0, 0.0}), 1e-3)), area,
+              1e-12);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/shape/mesh_repair.h"
 #include "core/shape/primitives.h"
 #include "core/shape/weld_vertices.h"
+#include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {
 namespace {
@@ -17,14 +18,6 @@ std::vector<MeshFault> FaultsOf(const MeshReport& report) {
   std::vector<MeshFault> faults;
   for (const MeshProblem& problem : report.problems) faults.push_back(problem.fault);
   return faults;
-}
-
-void Append(const TriMesh& part, const Eigen::Vector3d& offset, TriMesh& mesh) {
-  const int first = mesh.num_vertices();
-  for (const Eigen::Vector3d& p : part.vertices) mesh.vertices.push_back(p + offset);
-  for (const Eigen::Vector3i& t : part.triangles) {
-    mesh.triangles.push_back(t + Eigen::Vector3i::Constant(first));
-  }
 }
 
 TEST(MeshCheckTest, AGoodBoxHasNoProblems) {
@@ -76,7 +69,7 @@ TEST(MeshCheckTest, InsideOutIsToldFromOneFlippedFace) {
 TEST(MeshCheckTest, TwoBoxesThroughEachOtherAreOneBody) {
   TriMesh crossed = MakeBox();
   const Eigen::Vector3d offset(0.013, 0.011, 0.007), size(0.04, 0.03, 0.02);
-  Append(MakeBox(), offset, crossed);
+  crossed = JoinMeshes(crossed, MakeBox(), offset);
   const MeshReport report = CheckMesh(crossed);
   EXPECT_EQ(FormatProblems(report), "");
   // Each box counts, what lies in both counts once.
@@ -89,7 +82,7 @@ TEST(MeshCheckTest, TwoBoxesThroughEachOtherAreOneBody) {
   EXPECT_NE(report.warnings[0].find("% of the volume lies in several parts"), std::string::npos);
 
   TriMesh apart = MakeBox();
-  Append(MakeBox(), {0.05, 0.0, 0.0}, apart);
+  apart = JoinMeshes(apart, MakeBox(), {0.05, 0.0, 0.0});
   EXPECT_EQ(FormatProblems(CheckMesh(apart)), "");
   EXPECT_TRUE(CheckMesh(apart).warnings.empty());
   EXPECT_NEAR(CheckMesh(apart).volume, 2.0 * size.prod(), 1e-12);
@@ -100,19 +93,19 @@ TEST(MeshCheckTest, PartsInEachOtherAreOneBodyOrHollow) {
   for (Eigen::Vector3d& p : inner.vertices) p *= 0.5;
   const double outer_volume = 0.04 * 0.03 * 0.02, inner_volume = outer_volume / 8.0;
   TriMesh solid = MakeBox();
-  Append(inner, {0.001, 0.0, 0.0}, solid);
+  solid = JoinMeshes(solid, inner, {0.001, 0.0, 0.0});
   EXPECT_EQ(FormatProblems(CheckMesh(solid)), "");
   EXPECT_NEAR(CheckMesh(solid).volume, outer_volume, 2e-3 * inner_volume);
 
   for (Eigen::Vector3i& t : inner.triangles) std::swap(t[0], t[1]);
   TriMesh hollow = MakeBox();
-  Append(inner, {0.001, 0.0, 0.0}, hollow);
+  hollow = JoinMeshes(hollow, inner, {0.001, 0.0, 0.0});
   EXPECT_EQ(FormatProblems(CheckMesh(hollow)), "");
   EXPECT_TRUE(CheckMesh(hollow).warnings.empty());
   EXPECT_NEAR(CheckMesh(hollow).volume, outer_volume - inner_volume, 1e-12);
 
   TriMesh beside = MakeBox();
-  Append(inner, {0.05, 0.0, 0.0}, beside);
+  beside = JoinMeshes(beside, inner, {0.05, 0.0, 0.0});
   EXPECT_EQ(FormatProblems(CheckMesh(beside)),
             "1 of 2 parts are inside out; flip their faces, or repair");
 }
@@ -123,7 +116,7 @@ TEST(MeshCheckTest, TouchingPartsAreOneBody) {
        {Eigen::Vector3d(0.04, 0.03, 0.0), Eigen::Vector3d(0.04, 0.0, 0.0),
         Eigen::Vector3d(0.04, 0.011, 0.003)}) {
     TriMesh touching = MakeBox();
-    Append(MakeBox(), offset, touching);
+    touching = JoinMeshes(touching, MakeBox(), offset);
     for (const TriMesh& mesh : {touching, WeldVertices(touching, 1e-9)}) {
       const UsableMesh usable = MakeUsable(mesh);
       EXPECT_EQ(FormatProblems(usable.report), "") << offset.transpose();

@@ -7,18 +7,10 @@
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/primitives.h"
+#include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {
 namespace {
-
-TriMesh Join(TriMesh mesh, const TriMesh& part, const Eigen::Vector3d& offset) {
-  const int first = mesh.num_vertices();
-  for (const Eigen::Vector3d& p : part.vertices) mesh.vertices.push_back(p + offset);
-  for (const Eigen::Vector3i& t : part.triangles) {
-    mesh.triangles.push_back(t + Eigen::Vector3i::Constant(first));
-  }
-  return mesh;
-}
 
 TEST(OverlapTest, ASimpleBodyHasNone) {
   EXPECT_EQ(CalcOverlap(MakeSphere(0.02, 48)).absolute_volume, 0.0);
@@ -28,7 +20,8 @@ TEST(OverlapTest, ASimpleBodyHasNone) {
 // The lens of two balls (Weisstein, "Sphere-sphere intersection").
 TEST(OverlapTest, TwoBallsShareALens) {
   const double r = 0.02, d = 0.025;
-  const Overlap overlap = CalcOverlap(Join(MakeSphere(r, 128), MakeSphere(r, 128), {d, 0.0, 0.0}));
+  const Overlap overlap =
+      CalcOverlap(JoinMeshes(MakeSphere(r, 128), MakeSphere(r, 128), {d, 0.0, 0.0}));
   const double lens = kPi * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
   EXPECT_NEAR(overlap.volume, lens, 5e-3 * lens);
   EXPECT_NEAR(overlap.absolute_volume, lens, 5e-3 * lens);
@@ -38,7 +31,8 @@ TEST(OverlapTest, TwoBallsShareALens) {
 // form.
 TEST(OverlapTest, MassPropertiesCountItOnce) {
   const Eigen::Vector3d size(0.06, 0.04, 0.03), whole(0.10, 0.04, 0.03);
-  const TriMesh mesh = Join(MakeRoundedBox(size, 0.0), MakeRoundedBox(size, 0.0), {0.04, 0.0, 0.0});
+  const TriMesh mesh =
+      JoinMeshes(MakeRoundedBox(size, 0.0), MakeRoundedBox(size, 0.0), {0.04, 0.0, 0.0});
   const MassProperties solid = CalcSolidMassProperties(mesh, 0.5, CalcOverlap(mesh));
   EXPECT_LT((solid.p_OOcm - Eigen::Vector3d(0.02, 0.0, 0.0)).norm(), 1e-5);
   const Eigen::Vector3d squares = whole.cwiseAbs2();

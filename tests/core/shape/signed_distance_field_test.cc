@@ -12,6 +12,7 @@
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/shape/primitives.h"
+#include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {
 namespace {
@@ -176,22 +177,13 @@ TriMesh MakeBoxAt(const Eigen::Vector3d& size, const Eigen::Vector3d& centre) {
   return box;
 }
 
-TriMesh Join(TriMesh mesh, const TriMesh& part) {
-  const int first = mesh.num_vertices();
-  mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
-  for (const Eigen::Vector3i& t : part.triangles) {
-    mesh.triangles.push_back(t + Eigen::Vector3i::Constant(first));
-  }
-  return mesh;
-}
-
 // Two boxes stacked, one running into the other or just touching it, are the box around both.
 TEST(SignedDistanceFieldTest, PartsThatOverlapOrTouchAreOneBody) {
   const Eigen::Vector3d whole(0.04, 0.03, 0.05);
   for (const double lower_height : {0.03, 0.02}) {
     const TriMesh mesh =
-        Join(MakeBoxAt({0.04, 0.03, 0.03}, {0.0, 0.0, 0.01}),
-             MakeBoxAt({0.04, 0.03, lower_height}, {0.0, 0.0, -0.025 + 0.5 * lower_height}));
+        JoinMeshes(MakeBoxAt({0.04, 0.03, 0.03}, {0.0, 0.0, 0.01}),
+                   MakeBoxAt({0.04, 0.03, lower_height}, {0.0, 0.0, -0.025 + 0.5 * lower_height}));
     const auto field = SignedDistanceField::Build(mesh);
     RandomStream random("union", "nodes");
     for (int i = 0; i < 3000; ++i) {
@@ -206,14 +198,15 @@ TEST(SignedDistanceFieldTest, PartsThatOverlapOrTouchAreOneBody) {
 TEST(SignedDistanceFieldTest, AHollowBodyStaysHollow) {
   TriMesh inner = MakeSphere(0.01, 48);
   for (Eigen::Vector3i& t : inner.triangles) std::swap(t[0], t[1]);
-  const auto field = SignedDistanceField::Build(Join(MakeSphere(0.02, 48), inner));
+  const auto field = SignedDistanceField::Build(JoinMeshes(MakeSphere(0.02, 48), inner));
   for (const double radius : {0.004, 0.009, 0.0115, 0.015, 0.0185, 0.022, 0.03}) {
     const Eigen::Vector3d p = radius * Eigen::Vector3d(0.36, 0.48, 0.8);
     const double expected = std::max(radius - 0.02, 0.01 - radius);
     EXPECT_NEAR(field.Query(p).distance, expected, 5e-4) << radius;
   }
   // The same shells both facing outwards: no hollow.
-  const auto solid = SignedDistanceField::Build(Join(MakeSphere(0.02, 48), MakeSphere(0.01, 48)));
+  const auto solid =
+      SignedDistanceField::Build(JoinMeshes(MakeSphere(0.02, 48), MakeSphere(0.01, 48)));
   EXPECT_NEAR(solid.Query(Eigen::Vector3d(0.0, 0.003, 0.004)).distance, -0.015, 5e-4);
 }
 
