@@ -1,5 +1,6 @@
 #include "core/quality/force_closure.h"
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,13 @@ bool IsForceClosure(const Eigen::MatrixXd& wrenches) {
 
 double CalcMinSingularValue(const WrenchMatrix& grasp_matrix) {
   if (grasp_matrix.cols() < 6) return 0.0;
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(grasp_matrix).singularValues();
+  // The values of R in G' = Q R are those of G. Eigen's SVD of a matrix of any size would do this
+  // step itself, and takes six seconds to compile.
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(grasp_matrix.transpose());
+  const Matrix6 R = qr.matrixR().topRows<6>().triangularView<Eigen::Upper>();
+  const Eigen::Matrix<double, 6, 1> values =
+      Eigen::JacobiSVD<Matrix6, Eigen::NoQRPreconditioner>(R).singularValues();
   return values[5] > kNegligibleShare * values[0] ? values[5] : 0.0;
 }
 

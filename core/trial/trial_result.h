@@ -119,8 +119,8 @@ struct TrialResult {
   }
 };
 
-/** A first contact is known to the step of the physics in which it was seen: digits that touched in
-the same step are tied. */
+/** The course between two steps is only interpolated: first contacts less than a step of the physics
+apart are tied. */
 ContactOrder FindContactOrder(const TrialResult& result);
 
 Json ToJson(const TrialResult& result);

@@ -5,23 +5,13 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/physics/compare_with_simbody.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
 #include "core/trial/trial_course.h"
 
 namespace graspbench {
 namespace {
-
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-
-/** Largest relative difference from Simbody's mass matrix and bias. */
-constexpr double kSimbodyTolerance = 1e-9;
-
-/** Largest difference over the largest of their entries. */
-double CalcDifference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs) {
-  return (ours - theirs).cwiseAbs().maxCoeff() / theirs.cwiseAbs().maxCoeff();
-}
 
 bool IsSame(const SimConfig& a, const SimConfig& b) {
   bool same = true;
@@ -49,7 +39,6 @@ struct TrialRunner::Impl {
 
   JudgedTrial Run(const TrialSetup& setup, bool is_judged);
   std::unique_ptr<World> MakeWorld(const SimConfig& config);
-  double CalcSimbodyDifference(World& own);
 };
 
 std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config) {
@@ -58,38 +47,6 @@ std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config) {
     world = std::make_unique<ImplicitWorld>(*hand, *object, config);
   }
   return world->Clone();
-}
-
-/** Largest difference of our mass matrix and bias from Simbody's at the world's state, relative to
-the largest entry. */
-double TrialRunner::Impl::CalcSimbodyDifference(World& own) {
-  HandDynamics& dynamics = own.dynamics();
-  const WorldState& state = own.state();
-  const int joints = dynamics.num_joints(), speeds = dynamics.num_speeds();
-  // Theirs = T ours: rates of joints, then the base.
-  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, speeds);
-  for (int j = 0; j < joints; ++j) T(j, dynamics.dof_of_joint(j)) = dynamics.rate_of_joint(j);
-  T.bottomRightCorner<6, 6>().setIdentity();
-
-  VectorXd u(joints + 12);
-  u << T * own.CalcHandSpeeds(), state.w_WO, state.v_WOcm;
-  simbody.SetPositions(state.X_WH, state.q, MakePose(state.R_WO, state.p_WOcm));
-  simbody.SetSpeeds(u);
-  const Eigen::MatrixXd M_theirs =
-      T.transpose() * simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6) * T;
-  const VectorXd bias_theirs = T.transpose() * simbody.CalcBias(state.gravity_W).head(joints + 6);
-
-  dynamics.UpdatePositions(state.X_WH, state.q);
-  Eigen::MatrixXd M(speeds, speeds);
-  dynamics.CalcMassMatrix(M);
-  VectorXd bias(speeds);
-  dynamics.CalcBias(own.CalcHandSpeeds(), state.gravity_W, bias);
-  // The base is so much heavier than a finger that both have a scale of their own.
-  const int dofs = dynamics.num_dofs();
-  return std::max({CalcDifference(M, M_theirs),
-                   CalcDifference(M.topLeftCorner(dofs, dofs), M_theirs.topLeftCorner(dofs, dofs)),
-                   CalcDifference(bias, bias_theirs),
-                   CalcDifference(bias.head(dofs), bias_theirs.head(dofs))});
 }
 
 TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
@@ -123,7 +80,7 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged) {
     TrialCourse course(MakeWorld(setup.sim), setup);
     result = course.Run();
     if (result.outcome == Outcome::kNumericalFailure) return trial;
-    if (const double difference = CalcSimbodyDifference(course.world());
+    if (const double difference = CompareWithSimbody(course.world(), simbody);
         !(difference < kSimbodyTolerance)) {
       result.outcome = Outcome::kNumericalFailure;
       result.reason =

@@ -36,9 +36,12 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
                                         "it from a backup");
   }
   if (!HasFrozen(kind, folder)) {
+    const std::optional<Manifest> other = FindManifest(folder);
+    const std::string there =
+        other ? "; it holds the result \"" + other->kind + "\")"
+              : "); " + std::string(kind.command) + " --out " + folder.string() + " starts one";
     throw Error(ErrorKind::kNotFound, std::string("no ") + kind.name + " in \"" + folder.string() +
-                                          "\" (" + kind.file + " is not there); " + kind.command +
-                                          " --out " + folder.string() + " starts one");
+                                          "\" (" + kind.file + " is not there" + there);
   }
   Frozen frozen;
   try {

@@ -216,9 +216,16 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        TakeTiming(&ContactTiming::got)},
       {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
       {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
+      {"contact_before_start", "boolean", "",
+       "1 when a digit touched before closure began: its times compare with no other trial's, and "
+       "the medians of the report leave them out",
+       [](const TrialRecord& record) {
+         return Json(record.result.timing.contact_before_start ? 1 : 0);
+       }},
       {"contact_order", "string", "",
-       "grasping digits by first contact: < before, = in the same step of the physics; digits that "
-       "never touched are left out",
+       "grasping digits by first contact: < before, = less than a step of the physics apart; "
+       "digits "
+       "that never touched are left out",
        [](const TrialRecord& record) { return Json(FindContactOrder(record.result).Format()); }},
   };
   TrialResult::ListFields(ResultColumns{columns});

@@ -42,8 +42,11 @@ Pose FitPose(const Eigen::Matrix3Xd& p_OM, const Eigen::Matrix3Xd& p_LM) {
 void CheckSpread(const Eigen::Matrix3Xd& p_OM) {
   if (p_OM.cols() < 3) return;
   const Eigen::Matrix3Xd centred = p_OM.colwise() - p_OM.rowwise().mean();
-  const Eigen::Vector3d spread = centred.jacobiSvd().singularValues();
-  if (!(spread[1] > 1e-3 * spread[0])) {
+  const Eigen::Vector3d squares =  // of the extents, the smallest first
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred * centred.transpose(),
+                                                     Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  if (!(squares[1] > 1e-6 * squares[2])) {
     Refuse("the object's " + std::to_string(p_OM.cols()) +
            " markers lie on one line, so its turn about that line is not known; leave all but two "
            "of them out to go without its orientation");

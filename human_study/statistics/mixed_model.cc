@@ -251,7 +251,10 @@ std::vector<Group> MakeGroups(const std::vector<PersonPoint>& points, const Scal
 bool HasNoResidual(const std::vector<Group>& groups, double y_scale) {
   double residual = 0.0;
   for (const Group& group : groups) {
-    residual += (group.y - group.z * group.z.colPivHouseholderQr().solve(group.y)).squaredNorm();
+    const VectorXd x = group.z.col(1).array() - group.z.col(1).mean();
+    const VectorXd y = group.y.array() - group.y.mean();
+    const double slope = x.isZero(0.0) ? 0.0 : x.dot(y) / x.squaredNorm();
+    residual += (y - slope * x).squaredNorm();
   }
   return std::sqrt(residual) <= 1e-14 * y_scale;
 }

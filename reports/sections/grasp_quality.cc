@@ -111,9 +111,11 @@ Html DrawQualityOfCells(const ReportData& data) {
 Html DrawGraspQuality(const ReportData& data) {
   const JudgeEvidence evidence = CalcJudgeEvidence(data.session.records);
   if (evidence.num_judged == 0) {
-    return MakeParagraph(
-        "No grasp of this session has been judged. `graspbench judge` with the session's folder "
-        "pulls every held object until it leaves the hand, and adds what it finds here.");
+    return Element("p", {},
+                   Text("No grasp of this session has been judged. ") +
+                       Element("code", {}, "graspbench judge") +
+                       Text(" with the session's folder pulls every held object until it leaves "
+                            "the hand, and adds what it finds here."));
   }
   return DrawRanks(evidence) + DrawRoc(evidence) + DrawAgreement(evidence) +
          DrawQualityOfCells(data);

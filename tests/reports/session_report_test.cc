@@ -63,6 +63,18 @@ TEST(SessionReport, EveryNumberStandsInThePageWithoutScript) {
   }
 }
 
+// Without a rule of the style sheet, a part is black and its text cannot be read.
+TEST(SessionReport, EveryOutcomeHasAColourByDayAndByNight) {
+  const std::string page = MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 1));
+  for (int k = 0; k < kNumOutcomes; ++k) {
+    const std::string part = "part" + std::to_string(k);
+    ExpectContains(page, "class=\"part " + part + "\"");
+    ExpectContains(page, "." + part + " { fill: var(--" + part + "); }");
+    const std::string colour = "--" + part + ": #";
+    EXPECT_NE(page.find(colour), page.rfind(colour)) << part;
+  }
+}
+
 TEST(SessionReport, ThumbComesFirst) {
   const std::string text =
       TextOfSection(MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 1)), "cells");

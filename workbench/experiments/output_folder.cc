@@ -189,6 +189,12 @@ void CheckOutputFile(const fs::path& file) {
   const fs::file_status status = fs::symlink_status(file);
   if (fs::is_directory(status)) Refuse(file, "is a folder; name a new file");
   if (fs::exists(status)) Refuse(file, "is already there; remove it or name another file");
+  // Whoever computes for an hour first would then find that no folder can be made there.
+  fs::path folder = FindPlace(file).parent_path();
+  while (!fs::exists(folder)) folder = folder.parent_path();
+  if (!fs::is_directory(folder)) {
+    Refuse(file, "is below \"" + folder.string() + "\", which is no folder");
+  }
 }
 
 StagedFolder::StagedFolder(OutputRequest request) : request_(std::move(request)) {

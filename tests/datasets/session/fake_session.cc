@@ -61,7 +61,7 @@ TrialRecord MakeFakeRecord(const PlannedTrial& planned) {
     result.reason = "ended \"so\", after 1\u202f\u03bcs,\nsaid the solver";
   }
   result.contacts = {
-      {"FF", false, random.NextUnit()},
+      {"FF", false, random.NextUniform(-0.2, 1.0)},  // some before closure began
       {"MF", false, result.outcome == Outcome::kNoContact ? kMissing : random.NextUnit()},
       {"TH", true, random.NextUnit()}};
   for (const DigitContact& contact : result.contacts) {

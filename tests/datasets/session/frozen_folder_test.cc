@@ -54,6 +54,13 @@ TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {
                                     folder + " starts one");
   WriteFile(folder_.path() / "manifest.json", "somebody else's");
   EXPECT_EQ(FindFault().first, ErrorKind::kNotFound);
+  Manifest study;
+  study.kind = "study";
+  WriteManifest(folder_.path(), study);
+  EXPECT_EQ(FindFault().second, "no experiment in \"" + folder +
+                                    "\" (experiment.json is not there; it holds the result "
+                                    "\"study\")");
+  std::filesystem::remove(folder_.path() / "manifest.json");
   WriteFrozen(kKind, folder_.path(), {{"a", 1}});
   std::filesystem::remove(file());
   EXPECT_EQ(FindFault().first, ErrorKind::kFormat);

@@ -55,6 +55,7 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "got_s",
                                              "gft_ratio",
                                              "got_ratio",
+                                             "contact_before_start",
                                              "contact_order",
                                              "lift_height_m",
                                              "hold_slip_m",
@@ -135,6 +136,7 @@ TEST(TrialTable, CsvReadsBackAsTheRecords) {
     EXPECT_EQ(cell(i, "outcome"), NameOf(result.outcome));
     EXPECT_EQ(cell(i, "success"), result.outcome == Outcome::kSuccess ? "1" : "0");
     EXPECT_EQ(cell(i, "reason"), result.reason);
+    EXPECT_EQ(cell(i, "contact_before_start"), result.timing.contact_before_start ? "1" : "0");
     EXPECT_EQ(std::stod(cell(i, "grip_force_n")), result.grip_force);
     EXPECT_EQ(std::stod(cell(i, "t_TH_s")), result.contacts[2].time);
     EXPECT_EQ(cell(i, "t_RF_s"), "");

@@ -120,6 +120,8 @@ TEST_F(OutputFolderTest, AFileIsWrittenOnlyWhereNoneIs) {
   EXPECT_THROW(CheckOutputFile(top_ / "old.csv"), Error);
   fs::create_symlink("nothing", top_ / "dangling");
   EXPECT_THROW(CheckOutputFile(top_ / "dangling"), Error);
+  EXPECT_THROW(CheckOutputFile(top_ / "old.csv" / "new" / "new.csv"), Error);
+  EXPECT_NO_THROW(CheckOutputFile(top_ / "new" / "new.csv"));
 }
 
 }  // namespace
