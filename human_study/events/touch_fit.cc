@@ -259,6 +259,27 @@ TouchFit FitTouch(const TouchSamples& samples) {
   return fit;
 }
 
+TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
+  const auto best = [](const TouchFit& fit) {
+    return *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
+  };
+  const double best_a = best(a), best_b = best(b);
+  TouchFit mix = a;
+  for (size_t k = 0; k < kSettlingDepths.size(); ++k) {
+    const double weight_a = (1.0 - share) * std::exp(a.log_evidence[k] - best_a);
+    const double weight_b = share * std::exp(b.log_evidence[k] - best_b);
+    const double sum = weight_a + weight_b;
+    if (!(sum > 0.0)) continue;
+    const double share_b = weight_b / sum, apart = b.time[k] - a.time[k];
+    mix.log_evidence[k] = std::log(sum);
+    mix.time[k] = a.time[k] + share_b * apart;
+    mix.variance[k] = (1.0 - share_b) * a.variance[k] + share_b * b.variance[k] +
+                      (1.0 - share_b) * share_b * apart * apart;
+  }
+  mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
+  return mix;
+}
+
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   if (!fit.missing.empty()) return MissingEvent(fit.missing);
   const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
