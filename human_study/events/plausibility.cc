@@ -59,9 +59,11 @@ void AddDisagreement(const DigitContactEvents& digit, double limit, std::vector<
 std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
   // Between two digits of a hand that opens and closes.
   constexpr double kLeast = 2e-3, kMost = 1.0, kTypical = 0.1;  // [m]
+  constexpr size_t kEnough = 100;                               // samples
   const size_t num_samples = digits.front().tip.size();
   std::vector<double> spans;
-  for (size_t i = 0; i < num_samples; ++i) {
+  const size_t step = std::max<size_t>(1, num_samples / kEnough);
+  for (size_t i = 0; i < num_samples; i += step) {
     double span = 0.0;
     for (size_t a = 0; a < digits.size(); ++a) {
       for (size_t b = a + 1; b < digits.size(); ++b) {

@@ -23,6 +23,8 @@ constexpr double kBeforeGrowth = 3.0;     // [m/s^3]
 constexpr double kAfterGrowth = 0.1;      // [m/s^2]: a phalanx that turns on its pad
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
+constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
+constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
 constexpr double kMaxStep = 4e-3;
 constexpr size_t kCoarseDepths = 3;  // every third depth tells where to look closer
@@ -280,8 +282,14 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
   return mix;
 }
 
-EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
-  if (!fit.missing.empty()) return MissingEvent(fit.missing);
+namespace {
+
+/** Of the touch over all depths; weight 0: none explains the path. */
+struct TouchMoments {
+  double weight = 0.0, time = 0.0, variance = 0.0;
+};
+
+TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) {
   const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
   const double origin = fit.time[0];
   double sum = 0.0, moment = 0.0, squares = 0.0;
@@ -292,12 +300,26 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
     moment += weight * time;
     squares += weight * (time * time + fit.variance[k]);
   }
-  if (!(sum > 0.0)) return MissingEvent("no depth of settling explains the path");
+  if (!(sum > 0.0)) return {};
+  return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
+}
+
+}  // namespace
+
+EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
+  if (!fit.missing.empty()) return MissingEvent(fit.missing);
+  const TouchMoments touch = CalcTouchMoments(fit, weights);
+  if (touch.weight == 0.0) return MissingEvent("no depth of settling explains the path");
   EventTime event;
-  event.time = origin + moment / sum;
-  const double variance = std::max(0.0, squares / sum - Square(moment / sum));
+  event.time = touch.time;
+  // Soft arrivals look like settling: what was learned of it is as uncertain as it moves the touch.
+  // Half a standard deviation of that is in the touch's own variance already.
+  const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
+  const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
+  const double learned = std::min(kLearnedShare * excess, kMostLearned);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
-  event.uncertainty = std::hypot(kModel, std::max(1.0, fit.noise_ratio) * std::sqrt(variance));
+  event.uncertainty =
+      std::hypot(kModel, learned, std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance));
   return event;
 }
 

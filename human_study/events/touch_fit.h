@@ -66,7 +66,9 @@ TouchFit FitTouch(const TouchSamples& samples);
 @param share  how likely it is the second, between 0 and 1. @pre neither is missing. */
 TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
-/** The touch under those weights: mean and standard deviation over all depths. */
+/** The touch under those weights: mean and standard deviation over all depths. Weights that were
+learned add 1.5 times the time by which they move the touch beyond half a standard deviation, at most
+20 ms. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so

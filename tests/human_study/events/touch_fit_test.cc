@@ -123,6 +123,22 @@ TEST(LearnDepths, UncertaintiesCoverAndNoBiasIsLeft) {
   }
 }
 
+// A soft arrival looks like settling: the more learned depths move it, the less it is known.
+TEST(CalcTouchTime, WhatWasLearnedIsStatedAsUncertain) {
+  RandomStream random("touch", "learned");
+  Approach soft;
+  soft.speed = 0.02;
+  soft.noise = 0.5e-3;
+  const TouchFit fit = FitTouch(Sample(soft, random));
+  const DepthWeights deep = OnlyDepth(5);
+  const EventTime learned = CalcTouchTime(fit, deep);
+  const double moved = std::abs(learned.time - CalcTouchTime(fit, kUsualDepths).time);
+  const double own = CalcOwnUncertainty(fit, deep);
+  ASSERT_GT(moved, own);
+  EXPECT_GT(learned.uncertainty, std::min(moved, 0.02));
+  EXPECT_LT(learned.uncertainty, std::hypot(own, 0.021));
+}
+
 // Two touches that nothing tells apart: the mean between them, and their distance in what is stated.
 TEST(MixFits, TheDistanceOfTwoTouchesIsInTheUncertainty) {
   RandomStream random("touch", "mix");
