@@ -113,9 +113,9 @@ TEST(Protocol, ADigitThatHoversIsNotTakenForOneThatTouches) {
   EXPECT_GE(accuracy.num_contacts, accuracy.num_true_contacts - 2);
 }
 
-// Noise of 1 mm, slow closings, no shape: much is uncertain, but nothing is silently wrong.
+// Much noise, slow closings, no shape: much is uncertain, but hardly anything is silently wrong.
 TEST(Protocol, LargeErrorsAreStated) {
-  for (const double noise : {0.5e-3, 1e-3}) {
+  for (const double noise : {1e-3, 2e-3}) {
     StudyPlan plan = MakePlan("slow and noisy");
     plan.has_shape = false;
     plan.conditions.noise_sd = noise;
@@ -126,6 +126,7 @@ TEST(Protocol, LargeErrorsAreStated) {
     const StudyResult result = RunStudy(LoadStudy(Scratch() / "study.yaml"));
     fs::remove_all(Scratch());
     EXPECT_GE(result.CountKept(), 11);
+    int num_found = 0, num_silent = 0;
     for (size_t i = 0; i < truth.size(); ++i) {
       if (!result.trials[i].IsKept()) continue;
       const TrialAnalysis& analysis = *result.trials[i].analysis;
@@ -133,10 +134,13 @@ TEST(Protocol, LargeErrorsAreStated) {
       for (size_t d = 0; d < kNumDigits; ++d) {
         const EventTime& contact = analysis.contacts[d].contact;
         if (!contact.IsFound()) continue;
+        ++num_found;
         const double error = std::abs(contact.time - truth[i].touch_times[d]);
-        EXPECT_LT(error, std::max(0.05, 3.0 * contact.uncertainty)) << noise << " " << i;
+        num_silent += error > std::max(0.05, 3.0 * contact.uncertainty);
       }
     }
+    EXPECT_GE(num_found, 55) << noise;
+    EXPECT_LE(num_silent, 1) << noise;
   }
 }
 
