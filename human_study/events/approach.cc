@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kDeepest = 5e-3;       // farther from its place no digit touches [m]
 constexpr double kNoiseFactor = 6.0;    // .. or this many SD of the noise
+constexpr double kBeyond = 1e-3;        // past its place by more than this it passes [m]
 constexpr double kRestTime = 0.05;      // a tip rests whose mean over this has arrived [s]
 constexpr double kSlack = 0.03;         // the touch may lie this much later than the rest [s]
 constexpr double kBefore = 0.06;        // samples taken before the bracket [s]
@@ -21,13 +22,47 @@ constexpr double kAfter = 0.08;         // .. and after it [s]
 constexpr size_t kMinBefore = 5;        // samples, from farther back where some are hidden
 constexpr double kFarthestBack = 0.15;  // [s]
 constexpr double kLongest = 1.5;        // no digit touches earlier before the hold [s]
-constexpr double kTick = 1e-6;          // [s] rounding of the clock decides nothing
-constexpr double kUsefulRate = 200.0;   // more samples than that are averaged [Hz]
+constexpr double kFarAway = 25e-3;  // a tip this far from its place in the hold is on its way [m]
+constexpr double kMeanTime = 0.04;  // over which a way is averaged for its direction [s]
+constexpr double kClear = 5.0;      // SD of its noise beyond which a mean is off its place
+constexpr double kTick = 1e-6;      // [s] rounding of the clock decides nothing
+constexpr double kUsefulRate = 200.0;  // more samples than that are averaged [Hz]
 
+/** Measured samples up to the hold's end. */
 struct Clearances {
   std::vector<double> times, values;
-  double interval = 0.0;  ///< of the trial's clock [s]
+  std::vector<bool> is_away;  ///< the tip is elsewhere, whatever the clearance says
+  double interval = 0.0;      ///< of the trial's clock [s]
 };
+
+/** A tip's measured samples, each with the mean of those about it. */
+struct Way {
+  std::vector<double> times;
+  std::vector<Vector3d> raw, mean;
+  double noise = 0.0;  ///< SD of a coordinate of a mean [m]
+};
+
+Way TakeWay(const Trajectory& p_O, const Hold& hold, double noise) {
+  Way way;
+  const SampleRun run = FindSamples(p_O.times, p_O.times.front(), hold.end);
+  for (size_t i = run.first; i < run.last; ++i) {
+    if (p_O.states[i] != SampleState::kMeasured) continue;
+    way.times.push_back(p_O.times[i]);
+    way.raw.emplace_back(p_O.p.col(static_cast<Column>(i)));
+  }
+  Vector3d sum = Vector3d::Zero();
+  size_t first = 0, last = 0;  // of the samples in the sum
+  const double half = kMeanTime / 2.0 + kTick;
+  for (size_t i = 0; i < way.times.size(); ++i) {
+    while (last < way.times.size() && way.times[last] <= way.times[i] + half)
+      sum += way.raw[last++];
+    while (way.times[first] < way.times[i] - half) sum -= way.raw[first++];
+    way.mean.push_back(sum / static_cast<double>(last - first));
+  }
+  const double interval = p_O.times[1] - p_O.times[0];
+  way.noise = noise / std::sqrt(std::max(1.0, std::floor(kMeanTime / interval + kTick) + 1.0));
+  return way;
+}
 
 template <class Measure>
 Clearances MeasureBefore(const Trajectory& p_O, const Hold& hold, const Measure& measure) {
@@ -39,11 +74,22 @@ Clearances MeasureBefore(const Trajectory& p_O, const Hold& hold, const Measure&
     clearances.times.push_back(p_O.times[i]);
     clearances.values.push_back(measure(Vector3d(p_O.p.col(static_cast<Column>(i)))));
   }
+  clearances.is_away.assign(clearances.times.size(), false);
   return clearances;
+}
+
+/** A tip that passes far beside its place does not touch there. */
+void MarkAway(const Way& way, const Vector3d& place, double noise, Clearances& clearances) {
+  const double far_away = std::max(kFarAway, kNoiseFactor * noise);
+  const size_t num_earlier = way.times.size() - clearances.times.size();
+  for (size_t i = 0; i < clearances.times.size(); ++i) {
+    clearances.is_away[i] = (way.mean[num_earlier + i] - place).norm() > far_away;
+  }
 }
 
 /** First sample from `from` on whose mean over the next stretch is near rest. */
 size_t FindRest(const Clearances& clearances, size_t from, double near) {
+  const double beyond = std::max(kBeyond, 4.0 * near);
   for (size_t i = from; i < clearances.times.size(); ++i) {
     double sum = 0.0;
     size_t k = i;
@@ -51,7 +97,8 @@ size_t FindRest(const Clearances& clearances, size_t from, double near) {
            clearances.times[k] < clearances.times[i] + kRestTime - kTick) {
       sum += clearances.values[k++];
     }
-    if (sum < near * static_cast<double>(k - i)) return i;
+    const double mean = sum / static_cast<double>(k - i);
+    if (mean < near && mean > -beyond) return i;
   }
   return clearances.times.size() - 1;
 }
@@ -82,7 +129,11 @@ TouchSamples CutApproach(const Clearances& clearances, double hold, double noise
   const double deepest = std::max(kDeepest, kNoiseFactor * noise);
   auto far =
       static_cast<Column>(std::upper_bound(times.begin(), times.end(), hold) - times.begin());
-  while (--far >= 0 && clearances.values[static_cast<size_t>(far)] <= deepest) {
+  const auto is_here = [&](Column i) {
+    const auto at = static_cast<size_t>(i);
+    return clearances.values[at] <= deepest && !clearances.is_away[at];
+  };
+  while (--far >= 0 && is_here(far)) {
   }
   if (far < 0) return {};
   TouchSamples samples;
@@ -107,59 +158,56 @@ TouchSamples CutApproach(const Clearances& clearances, double hold, double noise
   return samples;
 }
 
-/** Mean of the measured samples before the hold whose last departures lie in a range; NaN without
-any. */
-Vector3d CalcMeanWithin(const Trajectory& p_O, const Vector3d& place, double hold, double near,
+/** Mean of the way before the hold where its last departures lie in a range; NaN without any. */
+Vector3d CalcMeanWithin(const Way& way, const Vector3d& place, double hold, double near,
                         double far) {
   Vector3d sum = Vector3d::Zero();
   double count = 0.0;
-  const SampleRun run = FindSamples(p_O.times, p_O.times.front(), hold);
-  for (size_t i = run.last; i-- > run.first;) {
-    if (p_O.states[i] != SampleState::kMeasured) continue;
-    const Vector3d p = p_O.p.col(static_cast<Column>(i));
-    const double departure = (p - place).norm();
+  for (size_t i = FindSamples(way.times, way.times.front(), hold).last; i-- > 0;) {
+    const double departure = (way.mean[i] - place).norm();
     if (departure > far) break;
     if (departure < near) continue;
-    sum += p;
+    sum += way.mean[i];
     count += 1.0;
   }
   return sum / count;
 }
 
-/** Of the approach, unit; NaN when it is not seen. */
-Vector3d FindDirection(const Trajectory& p_O, const Vector3d& place, double hold) {
-  const Vector3d far = CalcMeanWithin(p_O, place, hold, 6e-3, 10e-3);
-  const Vector3d near = CalcMeanWithin(p_O, place, hold, 3e-3, 6e-3);
-  if (far.hasNaN()) return (CalcMeanWithin(p_O, place, hold, 3.5e-3, 60e-3) - place).normalized();
-  return (near.hasNaN() ? Vector3d(far - place) : Vector3d(far - near)).normalized();
+/** Of the approach, unit; NaN when it is not seen. Noise alone does not depart as far as `near`. */
+Vector3d FindDirection(const Way& way, const Vector3d& place, double hold) {
+  const double near = std::max(3e-3, kClear * way.noise), middle = 2.0 * near;
+  const Vector3d outer = CalcMeanWithin(way, place, hold, middle, middle + 4e-3);
+  const Vector3d inner = CalcMeanWithin(way, place, hold, near, middle);
+  if (outer.hasNaN()) {
+    return (CalcMeanWithin(way, place, hold, near, 60e-3) - place).normalized();
+  }
+  return (inner.hasNaN() ? Vector3d(outer - place) : Vector3d(outer - inner)).normalized();
 }
 
-Vector3d CalcMeanBetween(const Trajectory& p_O, double begin, double end) {
+Vector3d CalcMeanBetween(const Way& way, double begin, double end) {
   Vector3d sum = Vector3d::Zero();
   double count = 0.0;
-  const SampleRun run = FindSamples(p_O.times, begin - kTick, end + kTick);
+  const SampleRun run = FindSamples(way.times, begin - kTick, end + kTick);
   for (size_t i = run.first; i < run.last; ++i) {
-    if (p_O.states[i] != SampleState::kMeasured) continue;
-    sum += p_O.p.col(static_cast<Column>(i));
+    sum += way.raw[i];
     count += 1.0;
   }
   return sum / count;
 }
 
 /** From just before to just after it arrives: the rest of the way may turn, and so may the phalanx
-in the hold. */
-Vector3d RefineDirection(const Trajectory& p_O, const Vector3d& direction, const Vector3d& place,
-                         const Hold& hold, double noise) {
+in the hold. As before where that is not clear of the noise. */
+Vector3d RefineDirection(const Way& way, const Vector3d& direction, const Vector3d& place,
+                         const Hold& hold) {
   constexpr double kArrived = 1e-3;  // [m]
-  const double near = kArrived + 2.0 * noise;
-  const SampleRun run = FindSamples(p_O.times, hold.time - kLongest, hold.time);
-  for (size_t i = run.last; i-- > run.first;) {
-    if (p_O.states[i] != SampleState::kMeasured) continue;
-    if (direction.dot(p_O.p.col(static_cast<Column>(i)) - place) < near) continue;
-    const double arrival = p_O.times[i];
-    const Vector3d refined = CalcMeanBetween(p_O, arrival - 0.04, arrival) -
-                             CalcMeanBetween(p_O, arrival + 0.01, arrival + 0.05);
-    return refined.hasNaN() ? direction : Vector3d(refined.normalized());
+  const double near = kArrived + 3.0 * way.noise;
+  for (size_t i = FindSamples(way.times, way.times.front(), hold.time).last; i-- > 0;) {
+    if (way.times[i] < hold.time - kLongest) break;
+    if (direction.dot(way.mean[i] - place) < near) continue;
+    const double arrival = way.times[i];
+    const Vector3d refined = CalcMeanBetween(way, arrival - 0.04, arrival) -
+                             CalcMeanBetween(way, arrival + 0.01, arrival + 0.05);
+    return refined.norm() > kClear * way.noise ? Vector3d(refined.normalized()) : direction;
   }
   return direction;
 }
@@ -210,22 +258,52 @@ TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance&
                                    double pad_offset) {
   if (place.hasNaN()) return {};
   const double rest = distance(place);
-  TouchSamples samples =
-      CutApproach(MeasureBefore(p_O, hold, [&](const Vector3d& p) { return distance(p) - rest; }),
-                  hold.time, noise);
+  Clearances clearances =
+      MeasureBefore(p_O, hold, [&](const Vector3d& p) { return distance(p) - rest; });
+  MarkAway(TakeWay(p_O, hold, noise), place, noise, clearances);
+  TouchSamples samples = CutApproach(clearances, hold.time, noise);
   samples.touch_place = pad_offset - rest;
   return samples;
 }
 
 TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Vector3d& place, const Hold& hold,
-                                 double noise) {
+                                 double noise, const Vector3d& from, double after) {
   if (place.hasNaN()) return {};
-  const Vector3d coarse = FindDirection(p_O, place, hold.time);
+  const Way way = TakeWay(p_O, hold, noise);
+  if (way.times.empty()) return {};
+  const Vector3d coarse = from.hasNaN() ? FindDirection(way, place, hold.time) : from;
   if (coarse.hasNaN()) return {};
-  const Vector3d direction = RefineDirection(p_O, coarse, place, hold, noise);
-  return CutApproach(
-      MeasureBefore(p_O, hold, [&](const Vector3d& p) { return direction.dot(p - place); }),
-      hold.time, noise);
+  const Vector3d direction = RefineDirection(way, coarse, place, hold);
+  Clearances clearances =
+      MeasureBefore(p_O, hold, [&](const Vector3d& p) { return direction.dot(p - place); });
+  MarkAway(way, place, noise, clearances);
+  for (size_t i = 0; i < clearances.times.size() && clearances.times[i] < after; ++i) {
+    clearances.is_away[i] = true;
+  }
+  TouchSamples samples = CutApproach(clearances, hold.time, noise);
+  samples.direction = direction;
+  return samples;
+}
+
+LateMotion FindLateMotion(const Trajectory& p_O, const Vector3d& place, const Hold& hold,
+                          double noise, double touch, const Vector3d& approach) {
+  constexpr double kLeast = 1.5e-3, kCertain = 6e-3;  // [m]
+  constexpr double kLeastClear = 4.0;                 // SD of the noise
+  constexpr double kGoingOn = 0.3;                    // of the way that is left
+  const Way way = TakeWay(p_O, hold, noise);
+  const Vector3d left = CalcMeanBetween(way, touch, touch + 0.04) - place;
+  const Vector3d across = left - approach.dot(left) * approach;
+  LateMotion late;
+  late.from = left.normalized();
+  late.way = left.norm();
+  if (late.way > kCertain + kClear * way.noise) {
+    late.share = 1.0;
+  } else if (across.norm() > std::max(kLeast, kLeastClear * way.noise)) {
+    const Vector3d before = CalcMeanBetween(way, touch - 0.06, touch - 0.02) - place;
+    const bool is_going_on = across.dot(before - left) > kGoingOn * across.squaredNorm();
+    late.share = is_going_on ? 0.5 : 0.18;
+  }
+  return late;
 }
 
 }  // namespace graspbench

@@ -4,6 +4,8 @@ The last stretch of a fingertip's way to where it holds, as samples in one dimen
 touch_fit.h. Only measured samples of the unfiltered path take part. */
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 
 #include "human_study/events/hold.h"
 #include "human_study/events/object_surface.h"
@@ -19,7 +21,7 @@ Eigen::Vector3d FindHoldPlace(const Trajectory& p_O, const Hold& hold);
 
 /** Clearance from the surface less that at the place of the hold. The touch is looked for from
 where it was last farther than 5 mm (or six standard deviations of the noise), because no skin
-yields more, to where it has come to rest.
+yields more, or farther than 25 mm from its place, to where it has come to rest.
 @param place  of the hold, in O.
 @param noise  SD of a coordinate [m].
 @param pad_offset  of the marker at the touch [m]; NaN: not known.
@@ -28,8 +30,28 @@ TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance&
                                    const Eigen::Vector3d& place, const Hold& hold, double noise,
                                    double pad_offset);
 
-/** The same along the direction in which it came from about 8 mm to about 4 mm of its place. */
-TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Eigen::Vector3d& place,
-                                 const Hold& hold, double noise);
+/** The same along the direction in which it came from about 8 mm to about 4 mm of its place (farther
+where noise demands it), and nearer than 25 mm to it.
+@param from  another direction to begin with, from the place outward, unit; NaN: that one.
+@param after  no touch is looked for earlier [s]. */
+TouchSamples TakeApproachToPlace(
+    const Trajectory& p_O, const Eigen::Vector3d& place, const Hold& hold, double noise,
+    const Eigen::Vector3d& from = Eigen::Vector3d::Constant(std::nan("")),
+    double after = -std::numeric_limits<double>::infinity());
+
+/** What a tip still does just after an instant at which it is said to have touched. A path that
+turns stops in one direction before it stops in the other, and the touch is the last stop; but a
+phalanx that turns on its pad moves its marker, too, and without a shape nothing tells them apart. */
+struct LateMotion {
+  Eigen::Vector3d from;  ///< where it still is, from its place in the hold, unit
+  double way = 0.0;      ///< how far that is [m]
+  /** How likely it has not touched yet. 1: it is farther than a phalanx turns. 0.5: it goes on
+  across the approach, clear of the noise, as it did before. 0.18: it does so from the touch on; half
+  of that would leave an error of three standard deviations unsaid. */
+  double share = 0.0;
+};
+/** @param approach  direction of the clearance at that instant, unit. */
+LateMotion FindLateMotion(const Trajectory& p_O, const Eigen::Vector3d& place, const Hold& hold,
+                          double noise, double touch, const Eigen::Vector3d& approach);
 
 }  // namespace graspbench

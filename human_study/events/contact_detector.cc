@@ -15,6 +15,9 @@ namespace {
 
 using Column = Eigen::Index;
 
+/** Of what noise of a coordinate may leave in a looseness from which it was subtracted. */
+constexpr double kUnsureOfNoise = 0.8;
+
 /** Valid samples about the hold. */
 std::vector<Column> FindHoldSamples(const ScalarCurve& curve, const Hold& hold) {
   const SampleRun window = FindSamples(curve.times, std::max(hold.begin, hold.time - 0.05),
@@ -148,8 +151,9 @@ std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& di
                        MmFromM(digit.hold_distance - expected),
                        std::isnan(given) ? "those of the other digits" : "its pad offset");
   }
-  // Less than half a millimetre may be the skin of a digit that holds.
-  if (digit.looseness > std::max(options.max_looseness * evidence.typical_looseness, 0.0005)) {
+  // Less than half a millimetre may be the skin of a digit that holds, and noise is known to a part.
+  const double unsure = std::max(0.0005, kUnsureOfNoise * digit.noise_O);
+  if (digit.looseness > std::max(options.max_looseness * evidence.typical_looseness, unsure)) {
     return fmt::format(
         "while the object is held it moves {:.1f} mm (RMS) against it, the other digits {:.1f} mm",
         MmFromM(digit.looseness), MmFromM(evidence.typical_looseness));
@@ -202,6 +206,8 @@ EventTime CheckUsable(const EventTime& event, const ContactOptions& options) {
                                   MsFromS(kCoverageFactor * event.uncertainty)));
 }
 
+bool IsForce(const ContactDetector& detector) { return std::string_view(detector.id) == "force"; }
+
 double CalcOwnOf(const DigitEvidence& digit, const ContactOptions& options,
                  const EventTime& contact) {
   if (options.detector == "surface") return CalcOwnUncertainty(digit.fits.surface, options.depths);
@@ -220,12 +226,17 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     events.digit = digit.track->digit;
     events.is_thumb = digit.track->is_thumb;
     events.noise_O = digit.noise_O;
+    events.has_pad_offset = !std::isnan(digit.track->pad_offset);
+    events.hold_distance =
+        digit.hold_distance - (events.has_pad_offset ? digit.track->pad_offset : 0.0);
+    events.is_verified = !std::isnan(digit.hold_distance);
     double earliest = std::numeric_limits<double>::infinity(), latest = -earliest;
     int num_found = 0;
     for (const ContactDetector& detector : ContactDetectorList()) {
       events.by_detector.push_back(CheckUsable(detector.find(evidence, digit, options), options));
       const EventTime& event = events.by_detector.back();
       if (!event.IsFound()) continue;
+      events.is_verified |= IsForce(detector);
       ++num_found;
       earliest = std::min(earliest, event.time);
       latest = std::max(latest, event.time);

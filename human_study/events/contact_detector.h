@@ -129,6 +129,13 @@ struct DigitContactEvents {
   EventTime contact;  ///< of the detector believed
   TouchFit fit;       ///< to the clearance from the surface, else to the path
   double noise_O = std::numeric_limits<double>::quiet_NaN();  ///< DigitEvidence::noise_O [m]
+  /** How much farther from the surface its marker is in the hold than the pad offset that was given;
+  the distance itself when none was [m]. NaN: shape not known, or hidden. */
+  double hold_distance = std::numeric_limits<double>::quiet_NaN();
+  bool has_pad_offset = false;  ///< one was given
+  /** Something other than the digit's own stop says that it touched: the object's shape or a force.
+  Without, a digit that stops off the surface looks like one that touches. */
+  bool is_verified = false;
   /** Latest minus earliest of the detectors that found one [s]; NaN below two. */
   double disagreement = std::numeric_limits<double>::quiet_NaN();
 };

@@ -1,7 +1,11 @@
 #include "human_study/events/filtered_trial.h"
 
-#include <cmath>
+#include <fmt/core.h>
 
+#include <cmath>
+#include <optional>
+
+#include "core/base/units.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/approach.h"
 
@@ -47,6 +51,48 @@ TouchFit FitIfSeen(const TouchSamples& samples) {
   if (!samples.times.empty()) return FitTouch(samples);
   TouchFit fit;
   fit.missing = "no approach to its place in the hold is seen";
+  return fit;
+}
+
+/** The last stop on the way to the place. Two stops that may both be the touch are both weighed. */
+TouchFit FitPath(const TipAgainstObject& tip, const Eigen::Vector3d& place, const Hold& hold) {
+  constexpr int kMaxTurns = 3;
+  Eigen::Vector3d from = Eigen::Vector3d::Constant(std::nan(""));
+  double after = -INFINITY;
+  std::optional<TouchFit> earlier;
+  double share = 0.0;
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
+    const TouchSamples samples = TakeApproachToPlace(tip.p_O, place, hold, tip.noise, from, after);
+    const TouchFit fit = FitIfSeen(samples);
+    if (earlier) return fit.missing.empty() ? MixFits(*earlier, fit, share) : *earlier;
+    if (!fit.missing.empty()) return fit;
+    const double touch = CalcTouchTime(fit, kUsualDepths).time;
+    const LateMotion late =
+        FindLateMotion(tip.p_O, place, hold, tip.noise, touch, samples.direction);
+    share = late.share;
+    if (share == 0.0) return fit;
+    if (share < 1.0) earlier = fit;
+    from = late.from;
+    after = touch;
+  }
+  TouchFit fit;
+  fit.missing = "it never comes to rest in all directions at once";
+  return fit;
+}
+
+/** The touch of the surface, after which a tip does not go far. */
+TouchFit FitSurface(const TipAgainstObject& tip, const SurfaceDistance& distance,
+                    const Eigen::Vector3d& place, const Hold& hold, double pad_offset) {
+  TouchFit fit =
+      FitIfSeen(TakeApproachToSurface(tip.p_O, distance, place, hold, tip.noise, pad_offset));
+  if (!fit.missing.empty()) return fit;
+  const LateMotion late =
+      FindLateMotion(tip.p_O, place, hold, tip.noise, CalcTouchTime(fit, kUsualDepths).time,
+                     Eigen::Vector3d::Zero());
+  if (late.share == 1.0) {
+    fit.missing =
+        fmt::format("it comes to the surface {:.0f} mm from where it holds", MmFromM(late.way));
+  }
   return fit;
 }
 
@@ -97,10 +143,9 @@ const std::vector<TouchFits>& FilteredTrial::FitTouches(const std::vector<TipAga
     const TipAgainstObject& tip = tips[i];
     const Eigen::Vector3d place = FindHoldPlace(tip.p_O, hold);
     TouchFits fit;
-    fit.path = FitIfSeen(TakeApproachToPlace(tip.p_O, place, hold, tip.noise));
+    fit.path = FitPath(tip, place, hold);
     if (trial_->object.IsRecorded() && distance) {
-      fit.surface = FitIfSeen(TakeApproachToSurface(tip.p_O, distance, place, hold, tip.noise,
-                                                    trial_->digits[i].pad_offset));
+      fit.surface = FitSurface(tip, distance, place, hold, trial_->digits[i].pad_offset);
     } else {
       fit.surface.missing = "the object's pose or shape is not known";
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
@@ -54,6 +55,70 @@ void AddDisagreement(const DigitContactEvents& digit, double limit, std::vector<
 }
 
 }  // namespace
+
+std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
+  // Between two digits of a hand that opens and closes.
+  constexpr double kLeast = 2e-3, kMost = 1.0, kTypical = 0.1;  // [m]
+  constexpr size_t kEnough = 100;                               // samples
+  const size_t num_samples = digits.front().tip.size();
+  std::vector<double> spans;
+  const size_t step = std::max<size_t>(1, num_samples / kEnough);
+  for (size_t i = 0; i < num_samples; i += step) {
+    double span = 0.0;
+    for (size_t a = 0; a < digits.size(); ++a) {
+      for (size_t b = a + 1; b < digits.size(); ++b) {
+        if (!digits[a].tip.IsValid(i) || !digits[b].tip.IsValid(i)) continue;
+        const auto column = static_cast<Column>(i);
+        span = std::max(span, (digits[a].tip.p.col(column) - digits[b].tip.p.col(column)).norm());
+      }
+    }
+    if (span > 0.0) spans.push_back(span);
+  }
+  if (spans.empty()) return {};
+  const double largest = *std::max_element(spans.begin(), spans.end());
+  const double median = CalcMedian(std::move(spans));
+  if (largest >= kLeast && median <= kMost) return {};
+  const bool is_large = median > kMost;
+  const double factor = is_large ? median / kTypical : kTypical / largest;
+  const char* likely = factor > 300.0 ? (is_large ? "millimetres read as metres (unit: mm)"
+                                                  : "metres read as millimetres (unit: m)")
+                                      : (is_large ? "centimetres read as metres (unit: cm)"
+                                                  : "metres read as centimetres (unit: m)");
+  return {{"wrong_unit",
+           fmt::format("the recording's unit of length is wrong: its digits are {:.3g} m apart, "
+                       "those of a hand about {:g} m; likely {}. Say the unit in the file, its "
+                       "mapping or study.yaml (recording.unit)",
+                       is_large ? median : largest, kTypical, likely)}};
+}
+
+std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts,
+                                  const PlausibilityOptions& options) {
+  constexpr double kInside = 1e-3;    // no marker's middle is nearer to what its skin touches [m]
+  constexpr double kPadError = 5e-3;  // of a given pad offset [m]
+  if (options.max_hold_distance == 0.0) return {};
+  std::vector<double> distances;
+  bool is_given = false;
+  for (const DigitContactEvents& digit : contacts) {
+    if (std::isnan(digit.hold_distance)) continue;
+    distances.push_back(digit.hold_distance);
+    is_given |= digit.has_pad_offset;
+  }
+  if (distances.size() < 2) return {};
+  const double median = CalcMedian(std::move(distances));
+  const double least = is_given ? -kPadError : kInside;
+  const double most = is_given ? kPadError : options.max_hold_distance;
+  if (median >= least && median <= most) return {};
+  return {
+      {"wrong_shape",
+       fmt::format("in the hold the digits' markers are {:.0f} mm {} the object's surface{}: its "
+                   "size or centre in objects.csv is likely wrong (too {}); expected {:.0f} to "
+                   "{:.0f} mm (plausibility.max_hold_distance_m)",
+                   MmFromM(std::abs(median)),
+                   is_given ? (median < 0.0 ? "nearer to" : "farther from")
+                            : (median < 0.0 ? "inside" : "from"),
+                   is_given ? " than their pad offsets" : "", median < least ? "large" : "small",
+                   MmFromM(least), MmFromM(most))}};
+}
 
 double CalcJointTravel(const std::vector<SmoothPath>& tips, const Hold& hold) {
   std::vector<const SmoothPath*> seen;
@@ -145,7 +210,10 @@ std::vector<Doubt> FindContactDoubts(const std::vector<DigitContactEvents>& cont
   const DigitContactEvents* last = FindExtreme(contacts, true);
   if (first == nullptr) return doubts;
   const double after = last->contact.time - movement.end.time;
-  if (options.max_contact_after_end > 0.0 && after > options.max_contact_after_end) {
+  const bool is_lifted_after =
+      object.lift_off.IsFound() && last->contact.time < object.lift_off.time;
+  if (options.max_contact_after_end > 0.0 && after > options.max_contact_after_end &&
+      !is_lifted_after) {
     doubts.push_back(
         {"contact_after_end",
          fmt::format("digit {} touches {:.0f} ms after the movement's end; expected at most "

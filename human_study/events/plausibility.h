@@ -9,7 +9,11 @@ the numbers; none repairs anything.
     they touch, so contacts are not determined.
   other_lift_axis: the object moves far, but not along the stated direction of the lift; names the
     likely one (recordings with y up).
-  contact_after_end: a contact later after the end of the movement than a limit.
+  wrong_unit: the digits are as far apart as no hand's; names the unit that would explain it.
+  wrong_shape: in the hold the markers lie inside the stated solid, or all are farther from it than
+    from any skin they could sit on (than the given pad offsets explain).
+  contact_after_end: a contact later after the end of the movement than a limit, unless the object
+    was recorded and is lifted after it: the wrist may wait while the digits close.
   closure_too_long: GCT above a limit.
   detectors_disagree: another detector finds a digit's contact elsewhere, beyond a limit and beyond
     three times what both say of their uncertainty. "multiplied" and "speed" are not asked: they
@@ -31,6 +35,7 @@ namespace graspbench {
 struct PlausibilityOptions {
   double max_contact_after_end = 0.3;  ///< [s]
   double max_closure_time = 1.5;       ///< [s]
+  double max_hold_distance = 0.02;     ///< of the digits' markers from the surface, median [m]
   double max_disagreement = 0.1;       ///< [s]
   double max_moved_before = 0.05;      ///< [s]
   double min_carried = 0.05;           ///< a shorter way is no carrying [m]
@@ -40,6 +45,7 @@ struct PlausibilityOptions {
   void Visit(V&& v) {
     v("max_contact_after_end_s", max_contact_after_end);
     v("max_closure_time_s", max_closure_time);
+    v("max_hold_distance_m", max_hold_distance);
     v("max_disagreement_s", max_disagreement);
     v("max_moved_before_s", max_moved_before);
     v("min_carried_m", min_carried);
@@ -51,6 +57,13 @@ struct Doubt {
   std::string code;
   std::string text;
 };
+
+/** Doubt about the unit of length. */
+std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits);
+
+/** Doubt about the object's shape, from where the markers are in the hold. */
+std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts,
+                                  const PlausibilityOptions& options);
 
 /** How far the digits moved together up to the hold: the longest stretch that ends there and in
 which no distance between two of them leaves that of the hold by more than 3 mm (or four standard

@@ -23,6 +23,8 @@ constexpr double kBeforeGrowth = 3.0;     // [m/s^3]
 constexpr double kAfterGrowth = 0.1;      // [m/s^2]: a phalanx that turns on its pad
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
+constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
+constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
 constexpr double kMaxStep = 4e-3;
 constexpr size_t kCoarseDepths = 3;  // every third depth tells where to look closer
@@ -259,8 +261,35 @@ TouchFit FitTouch(const TouchSamples& samples) {
   return fit;
 }
 
-EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
-  if (!fit.missing.empty()) return MissingEvent(fit.missing);
+TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
+  const auto best = [](const TouchFit& fit) {
+    return *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
+  };
+  const double best_a = best(a), best_b = best(b);
+  TouchFit mix = a;
+  for (size_t k = 0; k < kSettlingDepths.size(); ++k) {
+    const double weight_a = (1.0 - share) * std::exp(a.log_evidence[k] - best_a);
+    const double weight_b = share * std::exp(b.log_evidence[k] - best_b);
+    const double sum = weight_a + weight_b;
+    if (!(sum > 0.0)) continue;
+    const double share_b = weight_b / sum, apart = b.time[k] - a.time[k];
+    mix.log_evidence[k] = std::log(sum);
+    mix.time[k] = a.time[k] + share_b * apart;
+    mix.variance[k] = (1.0 - share_b) * a.variance[k] + share_b * b.variance[k] +
+                      (1.0 - share_b) * share_b * apart * apart;
+  }
+  mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
+  return mix;
+}
+
+namespace {
+
+/** Of the touch over all depths; weight 0: none explains the path. */
+struct TouchMoments {
+  double weight = 0.0, time = 0.0, variance = 0.0;
+};
+
+TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) {
   const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
   const double origin = fit.time[0];
   double sum = 0.0, moment = 0.0, squares = 0.0;
@@ -271,12 +300,26 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
     moment += weight * time;
     squares += weight * (time * time + fit.variance[k]);
   }
-  if (!(sum > 0.0)) return MissingEvent("no depth of settling explains the path");
+  if (!(sum > 0.0)) return {};
+  return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
+}
+
+}  // namespace
+
+EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
+  if (!fit.missing.empty()) return MissingEvent(fit.missing);
+  const TouchMoments touch = CalcTouchMoments(fit, weights);
+  if (touch.weight == 0.0) return MissingEvent("no depth of settling explains the path");
   EventTime event;
-  event.time = origin + moment / sum;
-  const double variance = std::max(0.0, squares / sum - Square(moment / sum));
+  event.time = touch.time;
+  // Soft arrivals look like settling: what was learned of it is as uncertain as it moves the touch.
+  // Half a standard deviation of that is in the touch's own variance already.
+  const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
+  const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
+  const double learned = std::min(kLearnedShare * excess, kMostLearned);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
-  event.uncertainty = std::hypot(kModel, std::max(1.0, fit.noise_ratio) * std::sqrt(variance));
+  event.uncertainty =
+      std::hypot(kModel, learned, std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance));
   return event;
 }
 

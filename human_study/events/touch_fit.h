@@ -20,6 +20,7 @@ whose own samples cannot tell is found without bias.
 Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
 stops as one that touches does. */
 
+#include <Eigen/Core>
 #include <array>
 #include <limits>
 #include <vector>
@@ -45,6 +46,8 @@ struct TouchSamples {
   double last = 0.0;           ///< .. and last [s]
   /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
   double touch_place = std::numeric_limits<double>::quiet_NaN();
+  /** Of the clearance, unit; zero: along a surface's normal. No part of the fit. */
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
 };
 
 /** What the samples say for each depth. */
@@ -59,7 +62,13 @@ struct TouchFit {
 /** @pre times and places are as many, first < last. */
 TouchFit FitTouch(const TouchSamples& samples);
 
-/** The touch under those weights: mean and standard deviation over all depths. */
+/** One of two touches: each depth's time and variance are those of both.
+@param share  how likely it is the second, between 0 and 1. @pre neither is missing. */
+TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
+
+/** The touch under those weights: mean and standard deviation over all depths. Weights that were
+learned add 1.5 times the time by which they move the touch beyond half a standard deviation, at most
+20 ms. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so

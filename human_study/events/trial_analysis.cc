@@ -150,6 +150,10 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   analysis.num_touching = static_cast<int>(
       std::count_if(analysis.contacts.begin(), analysis.contacts.end(),
                     [](const DigitContactEvents& digit) { return digit.contact.IsFound(); }));
+  analysis.num_unverified = static_cast<int>(std::count_if(
+      analysis.contacts.begin(), analysis.contacts.end(), [](const DigitContactEvents& digit) {
+        return digit.contact.IsFound() && !digit.is_verified;
+      }));
   analysis.final_opening = ValueNear(analysis.opening, FindLastContact(analysis.contacts));
   analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
   analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
@@ -167,10 +171,10 @@ void FindTrialContacts(FilteredTrial& filtered, const ObjectTravel& travel,
                        const AnalysisOptions& options, TrialAnalysis& analysis) {
   const ReachTrial& trial = filtered.trial();
   if (!trial.object.IsRecorded()) {
-    analysis.trial_doubts = FindUnseenCarrying(filtered.FilterTips(options.contact.cutoff),
-                                               analysis.hold, options.plausibility);
-    if (!analysis.trial_doubts.empty()) {
-      analysis.contacts = ListMissingContacts(trial, analysis.trial_doubts.front().text);
+    for (Doubt& doubt : FindUnseenCarrying(filtered.FilterTips(options.contact.cutoff),
+                                           analysis.hold, options.plausibility)) {
+      analysis.contacts = ListMissingContacts(trial, doubt.text);
+      analysis.trial_doubts.push_back(std::move(doubt));
       return;
     }
   }
@@ -182,6 +186,9 @@ void FindTrialContacts(FilteredTrial& filtered, const ObjectTravel& travel,
       MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
                           analysis.hold, options.contact);
   analysis.contacts = FindContacts(evidence, options.contact);
+  for (Doubt& doubt : FindWrongShape(analysis.contacts, options.plausibility)) {
+    analysis.trial_doubts.push_back(std::move(doubt));
+  }
 }
 
 /** Found instants' difference; NaN when one is missing, as its time is NaN. */
@@ -231,6 +238,7 @@ void CheckOptions(const AnalysisOptions& options) {
   const PlausibilityOptions& plausibility = options.plausibility;
   CheckNotNegative("plausibility.max_contact_after_end_s", plausibility.max_contact_after_end);
   CheckNotNegative("plausibility.max_closure_time_s", plausibility.max_closure_time);
+  CheckNotNegative("plausibility.max_hold_distance_m", plausibility.max_hold_distance);
   CheckNotNegative("plausibility.max_disagreement_s", plausibility.max_disagreement);
   CheckNotNegative("plausibility.max_moved_before_s", plausibility.max_moved_before);
   CheckNotNegative("plausibility.min_carried_m", plausibility.min_carried);
@@ -256,13 +264,16 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
   CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
   TrialAnalysis analysis;
+  analysis.trial_doubts = FindWrongUnit(trial.digits);
 
   ObjectTravel travel;
   if (trial.object.IsRecorded()) {
     travel = CalcObjectTravel(trial, options.lift_off);
     analysis.object = FindObjectEvents(travel, options.lift_off);
-    analysis.trial_doubts =
-        FindOtherLiftAxis(travel, analysis.object, options.lift_off, options.plausibility);
+    for (Doubt& doubt :
+         FindOtherLiftAxis(travel, analysis.object, options.lift_off, options.plausibility)) {
+      analysis.trial_doubts.push_back(std::move(doubt));
+    }
   } else {
     analysis.object.moved = analysis.object.lift_off = MissingEvent("the object was not recorded");
   }

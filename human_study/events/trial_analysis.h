@@ -74,6 +74,7 @@ struct TrialAnalysis {
   std::vector<DigitContactEvents> contacts;
   ContactOrder order;
   int num_touching = 0;      ///< digits with a contact
+  int num_unverified = 0;    ///< contacts of which only the digit's own stop tells
   ContactTiming timing;      ///< of the digits that touched
   ContactTiming timing_all;  ///< of all digits: missing when one did not touch
   /** Standard uncertainties of GFT, GOT, GCT [s] from those of the instants that decide them. */

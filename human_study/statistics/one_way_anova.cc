@@ -9,7 +9,7 @@
 
 namespace graspbench {
 
-Answer<OneWayAnova> CalcOneWayAnova(const std::vector<std::vector<double>>& groups) {
+Answer<OneWayAnova> CalcMeanSquares(const std::vector<std::vector<double>>& groups) {
   OneWayAnova anova;
   std::vector<double> all;
   for (const std::vector<double>& group : groups) {
@@ -42,6 +42,13 @@ Answer<OneWayAnova> CalcOneWayAnova(const std::vector<std::vector<double>>& grou
   anova.ms_between = anova.ss_between / anova.df_between;
   anova.ms_within = anova.ss_within / anova.df_within;
   anova.f = anova.ms_between / anova.ms_within;
+  return anova;
+}
+
+Answer<OneWayAnova> CalcOneWayAnova(const std::vector<std::vector<double>>& groups) {
+  const Answer<OneWayAnova> mean_squares = CalcMeanSquares(groups);
+  if (!mean_squares) return mean_squares.none();
+  OneWayAnova anova = *mean_squares;
   anova.p = CalcFisherUpperP(anova.f, anova.df_between, anova.df_within);
   return anova;
 }

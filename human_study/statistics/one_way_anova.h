@@ -28,4 +28,7 @@ struct OneWayAnova {
 values of every group are equal, or with a value that is not finite. */
 Answer<OneWayAnova> CalcOneWayAnova(const std::vector<std::vector<double>>& groups);
 
+/** The same without p, which stays 1: for who asks thousands of times and only needs the rest. */
+Answer<OneWayAnova> CalcMeanSquares(const std::vector<std::vector<double>>& groups);
+
 }  // namespace graspbench

@@ -104,6 +104,10 @@ TrialColumns ListMeasureColumns(const StudyResult& result) {
   columns.push_back({"num_digits_touching", "integer", "", "digits with a contact",
                      [](const StudyTrial* trial) { return Json(trial->analysis->num_touching); }});
   columns.push_back(
+      {"num_unverified_touches", "integer", "",
+       "contacts of which neither the object's shape nor a force tells that the digit touched",
+       [](const StudyTrial* trial) { return Json(trial->analysis->num_unverified); }});
+  columns.push_back(
       {"contact_order", "string", "",
        "digits by first contact; = joins those the data cannot tell apart",
        [](const StudyTrial* trial) { return Json(trial->analysis->order.Format()); }});

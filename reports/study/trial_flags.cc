@@ -13,6 +13,10 @@ const std::vector<TrialFlag>& TrialFlagList() {
        [](const A& a) { return a.timing.contact_before_start; }},
       {"two maxima", "the largest and the last maximum of the opening differ",
        [](const A& a) { return a.peak_opening.is_ambiguous; }},
+      {"touch not verified",
+       "neither the object's shape nor a force tells that every digit touched, rather than stopped "
+       "off the surface",
+       [](const A& a) { return a.num_unverified > 0; }},
       {"digit without touch", "a recorded digit never touched",
        [](const A& a) { return a.num_touching < static_cast<int>(a.contacts.size()); }},
   };

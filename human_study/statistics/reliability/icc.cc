@@ -69,7 +69,7 @@ Answer<OneWay> CalcOneWay(const std::vector<PersonTrials>& persons) {
     return NoAnswer{FormatCount(groups.size(), "person") + " with a value; expected 2 or more"};
   }
   if (!has_repeats) return NoAnswer{"no person has two trials"};
-  const Answer<OneWayAnova> anova = CalcOneWayAnova(groups);
+  const Answer<OneWayAnova> anova = CalcMeanSquares(groups);
   if (!anova) return anova.none();
   result.anova = *anova;
   const double n = anova->num_groups;

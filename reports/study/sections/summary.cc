@@ -54,6 +54,24 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
          FormatWithUnit(zero.median, "s") + ".";
 }
 
+/** Contacts that only the digit's own stop tells of. */
+Html DrawUnverified(const StudyResult& result) {
+  int num_contacts = 0, num_trials = 0;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept() || trial.analysis->num_unverified == 0) continue;
+    num_contacts += trial.analysis->num_unverified;
+    ++num_trials;
+  }
+  if (num_contacts == 0) return Html();
+  return Element(
+      "p", {},
+      Text(
+          "Touch not verifiable: " + FormatCount(num_contacts, "contact") + " in " +
+          FormatCount(num_trials, "trial") +
+          " of those that count. Without the object's shape (objects.csv) or a force, a digit that "
+          "stops off the surface looks like one that touches."));
+}
+
 Html DrawMeasureTable(const StudyResult& result) {
   const Align number = Align::kNumber;
   Table table("Every measure over the trials that count.",
@@ -102,7 +120,7 @@ Html DrawSummary(const StudyPageData& data) {
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawMeasureTable(result);
+         DrawUnverified(result) + DrawMeasureTable(result);
 }
 
 }  // namespace

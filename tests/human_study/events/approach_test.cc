@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "human_study/events/object_surface.h"
 #include "tests/human_study/events/trajectories.h"
 
@@ -64,6 +65,42 @@ TEST(TakeApproach, FilledSamplesTakeNoPart) {
   }
   EXPECT_LT(samples.first, kTouch - 0.03);
   EXPECT_GT(samples.last, kTouch + 0.03);
+}
+
+/** Comes along -y until 0.9 s, closes along -x at 50 mm/s until the touch, and sways by `noise`. */
+Trajectory MakeTurningPath(double noise) {
+  RandomStream random("approach", "turning");
+  Trajectory path = SamplePath(MakeTimes(0.0, 1.6, 200.0), [](double t) {
+    const double early = std::max(0.0, 0.9 - t);
+    return Vector3d(0.043 + std::min(0.02, 0.05 * std::max(0.0, kTouch - t)), -0.8 * early * early,
+                    0.01);
+  });
+  for (Eigen::Index i = 0; i < path.p.size(); ++i) path.p.data()[i] += noise * random.NextNormal();
+  return path;
+}
+
+// Long before, the tip passes the plane through its place, 0.1 m beside it.
+TEST(TakeApproach, TheTouchIsNotLookedForFarBesideThePlace) {
+  for (const double noise : {1e-4, 1e-3, 2e-3}) {
+    const Trajectory path = MakeTurningPath(noise);
+    const Vector3d place = FindHoldPlace(path, kHold);
+    const TouchSamples samples = TakeApproachToPlace(path, place, kHold, noise);
+    ASSERT_FALSE(samples.times.empty()) << noise;
+    EXPECT_GT(samples.first, 0.7) << noise;
+  }
+}
+
+TEST(FindLateMotion, TellsAStopFromATurnAndFromTheLastStop) {
+  const double noise = 1e-4;
+  const Trajectory path = MakeTurningPath(noise);
+  const Vector3d place = FindHoldPlace(path, kHold);
+  // Where the way along y ends, 5 mm along x are left, which it was closing already.
+  const LateMotion early = FindLateMotion(path, place, kHold, noise, 0.9, -Vector3d::UnitY());
+  EXPECT_EQ(early.share, 0.5);
+  EXPECT_GT(early.from.x(), 0.99);
+  EXPECT_NEAR(early.way, 0.004, 0.0003);
+  EXPECT_EQ(FindLateMotion(path, place, kHold, noise, kTouch, Vector3d::UnitX()).share, 0.0);
+  EXPECT_EQ(FindLateMotion(path, place, kHold, noise, 0.8, -Vector3d::UnitY()).share, 1.0);
 }
 
 TEST(TakeApproach, ATipThatWasAlwaysThereHasNone) {

@@ -38,6 +38,43 @@ TEST(FindUnseenCarrying, NamesALongWayOnly) {
   EXPECT_TRUE(FindUnseenCarrying(MakeTips(0.03), hold, {}).empty());
 }
 
+TEST(FindWrongUnit, NamesTheUnitThatWouldExplainTheHand) {
+  const auto doubts = [](double factor) {
+    std::vector<DigitTrack> digits(2);
+    for (size_t d = 0; d < 2; ++d) {
+      digits[d].tip = MakeTips(0.0)[d].path;
+      digits[d].tip.p *= factor;
+    }
+    return FindWrongUnit(digits);
+  };
+  EXPECT_TRUE(doubts(1.0).empty());
+  EXPECT_TRUE(doubts(0.2).empty());  // a small hand that pinches
+  EXPECT_TRUE(doubts(3.0).empty());
+  ASSERT_EQ(doubts(1000.0).size(), 1u);
+  EXPECT_EQ(doubts(1000.0)[0].code, "wrong_unit");
+  EXPECT_NE(doubts(1000.0)[0].text.find("millimetres read as metres"), std::string::npos);
+  EXPECT_NE(doubts(100.0)[0].text.find("centimetres read as metres"), std::string::npos);
+  EXPECT_NE(doubts(1e-3)[0].text.find("metres read as millimetres"), std::string::npos);
+}
+
+TEST(FindWrongShape, MarkersInsideTheSolidAndFarFromItAreNamed) {
+  const auto text = [](double first, double second, bool has_pad_offset) -> std::string {
+    std::vector<DigitContactEvents> contacts(2);
+    contacts[0].hold_distance = first;
+    contacts[1].hold_distance = second;
+    contacts[0].has_pad_offset = contacts[1].has_pad_offset = has_pad_offset;
+    const auto doubts = FindWrongShape(contacts, {});
+    return doubts.empty() ? "" : doubts.front().text;
+  };
+  EXPECT_EQ(text(0.008, 0.014, false), "");
+  EXPECT_NE(text(-0.004, -0.002, false).find("3 mm inside"), std::string::npos);
+  EXPECT_NE(text(-0.004, -0.002, false).find("too large"), std::string::npos);
+  EXPECT_NE(text(0.024, 0.022, false).find("too small"), std::string::npos);
+  EXPECT_EQ(text(0.002, -0.002, true), "");
+  EXPECT_NE(text(-0.007, -0.009, true).find("8 mm nearer to"), std::string::npos);
+  EXPECT_EQ(text(std::nan(""), 0.03, false), "");  // one digit is no majority
+}
+
 TEST(FindContactDoubts, EachLimitHasItsCode) {
   DigitContactEvents digit;
   digit.digit = "FF";
@@ -56,6 +93,12 @@ TEST(FindContactDoubts, EachLimitHasItsCode) {
   EXPECT_EQ(code(1.6), "closure_too_long");
   movement.end.time = 1.1;
   EXPECT_EQ(code(0.5), "contact_after_end");
+  object.lift_off = digit.contact;
+  object.lift_off.time = 1.7;  // the wrist waits while the digits close, then lifts
+  EXPECT_EQ(code(0.5), "");
+  object.lift_off.time = 1.3;
+  EXPECT_EQ(code(0.5), "contact_after_end");
+  object.lift_off = MissingEvent("none");
   movement.end.time = 1.4;
   digit.by_detector[FindContactDetector("speed")].time = 1.3;
   EXPECT_EQ(code(0.5), "");

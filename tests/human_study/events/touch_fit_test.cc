@@ -123,6 +123,39 @@ TEST(LearnDepths, UncertaintiesCoverAndNoBiasIsLeft) {
   }
 }
 
+// A soft arrival looks like settling: the more learned depths move it, the less it is known.
+TEST(CalcTouchTime, WhatWasLearnedIsStatedAsUncertain) {
+  RandomStream random("touch", "learned");
+  Approach soft;
+  soft.speed = 0.02;
+  soft.noise = 0.5e-3;
+  const TouchFit fit = FitTouch(Sample(soft, random));
+  const DepthWeights deep = OnlyDepth(5);
+  const EventTime learned = CalcTouchTime(fit, deep);
+  const double moved = std::abs(learned.time - CalcTouchTime(fit, kUsualDepths).time);
+  const double own = CalcOwnUncertainty(fit, deep);
+  ASSERT_GT(moved, own);
+  EXPECT_GT(learned.uncertainty, std::min(moved, 0.02));
+  EXPECT_LT(learned.uncertainty, std::hypot(own, 0.021));
+}
+
+// Two touches that nothing tells apart: the mean between them, and their distance in what is stated.
+TEST(MixFits, TheDistanceOfTwoTouchesIsInTheUncertainty) {
+  RandomStream random("touch", "mix");
+  Approach early, late;
+  late.touch = early.touch + 0.08;
+  const TouchFit a = FitTouch(Sample(early, random)), b = FitTouch(Sample(late, random));
+  const double first = CalcTouchTime(a, kUsualDepths).time;
+  const double second = CalcTouchTime(b, kUsualDepths).time;
+  for (const double share : {0.18, 0.5}) {
+    const EventTime mix = CalcTouchTime(MixFits(a, b, share), kUsualDepths);
+    EXPECT_NEAR(mix.time, first + share * (second - first), 0.002) << share;
+    EXPECT_NEAR(mix.uncertainty, std::sqrt(share * (1.0 - share)) * (second - first), 0.002);
+    EXPECT_LT(second - mix.time, 3.0 * mix.uncertainty);
+    EXPECT_LT(mix.time - first, 3.0 * mix.uncertainty);
+  }
+}
+
 TEST(FitTouch, TooFewSamplesAreTold) {
   RandomStream random("touch", "missing");
   TouchSamples few = Sample({}, random);

@@ -113,6 +113,37 @@ TEST(Protocol, ADigitThatHoversIsNotTakenForOneThatTouches) {
   EXPECT_GE(accuracy.num_contacts, accuracy.num_true_contacts - 2);
 }
 
+// Much noise, slow closings, no shape: much is uncertain, but hardly anything is silently wrong.
+TEST(Protocol, LargeErrorsAreStated) {
+  for (const double noise : {1e-3, 2e-3}) {
+    StudyPlan plan = MakePlan("slow and noisy");
+    plan.has_shape = false;
+    plan.conditions.noise_sd = noise;
+    plan.conditions.min_touch_speed = 40e-3;
+    plan.conditions.max_touch_speed = 65e-3;
+    fs::remove_all(Scratch());
+    const std::vector<Reach> truth = WriteStudy(plan, Scratch());
+    const StudyResult result = RunStudy(LoadStudy(Scratch() / "study.yaml"));
+    fs::remove_all(Scratch());
+    EXPECT_GE(result.CountKept(), 11);
+    int num_found = 0, num_silent = 0;
+    for (size_t i = 0; i < truth.size(); ++i) {
+      if (!result.trials[i].IsKept()) continue;
+      const TrialAnalysis& analysis = *result.trials[i].analysis;
+      EXPECT_EQ(analysis.num_unverified, analysis.num_touching);
+      for (size_t d = 0; d < kNumDigits; ++d) {
+        const EventTime& contact = analysis.contacts[d].contact;
+        if (!contact.IsFound()) continue;
+        ++num_found;
+        const double error = std::abs(contact.time - truth[i].touch_times[d]);
+        num_silent += error > std::max(0.05, 3.0 * contact.uncertainty);
+      }
+    }
+    EXPECT_GE(num_found, 55) << noise;
+    EXPECT_LE(num_silent, 1) << noise;
+  }
+}
+
 TEST(Protocol, RigidContactsAreFoundAndCovered) {
   StudyPlan plan = MakePlan("rigid");
   const Accuracy accuracy = Measure(plan, Scratch());
