@@ -11,6 +11,20 @@ namespace {
 constexpr std::string_view kSumKey = ",\"xxh64\":\"";
 constexpr size_t kSumLength = kSumKey.size() + 16 + 2;  // key, digits, quote and brace
 
+/** What is wrong with the line, or null. */
+const char* FindFault(std::string_view line) {
+  const size_t body_length = line.size() - std::min(line.size(), kSumLength);
+  const std::string_view body = line.substr(0, body_length), tail = line.substr(body_length);
+  if (tail.size() != kSumLength || tail.substr(0, kSumKey.size()) != kSumKey ||
+      tail.substr(kSumLength - 2) != "\"}") {
+    return "the line is cut off or is no record";
+  }
+  if (tail.substr(kSumKey.size(), 16) != CalcHashHex(body)) {
+    return "its bytes do not match their checksum";
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string FormatCheckedLine(const Json& record) {
@@ -20,17 +34,10 @@ std::string FormatCheckedLine(const Json& record) {
   return line.append(kSumKey).append(sum).append("\"}");
 }
 
+bool IsCheckedLine(std::string_view line) { return !FindFault(line); }
+
 Json ParseCheckedLine(std::string_view line) {
-  const auto fail = [](const std::string& what) { throw Error(ErrorKind::kFormat, what); };
-  const size_t body_length = line.size() - std::min(line.size(), kSumLength);
-  const std::string_view body = line.substr(0, body_length), tail = line.substr(body_length);
-  if (tail.size() != kSumLength || tail.substr(0, kSumKey.size()) != kSumKey ||
-      tail.substr(kSumLength - 2) != "\"}") {
-    fail("the line is cut off or is no record");
-  }
-  if (tail.substr(kSumKey.size(), 16) != CalcHashHex(body)) {
-    fail("its bytes do not match their checksum");
-  }
+  if (const char* fault = FindFault(line)) throw Error(ErrorKind::kFormat, fault);
   try {
     return Json::parse(line);
   } catch (const Json::exception& e) {
