@@ -11,6 +11,14 @@ namespace {
 constexpr std::string_view kSumKey = ",\"xxh64\":\"";
 constexpr size_t kSumLength = kSumKey.size() + 16 + 2;  // key, digits, quote and brace
 
+/** Sixteen lower-case digits, as CalcHashHex writes them. */
+bool IsHexOf(uint64_t value, std::string_view digits) {
+  for (size_t i = digits.size(); i-- > 0; value >>= 4) {
+    if (digits[i] != "0123456789abcdef"[value & 15]) return false;
+  }
+  return true;
+}
+
 /** What is wrong with the line, or null. */
 const char* FindFault(std::string_view line) {
   const size_t body_length = line.size() - std::min(line.size(), kSumLength);
@@ -19,7 +27,7 @@ const char* FindFault(std::string_view line) {
       tail.substr(kSumLength - 2) != "\"}") {
     return "the line is cut off or is no record";
   }
-  if (tail.substr(kSumKey.size(), 16) != CalcHashHex(body)) {
+  if (!IsHexOf(CalcHash64(body), tail.substr(kSumKey.size(), 16))) {
     return "its bytes do not match their checksum";
   }
   return nullptr;

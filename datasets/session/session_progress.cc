@@ -7,7 +7,8 @@
 #include <map>
 #include <set>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -39,7 +40,14 @@ std::string_view FindPair(std::string_view line) {
 /** The plan as far as it matters here. */
 struct Outline {
   std::vector<int> group_sizes;
-  std::unordered_map<uint64_t, int> place_of;  // by hash of the id; looked up only
+  std::vector<std::pair<uint64_t, int>> places;  // hash of an id, place; sorted
+
+  /** -1: not in the plan. */
+  int FindPlace(std::string_view id) const {
+    const uint64_t hash = CalcHash64(id);
+    const auto found = std::lower_bound(places.begin(), places.end(), std::pair(hash, 0));
+    return found != places.end() && found->first == hash ? found->second : -1;
+  }
 };
 
 Outline LoadOutline(const fs::path& path) {
@@ -57,8 +65,9 @@ Outline LoadOutline(const fs::path& path) {
       last = pair;
     }
     ++outline.group_sizes.back();
-    outline.place_of.emplace(CalcHash64(id), place++);
+    outline.places.emplace_back(CalcHash64(id), place++);
   });
+  std::sort(outline.places.begin(), outline.places.end());
   return outline;
 }
 
@@ -113,7 +122,7 @@ const char* NameOf(ShardState state) {
 SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   LoadFrozen(kSessionStore, folder, OnDamage::kRefuse, {kSessionStore.file});
   const Outline outline = LoadOutline(folder / "plan.jsonl");
-  std::vector<bool> finished(outline.place_of.size(), false);
+  std::vector<bool> finished(outline.places.size(), false);
   std::map<int, std::map<int, double>> ages;  // by number of shards, by shard
   SessionProgress progress;
   progress.num_trials = static_cast<int>(finished.size());
@@ -125,11 +134,11 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
     }
     ForEachLineOfFile(path, [&](const FileLine& line) {
       if (line.text.empty() || !line.is_whole) return;
-      const auto place = outline.place_of.find(CalcHash64(FindId(line.text)));
-      if (place == outline.place_of.end() || !IsCheckedLine(line.text)) {
+      const int place = outline.FindPlace(FindId(line.text));
+      if (place < 0 || !IsCheckedLine(line.text)) {
         ++progress.num_bad_lines;
       } else {
-        finished[static_cast<size_t>(place->second)] = true;
+        finished[static_cast<size_t>(place)] = true;
       }
     });
   }
