@@ -60,6 +60,9 @@ std::vector<std::string> ListFindings(const ReportData& data) {
   AddMissingTrials(data, findings);
   AddJournalFindings(data, findings);
   AddTrialFindings(data, findings);
+  for (const std::string& difference : data.session.machine_differences) {
+    findings.push_back("Machines: " + difference);
+  }
   for (const std::string& problem : data.models.problems) findings.push_back("Models: " + problem);
   for (const std::string& problem : data.pictures.problems) {
     findings.push_back("Pictures: " + problem);

@@ -30,15 +30,30 @@ struct AppendFile::Impl {
   bool ends_torn = false;  ///< the last line lacks its line break
 };
 
-AppendFile::AppendFile(const std::filesystem::path& path) : impl_(std::make_unique<Impl>()) {
+bool EndsInTornLine(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  char last = '\n';
+  const off_t end = ::lseek(file, -1, SEEK_END);
+  const bool is_read = end >= 0 && ::pread(file, &last, 1, end) == 1;
+  ::close(file);
+  return is_read && last != '\n';
+}
+
+AppendFile::AppendFile(const std::filesystem::path& path)
+    : AppendFile(path, "\"" + path.string() +
+                           "\" is being written by another process; wait until it is finished or "
+                           "stop it") {}
+
+AppendFile::AppendFile(const std::filesystem::path& path, const std::string& in_use)
+    : impl_(std::make_unique<Impl>()) {
   impl_->path = path;
   impl_->file = ::open(impl_->path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (impl_->file < 0) impl_->Fail("open");
   if (::flock(impl_->file, LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK) impl_->Fail("lock");
-    throw Error(ErrorKind::kIo, "\"" + impl_->path.string() +
-                                    "\" is being written by another process; wait until it is "
-                                    "finished or stop it");
+    const bool has_no_locks = errno == ENOLCK || errno == ENOSYS || errno == EOPNOTSUPP;
+    if (errno != EWOULDBLOCK && !has_no_locks) impl_->Fail("lock");
+    if (!has_no_locks) throw Error(ErrorKind::kIo, in_use);
   }
   struct stat status;
   if (::fstat(impl_->file, &status) != 0) impl_->Fail("read");

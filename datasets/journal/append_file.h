@@ -10,10 +10,16 @@ returns. A line that a crash has torn stays where it is; the next one starts on 
 
 namespace graspbench {
 
+/** False when there is no such file. */
+bool EndsInTornLine(const std::filesystem::path& path);
+
 class AppendFile {
  public:
-  /** @throws Error(kIo) when it cannot be written or another process writes it. */
+  /** A file system without locks is written without one: then a second writer is not noticed.
+  @throws Error(kIo) when it cannot be written or another process writes it. */
   explicit AppendFile(const std::filesystem::path& path);
+  /** @param in_use  what to say when another process writes it. */
+  AppendFile(const std::filesystem::path& path, const std::string& in_use);
   ~AppendFile();
   /** @param lines  each with its line break.
   @throws Error(kIo) with the system's reason; what was appended before stays valid. */

@@ -11,6 +11,28 @@ namespace {
 constexpr std::string_view kSumKey = ",\"xxh64\":\"";
 constexpr size_t kSumLength = kSumKey.size() + 16 + 2;  // key, digits, quote and brace
 
+/** Sixteen lower-case digits, as CalcHashHex writes them. */
+bool IsHexOf(uint64_t value, std::string_view digits) {
+  for (size_t i = digits.size(); i-- > 0; value >>= 4) {
+    if (digits[i] != "0123456789abcdef"[value & 15]) return false;
+  }
+  return true;
+}
+
+/** What is wrong with the line, or null. */
+const char* FindFault(std::string_view line) {
+  const size_t body_length = line.size() - std::min(line.size(), kSumLength);
+  const std::string_view body = line.substr(0, body_length), tail = line.substr(body_length);
+  if (tail.size() != kSumLength || tail.substr(0, kSumKey.size()) != kSumKey ||
+      tail.substr(kSumLength - 2) != "\"}") {
+    return "the line is cut off or is no record";
+  }
+  if (!IsHexOf(CalcHash64(body), tail.substr(kSumKey.size(), 16))) {
+    return "its bytes do not match their checksum";
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string FormatCheckedLine(const Json& record) {
@@ -20,17 +42,10 @@ std::string FormatCheckedLine(const Json& record) {
   return line.append(kSumKey).append(sum).append("\"}");
 }
 
+bool IsCheckedLine(std::string_view line) { return !FindFault(line); }
+
 Json ParseCheckedLine(std::string_view line) {
-  const auto fail = [](const std::string& what) { throw Error(ErrorKind::kFormat, what); };
-  const size_t body_length = line.size() - std::min(line.size(), kSumLength);
-  const std::string_view body = line.substr(0, body_length), tail = line.substr(body_length);
-  if (tail.size() != kSumLength || tail.substr(0, kSumKey.size()) != kSumKey ||
-      tail.substr(kSumLength - 2) != "\"}") {
-    fail("the line is cut off or is no record");
-  }
-  if (tail.substr(kSumKey.size(), 16) != CalcHashHex(body)) {
-    fail("its bytes do not match their checksum");
-  }
+  if (const char* fault = FindFault(line)) throw Error(ErrorKind::kFormat, fault);
   try {
     return Json::parse(line);
   } catch (const Json::exception& e) {

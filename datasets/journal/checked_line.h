@@ -20,6 +20,9 @@ namespace graspbench {
 /** Without the line break. @pre `record` is an object with at least one member. */
 std::string FormatCheckedLine(const Json& record);
 
+/** Whether the line ends in the checksum of its bytes; it is not parsed. */
+bool IsCheckedLine(std::string_view line);
+
 /** @returns the object, its checksum included.
 @throws Error(kFormat) saying what is wrong with the line: cut off, or its checksum. */
 Json ParseCheckedLine(std::string_view line);

@@ -61,7 +61,8 @@ Manifest MakeManifest(const StoreKind& kind, const fs::path& folder) {
     }
   }
   for (const std::string& path : ListMatches(folder, kind.journals)) {
-    manifest.files.push_back(SealJournal(folder, path, kind.keeps_torn_lines));
+    const bool with_torn_line = kind.keeps_torn_lines && !IsMatch(path, kind.shared_journals);
+    manifest.files.push_back(SealJournal(folder, path, with_torn_line));
   }
   SortByPath(manifest.files);
   return manifest;
@@ -77,8 +78,12 @@ void KeepFirstSeals(const StoreKind& kind, const Manifest& before, Manifest& aft
   SortByPath(after.files);
 }
 
-/** Without the stores inside it. */
-StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder) {
+/** Without the stores inside it. @param only  patterns; empty: all of them. */
+StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
+                         const std::vector<std::string>& only = {}) {
+  const auto is_asked_for = [&](const std::string& path) {
+    return only.empty() || IsMatch(path, only);
+  };
   StoreState state;
   state.kind = kind.name;
   Manifest manifest;
@@ -93,7 +98,12 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder) {
   } else {
     try {
       manifest = LoadManifest(folder);
-      state.damages = FindDamage(folder, manifest);
+      Manifest asked_for = manifest;
+      asked_for.files.erase(
+          std::remove_if(asked_for.files.begin(), asked_for.files.end(),
+                         [&](const ManifestFile& file) { return !is_asked_for(file.path); }),
+          asked_for.files.end());
+      state.damages = FindDamage(folder, asked_for);
       if (manifest.kind != kind.name) {
         state.damages.push_back({kManifestFile, 0, "is that of a " + manifest.kind});
       }
@@ -104,12 +114,12 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder) {
   if (manifest.files.empty() && !state.damages.empty()) return state;
   for (const std::string& file : ListMatches(folder, kind.files)) {
     // Stores inside come and go between two seals; they vouch for themselves.
-    if (file.find('/') == file.npos && !FindFile(manifest, file)) {
+    if (file.find('/') == file.npos && is_asked_for(file) && !FindFile(manifest, file)) {
       state.damages.push_back({file, 0, "is not in the manifest"});
     }
   }
   for (const std::string& journal : ListMatches(folder, kind.journals)) {
-    if (FindFile(manifest, journal)) continue;
+    if (FindFile(manifest, journal) || !is_asked_for(journal)) continue;
     const std::vector<Damage> bad = FindBadLines(folder, journal, 0);
     state.damages.insert(state.damages.end(), bad.begin(), bad.end());
   }
@@ -262,8 +272,10 @@ StoreState CheckStore(const fs::path& folder) {
   return state;
 }
 
-StoreState VerifyStore(const fs::path& folder, OnDamage on_damage) {
-  StoreState state = CheckStore(folder);
+StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
+                       const std::vector<std::string>& only) {
+  StoreState state =
+      only.empty() ? CheckStore(folder) : CheckOwnFiles(*DemandKind(folder), folder, only);
   if (state.damages.empty() || on_damage == OnDamage::kAccept) return state;
   throw Error(ErrorKind::kFormat,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +

@@ -40,8 +40,10 @@ void SealStore(const StoreKind& kind, const std::filesystem::path& folder,
 StoreState CheckStore(const std::filesystem::path& folder);
 
 /** CheckStore before anything is read from the folder.
+@param only  patterns of the store's own files that will be read; empty: everything.
 @throws Error(kFormat) naming all damage and what can be done about it, unless it is accepted. */
-StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage);
+StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage,
+                       const std::vector<std::string>& only = {});
 
 struct StoreRepair {
   std::vector<std::string> actions;  ///< what was done, in words

@@ -28,6 +28,10 @@ struct StoreKind {
   /** Whether a line that a crash has torn stays in its journal, and the next one follows on a line
   of its own; or it is cut off before the journal is continued. */
   bool keeps_torn_lines = false;
+
+  /** Journals among these that other processes may be writing while the store is sealed: only their
+  whole lines are. None of them is continued behind a torn line (FindJournalName). */
+  std::vector<std::string> shared_journals = {};
 };
 
 extern const StoreKind kSessionStore;

@@ -28,7 +28,8 @@ bool HasFrozen(const StoreKind& kind, const fs::path& folder) {
   return fs::exists(folder / kind.file, status);
 }
 
-Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_damage) {
+Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_damage,
+                  const std::vector<std::string>& only) {
   const fs::path path = folder / kind.file;
   if (!HasFrozen(kind, folder) && HasManifestOf(kind, folder)) {
     throw Error(ErrorKind::kFormat, "\"" + path.string() +
@@ -60,7 +61,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
                 "\"" + path.string() + "\" is damaged: " + e.what() +
                     "; it is written once and never changed, so take it from a backup");
   }
-  StoreState state = VerifyStore(folder, on_damage);
+  StoreState state = VerifyStore(folder, on_damage, only);
   frozen.is_sealed = state.is_sealed;
   frozen.damage = std::move(state.damages);
   return frozen;

@@ -20,9 +20,11 @@ struct Frozen {
   std::vector<Damage> damage;  ///< of the whole store, when it is accepted
 };
 /** The door through which a store is read: it is verified first.
+@param only  as in VerifyStore.
 @throws Error(kNotFound) none there; kVersion another schema; kFormat damaged; kIo. */
 Frozen LoadFrozen(const StoreKind& kind, const std::filesystem::path& folder,
-                  OnDamage on_damage = OnDamage::kRefuse);
+                  OnDamage on_damage = OnDamage::kRefuse,
+                  const std::vector<std::string>& only = {});
 
 /** Writes the manifest of what is there already, and then the file, whose presence makes the folder
 a store; the folder exists. @throws Error(kIo). */

@@ -27,21 +27,25 @@ bool AddJudgement(const Json& json, const std::unordered_map<std::string, TrialR
   return true;
 }
 
-std::filesystem::path MakeJudgePath(const std::filesystem::path& folder, int worker) {
+std::filesystem::path MakeJudgePath(const std::filesystem::path& folder, int worker,
+                                    const std::string& label) {
   MakeFolder(folder / kFolder);
-  return folder / kFolder / (std::to_string(worker) + ".jsonl");
+  return FindJournal(folder / kFolder, worker, label);
 }
 
 }  // namespace
 
-JudgementWriter::JudgementWriter(const std::filesystem::path& folder, int worker)
-    : file_(MakeJudgePath(folder, worker)) {}
+std::string FormatJudgementLine(const std::string& trial_id, const Judgement& judgement) {
+  return FormatCheckedLine(
+      {{"trial_id", trial_id}, {"judge_version", kJudgeVersion}, {"judgement", ToJson(judgement)}});
+}
+
+JudgementWriter::JudgementWriter(const std::filesystem::path& folder, int worker,
+                                 const std::string& label)
+    : file_(MakeJudgePath(folder, worker, label)) {}
 
 void JudgementWriter::Append(const std::string& trial_id, const Judgement& judgement) {
-  file_.Append(FormatCheckedLine({{"trial_id", trial_id},
-                                  {"judge_version", kJudgeVersion},
-                                  {"judgement", ToJson(judgement)}}) +
-               "\n");
+  file_.Append(FormatJudgementLine(trial_id, judgement) + "\n");
 }
 
 void LoadJudgements(const std::filesystem::path& folder, Session& session) {

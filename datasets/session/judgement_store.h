@@ -16,11 +16,14 @@ has found counts as not judged. Equal duplicates are fine, unequal ones are an e
 
 namespace graspbench {
 
+/** Without the line break. */
+std::string FormatJudgementLine(const std::string& trial_id, const Judgement& judgement);
+
 /** Appends to one worker's file; each Append is on the disk when it returns. */
 class JudgementWriter {
  public:
   /** @throws Error(kIo) as JournalWriter. */
-  JudgementWriter(const std::filesystem::path& folder, int worker);
+  JudgementWriter(const std::filesystem::path& folder, int worker, const std::string& label = "");
   void Append(const std::string& trial_id, const Judgement& judgement);
 
  private:

@@ -10,6 +10,7 @@
 #include "datasets/journal/checked_line.h"
 #include "datasets/session/frozen_folder.h"
 #include "datasets/session/judgement_store.h"
+#include "datasets/session/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -139,8 +140,12 @@ std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& su
   return paths;
 }
 
-Session LoadSession(const fs::path& folder, OnDamage on_damage) {
-  Frozen frozen = LoadFrozen(kSessionStore, folder, on_damage);
+namespace {
+
+/** Without judgements. @param only  patterns of the files that may be read; empty: all. */
+Session LoadFiles(const fs::path& folder, OnDamage on_damage,
+                  const std::vector<std::string>& only) {
+  Frozen frozen = LoadFrozen(kSessionStore, folder, on_damage, only);
   Session session;
   session.damage = std::move(frozen.damage);
   if (!frozen.is_sealed) {
@@ -153,13 +158,37 @@ Session LoadSession(const fs::path& folder, OnDamage on_damage) {
   Merger merger(session.plan, session.findings);
   for (const fs::path& path : ListJournals(folder)) {
     const std::string file = "journal/" + path.filename().string();
+    if (!only.empty() && !IsMatch(file, only)) continue;
     ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool is_whole) {
       merger.AddLine(line, file, number, is_whole);
     });
   }
   session.records = merger.TakeRecords();
-  LoadJudgements(folder, session);
   return session;
+}
+
+}  // namespace
+
+Session LoadSession(const fs::path& folder, OnDamage on_damage) {
+  Session session = LoadFiles(folder, on_damage, {});
+  LoadJudgements(folder, session);
+  session.machine_differences = DescribeDifferences(LoadWorkers(folder, session.findings));
+  return session;
+}
+
+Session LoadShardOfSession(const fs::path& folder, const std::string& label) {
+  return LoadFiles(folder, OnDamage::kRefuse,
+                   {kSessionStore.file, "plan.jsonl", "journal/" + label + "-*.jsonl",
+                    "workers/" + label + "-*.jsonl"});
+}
+
+fs::path FindJournal(const fs::path& subfolder, int worker, const std::string& label) {
+  const std::string name = (label.empty() ? "" : label + "-") + std::to_string(worker);
+  fs::path path = subfolder / (name + ".jsonl");
+  for (int number = 2; !label.empty() && EndsInTornLine(path); ++number) {
+    path = subfolder / (name + "-" + std::to_string(number) + ".jsonl");
+  }
+  return path;
 }
 
 std::vector<PlannedTrial> FindUnfinished(const Session& session) {

@@ -8,14 +8,18 @@ A session's folder:
     plan.jsonl            one planned trial a line
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
+    workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
     export/               trials.csv, events.csv, their dictionaries, records.jsonl
     report/index.html
     run.json              when, where, how long: the only file with clock and host
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
-error. Resume = plan minus finished. Results hold no wall clock or host, and no absolute path but
-those a person wrote into the configuration. session.json, plan.jsonl, index.sqlite and export/ have
+error. Resume = plan minus finished. A worker of a shard (shard.h) has journals of its own,
+<shard>-<worker>.jsonl, and neither writes anything else nor reads what the others write.
+
+Results hold no wall clock or host, and no absolute path but those a person wrote into the
+configuration. session.json, plan.jsonl, index.sqlite and export/ have
 the same bytes for any number of workers and any number of interruptions. */
 
 #include <filesystem>
@@ -46,10 +50,16 @@ struct Session {
   /** Warnings about journal lines that were skipped; files are named from the session's folder. */
   Diagnostics findings;
   std::vector<Damage> damage;  ///< found and accepted
+  /** Machines that did not agree on a sentinel trial, as sentences (worker_log.h). */
+  std::vector<std::string> machine_differences = {};
 };
 /** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
 before anything is read, and for unequal duplicates; kIo. */
 Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
+
+/** What a worker of a shard needs: configuration, plan, and the records in the journals that begin
+with `label`. No other file is read. @throws as LoadSession. */
+Session LoadShardOfSession(const std::filesystem::path& folder, const std::string& label);
 
 /** The journals in a subfolder of the session's, by name; none when there is no such folder. */
 std::vector<std::filesystem::path> ListJournals(const std::filesystem::path& folder,
@@ -64,12 +74,18 @@ physics has changed since. */
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan);
 
+/** The journal of a worker: 0.jsonl without a label; with one 3of7-0.jsonl, or, because what a
+crash has torn is not continued there, 3of7-0-2.jsonl and so on. */
+std::filesystem::path FindJournal(const std::filesystem::path& subfolder, int worker,
+                                  const std::string& label);
+
 /** Appends finished trials to one worker's journal; see append_file.h. */
 class JournalWriter {
  public:
-  /** @throws Error(kIo) when the journal cannot be written or another process writes it. */
-  JournalWriter(const std::filesystem::path& folder, int worker)
-      : file_(folder / "journal" / (std::to_string(worker) + ".jsonl")) {}
+  /** @param label  of a shard's worker. @throws Error(kIo) when the journal cannot be written or
+  another process writes it. */
+  JournalWriter(const std::filesystem::path& folder, int worker, const std::string& label = "")
+      : file_(FindJournal(folder / "journal", worker, label)) {}
   /** @throws Error(kIo) with the system's reason; what was appended before stays valid. */
   void Append(const TrialRecord& record) { file_.Append(FormatJournalLine(record) + "\n"); }
 

@@ -99,6 +99,24 @@ TEST_F(FailingDisk, SessionsAreContinuedAndJudgedToTheSameBytes) {
   EXPECT_GT(num_failed_, 4) << "the faults must bite";
 }
 
+TEST_F(FailingDisk, ShardsAreContinuedAndMergedToTheSameBytes) {
+  const std::string session = "run --hand tum --object tennis_ball --trials 6 --out ";
+  ASSERT_EQ(Run(session + "whole"), 0) << Log();
+  for (int round = 0; round < 2; ++round) {
+    fs::remove_all(top_ / "out");
+    ASSERT_EQ(Run(session + "out --plan-only"), 0) << Log();
+    const int seed = 201 + 20 * round;
+    for (const int shard : {1, 2}) {
+      const std::string work = "work out --shard " + std::to_string(shard) + "/2";
+      RunUnderFaults(work, work, seed + 5 * shard, 5);
+    }
+    RunUnderFaults("merge out", "merge out", seed + 15, 4);
+    ExpectSame({"session.json", "plan.jsonl", "export/trials.csv", "export/records.jsonl",
+                "index.sqlite", "report/index.html"});
+  }
+  EXPECT_GT(num_failed_, 4) << "the faults must bite";
+}
+
 TEST_F(FailingDisk, OptimisationsAreContinuedToTheSameBytes) {
   const std::string line = "optimise --hand tum --object golf_ball --evaluations 4 --out ";
   ASSERT_EQ(Run(line + "whole"), 0) << Log();

@@ -3,21 +3,15 @@ A session or campaign that is killed again and again and continued each time has
 byte for byte, as one that ran through, for any number of workers. */
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <thread>
 #include <vector>
 
-#include "core/base/files.h"
 #include "core/base/random.h"
+#include "tests/support/run_program.h"
 
 namespace graspbench {
 namespace {
@@ -46,57 +40,6 @@ const std::vector<std::string> kCampaign = {"campaign",
                                             "comparison.seeds=2",
                                             "--set",
                                             "comparison.evaluations=20"};
-
-pid_t Start(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), GRASPBENCH_PROGRAM);
-  const pid_t child = ::fork();
-  if (child != 0) return child;
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  ::execv(argv[0], argv.data());
-  ::_exit(127);
-}
-
-int WaitFor(pid_t child) {
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
-
-/** Lines of all .jsonl files of the folder and those below it. A file may go while it is counted.
- */
-int CountLines(const fs::path& folder) {
-  int count = 0;
-  std::error_code status;
-  fs::recursive_directory_iterator entry(folder, status);
-  for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
-    if (entry->path().extension() != ".jsonl") continue;
-    std::ifstream file(entry->path(), std::ios::binary);
-    count += static_cast<int>(
-        std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n'));
-  }
-  return count;
-}
-
-bool HasEnded(pid_t child) {
-  siginfo_t info{};
-  return ::waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == child;
-}
-
-/** Kills the child a moment after `is_time` [s]; false when it ended by itself before. */
-bool KillAfter(pid_t child, const std::function<bool()>& is_time, double moment) {
-  while (!is_time() && !HasEnded(child)) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  std::this_thread::sleep_for(std::chrono::duration<double>(moment));
-  ::kill(child, SIGKILL);
-  return WaitFor(child) == -SIGKILL;
-}
-
-void ExpectSameFile(const fs::path& a, const fs::path& b) {
-  EXPECT_TRUE(ReadFile(a) == ReadFile(b)) << a << " and " << b << " differ";
-}
 
 class KillAndResume : public testing::TestWithParam<int> {};
 

@@ -11,9 +11,10 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_session.h"
+#include "workbench/experiments/run_shard.h"
+#include "workbench/experiments/shell_quote.h"
 #include "workbench/experiments/worker_pool.h"
 #include "workbench/session_options.h"
-#include "workbench/shell_quote.h"
 #include "workbench/summary_table.h"
 #include "workbench/terminal_observer.h"
 
@@ -27,6 +28,7 @@ struct RunOptions {
   int num_workers = 1;
   std::string out;
   bool resume = false;
+  bool plan_only = false;
   OnDamage on_damage = OnDamage::kRefuse;
   double trial_time_limit = kTrialTimeLimit;
   bool json = false;
@@ -73,6 +75,16 @@ ExitCode Finish(const PreparedSession& work, const RunOptions& options) {
   return summary.total.CountOf(Outcome::kNumericalFailure) > 0 ? kExitNumericalFailures : kExitOk;
 }
 
+/** For several machines: nothing runs. */
+ExitCode Plan(const PreparedSession& work) {
+  RecordPlanning(work.folder);
+  const std::string folder = QuoteForShell(work.folder.string());
+  PrintResult(work.folder.string() + ": " +
+              FormatCount(static_cast<int64_t>(work.session.plan.size()), "trial") +
+              " planned\nnext     graspbench submit " + folder + " --engine local\n");
+  return kExitOk;
+}
+
 ExitCode Run(const RunOptions& options) {
   SessionRequest request;
   request.name = options.session.name();
@@ -81,6 +93,7 @@ ExitCode Run(const RunOptions& options) {
   request.on_damage = options.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   const PreparedSession work = PrepareSession(request);
+  if (options.plan_only) return Plan(work);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);
@@ -117,6 +130,8 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("DIR")
       ->default_str("results/NAME-HASH");
   command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
+  command.add_flag("--plan-only", options->plan_only,
+                   "make the folder and run nothing: see work, submit");
   AddAcceptDamageOption(command, options->on_damage);
   command
       .add_option("--trial-timeout", options->trial_time_limit,

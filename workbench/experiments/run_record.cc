@@ -1,32 +1,18 @@
 #include "workbench/experiments/run_record.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <ctime>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/hash.h"
 #include "core/base/json.h"
 #include "core/base/version.h"
+#include "workbench/experiments/machine.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string FindHost() {
-  char name[256] = "";
-  ::gethostname(name, sizeof name - 1);
-  return name;
-}
-
-/** Two builds of one source are the same build when their bytes are. */
-const std::string& FindBuild() {
-  static const std::string build = CalcHashHex(ReadFile("/proc/self/exe"));
-  return build;
-}
 
 Json LoadRuns(const fs::path& folder) {
   try {
@@ -76,11 +62,19 @@ RunRecord RunRecorder::Keep(bool is_complete) {
   return record_;
 }
 
+std::vector<std::string> ListBuilds(const fs::path& folder) {
+  std::vector<std::string> builds;
+  for (const Json& run : LoadRuns(folder)) {
+    if (!run.is_object() || !run.contains("build") || !run["build"].is_string()) continue;
+    builds.push_back(run["build"].get<std::string>());
+  }
+  return builds;
+}
+
 bool HasRunOfAnotherBuild(const fs::path& folder) {
-  const Json runs = LoadRuns(folder);
-  return std::any_of(runs.begin(), runs.end(), [](const Json& run) {
-    return run.is_object() && run.contains("build") && run["build"] != FindBuild();
-  });
+  const std::vector<std::string> builds = ListBuilds(folder);
+  return std::any_of(builds.begin(), builds.end(),
+                     [](const std::string& build) { return build != FindBuild(); });
 }
 
 }  // namespace graspbench

@@ -6,6 +6,7 @@ in the folder holds a clock or a host, so the results of two runs can be compare
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "workbench/experiments/observer.h"
 
@@ -16,7 +17,7 @@ struct RunRecord {
   double duration = 0.0;    ///< [s]
   int num_workers = 0;
   int num_trials = 0;  ///< finished in this run
-  std::string ending;  ///< "finished" or "interrupted"
+  std::string ending;  ///< "finished", "interrupted" or, without a trial, "planned"
 };
 
 std::string FormatUtcNow();
@@ -47,6 +48,9 @@ class RunRecorder : public Observer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   RunRecord record_;
 };
+
+/** The builds of the program in run.json, a run each. */
+std::vector<std::string> ListBuilds(const std::filesystem::path& folder);
 
 /** True when an earlier run in run.json was made by another build of the program. */
 bool HasRunOfAnotherBuild(const std::filesystem::path& folder);

@@ -26,20 +26,20 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
 }  // namespace
 
 MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
-                                   const std::filesystem::path& folder) {
-  return [&config, &inputs, folder](int worker) {
+                                   const std::filesystem::path& folder, const std::string& label) {
+  return [&config, &inputs, folder, label](int worker) {
     const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
-    const auto journal = std::make_shared<JournalWriter>(folder, worker);
+    const auto journal = std::make_shared<JournalWriter>(folder, worker, label);
     return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
                        [journal](const TrialRecord& record) { journal->Append(record); }};
   };
 }
 
 MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
-                                 const std::filesystem::path& folder) {
-  return [&session, &inputs, folder](int worker) {
+                                 const std::filesystem::path& folder, const std::string& label) {
+  return [&session, &inputs, folder, label](int worker) {
     const auto runner = std::make_shared<PlannedTrialRunner>(session.config, inputs);
-    const auto writer = std::make_shared<JudgementWriter>(folder, worker);
+    const auto writer = std::make_shared<JudgementWriter>(folder, worker, label);
     const auto judgement = std::make_shared<Judgement>();  // of the trial that has just run
     return BatchWorker{[&session, runner, judgement](const PlannedTrial& planned) {
                          JudgedTrial trial = runner->Judge(planned);

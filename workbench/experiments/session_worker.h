@@ -32,14 +32,17 @@ class PlannedTrialRunner {
   SetupRunner runner_;
 };
 
-/** @pre config, inputs and folder outlive the workers, and the plan was made from them. */
+/** @param label  of a shard's journals; empty: the session has one process.
+@pre config, inputs and folder outlive the workers, and the plan was made from them. */
 MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
-                                   const std::filesystem::path& folder);
+                                   const std::filesystem::path& folder,
+                                   const std::string& label = "");
 
 /** Workers that run finished trials again, with the judge, and write what it finds.
 @pre session and inputs outlive the workers.
 @throws (in a worker) Error(kVersion) when a trial gives another result than its record. */
 MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
-                                 const std::filesystem::path& folder);
+                                 const std::filesystem::path& folder,
+                                 const std::string& label = "");
 
 }  // namespace graspbench

@@ -1,4 +1,4 @@
-#include "workbench/shell_quote.h"
+#include "workbench/experiments/shell_quote.h"
 
 namespace graspbench {
 

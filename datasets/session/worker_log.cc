@@ -1,0 +1,187 @@
+#include "datasets/session/worker_log.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/record_fields.h"
+#include "core/base/text.h"
+#include "datasets/journal/checked_line.h"
+#include "datasets/session/session_store.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kWorkersFolder[] = "workers";
+
+/** How far two results are apart. */
+struct Distance {
+  int num_values = 0;
+  int num_different = 0;
+  std::string worst;       ///< name of the value that differs most
+  double relative = -1.0;  ///< of the worst; infinite where a number is none or a text differs
+  std::string here, there;
+};
+
+std::string JoinKey(const std::string& key, const std::string& part) {
+  return key.empty() ? part : key + "." + part;
+}
+
+void Compare(const Json& here, const Json& there, const std::string& key, Distance& distance) {
+  const bool are_alike = here.type() == there.type() && here.size() == there.size();
+  if (are_alike && here.is_object()) {
+    for (const auto& [name, value] : here.items()) {
+      const auto other = there.find(name);
+      Compare(value, other == there.end() ? Json() : *other, JoinKey(key, name), distance);
+    }
+    return;
+  }
+  if (are_alike && here.is_array()) {
+    for (size_t i = 0; i < here.size(); ++i) {
+      Compare(here[i], there[i], JoinKey(key, std::to_string(i)), distance);
+    }
+    return;
+  }
+  ++distance.num_values;
+  if (here == there) return;
+  ++distance.num_different;
+  double relative = std::numeric_limits<double>::infinity();
+  if (here.is_number() && there.is_number()) {
+    const double a = here.get<double>(), b = there.get<double>();
+    relative = std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+  }
+  if (relative <= distance.relative) return;
+  distance.worst = key;
+  distance.relative = relative;
+  distance.here = FormatJson(here);
+  distance.there = FormatJson(there);
+}
+
+/** One sentinel trial: the machines by what it gave them. */
+using Answers = std::map<std::string, std::set<std::string>>;
+
+/** That of most machines; among equals the one that the first machine by name gave. */
+Answers::const_iterator FindCommonAnswer(const Answers& answers) {
+  return std::max_element(answers.begin(), answers.end(), [](const auto& a, const auto& b) {
+    if (a.second.size() != b.second.size()) return a.second.size() < b.second.size();
+    return *a.second.begin() > *b.second.begin();
+  });
+}
+
+std::string DescribeDistance(const TrialRecord& trial, const Distance& distance) {
+  const PlannedTrial& plan = trial.plan;
+  const std::string by =
+      std::isfinite(distance.relative)
+          ? ", by a part of " + FormatSignificant(distance.relative, 2) + " of it"
+          : "";
+  return "in sentinel trial " + plan.id + " (" + plan.hand + ", " + plan.object + ", " +
+         plan.grasp + ", number " + std::to_string(plan.trial) + ") " +
+         std::to_string(distance.num_different) + " of " +
+         FormatCount(distance.num_values, "value") + " differ, most " + distance.worst + ": " +
+         distance.here + " and " + distance.there + by;
+}
+
+}  // namespace
+
+bool operator==(const Machine& a, const Machine& b) { return RecordToJson(a) == RecordToJson(b); }
+
+std::string FormatWorkerLine(const WorkerStart& start) {
+  Json json = {{"shard", start.shard},
+               {"started_utc", start.started_utc},
+               {"machine", RecordToJson(start.machine)},
+               {"sentinels", Json::array()}};
+  for (const TrialRecord& record : start.sentinels) json["sentinels"].push_back(ToJson(record));
+  return FormatCheckedLine(json);
+}
+
+WorkerStart ParseWorkerLine(std::string_view line) {
+  const Json json = ParseCheckedLine(line);
+  try {
+    WorkerStart start{
+        json.at("shard").get<std::string>(), json.at("started_utc").get<std::string>(), {}, {}};
+    ReadRecord(json.at("machine"), start.machine);
+    for (const Json& record : json.at("sentinels")) {
+      start.sentinels.push_back(
+          {PlannedTrialFromJson(record), TrialResultFromJson(record.at("result"))});
+    }
+    return start;
+  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
+    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+  }
+}
+
+std::vector<WorkerStart> LoadWorkers(const fs::path& folder, Diagnostics& findings,
+                                     const std::string& label) {
+  std::vector<WorkerStart> starts;
+  for (const fs::path& path : ListJournals(folder, kWorkersFolder)) {
+    const std::string name = path.filename().string();
+    if (!label.empty() && name.rfind(label + "-", 0) != 0) continue;
+    const std::string file = std::string(kWorkersFolder) + "/" + name;
+    ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool is_whole) {
+      if (!is_whole) return;  // the worker was killed, and its next start has a line
+      try {
+        starts.push_back(ParseWorkerLine(line));
+      } catch (const Error& e) {
+        findings.Warn(file, number, std::string("skipped: ") + e.what());
+      }
+    });
+  }
+  return starts;
+}
+
+std::string DescribeMachine(const Machine& machine) {
+  return machine.host + " (" + machine.processor + ", flags " + machine.processor_flags + ", " +
+         machine.c_library + ", build " + machine.build + ")";
+}
+
+std::vector<std::string> DescribeDifferences(const std::vector<WorkerStart>& starts) {
+  std::map<std::string, Answers> answers;             // by trial
+  std::map<std::string, const TrialRecord*> records;  // by what they say
+  for (const WorkerStart& start : starts) {
+    for (const TrialRecord& record : start.sentinels) {
+      const std::string text = FormatJson(ToJson(record));
+      answers[record.plan.id][text].insert(DescribeMachine(start.machine));
+      records[text] = &record;
+    }
+  }
+  std::map<std::string, std::pair<double, std::string>> worst;  // by machine
+  for (const auto& [trial, of_trial] : answers) {
+    const auto common = FindCommonAnswer(of_trial);
+    for (auto answer = of_trial.begin(); answer != of_trial.end(); ++answer) {
+      if (answer == common) continue;
+      const TrialRecord& record = *records.at(answer->first);
+      Distance distance;
+      Compare(ToJson(record), ToJson(*records.at(common->first)), "", distance);
+      for (const std::string& machine : answer->second) {
+        auto& [relative, text] = worst.try_emplace(machine, -1.0, "").first->second;
+        if (distance.relative <= relative) continue;
+        relative = distance.relative;
+        text = machine + " disagrees with " + *common->second.begin() +
+               (common->second.size() > 1
+                    ? " and " + FormatCount(static_cast<int64_t>(common->second.size()) - 1,
+                                            "other machine")
+                    : "") +
+               ": " + DescribeDistance(record, distance);
+      }
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [machine, difference] : worst) sentences.push_back(difference.second);
+  return sentences;
+}
+
+WorkerLog::WorkerLog(const fs::path& folder, const std::string& label)
+    : file_([&] {
+        MakeFolder(folder / kWorkersFolder);
+        return AppendFile(FindJournal(folder / kWorkersFolder, 0, label),
+                          "another process works on shard " + label + " of \"" + folder.string() +
+                              "\"; it goes on, and this one is not needed");
+      }()) {}
+
+}  // namespace graspbench

@@ -1,0 +1,81 @@
+#include "datasets/session/session_progress.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "datasets/session/session_store.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class ReadProgressTest : public testing::Test {
+ protected:
+  void Finish(const Shard& shard, size_t num_trials) {
+    JournalWriter journal(folder_.path(), 0, FormatLabel(shard));
+    const std::vector<PlannedTrial> trials = DealPlan(plan_, shard);
+    for (size_t i = 0; i < std::min(num_trials, trials.size()); ++i) {
+      journal.Append(MakeFakeRecord(trials[i]));
+    }
+  }
+  TemporaryFolder folder_;
+  const std::vector<PlannedTrial> plan_ = CreateFakeSession(folder_.path(), 3);
+};
+
+TEST_F(ReadProgressTest, TellsFinishedRunningStaleAndWaiting) {
+  EXPECT_TRUE(ReadProgress(folder_.path(), 60.0).shards.empty());
+  Finish({1, 4}, 100);
+  Finish({2, 4}, 1);
+  Finish({3, 4}, 2);
+  fs::last_write_time(folder_.path() / "journal" / "3of4-0.jsonl",
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  EXPECT_EQ(progress.num_trials, static_cast<int>(plan_.size()));
+  EXPECT_EQ(progress.num_finished, static_cast<int>(DealPlan(plan_, {1, 4}).size()) + 3);
+  EXPECT_EQ(progress.num_bad_lines, 0);
+  ASSERT_EQ(progress.shards.size(), 4u);
+  const ShardState states[] = {ShardState::kFinished, ShardState::kRunning, ShardState::kStale,
+                               ShardState::kWaiting};
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(progress.shards[i].state, states[i]) << i;
+    EXPECT_EQ(progress.shards[i].num_trials,
+              static_cast<int>(DealPlan(plan_, progress.shards[i].shard).size()));
+  }
+  EXPECT_EQ(progress.shards[2].num_finished, 2);
+  EXPECT_GE(*progress.shards[2].age, 3500.0);
+  EXPECT_FALSE(progress.shards[3].age);
+}
+
+// What another deal or a merge has finished counts for every shard that planned it.
+TEST_F(ReadProgressTest, CountsTrialsNotLines) {
+  Finish({1, 1}, 100);
+  Finish({1, 2}, 100);
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  EXPECT_EQ(progress.num_finished, progress.num_trials);
+  ASSERT_EQ(progress.shards.size(), 3u);
+  for (const ShardProgress& one : progress.shards) EXPECT_EQ(one.state, ShardState::kFinished);
+}
+
+TEST_F(ReadProgressTest, LeavesOutDamagedAndTornLines) {
+  Finish({1, 1}, 3);
+  const fs::path journal = folder_.path() / "journal" / "1of1-0.jsonl";
+  std::string text = ReadFile(journal);
+  text[text.find("lift_height") + 16] ^= 1;
+  WriteFile(journal, text.substr(0, text.size() - 5));
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  EXPECT_EQ(progress.num_finished, 1);
+  EXPECT_EQ(progress.num_bad_lines, 1);
+}
+
+TEST_F(ReadProgressTest, NeedsASession) {
+  EXPECT_THROW(ReadProgress(folder_.path() / "journal", 60.0), Error);
+  WriteFile(folder_.path() / "plan.jsonl", "{}\n");
+  EXPECT_THROW(ReadProgress(folder_.path(), 60.0), Error);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,133 @@
+#include "workbench/experiments/run_shard.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
+#include "datasets/session/merge_sessions.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+/** A real session, of few and short trials. */
+class WorkOnShardTest : public testing::Test {
+ protected:
+  WorkOnShardTest()
+      : folder_(fs::path(testing::TempDir()) /
+                ("work_on_shard_" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" +
+                 std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+    SessionRequest request;
+    request.config = SessionConfig();
+    request.config->hands = {"tum"};
+    request.config->objects = {"golf_ball", "tea_light"};
+    request.config->trials = 2;
+    request.config->sim.step = 0.004;
+    request.config->strategy.hold_time = 0.2;
+    request.out = folder_;
+    PrepareSession(request);
+    RecordPlanning(folder_);
+    request_.folder = folder_;
+    request_.shard = {1, 2};
+  }
+  ~WorkOnShardTest() override { fs::remove_all(folder_); }
+
+  ShardResult Work() { return WorkOnShard(request_, observer_, stop_); }
+  std::string Refuse(ErrorKind kind) {
+    try {
+      Work();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), kind) << error.what();
+      EXPECT_TRUE(fs::is_empty(folder_ / "journal"));
+      return error.what();
+    }
+    ADD_FAILURE() << "was not refused";
+    return "";
+  }
+  /** Changes the frozen configuration and seals it anew, as a person with bad intent would. */
+  void Forge(const std::string& file, const std::string& from, const std::string& to) {
+    std::string text = ReadFile(folder_ / file);
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    WriteFile(folder_ / file, text.replace(text.find(from), from.size(), to));
+    fs::remove(folder_ / "manifest.json");
+    SealStore(kSessionStore, folder_);
+  }
+
+  const fs::path folder_;
+  ShardRequest request_;
+  Observer observer_;
+  std::atomic<bool> stop_{false};
+};
+
+TEST_F(WorkOnShardTest, WritesFilesOfItsOwnOnly) {
+  const std::string manifest = ReadFile(folder_ / "manifest.json");
+  const ShardResult result = Work();
+  EXPECT_EQ(result.num_trials, 2);
+  EXPECT_EQ(result.num_left, 0);
+  EXPECT_EQ(ListJournals(folder_).size(), 1u);
+  EXPECT_EQ(ListJournals(folder_, "workers").size(), 1u);
+  EXPECT_EQ(ReadFile(folder_ / "manifest.json"), manifest);
+  EXPECT_TRUE(CheckStore(folder_).damages.empty());
+  EXPECT_EQ(Work().num_left, 0);  // nothing more to do
+  Diagnostics findings;
+  const std::vector<WorkerStart> starts = LoadWorkers(folder_, findings);
+  ASSERT_EQ(starts.size(), 1u);
+  EXPECT_EQ(starts[0].sentinels.size(), 3u);
+}
+
+TEST_F(WorkOnShardTest, KeepsNothingWithoutTimeAndGoesOnLater) {
+  request_.time_budget = 1e-9;
+  EXPECT_EQ(Work().num_left, 2);
+  EXPECT_TRUE(ListJournals(folder_).empty());
+  request_.time_budget = 3600.0;
+  EXPECT_EQ(Work().num_left, 0);
+}
+
+TEST_F(WorkOnShardTest, ReadsNoOtherShard) {
+  WriteFile(folder_ / "journal" / "2of2-0.jsonl", "damaged\n");
+  EXPECT_EQ(Work().num_left, 0);
+  EXPECT_THROW(LoadSession(folder_), Error);  // and so a merge
+  WriteFile(folder_ / "journal" / "1of2-0.jsonl", "damaged\n");
+  EXPECT_THROW(Work(), Error);
+}
+
+TEST_F(WorkOnShardTest, RefusesAnotherBuildUnlessAllowed) {
+  std::string text = ReadFile(folder_ / "run.json");
+  const size_t build = text.find("\"build\": \"") + 10;
+  const std::string own = text.substr(build, 16);
+  WriteFile(folder_ / "run.json", text.replace(build, 16, "0123456789abcdef"));
+  const std::string said = Refuse(ErrorKind::kVersion);
+  EXPECT_NE(said.find("build 0123456789abcdef"), std::string::npos) << said;
+  EXPECT_NE(said.find("build " + own), std::string::npos) << said;
+  request_.allow_build = true;
+  EXPECT_EQ(Work().num_left, 0);
+}
+
+TEST_F(WorkOnShardTest, RefusesAnotherPhysicsAndPlan) {
+  const std::string physics = std::to_string(kPhysicsVersion);
+  Forge("session.json", "\"physics_version\": " + physics, "\"physics_version\": 1");
+  const std::string said = Refuse(ErrorKind::kVersion);
+  EXPECT_NE(said.find("physics version 1, this program has " + physics), std::string::npos) << said;
+  Forge("session.json", "\"physics_version\": 1", "\"physics_version\": " + physics);
+  const std::string id = LoadSession(folder_).plan[0].id;
+  Forge("plan.jsonl", id, "0123456789abcdef");
+  const std::string plan = Refuse(ErrorKind::kVersion);
+  EXPECT_NE(plan.find("0123456789abcdef"), std::string::npos) << plan;
+  EXPECT_NE(plan.find(id), std::string::npos) << plan;
+}
+
+TEST_F(WorkOnShardTest, RefusesDamageAndTooManyShards) {
+  request_.shard = {1, 100};
+  Refuse(ErrorKind::kUsage);
+  request_.shard = {1, 2};
+  std::string plan = ReadFile(folder_ / "plan.jsonl");
+  WriteFile(folder_ / "plan.jsonl", plan.substr(0, plan.find('\n') + 1));
+  EXPECT_NE(Refuse(ErrorKind::kFormat).find("plan.jsonl"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

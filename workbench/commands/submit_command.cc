@@ -1,0 +1,75 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "datasets/session/shard.h"
+#include "workbench/commands/command.h"
+#include "workbench/experiments/run_session.h"
+#include "workbench/experiments/submit_script.h"
+
+namespace graspbench {
+namespace {
+
+struct SubmitOptions {
+  SubmitRequest request;
+  bool dry_run = false;
+};
+
+void Submit(const SubmitOptions& options) {
+  SubmitRequest request = options.request;
+  const Session session = LoadShardOfSession(request.folder, "none");
+  if (request.num_shards == 0) {
+    constexpr int kShardsOfCluster = 10;
+    const int num_processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    request.num_shards = std::min(request.engine == "slurm" ? kShardsOfCluster : num_processors,
+                                  static_cast<int>(session.plan.size()));
+  }
+  DealPlan(session.plan, {1, request.num_shards});  // says when these are too many
+  request.program = std::filesystem::read_symlink("/proc/self/exe");
+  if (request.engine == "slurm") request.cluster = LoadClusterConfig(FindClusterFile());
+  const std::string script = MakeSubmitScript(request);
+  if (options.dry_run) {
+    PrintResult(script);
+    return;
+  }
+  FlushResults();
+  ::execl("/bin/bash", "bash", "-c", script.c_str(), static_cast<char*>(nullptr));
+  throw Error(ErrorKind::kEnvironment,
+              std::string("cannot start /bin/bash: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+void AddSubmitCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command = AddSubcommand(
+      program, "submit", "Work on all shards of a session and merge them.",
+      "  graspbench submit results/pilot --engine slurm --array 50 --dry-run\n"
+      "  graspbench submit results/pilot --engine local\n\n"
+      "Partition, account, time, memory, modules and other options of Slurm stand in\n"
+      "~/.config/graspbench/cluster.yaml.");
+  const auto options = std::make_shared<SubmitOptions>();
+  SubmitRequest& request = options->request;
+  request.num_shards = 0;
+  command.add_option("folder", request.folder, "folder made by run --plan-only")
+      ->required()
+      ->option_text("DIR");
+  command.add_option("--engine", request.engine, "what starts the workers: local, parallel, slurm")
+      ->required()
+      ->option_text("ENGINE");
+  command.add_option("--array", request.num_shards, "number of shards")
+      ->check(CLI::Range(1, 1000000))
+      ->option_text("N")
+      ->default_str("processors; slurm: 10");
+  command.add_flag("--judge", request.judge, "break what was held, after a merge");
+  command.add_flag("--dry-run", options->dry_run, "print the script and start nothing");
+  command.callback([options] { Submit(*options); });
+}
+
+}  // namespace graspbench

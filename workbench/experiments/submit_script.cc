@@ -1,0 +1,171 @@
+#include "workbench/experiments/submit_script.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/yaml.h"
+#include "workbench/experiments/shell_quote.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+/** Values stand in a script as they are, so they are words of plain letters. */
+bool IsPlainWord(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.,:=@+/-";
+  return text.find_first_not_of(kPlain) == text.npos;
+}
+
+void ReadWords(YamlMap& map, const char* key, std::vector<std::string>& words) {
+  map.Read(key, words, Needed::kNo);
+  for (const std::string& word : words) {
+    if (word.empty() || !IsPlainWord(word)) {
+      map.Fail(key, "\"" + word + "\": expected letters, digits and _.,:=@+/- only");
+    }
+  }
+}
+
+void ReadWord(YamlMap& map, const char* key, std::string& word) {
+  map.Read(key, word, Needed::kNo);
+  if (!IsPlainWord(word)) {
+    map.Fail(key, "\"" + word + "\": expected letters, digits and _.,:=@+/- only");
+  }
+}
+
+/** "#SBATCH --partition=a --time=b" with a line feed, or nothing. */
+std::string FormatSite(const ClusterConfig& cluster) {
+  std::string text;
+  const auto add = [&text](const char* option, const std::string& value) {
+    if (!value.empty()) text += std::string(" --") + option + "=" + value;
+  };
+  add("partition", cluster.partition);
+  add("account", cluster.account);
+  add("time", cluster.time);
+  add("mem", cluster.memory);
+  for (const std::string& option : cluster.options) text += " " + option;
+  return text.empty() ? "" : "#SBATCH" + text + "\n";
+}
+
+/** What every job has in front of the program. */
+std::string FormatSetting(const ClusterConfig& cluster) {
+  std::string text;
+  for (const std::string& module : cluster.modules) text += " " + module;
+  return (text.empty() ? "" : "module load" + text + "\n") +
+         "export OPENBLAS_NUM_THREADS=1 LP_NUM_THREADS=0\n";
+}
+
+struct Words {
+  std::string program, work, count, log;
+};
+
+Words MakeWords(const SubmitRequest& request) {
+  const std::string program = QuoteForShell(fs::absolute(request.program).string());
+  const std::string what = request.judge ? "judge" : "work";
+  return {program, program + " work ." + (request.judge ? " --judge" : "") + " --shard ",
+          std::to_string(request.num_shards), "logs/" + what};
+}
+
+std::string MakeHead(const SubmitRequest& request, const Words& words, const std::string& by) {
+  return "#!/bin/bash\n# " + words.count + " shards " + by +
+         ", then their merge; once more works on what is left.\nset -u\ncd " +
+         QuoteForShell(fs::absolute(request.folder).lexically_normal().string()) +
+         " || exit 5\nmkdir -p logs\n";
+}
+
+std::string MakeLocal(const SubmitRequest& request) {
+  const Words words = MakeWords(request);
+  const std::string log = words.log + "-{}.log";
+  return MakeHead(request, words, "on this machine's processors") + FormatSetting({}) + "seq " +
+         words.count + " | xargs -P \"$(nproc)\" -I{} bash -c \\\n  " +
+         QuoteForShell("exec " + words.work + "{}/" + words.count + " >>" + log + " 2>&1") +
+         "\nexec " + words.program + " merge .\n";
+}
+
+std::string MakeParallel(const SubmitRequest& request) {
+  const Words words = MakeWords(request);
+  return MakeHead(request, words, "with GNU parallel") + FormatSetting({}) + "parallel --joblog " +
+         words.log + "-" + words.count +
+         ".joblog --resume-failed --termseq TERM,60000,KILL,25 \\\n  " + words.work + "{}/" +
+         words.count + " ::: $(seq " + words.count + ")\nexec " + words.program + " merge .\n";
+}
+
+/** The signal goes to the shell of a batch job, not to its children: so the program takes the
+shell's place. */
+std::string MakeSlurm(const SubmitRequest& request) {
+  const Words words = MakeWords(request);
+  const std::string site = FormatSite(request.cluster), setting = FormatSetting(request.cluster);
+  return MakeHead(request, words, "as a job array of Slurm") +
+         "array=$(sbatch --parsable <<'END'\n#!/bin/bash\n"
+         "#SBATCH --job-name=graspbench-work\n"
+         "#SBATCH --array=1-" +
+         words.count +
+         "\n"
+         "#SBATCH --requeue\n"
+         "#SBATCH --signal=B:TERM@60\n"
+         "#SBATCH --open-mode=append\n"
+         "#SBATCH --output=" +
+         words.log + "-%a.log\n" + site + setting + "exec " + words.work +
+         "\"$SLURM_ARRAY_TASK_ID\"/" + words.count +
+         "\nEND\n) || exit\n"
+         "sbatch --dependency=afterany:\"$array\" <<'END'\n#!/bin/bash\n"
+         "#SBATCH --job-name=graspbench-merge\n"
+         "#SBATCH --open-mode=append\n"
+         "#SBATCH --output=logs/merge.log\n" +
+         site + setting + "exec " + words.program + " merge .\nEND\n";
+}
+
+}  // namespace
+
+fs::path FindClusterFile() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  const fs::path folder =
+      config && *config ? fs::path(config) : fs::path(home && *home ? home : "/") / ".config";
+  return folder / "graspbench" / "cluster.yaml";
+}
+
+ClusterConfig LoadClusterConfig(const fs::path& file) {
+  std::error_code status;
+  if (!fs::exists(file, status)) return {};
+  return ParseClusterConfig(ReadFile(file), file.string());
+}
+
+ClusterConfig ParseClusterConfig(const std::string& text, const std::string& file) {
+  Diagnostics problems;
+  ClusterConfig cluster;
+  const YAML::Node root = ParseYaml(text, file, problems);
+  if (root.IsDefined() && !root.IsNull()) {
+    YamlMap map(root, file, "cluster", problems);
+    ReadWord(map, "partition", cluster.partition);
+    ReadWord(map, "account", cluster.account);
+    ReadWord(map, "time", cluster.time);
+    ReadWord(map, "memory", cluster.memory);
+    ReadWords(map, "modules", cluster.modules);
+    ReadWords(map, "options", cluster.options);
+    for (const std::string& option : cluster.options) {
+      if (option.rfind("-", 0) != 0) {
+        map.Fail("options", "\"" + option + "\": expected an option of sbatch, as --qos=long");
+      }
+    }
+    map.FinishKnownKeys();
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the cluster's settings cannot be used");
+  return cluster;
+}
+
+std::vector<std::string> ListEngines() { return {"local", "parallel", "slurm"}; }
+
+std::string MakeSubmitScript(const SubmitRequest& request) {
+  if (request.engine == "local") return MakeLocal(request);
+  if (request.engine == "parallel") return MakeParallel(request);
+  if (request.engine == "slurm") return MakeSlurm(request);
+  throw Error(ErrorKind::kUsage,
+              "no engine \"" + request.engine + "\"" + SuggestNames(request.engine, ListEngines()));
+}
+
+}  // namespace graspbench
