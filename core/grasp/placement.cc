@@ -140,6 +140,12 @@ void LiftOffTable(const Hand& hand, const std::vector<std::vector<Pose>>& course
   }
 }
 
+/** Above the table: half the object's height, from above at most kBelowTop under its top. */
+double CalcGraspHeight(double height, bool from_side) {
+  if (from_side) return 0.5 * height;
+  return std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
+}
+
 }  // namespace
 
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s) {
@@ -196,8 +202,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   }
   const Matrix3d R_WH = R_WX * R_HX.transpose();
 
-  const double grasp_height =
-      from_side ? 0.5 * height : std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
+  const double grasp_height = CalcGraspHeight(height, from_side);
   placement.X_WH = MakePose(R_WH, Vector3d(p_OOcm.x(), p_OOcm.y(), grasp_height) - R_WH * p_HG);
 
   if (grasp.type == GraspType::kPower) {

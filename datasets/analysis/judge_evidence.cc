@@ -14,18 +14,23 @@ namespace {
 /** Enough for two digits of an interval of thousands of trials, in seconds. */
 constexpr int kNumResamples = 400;
 
-const char* const kHeldMeasures[] = {"sigma",
-                                     "sigma_stabilisation",
-                                     "sigma_proposed",
-                                     "epsilon",
-                                     "epsilon_ferrari_canny",
-                                     "epsilon_graspit",
-                                     "epsilon_simox",
-                                     "epsilon_dexgraspbench",
-                                     "epsilon_dex_net",
-                                     "epsilon_frogger",
-                                     "volume",
-                                     "grip_force_n"};
+struct HeldMeasure {
+  std::string column;
+  double sign = 1.0;  ///< -1: smaller is better
+};
+
+std::vector<HeldMeasure> ListHeldMeasures() {
+  std::vector<HeldMeasure> measures = {
+      {"sigma"}, {"sigma_stabilisation"}, {"sigma_proposed"}, {"epsilon"}};
+  for (const QualityConvention& convention : ListQualityConventions()) {
+    measures.push_back(
+        {NameEpsilonColumn(convention), convention.epsilon == EpsilonRule::kTwoMinus ? -1.0 : 1.0});
+  }
+  measures.push_back({"volume"});
+  measures.push_back({"grip_force_n"});
+  return measures;
+}
+
 const char* const kEarlyMeasures[] = {"sigma_stabilisation", "epsilon", "grip_force_n"};
 
 /** Trials of one cell, by their place among the trials that are asked about. */
@@ -78,20 +83,18 @@ std::vector<RankEvidence> CalcRanks(const std::vector<TrialColumn>& columns,
                                     const Cells& cells) {
   const std::vector<double> force = TakeColumn(columns, "breaking_force_n", judged);
   std::vector<RankEvidence> ranks;
-  for (const std::string measure : kHeldMeasures) {
-    std::vector<double> values = TakeColumn(columns, measure, judged);
-    if (measure == "epsilon_dexgraspbench") {
-      for (double& value : values) value = -value;  // 2 - epsilon: smaller is better
-    }
-    ranks.push_back(
-        {measure, DrawCells(cells, "judge " + measure, [&](const std::vector<size_t>& trials) {
-           std::vector<double> a, b;
-           for (size_t trial : trials) {
-             a.push_back(values[trial]);
-             b.push_back(force[trial]);
-           }
-           return CalcSpearman(a, b);
-         })});
+  for (const HeldMeasure& measure : ListHeldMeasures()) {
+    std::vector<double> values = TakeColumn(columns, measure.column, judged);
+    for (double& value : values) value *= measure.sign;
+    ranks.push_back({measure.column, DrawCells(cells, "judge " + measure.column,
+                                               [&](const std::vector<size_t>& trials) {
+                                                 std::vector<double> a, b;
+                                                 for (size_t trial : trials) {
+                                                   a.push_back(values[trial]);
+                                                   b.push_back(force[trial]);
+                                                 }
+                                                 return CalcSpearman(a, b);
+                                               })});
   }
   return ranks;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "core/quality/quality_convention.h"
 #include "core/trial/verdicts.h"
 
 namespace graspbench {
@@ -41,11 +40,6 @@ std::string FindWeakestForce(const Judgement& judgement) {
   return weakest ? weakest->direction : "";
 }
 
-std::string ReplaceDashes(std::string text) {
-  std::replace(text.begin(), text.end(), '-', '_');
-  return text;
-}
-
 void AddJudgementColumns(std::vector<TrialColumn>& columns) {
   columns.push_back({"breaking_force_n", "number", "N",
                      "smallest of the six pulls along the palm's axes that took the object out, on "
@@ -67,7 +61,7 @@ void AddJudgementColumns(std::vector<TrialColumn>& columns) {
     const std::string id = convention.id;
     std::string edges = std::to_string(convention.num_edges) + " edges";
     if (convention.num_edges > 4) edges += " (4 with more than 8 contacts)";
-    columns.push_back({"epsilon_" + ReplaceDashes(id), "number", "",
+    columns.push_back({NameEpsilonColumn(convention), "number", "",
                        "at the end of the hold, convention " + id + ", " + edges,
                        TakeJudgement([id](const Judgement& judgement) {
                          for (const ConventionEpsilon& epsilon : judgement.epsilons) {
@@ -191,6 +185,12 @@ struct ResultColumns {
 };
 
 }  // namespace
+
+std::string NameEpsilonColumn(const QualityConvention& convention) {
+  std::string name = "epsilon_" + convention.id;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records) {
   const auto is_success = [](const TrialRecord& record) {

@@ -6,11 +6,15 @@ data dictionary and the SQLite index are made. */
 #include <vector>
 
 #include "core/base/csv.h"
+#include "core/quality/quality_convention.h"
 #include "datasets/session/trial_record.h"
 
 namespace graspbench {
 
 using TrialColumn = CsvColumn<TrialRecord>;
+
+/** Name of the column of a convention's epsilon: "epsilon_dex_net". */
+std::string NameEpsilonColumn(const QualityConvention& convention);
 
 /** All columns in order. Those of first contacts follow the digits TH FF MF RF LF, which are always
 there, then any other digits of the records by name. */

@@ -68,6 +68,19 @@ void AddTipNoise(const StudyResult& result, TrialColumns& columns) {
   }
 }
 
+void AddOpenings(TrialColumns& columns) {
+  for (size_t i = 0; i < HandOpeningList().size(); ++i) {
+    const std::string id = HandOpeningList()[i].id;
+    columns.push_back(
+        {"open_" + id + "_m", "number", "m",
+         "largest opening by " + id + " before the last contact",
+         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].open); }});
+    columns.push_back(
+        {"closed_" + id + "_m", "number", "m", "opening by " + id + " at the last contact",
+         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].closed); }});
+  }
+}
+
 TrialColumns ListMeasureColumns(const StudyResult& result) {
   TrialColumns columns;
   AddDesign(result, columns);
@@ -91,16 +104,7 @@ TrialColumns ListMeasureColumns(const StudyResult& result) {
                      "standard uncertainty of grasp_closure_time_s",
                      uncertainty(&TrialAnalysis::gct_uncertainty)});
   AddTipNoise(result, columns);
-  for (size_t i = 0; i < HandOpeningList().size(); ++i) {
-    const std::string id = HandOpeningList()[i].id;
-    columns.push_back(
-        {"open_" + id + "_m", "number", "m",
-         "largest opening by " + id + " before the last contact",
-         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].open); }});
-    columns.push_back(
-        {"closed_" + id + "_m", "number", "m", "opening by " + id + " at the last contact",
-         [i](const StudyTrial* trial) { return JsonNumber(trial->openings[i].closed); }});
-  }
+  AddOpenings(columns);
   columns.push_back({"num_digits_touching", "integer", "", "digits with a contact",
                      [](const StudyTrial* trial) { return Json(trial->analysis->num_touching); }});
   columns.push_back(

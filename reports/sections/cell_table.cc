@@ -8,7 +8,7 @@ namespace {
 
 Html DrawRate(const Tally& tally) {
   if (tally.finished == 0) return Text("n/a");
-  const double rate = static_cast<double>(tally.successes()) / tally.finished;
+  const double rate = tally.rate();
   const Html bar =
       Element("span", {{"class", "meter"}, {"style", "--rate:" + FormatFixed(rate, 3)}}, "");
   return Text(FormatFixed(100.0 * rate, 1)) + bar;

@@ -34,10 +34,10 @@ void Run(const BasinOptions& options) {
   WriteFileAtomically(staged.path() / "basin.csv", FormatBasinCsv(map.samples));
   WriteFileAtomically(staged.path() / "index.html", MakeBasinPage(map.title, map.samples));
   staged.Commit();
-  const double radius = CalcBasinRadius(map.samples);
-  PrintResult(map.title + ": basin radius " + FormatFixed(radius, 2) + " (" +
-              FormatFixed(MmFromM(radius * kBasinOffset), 1) + " mm, " +
-              FormatFixed(DegFromRad(radius * kBasinYaw), 1) + " deg)\nmap      " +
+  const BasinSummary summary = SummariseBasin(map.samples);
+  PrintResult(map.title + ": basin radius " + FormatFixed(summary.radius, 2) + " (" +
+              FormatFixed(MmFromM(summary.radius_offset), 1) + " mm, " +
+              FormatFixed(DegFromRad(summary.radius_yaw), 1) + " deg)\nmap      " +
               (std::filesystem::path(options.out) / "index.html").string() + "\n");
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/quality/contacts_json.h"
 #include "core/quality/grasp_quality.h"
+#include "core/quality/quality_convention.h"
 #include "workbench/commands/command.h"
 #include "workbench/text_table.h"
 
@@ -31,6 +32,14 @@ void ShowQuality(const std::string& path, bool json) {
               table.Format());
 }
 
+std::string ListConventions() {
+  std::string names;
+  for (const QualityConvention& convention : ListQualityConventions()) {
+    names += (names.empty() ? "" : ", ") + convention.id;
+  }
+  return names;
+}
+
 }  // namespace
 
 void AddQualityCommand(CLI::App& program, ExitCode&) {
@@ -49,8 +58,9 @@ void AddQualityCommand(CLI::App& program, ExitCode&) {
                     "  n: unit normal into the object; torsion_m: largest moment about it per "
                     "newton; t: first edge\n"
                     "  of the friction cone. Optional: torsion_m, t, edges, reference_m, "
-                    "convention (ferrari-canny,\n"
-                    "  graspit, simox, dexgraspbench, dex-net, frogger).");
+                    "convention:\n"
+                    "  " +
+                        ListConventions() + ".");
   command.add_option("contacts", *path, "file of contacts")
       ->required()
       ->option_text("CONTACTS.json");

@@ -3,7 +3,7 @@
 What the engine must get right, with the answer known beforehand from a closed form, a conservation
 law or Simbody: the sheet that `graspbench selftest` prints and that the tests hold.
 
-Every check runs the engine of the trials itself (World, TrialRunner), on bodies and small hands
+Every check runs the engine of the trials itself (World), on bodies and small hands
 whose answer can be worked out, and on the real hands. One more check: a function
 `std::vector<KnownAnswer> Check<Name>()` in the file of its subject, and a line in
 known_answer_list.inc. */

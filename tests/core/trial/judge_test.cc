@@ -63,7 +63,7 @@ TEST(Judge, TheSmallestOfSixIsTheBreakingForce) {
 }
 
 // Sigma predicts the pull that breaks the pinch before anybody pulls.
-TEST(Judge, SigmaForetellsIt) {
+TEST(Judge, SigmaPredictsIt) {
   for (const double force : {1.5, 3.0, 6.0}) {
     TestPinch pinch(force, kMass, kMu, kDown);
     const StabilityPart part =
