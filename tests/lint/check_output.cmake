@@ -18,7 +18,7 @@ foreach(file IN LISTS files)
     continue()
   endif()
   file(STRINGS ${SOURCE}/${file} lines
-    REGEX "std::(cout|cerr|clog)|[^n]printf\\(|[^a-zA-Z_]f?puts\\(|putchar\\(|perror\\(|fmt::print|fwrite\\(|STD(OUT|ERR)_FILENO|PrintControlled\\(")
+    REGEX "std::(cout|cerr|clog)|[^n]printf\\(|[^a-zA-Z_]f?puts\\(|putchar\\(|perror\\(|fmt::print|fwrite\\(|write\\(STD(OUT|ERR)_FILENO|PrintControlled\\(")
   foreach(line IN LISTS lines)
     list(APPEND offences "${file}: ${line}")
   endforeach()
