@@ -96,15 +96,9 @@ void RefuseEmptyNames(CLI::App& command) {
   }
 }
 
-/** Further lines are indented: a line feed in a foreign name cannot begin a line of our own. */
 void PrintFault(const std::string& message) {
   std::fflush(stdout);
-  std::string text = "graspbench: ";
-  for (size_t i = 0; i < message.size(); ++i) {
-    text += message[i];
-    if (message[i] == '\n' && message[i + 1] != ' ') text += "  ";
-  }
-  PrintMessage(text);
+  PrintMessage("graspbench: " + message);
 }
 
 }  // namespace
