@@ -86,12 +86,14 @@ std::string MakeLocal(const SubmitRequest& request) {
          "\nexec " + words.program + " merge .\n";
 }
 
+/** The list of jobs is a record only: a shard that has lost a line since is worked on again, and one
+that is finished leaves at once. The command is one word, as parallel's shell reads it once more. */
 std::string MakeParallel(const SubmitRequest& request) {
   const Words words = MakeWords(request);
   return MakeHead(request, words, "with GNU parallel") + FormatSetting({}) + "parallel --joblog " +
-         words.log + "-" + words.count +
-         ".joblog --resume-failed --termseq TERM,60000,KILL,25 \\\n  " + words.work + "{}/" +
-         words.count + " ::: $(seq " + words.count + ")\nexec " + words.program + " merge .\n";
+         words.log + "-" + words.count + ".joblog --termseq TERM,60000,KILL,25 \\\n  " +
+         QuoteForShell(words.work + "{}/" + words.count) + " ::: $(seq " + words.count +
+         ")\nexec " + words.program + " merge .\n";
 }
 
 /** The signal goes to the shell of a batch job, not to its children: so the program takes the
