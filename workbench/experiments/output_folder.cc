@@ -81,10 +81,11 @@ void CheckPlace(const OutputRequest& request, const fs::path& place) {
   }
 }
 
-/** Regular files and whatever else is no folder, relative to it, sorted. */
+/** Regular files and whatever else is no folder but the lock, relative to it, sorted. */
 std::vector<std::string> ListFiles(const fs::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path() == folder / kLock) continue;
     if (!entry.is_directory() || entry.is_symlink()) {
       files.push_back(entry.path().lexically_relative(folder).string());
     }
@@ -216,7 +217,6 @@ StagedFolder::~StagedFolder() {
 }
 
 void StagedFolder::Commit() {
-  fs::remove(staged_ / kLock);
   if (!request_.kind.empty()) {
     Manifest manifest;
     manifest.kind = request_.kind;
@@ -234,6 +234,8 @@ void StagedFolder::Commit() {
   } else if (::rename(staged_.c_str(), target_.c_str()) != 0) {
     FailOnSystem("cannot move the results to", target_);
   }
+  // Not before: without its lock, what a killed program leaves beside the target would stay there.
+  fs::remove(target_ / kLock);
   SyncFolder(target_.parent_path());
   if (is_swap) fs::remove_all(staged_);  // the older result
   staged_.clear();
