@@ -31,11 +31,6 @@ Eigen::AlignedBox3d FindBox(const TriMesh& mesh) {
   return box;
 }
 
-std::string FormatSize(const Eigen::Vector3d& size) {
-  return fmt::format("{:.2f} x {:.2f} x {:.2f} mm", MmFromM(size.x()), MmFromM(size.y()),
-                     MmFromM(size.z()));
-}
-
 // Of everything that the simulation depends on; names and colours may change.
 std::string CalcContentHash(const GraspObject& object) {
   std::string bytes;
@@ -78,9 +73,10 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   for (Eigen::Vector3d& p : object->mesh.vertices) p -= box.center();
   object->size = box.sizes();
   if (file.size.allFinite() && (object->size - file.size).cwiseAbs().maxCoeff() > kSizeTolerance) {
-    throw Error(ErrorKind::kFormat, path.string() + ": size_m says " + FormatSize(file.size) +
-                                        ", but \"" + file.mesh + "\" measures " +
-                                        FormatSize(object->size) + " if its unit is " +
+    throw Error(ErrorKind::kFormat, path.string() + ": size_m says " +
+                                        FormatSizeInMm(file.size, 2) + " mm" + ", but \"" +
+                                        file.mesh + "\" measures " +
+                                        FormatSizeInMm(object->size, 2) + " mm if its unit is " +
                                         NameOf(file.mesh_unit) + "; correct size_m or mesh_unit");
   }
   object->size_of_sight = file.size_of_sight.allFinite() ? file.size_of_sight : object->size;
@@ -93,7 +89,8 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
     if ((file.p_OOcm.cwiseAbs() - 0.5 * object->size).maxCoeff() > 0.0) {
       throw Error(ErrorKind::kRange,
                   path.string() + ": centre_of_mass_m lies outside the object, which measures " +
-                      FormatSize(object->size) + "; it counts from the middle of the object");
+                      FormatSizeInMm(object->size, 2) +
+                      " mm; it counts from the middle of the object");
     }
     object->mass_properties.p_OOcm = file.p_OOcm;
   }
@@ -107,6 +104,11 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
 }
 
 }  // namespace
+
+std::string FormatSizeInMm(const Eigen::Vector3d& size, int decimals) {
+  return fmt::format("{0:.{3}f} x {1:.{3}f} x {2:.{3}f}", MmFromM(size.x()), MmFromM(size.y()),
+                     MmFromM(size.z()), decimals);
+}
 
 std::vector<std::string> ListObjects() {
   const fs::path path = FindCatalogue() / "catalogue.yaml";
@@ -131,7 +133,7 @@ std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path) {
   if (fs::exists(path, status)) {
     throw Error(ErrorKind::kUsage,
                 "\"" + id_or_path +
-                    "\" is a file; a mesh alone tells neither unit, mass nor friction. Put it into "
+                    "\" is a file; a mesh alone gives neither unit, mass nor friction. Put it into "
                     "a folder with an object.yaml (keys: name, mesh, mesh_unit, mass_kg, "
                     "friction_static, friction_dynamic) and give the folder");
   }

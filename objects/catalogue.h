@@ -15,6 +15,9 @@ and upwards the catalogue puts it in the middle. */
 
 namespace graspbench {
 
+/** "12.0 x 34.5 x 6.7", in mm. */
+std::string FormatSizeInMm(const Eigen::Vector3d& size, int decimals);
+
 /** Ids of the catalogue in the order of the thesis's table 4.1, from
 objects/catalogue/catalogue.yaml. */
 std::vector<std::string> ListObjects();

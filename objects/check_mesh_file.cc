@@ -1,8 +1,11 @@
 #include "objects/check_mesh_file.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 
 #include "core/base/files.h"
+#include "core/base/units.h"
 #include "core/shape/mesh_repair.h"
 #include "core/shape/obj_file.h"
 #include "objects/load_mesh.h"
@@ -12,6 +15,16 @@ namespace {
 
 Json VectorOrNull(const Eigen::Vector3d& v) {
   return v.allFinite() ? JsonVector(v) : Json(nullptr);
+}
+
+void AskForUnit(MeshReport& report) {
+  for (MeshProblem& problem : report.problems) {
+    if (problem.fault != MeshFault::kSize) continue;
+    problem.text = fmt::format(
+        "the mesh is {:.4g} long in the file's numbers; a thing to grasp measures {:.0f} mm to "
+        "{:.0f} m, so they are neither metres nor millimetres. Scale it, or say which (--unit)",
+        report.extent.maxCoeff(), MmFromM(kMinMeshExtent), kMaxMeshExtent);
+  }
 }
 
 }  // namespace
@@ -39,6 +52,7 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<L
   file.mesh = std::move(usable.mesh);
   file.actions = std::move(usable.actions);
   file.report = std::move(usable.report);
+  if (!unit) AskForUnit(file.report);
   return file;
 }
 

@@ -24,10 +24,10 @@ struct CheckedMeshFile {
   std::vector<std::string> actions;  ///< how it was mended
   MeshReport report;                 ///< of `mesh`
   LengthUnit unit = LengthUnit::kM;
-  bool is_unit_inferred = false;  ///< not given, but told by the size
+  bool is_unit_inferred = false;  ///< not given, but shown by the size
 };
-/** Without a unit it is inferred; where the size tells none, metres are taken, and the report has
-the size among its problems.
+/** Without a unit it is inferred; where the size shows none, a problem of the report asks for it, and
+`unit` means nothing.
 @throws as LoadMesh() when the file cannot be read at all. */
 CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit);
 

@@ -21,7 +21,7 @@ bool IsDrawable(const SceneSnapshot& snapshot, const Hand& hand) {
 
 Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
                    const std::shared_ptr<const Hand>& hand,
-                   const std::shared_ptr<const GraspObject>& object) {
+                   const std::shared_ptr<const GraspObject>& object, double aspect) {
   std::vector<Scene> framed;
   for (const SceneSnapshot& snapshot : snapshots) {
     Scene scene;
@@ -31,7 +31,7 @@ Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
     framed.push_back(scene);
   }
   const Eigen::Vector3d to_eye_W = FindGraspView(*hand, snapshots[0].q, snapshots[0].X_WH);
-  return FrameScenes(framed, to_eye_W, static_cast<double>(kPictureWidth) / kPictureHeight);
+  return FrameScenes(framed, to_eye_W, aspect);
 }
 
 }  // namespace
@@ -57,13 +57,24 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
                                      const std::shared_ptr<const GraspObject>& object,
                                      Renderer& renderer) {
   std::vector<Picture> pictures;
-  const Camera camera = PlaceCamera(snapshots, hand, object);
+  const Camera camera =
+      PlaceCamera(snapshots, hand, object, static_cast<double>(kPictureWidth) / kPictureHeight);
   for (const SceneSnapshot& snapshot : snapshots) {
     const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
     pictures.push_back(
         {snapshot.moment, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
   }
   return pictures;
+}
+
+std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, size_t shown,
+                                const std::shared_ptr<const Hand>& hand,
+                                const std::shared_ptr<const GraspObject>& object, int width,
+                                int height) {
+  const Camera camera = PlaceCamera(snapshots, hand, object, static_cast<double>(width) / height);
+  const SceneSnapshot& snapshot = snapshots[shown];
+  const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
+  return EncodePng(Renderer(width, height).Render(scene, camera));
 }
 
 CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models) {

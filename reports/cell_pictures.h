@@ -45,6 +45,12 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
                                      const std::shared_ptr<const GraspObject>& object,
                                      Renderer& renderer);
 
+/** One of them alone, from the camera that suits all. @throws as above. */
+std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, size_t shown,
+                                const std::shared_ptr<const Hand>& hand,
+                                const std::shared_ptr<const GraspObject>& object, int width,
+                                int height);
+
 /** Never throws for a machine that cannot draw: the reason becomes a problem. */
 CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models);
 

@@ -7,25 +7,6 @@
 #include "reports/line_plot.h"
 
 namespace graspbench {
-namespace {
-
-/** The letter that stands for an event in the strip chart. */
-std::string SymbolOf(ContactEventKind kind) {
-  switch (kind) {
-    case ContactEventKind::kTouch:
-      return "T";
-    case ContactEventKind::kLost:
-      return "L";
-    case ContactEventKind::kRegained:
-      return "R";
-    case ContactEventKind::kSlip:
-      return "S";
-  }
-  return "";
-}
-
-}  // namespace
-
 Html DrawContactStrip(const TrialRecord& record, const std::string& name,
                       const SessionModels& models) {
   const TrialResult& result = record.result;
@@ -49,9 +30,10 @@ Html DrawContactStrip(const TrialRecord& record, const std::string& name,
     if (event.kind == ContactEventKind::kLost) {
       if (!row->spans.empty()) row->spans.back().to = event.time;
     } else if (event.kind != ContactEventKind::kSlip) {
-      row->spans.push_back({event.time, end, 0, NameOf(event.kind) + at});
+      row->spans.push_back({event.time, end, 0, std::string(NameOf(event.kind)) + at});
     }
-    row->marks.push_back({event.time, SymbolOf(event.kind), NameOf(event.kind) + at});
+    row->marks.push_back({event.time, RowOf(kContactEvents, event.kind).symbol,
+                          std::string(NameOf(event.kind)) + at});
   }
   return MakeFigure(
       "Contact of each link over trial " + std::to_string(record.plan.trial) +

@@ -8,11 +8,6 @@
 namespace graspbench {
 namespace {
 
-std::string FormatSize(const Eigen::Vector3d& size) {
-  return FormatFixed(MmFromM(size.x()), 1) + " x " + FormatFixed(MmFromM(size.y()), 1) + " x " +
-         FormatFixed(MmFromM(size.z()), 1);
-}
-
 std::string FormatBestGrasps(const GraspObject& object) {
   std::string text;
   for (const auto& [hand, grasp] : object.best_grasp) {
@@ -43,7 +38,7 @@ DescribedObjects DescribeObjects() {
     const auto object = LoadObject(id);
     list.push_back(MakeObjectJson(*object));
     table.AddRow({id, FormatFixed(GFromKg(object->mass_properties.mass), 1),
-                  FormatSize(object->size), FormatFixed(object->surface.friction_static, 2),
+                  FormatSizeInMm(object->size, 1), FormatFixed(object->surface.friction_static, 2),
                   FormatFixed(object->surface.friction_dynamic, 2), FormatBestGrasps(*object)});
   }
   return {Json{{"objects", list}}, table.Format()};
@@ -52,8 +47,9 @@ DescribedObjects DescribeObjects() {
 std::string FormatObject(const GraspObject& object) {
   const MassProperties& solid = object.mass_properties;
   return object.name + " (" + object.id + ")\n\nmass            " +
-         FormatFixed(GFromKg(solid.mass), 1) + " g\nsize of grasp   " + FormatSize(object.size) +
-         " mm\nsize of sight   " + FormatSize(object.size_of_sight) + " mm\ncentre of mass  (" +
+         FormatFixed(GFromKg(solid.mass), 1) + " g\nsize of grasp   " +
+         FormatSizeInMm(object.size, 1) + " mm\nsize of sight   " +
+         FormatSizeInMm(object.size_of_sight, 1) + " mm\ncentre of mass  (" +
          FormatFixed(MmFromM(solid.p_OOcm.x()), 1) + ", " +
          FormatFixed(MmFromM(solid.p_OOcm.y()), 1) + ", " +
          FormatFixed(MmFromM(solid.p_OOcm.z()), 1) + ") mm from the centre\nfriction        " +
@@ -67,7 +63,7 @@ std::string FormatMeshSummary(const std::string& path, const MeshReport& report)
   return (report.problems.empty() ? "" : FormatProblems(report) + "\n") + path + ": " +
          FormatCount(report.num_triangles, "triangle") + ", " +
          (report.is_closed ? "closed" : FormatCount(report.num_open_edges, "open edge")) + ", " +
-         FormatSize(report.extent) + " mm; " +
+         FormatSizeInMm(report.extent, 1) + " mm; " +
          (report.problems.empty() ? "can be used\n" : "cannot be used\n");
 }
 

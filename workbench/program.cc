@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/escape.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
@@ -101,6 +102,17 @@ void PrintFault(const std::string& message) {
   PrintMessage("graspbench: " + message);
 }
 
+/** Messages are lines; a name that holds a line feed could pass for one of them. */
+void RefuseLineFeeds(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string text = argv[i];
+    if (text.find_first_of("\n\r") == text.npos) continue;
+    throw Error(ErrorKind::kUsage, "\"" + EscapeForTerminal(text, LineFeeds::kEscape) +
+                                       "\" holds a line feed; names and values are one line, so "
+                                       "rename the file or folder");
+  }
+}
+
 }  // namespace
 
 CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::string& description,
@@ -176,12 +188,13 @@ int RunProgram(int argc, const char* const* argv) {
     program.formatter(std::make_shared<HelpFormatter>());
     program.footer(
         "  graspbench run                       both hands, 21 objects, then a report\n"
-        "  graspbench render shadow can g3 --phase closed --out can.png");
+        "  graspbench render shadow can g3 --phase stabilisation --out can.png");
     program.require_subcommand(1);
 #define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
+    RefuseLineFeeds(argc, argv);
     program.parse(argc, argv);
     FlushResults();
     return exit_code;

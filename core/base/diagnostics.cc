@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/escape.h"
+
 namespace graspbench {
 
 int Diagnostics::num_errors() const {
@@ -14,10 +16,10 @@ std::string Diagnostics::Format() const {
   std::string text;
   for (const Diagnostic& d : entries_) {
     if (!text.empty()) text += '\n';
-    text += d.file;
+    text += EscapeForTerminal(d.file, LineFeeds::kEscape);  // an entry is one line
     if (d.line > 0) text += ":" + std::to_string(d.line);
     text += d.severity == Severity::kError ? ": error: " : ": warning: ";
-    text += d.text;
+    text += EscapeForTerminal(d.text, LineFeeds::kEscape);
   }
   return text;
 }

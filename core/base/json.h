@@ -7,6 +7,7 @@ missing is null, never a plausible number. */
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/pose.h"
@@ -37,6 +38,12 @@ inline std::string FormatJson(const Json& json, int indent = -1) {
 }
 
 inline Json JsonVector(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+/** Any number of numbers: joint angles, a point of a search. */
+inline Json JsonAngles(const Eigen::VectorXd& q) { return std::vector<double>(q.begin(), q.end()); }
+inline Eigen::VectorXd AnglesFrom(const Json& json) {
+  const auto values = json.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 /** {"p_m": [x, y, z], "R": three rows}. A matrix, not a quaternion, so that reading gives the very
 same pose. */
 inline Json JsonPose(const Pose& X) {

@@ -16,10 +16,12 @@ Records as plain structs. A struct lists each of its fields once:
 and that one listing drives writing and reading JSON, and, for the fields with a FieldColumn, the
 columns of a table with their schema. A field is a double (null: not finite), int, bool, text,
 vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
-ReadJson(json, value) in its namespace. A field that is no member is listed with two functions,
-Json(const Record&) and void(const Json&, Record&). */
+ReadJson(json, value) in its namespace. A field of a member that is a struct is listed with both
+members, one that is no member with two functions, Json(const Record&) and void(const Json&,
+Record&). With FieldMayMiss a number that is not finite is left out instead of null. */
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,6 +37,8 @@ struct FieldColumn {
   const char* unit;     ///< "s", "m", ...; empty: none
   const char* meaning;  ///< one sentence
 };
+
+struct FieldMayMiss {};
 
 template <class Record>
 Json RecordToJson(const Record& record);
@@ -63,7 +67,7 @@ Json FieldToJson(const T& value) {
   if constexpr (std::is_same_v<T, double>) {
     return JsonNumber(value);
   } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
-    return std::vector<double>(value.begin(), value.end());
+    return JsonAngles(value);
   } else if constexpr (std::is_same_v<T, Pose>) {
     return JsonPose(value);
   } else if constexpr (HasFields<T>::value) {
@@ -86,9 +90,7 @@ void ReadField(const Json& json, T& value) {
   } else if constexpr (std::is_same_v<T, int>) {
     value = IntFrom(json);
   } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
-    const auto values = json.get<std::vector<double>>();
-    value =
-        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    value = AnglesFrom(json);
   } else if constexpr (std::is_same_v<T, Pose>) {
     value = PoseFrom(json);
   } else if constexpr (HasFields<T>::value) {
@@ -112,6 +114,14 @@ struct FieldWriter {
   void operator()(const char* key, T Record::*member, const About&...) const {
     json[key] = FieldToJson(record.*member);
   }
+  template <class T, class U>
+  void operator()(const char* key, T Record::*outer, U T::*inner) const {
+    json[key] = FieldToJson(record.*outer.*inner);
+  }
+  template <class... About>
+  void operator()(const char* key, double Record::*member, FieldMayMiss, const About&...) const {
+    if (std::isfinite(record.*member)) json[key] = record.*member;
+  }
   void operator()(const char* key, Json (*write)(const Record&),
                   void (*)(const Json&, Record&)) const {
     json[key] = write(record);
@@ -126,6 +136,14 @@ struct FieldReader {
   template <class T, class... About>
   void operator()(const char* key, T Record::*member, const About&...) const {
     ReadField(json.at(key), record.*member);
+  }
+  template <class T, class U>
+  void operator()(const char* key, T Record::*outer, U T::*inner) const {
+    ReadField(json.at(key), record.*outer.*inner);
+  }
+  template <class... About>
+  void operator()(const char* key, double Record::*member, FieldMayMiss, const About&...) const {
+    record.*member = json.contains(key) ? NumberFrom(json.at(key)) : std::nan("");
   }
   void operator()(const char* key, Json (*)(const Record&),
                   void (*read)(const Json&, Record&)) const {
@@ -165,6 +183,31 @@ CsvColumn<Row> MakeFieldColumn(const char* key, T Record::*member, const FieldCo
             const Json value = internal::FieldToJson(take(row).*member);
             return value.is_boolean() ? Json(value.get<bool>() ? 1 : 0) : value;
           }};
+}
+
+/** Takes the fields that have a column from a listing. @param take  const Record&(const Row&). */
+template <class Row, class Record, class Take>
+struct FieldColumnCollector {
+  std::vector<CsvColumn<Row>>& columns;
+  Take take;
+
+  template <class T>
+  void operator()(const char* key, T Record::*member, const FieldColumn& about) const {
+    columns.push_back(MakeFieldColumn<Row>(key, member, about, take));
+  }
+  template <class T>
+  void operator()(const char* key, T Record::*member, FieldMayMiss,
+                  const FieldColumn& about) const {
+    columns.push_back(MakeFieldColumn<Row>(key, member, about, take));
+  }
+  template <class... Other>
+  void operator()(const char*, const Other&...) const {}
+};
+
+/** Adds the columns of a record's fields. @param take  as above. */
+template <class Record, class Row, class Take>
+void AddFieldColumns(Take take, std::vector<CsvColumn<Row>>& columns) {
+  Record::ListFields(FieldColumnCollector<Row, Record, Take>{columns, take});
 }
 
 }  // namespace graspbench

@@ -31,6 +31,11 @@ std::string FormatPercent(double ratio) {
   return std::isfinite(ratio) ? FormatFixed(100.0 * ratio, 1) + kNoBreakSpace + "%" : "n/a";
 }
 
+std::string Capitalise(std::string text) {
+  if (!text.empty() && 'a' <= text[0] && text[0] <= 'z') text[0] += 'A' - 'a';
+  return text;
+}
+
 std::string FormatCount(int64_t count, const std::string& singular) {
   return FormatCount(count, singular, singular + "s");
 }

@@ -23,6 +23,9 @@ std::string FormatSignificant(double value, int digits);
 "90.0 %". */
 std::string FormatPercent(double ratio);
 
+/** The first letter large, of ASCII. */
+std::string Capitalise(std::string text);
+
 /** "1 trial", "2 trials". */
 std::string FormatCount(int64_t count, const std::string& singular);
 /** "1 vertex is", "2 vertices are". */

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/statistics/distributions.h"
 
 namespace graspbench {
 
@@ -12,7 +13,6 @@ ContactOrder FindContactOrder(const std::vector<DigitContact>& contacts,
   GRASPBENCH_DEMAND(contacts.size() == uncertainties.size(),
                     std::to_string(contacts.size()) + " contacts, " +
                         std::to_string(uncertainties.size()) + " uncertainties");
-  constexpr double kTieFactor = 1.96;  // 95 % of a normal distribution
   std::vector<size_t> touching;
   for (size_t i = 0; i < contacts.size(); ++i) {
     if (!std::isnan(contacts[i].time)) touching.push_back(i);
@@ -26,7 +26,7 @@ ContactOrder FindContactOrder(const std::vector<DigitContact>& contacts,
     if (i > 0) {
       const size_t before = touching[i - 1];
       is_tied = contacts[digit].time - contacts[before].time <=
-                kTieFactor * std::hypot(uncertainties[before], uncertainties[digit]);
+                kNormal95 * std::hypot(uncertainties[before], uncertainties[digit]);
     }
     order.num_ties += is_tied;
     if (!is_tied) order.groups.emplace_back();

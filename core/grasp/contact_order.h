@@ -4,7 +4,7 @@ Which digit touched first, second, .. - as far as the data can tell; for robots 
 
 Two neighbours in time are tied when
 
-    t_b - t_a <= 1.96 sqrt(u_a^2 + u_b^2)
+    t_b - t_a <= z sqrt(u_a^2 + u_b^2)
 
 with u the standard uncertainties of their times: what 95 % of a normal error can explain. */
 

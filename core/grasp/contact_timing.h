@@ -24,6 +24,13 @@ struct DigitContact {
   it under the name `is_thumb`. */
   bool is_opposing = false;
   double time = 0.0;  ///< first contact [s]; NaN: never touched
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("digit", &DigitContact::digit);
+    field("is_thumb", &DigitContact::is_opposing);
+    field("time_s", &DigitContact::time);
+  }
 };
 
 struct ContactTiming {

@@ -46,52 +46,33 @@ double CalcFitness(const std::vector<LearningTrial>& trials) {
   return sum / static_cast<double>(trials.size());
 }
 
-Json ToJson(const LearningTrial& trial) {
+Json LearningDigitsToJson(const LearningTrial& trial) {
   Json digits = Json::array();
   for (size_t d = 0; d < trial.contacts.size(); ++d) {
-    digits.push_back({{"digit", trial.contacts[d].digit},
-                      {"is_thumb", trial.contacts[d].is_opposing},
-                      {"time_s", JsonNumber(trial.contacts[d].time)},
-                      {"closing", JsonNumber(trial.closings[d])}});
-    if (trial.touch_postures.empty()) continue;
-    const Eigen::VectorXd& q = trial.touch_postures[d];
-    digits.back()["q_rad"] = std::vector<double>(q.begin(), q.end());
+    digits.push_back(RecordToJson(trial.contacts[d]));
+    digits.back()["closing"] = JsonNumber(trial.closings[d]);
+    if (!trial.touch_postures.empty()) digits.back()["q_rad"] = JsonAngles(trial.touch_postures[d]);
   }
-  const StabilityPart& part = trial.stability;
-  return Json{{"draw", trial.draw},
-              {"outcome", NameOf(trial.outcome)},
-              {"sigma", trial.sigma},
-              {"quality", JsonNumber(part.quality)},
-              {"normal_force_n", JsonNumber(part.normal_force)},
-              {"slip_speed_m_per_s", JsonNumber(part.slip_speed)},
-              {"opposition", JsonNumber(part.opposition)},
-              {"opposing_gap_m", trial.opposing_gap},
-              {"digits", digits}};
+  return digits;
 }
+
+void ReadLearningDigits(const Json& json, LearningTrial& trial) {
+  for (const Json& digit : json) {
+    ReadRecord(digit, trial.contacts.emplace_back());
+    trial.closings.push_back(NumberFrom(digit.at("closing")));
+    if (digit.contains("q_rad")) trial.touch_postures.push_back(AnglesFrom(digit.at("q_rad")));
+  }
+  if (std::count_if(trial.contacts.begin(), trial.contacts.end(),
+                    [](const DigitContact& contact) { return contact.is_opposing; }) > 1) {
+    throw Error(ErrorKind::kFormat, "digits: more than one thumb");
+  }
+}
+
+Json ToJson(const LearningTrial& trial) { return RecordToJson(trial); }
 
 LearningTrial LearningTrialFromJson(const Json& json) {
   LearningTrial trial;
-  trial.draw = IntFrom(json.at("draw"));
-  trial.outcome = OutcomeFromName(json.at("outcome").get<std::string>());
-  trial.sigma = json.at("sigma").get<double>();
-  trial.stability.quality = NumberFrom(json.at("quality"));
-  trial.stability.normal_force = NumberFrom(json.at("normal_force_n"));
-  trial.stability.slip_speed = NumberFrom(json.at("slip_speed_m_per_s"));
-  trial.stability.opposition = NumberFrom(json.at("opposition"));
-  trial.opposing_gap = json.at("opposing_gap_m").get<double>();
-  int num_thumbs = 0;
-  for (const Json& digit : json.at("digits")) {
-    trial.contacts.push_back({digit.at("digit").get<std::string>(),
-                              digit.at("is_thumb").get<bool>(), NumberFrom(digit.at("time_s"))});
-    trial.closings.push_back(NumberFrom(digit.at("closing")));
-    if (const auto angles = digit.find("q_rad"); angles != digit.end()) {
-      const auto q = angles->get<std::vector<double>>();
-      trial.touch_postures.push_back(
-          Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())));
-    }
-    num_thumbs += trial.contacts.back().is_opposing;
-  }
-  if (num_thumbs > 1) throw Error(ErrorKind::kFormat, "digits: more than one thumb");
+  ReadRecord(json, trial);
   trial.timing = CalcContactTiming(trial.contacts, 0.0);
   return trial;
 }

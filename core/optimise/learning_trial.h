@@ -16,6 +16,11 @@ and for several trials their mean. Larger is better. */
 
 namespace graspbench {
 
+struct LearningTrial;
+/** What is kept of the grasping digits, one object each. */
+Json LearningDigitsToJson(const LearningTrial& trial);
+void ReadLearningDigits(const Json& json, LearningTrial& trial);
+
 struct LearningTrial {
   int draw = 0;  ///< number of the learning draw: 0 without any variation
   Outcome outcome = Outcome::kNotRun;
@@ -28,6 +33,20 @@ struct LearningTrial {
   std::vector<Eigen::VectorXd> touch_postures;
   double opposing_gap = 0.0;  ///< smallest distance of the opposing digit [m]
   ContactTiming timing;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using T = LearningTrial;
+    field("draw", &T::draw);
+    field("outcome", &T::outcome);
+    field("sigma", &T::sigma);
+    field("quality", &T::stability, &StabilityPart::quality);
+    field("normal_force_n", &T::stability, &StabilityPart::normal_force);
+    field("slip_speed_m_per_s", &T::stability, &StabilityPart::slip_speed);
+    field("opposition", &T::stability, &StabilityPart::opposition);
+    field("opposing_gap_m", &T::opposing_gap);
+    field("digits", &LearningDigitsToJson, &ReadLearningDigits);
+  }
 };
 
 /** @param keep_postures  those of the first touches, from which step 1 learns. */

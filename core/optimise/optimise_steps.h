@@ -6,6 +6,7 @@ something, and the variants of a grasp that it makes. */
 #include <string>
 
 #include "core/base/enum_table.h"
+#include "core/base/json.h"
 
 namespace graspbench {
 
@@ -68,6 +69,7 @@ inline Variant VariantOfGrasp(const std::string& grasp) {
 
 inline const char* NameOf(LearningStage stage) { return RowOf(kLearningStages, stage).name; }
 inline const char* NameOf(Variant variant) { return RowOf(kVariants, variant).name; }
+inline Json ToJson(Variant variant) { return NameOf(variant); }
 inline const char* WordsOf(Variant variant) { return RowOf(kVariants, variant).words; }
 
 }  // namespace graspbench

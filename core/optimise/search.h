@@ -24,6 +24,7 @@ neither be run in parallel nor resumed, and each method is less than a hundred l
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/base/record_fields.h"
 
 namespace graspbench {
 
@@ -43,6 +44,17 @@ struct Individual {
   Eigen::VectorXd genome;    ///< within the box
   Eigen::VectorXd steps;     ///< self-adapted standard deviations; empty where the method has none
   double fitness = 0.0;      ///< larger is better; meaningful when evaluated
+
+  /** As in journals, where the coordinates are joint angles. */
+  template <class V>
+  static void ListFields(V&& field) {
+    field("number", &Individual::number);
+    field("generation", &Individual::generation);
+    field("parents", &Individual::parents);
+    field("genome_rad", &Individual::genome);
+    field("steps_rad", &Individual::steps);
+    field("fitness", &Individual::fitness);
+  }
 };
 
 class SearchMethod {

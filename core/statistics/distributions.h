@@ -18,6 +18,10 @@ double CalcFisherQuantile(double probability, double df_1, double df_2);
 double CalcChiSquaredUpperP(double x, double df);
 double CalcChiSquaredQuantile(double probability, double df);
 
+/** 95 % of normally distributed errors lie within so many standard deviations; as published tables
+round it. */
+inline constexpr double kNormal95 = 1.96;
+
 double CalcNormalP(double z);  ///< lower tail
 double CalcNormalQuantile(double probability);
 

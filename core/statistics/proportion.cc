@@ -18,6 +18,10 @@ void DemandCounts(int num_successes, int num_trials) {
 
 }  // namespace
 
+double CalcShare(int64_t count, int64_t num_all) {
+  return num_all > 0 ? static_cast<double>(count) / static_cast<double>(num_all) : std::nan("");
+}
+
 Interval CalcWilsonInterval(int num_successes, int num_trials) {
   DemandCounts(num_successes, num_trials);
   if (num_trials == 0) return {0.0, 1.0};

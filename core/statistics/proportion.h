@@ -14,9 +14,13 @@ Fisher's exact test, two-sided: the sum of the hypergeometric probabilities, mar
 tables that are at most as probable as the observed one (R. A. Fisher, "The design of experiments",
 1935). */
 
+#include <cstdint>
 #include <string>
 
 namespace graspbench {
+
+/** NaN for none of none. */
+double CalcShare(int64_t count, int64_t num_all);
 
 struct Interval {
   double low = 0.0;

@@ -83,24 +83,4 @@ std::vector<ContactEvent> ContactEventRecorder::MakeEvents() const {
   return events;
 }
 
-Json ToJson(const ContactEvent& event) {
-  Json json = {{"time_s", JsonNumber(event.time)},
-               {"kind", NameOf(event.kind)},
-               {"digit", event.digit},
-               {"link", event.link}};
-  if (event.kind == ContactEventKind::kLost) json["impulse_ns"] = JsonNumber(event.impulse);
-  return json;
-}
-
-ContactEvent ContactEventFromJson(const Json& json) {
-  ContactEvent event;
-  event.time = NumberFrom(json.at("time_s"));
-  const auto name = json.at("kind").get<std::string>();
-  event.kind = RowFromName(kContactEvents, name, "contact event").value;
-  event.digit = json.at("digit").get<std::string>();
-  event.link = json.at("link").get<std::string>();
-  if (event.kind == ContactEventKind::kLost) event.impulse = NumberFrom(json.at("impulse_ns"));
-  return event;
-}
-
 }  // namespace graspbench

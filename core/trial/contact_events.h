@@ -15,6 +15,7 @@ interruptions are the chatter of points that roll over edges. */
 
 #include "core/base/enum_table.h"
 #include "core/base/json.h"
+#include "core/base/record_fields.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
 
@@ -26,12 +27,18 @@ enum class ContactEventKind { kTouch, kLost, kRegained, kSlip };
 struct ContactEventRow {
   ContactEventKind value;
   const char* name;
+  const char* symbol;  ///< in a strip chart
 };
-inline constexpr ContactEventRow kContactEvents[] = {{ContactEventKind::kTouch, "touch"},
-                                                     {ContactEventKind::kLost, "lost"},
-                                                     {ContactEventKind::kRegained, "regained"},
-                                                     {ContactEventKind::kSlip, "slip"}};
+inline constexpr ContactEventRow kContactEvents[] = {{ContactEventKind::kTouch, "touch", "T"},
+                                                     {ContactEventKind::kLost, "lost", "L"},
+                                                     {ContactEventKind::kRegained, "regained", "R"},
+                                                     {ContactEventKind::kSlip, "slip", "S"}};
 inline const char* NameOf(ContactEventKind kind) { return RowOf(kContactEvents, kind).name; }
+inline Json ToJson(ContactEventKind kind) { return NameOf(kind); }
+/** @throws Json::exception or Error(kFormat). */
+inline void ReadJson(const Json& json, ContactEventKind& kind) {
+  kind = RowFromName(kContactEvents, json.get<std::string>(), "contact event").value;
+}
 
 struct ContactEvent {
   double time = 0.0;  ///< [s]
@@ -39,6 +46,17 @@ struct ContactEvent {
   std::string digit;        ///< id; "palm" for links of none
   std::string link;         ///< name
   double impulse = kUnset;  ///< normal impulse on the object, of "lost" [N s]
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using E = ContactEvent;
+    field("time_s", &E::time, FieldColumn{"s", "since the start of closure"});
+    field("kind", &E::kind);
+    field("digit", &E::digit, FieldColumn{"", "id of the digit; palm: none"});
+    field("link", &E::link, FieldColumn{"", "name of the hand's link"});
+    field("impulse_ns", &E::impulse, FieldMayMiss(),
+          FieldColumn{"N s", "normal impulse on the object of the touch that was lost"});
+  }
 };
 
 /** Watches a trial. */
@@ -68,10 +86,5 @@ class ContactEventRecorder {
   std::vector<LinkState> links_;
   std::vector<ContactEvent> events_;
 };
-
-Json ToJson(const ContactEvent& event);
-/** @throws Json::exception or Error(kFormat). */
-ContactEvent ContactEventFromJson(const Json& json);
-inline void ReadJson(const Json& json, ContactEvent& event) { event = ContactEventFromJson(json); }
 
 }  // namespace graspbench

@@ -6,6 +6,7 @@ What the judge (judge.h) found about a held grasp, and its form as JSON. */
 #include <vector>
 
 #include "core/base/json.h"
+#include "core/base/record_fields.h"
 #include "core/base/units.h"
 
 namespace graspbench {
@@ -17,32 +18,65 @@ struct BreakingLoad {
   std::string direction;  ///< "force +x", ..., "moment -z", in the palm's frame
   double load = kUnset;   ///< [N], of moments [N m]; the range's end if it did not break
   bool is_broken = false;
+
+  bool is_force() const { return direction.substr(0, 5) == "force"; }
 };
+/** The key of the load says its unit. */
+Json ToJson(const BreakingLoad& load);
+/** @throws Json::exception when a key is missing or of another type. */
+void ReadJson(const Json& json, BreakingLoad& load);
 
 struct Verdict {
   std::string rule;  ///< id, see verdicts.h
   bool passed = false;
   double score = kUnset;  ///< in the rule's unit
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("rule", &Verdict::rule);
+    field("passed", &Verdict::passed);
+    field("score", &Verdict::score);
+  }
 };
 
 /** Epsilon of the contacts at the end of the hold, after one convention. */
 struct ConventionEpsilon {
   std::string convention;  ///< id, see quality_convention.h
   double epsilon = kUnset;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("convention", &ConventionEpsilon::convention);
+    field("epsilon", &ConventionEpsilon::epsilon);
+  }
 };
 
 struct Judgement {
   std::vector<BreakingLoad> loads;  ///< six forces, six moments
   double breaking_force = kUnset;   ///< the smallest of the forces [N]
   double breaking_moment = kUnset;  ///< the smallest of the moments [N m]
-  std::vector<ConventionEpsilon>
-      epsilons;                   ///< of all conventions; empty with fewer than 2 contacts
+  /** Of all conventions; empty with fewer than 2 contacts. */
+  std::vector<ConventionEpsilon> epsilons;
   double volume = kUnset;         ///< of the hull, convention "ferrari-canny" [N^6]
   std::vector<Verdict> verdicts;  ///< of all rules, in their order
-};
 
-Json ToJson(const Judgement& judgement);
-/** @throws Json::exception when a key is missing or of another type. */
-Judgement JudgementFromJson(const Json& json);
+  template <class V>
+  static void ListFields(V&& field) {
+    using J = Judgement;
+    field("loads", &J::loads);
+    field("breaking_force_n", &J::breaking_force,
+          FieldColumn{"N",
+                      "smallest of the six pulls along the palm's axes that took the object out, "
+                      "on top of its weight; at most 100 N; missing when not judged"});
+    field("breaking_moment_nm", &J::breaking_moment,
+          FieldColumn{"N m",
+                      "smallest of the six twists about the palm's axes that turned the object "
+                      "out"});
+    field("epsilons", &J::epsilons);
+    field("volume", &J::volume,
+          FieldColumn{"N^6", "of the wrench hull at the end of the hold, ferrari-canny"});
+    field("verdicts", &J::verdicts);
+  }
+};
 
 }  // namespace graspbench

@@ -6,7 +6,7 @@ Stability sigma: how firmly an object is held, larger is better; the fitness of 
 
 with d the six half axes of the palm's frame and s(d) the largest pull along d that the contacts,
 with the forces they exert at that instant, stand on top of the object's weight (holding_force.h).
-So sigma is a force: the pull that would take the object out of the hand, as its contacts tell it
+So sigma is a force: the pull that would take the object out of the hand, by its contacts' forces
 beforehand. 0 when the object is lost.
 
 The formula that was proposed first is kept beside it as `sigma_proposed`,

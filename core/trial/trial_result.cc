@@ -17,26 +17,16 @@ ContactOrder FindContactOrder(const TrialResult& result) {
 Json DigitsToJson(const TrialResult& result) {
   Json digits = Json::array();
   for (size_t i = 0; i < result.contacts.size(); ++i) {
-    const DigitContact& contact = result.contacts[i];
-    const DigitTouch& touch = result.touches[i];
-    digits.push_back({{"digit", contact.digit},
-                      {"is_thumb", contact.is_opposing},
-                      {"time_s", JsonNumber(contact.time)},
-                      {"closing", JsonNumber(touch.closing)},
-                      {"q_rad", std::vector<double>(touch.q.begin(), touch.q.end())},
-                      {"smallest_gap_m", JsonNumber(touch.smallest_gap)}});
+    digits.push_back(RecordToJson(result.contacts[i]));
+    digits.back().update(RecordToJson(result.touches[i]));
   }
   return digits;
 }
 
 void ReadDigits(const Json& json, TrialResult& result) {
   for (const Json& digit : json) {
-    result.contacts.push_back({digit.at("digit").get<std::string>(),
-                               digit.at("is_thumb").get<bool>(), NumberFrom(digit.at("time_s"))});
-    DigitTouch& touch = result.touches.emplace_back();
-    touch.closing = NumberFrom(digit.at("closing"));
-    internal::ReadField(digit.at("q_rad"), touch.q);
-    touch.smallest_gap = NumberFrom(digit.at("smallest_gap_m"));
+    ReadRecord(digit, result.contacts.emplace_back());
+    ReadRecord(digit, result.touches.emplace_back());
   }
   if (std::count_if(result.contacts.begin(), result.contacts.end(),
                     [](const DigitContact& contact) { return contact.is_opposing; }) > 1) {

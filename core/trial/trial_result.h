@@ -42,6 +42,13 @@ struct DigitTouch {
   Eigen::VectorXd q;             ///< joints of the whole hand then (num_joints) [rad]; else empty
   double smallest_gap = kUnset;  ///< to the object up to lift-off, 0 after a touch [m]; NaN: no
                                  ///< closure
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("closing", &DigitTouch::closing);
+    field("q_rad", &DigitTouch::q);
+    field("smallest_gap_m", &DigitTouch::smallest_gap);
+  }
 };
 
 struct PhaseStart {

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
+#include "datasets/analysis/campaign_export.h"
 
 namespace graspbench {
 namespace {
@@ -88,8 +89,8 @@ std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const S
   return differences;
 }
 
-Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
-                                               const SceneVariants& scene, Variant a, Variant b) {
+PairedDifference CalcPairedDifference(const VariantMeasure& measure, const SceneVariants& scene,
+                                      Variant a, Variant b) {
   const std::vector<double> differences = ListPairedDifferences(measure, scene, a, b);
   const auto mean = [&](const std::vector<size_t>& members) {
     double sum = 0.0;
@@ -97,8 +98,12 @@ Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
     return sum / static_cast<double>(members.size());
   };
   constexpr int kResamples = 1999;
-  return CalcBootstrap(differences.size(), mean, scene.key + " " + measure.name + " " + WordsOf(b),
-                       kResamples);
+  PairedDifference difference;
+  difference.num_pairs = static_cast<int>(differences.size());
+  if (!differences.empty()) difference.mean = CalcMoments(differences).mean;
+  difference.interval = CalcBootstrap(
+      differences.size(), mean, scene.key + " " + measure.name + " " + WordsOf(b), kResamples);
+  return difference;
 }
 
 StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
@@ -304,6 +309,21 @@ std::vector<MethodCurve> ListMethodCurves(const Campaign& campaign) {
     curves.push_back(curve);
   }
   return curves;
+}
+
+MethodDuel CompareMethods(const std::vector<MethodCurve>& curves, const std::string& method,
+                          const std::string& other) {
+  MethodDuel duel;
+  for (const MethodCurve& a : curves) {
+    if (a.method != method || !std::isfinite(a.final_median)) continue;
+    for (const MethodCurve& b : curves) {
+      const bool is_other = b.method == other && b.hand == a.hand && b.object == a.object;
+      if (!is_other || !std::isfinite(b.final_median)) continue;
+      ++duel.num_scenes;
+      duel.num_won += a.final_median > b.final_median;
+    }
+  }
+  return duel;
 }
 
 }  // namespace graspbench

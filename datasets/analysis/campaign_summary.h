@@ -13,6 +13,7 @@ breaking force) and the median over the trials that have it for the others. */
 #include <vector>
 
 #include "core/statistics/bootstrap.h"
+#include "core/statistics/proportion.h"
 #include "datasets/analysis/session_summary.h"
 #include "datasets/campaign/campaign_store.h"
 
@@ -47,9 +48,13 @@ double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell);
 /** Differences b - a of the trials that have the measure under both variants. */
 std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const SceneVariants& scene,
                                           Variant a, Variant b);
-/** Their mean with its interval. */
-Answer<BootstrapInterval> CalcPairedDifference(const VariantMeasure& measure,
-                                               const SceneVariants& scene, Variant a, Variant b);
+struct PairedDifference {
+  int num_pairs = 0;
+  double mean = kUnset;                ///< NaN without a pair
+  Answer<BootstrapInterval> interval;  ///< of the mean
+};
+PairedDifference CalcPairedDifference(const VariantMeasure& measure, const SceneVariants& scene,
+                                      Variant a, Variant b);
 
 /** What a step does to the cells' values of a measure. */
 struct StepEffect {
@@ -57,6 +62,9 @@ struct StepEffect {
   double median_before = 0.0, median_after = 0.0;
   Answer<BootstrapInterval> ratio;          ///< of the medians, after / before
   std::vector<const SceneVariants*> worse;  ///< the cell's value is worse after than before
+
+  double plain_ratio() const { return median_after / median_before; }
+  double share_worse() const { return CalcShare(static_cast<int64_t>(worse.size()), num_scenes); }
 };
 /** Over the scenes in which both variants have a value; an empty hand means all hands. */
 StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
@@ -123,5 +131,13 @@ struct MethodCurve {
 };
 /** In the order of scenes and methods of the stored runs; those of a scene follow each other. */
 std::vector<MethodCurve> ListMethodCurves(const Campaign& campaign);
+
+/** In how many scenes one method's median over seeds ends above another's. */
+struct MethodDuel {
+  int num_scenes = 0, num_won = 0;
+  double share_won() const { return CalcShare(num_won, num_scenes); }
+};
+MethodDuel CompareMethods(const std::vector<MethodCurve>& curves, const std::string& method,
+                          const std::string& other);
 
 }  // namespace graspbench

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/statistics/proportion.h"
 #include "core/statistics/ranks.h"
 #include "core/trial/verdicts.h"
 #include "datasets/session/trial_table.h"
@@ -127,6 +128,10 @@ Json ToJson(const Answer<BootstrapInterval>& answer) {
 }
 
 }  // namespace
+
+double Agreement::share() const {
+  return CalcShare(num_both + num_neither, num_both + num_neither + num_first + num_second);
+}
 
 JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records) {
   JudgeEvidence evidence;

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How well measures of a grasp tell what the judge found: rank correlation with the smallest breaking
-force over all judged grasps, and how well measures taken before lift-off tell success. Intervals
+How well measures of a grasp predict what the judge found: rank correlation with the smallest
+breaking force over all judged grasps, and how well measures taken before lift-off predict success. Intervals
 come from drawing cells (hand, object, grasp), because trials of one cell are alike. */
 
 #include <string>
@@ -27,6 +27,9 @@ struct RocEvidence {
 struct Agreement {
   int num_both = 0, num_neither = 0;
   int num_first = 0, num_second = 0;  ///< passed by one of them alone
+
+  /** Of the judged grasps: on how many the two rules agree; NaN without any. */
+  double share() const;
 };
 
 struct JudgeEvidence {

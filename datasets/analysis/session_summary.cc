@@ -94,9 +94,9 @@ Spread CalcSpread(std::vector<double> values) {
 
 int Tally::CountOf(Outcome outcome) const { return outcomes[IndexOf(outcome)]; }
 
-double Tally::rate() const {
-  return finished > 0 ? static_cast<double>(successes()) / finished : kUnset;
-}
+double Tally::rate() const { return CalcShare(successes(), finished); }
+
+double Tally::share_unconverged() const { return CalcShare(num_unconverged, num_steps); }
 
 Interval Tally::rate_interval() const { return CalcWilsonInterval(successes(), finished); }
 

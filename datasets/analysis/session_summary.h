@@ -41,8 +41,9 @@ struct Tally {
 
   int CountOf(Outcome outcome) const;
   int successes() const { return CountOf(Outcome::kSuccess); }
-  double rate() const;             ///< of success; NaN without a finished trial
-  Interval rate_interval() const;  ///< 95 %, Wilson
+  double rate() const;               ///< of success; NaN without a finished trial
+  Interval rate_interval() const;    ///< 95 %, Wilson
+  double share_unconverged() const;  ///< of the steps; NaN without a step
 };
 
 /** "9 of 10 trials (90.0 %, 95 % interval 59.6 to 98.2 %)" and the interval alone; see

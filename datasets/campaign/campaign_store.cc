@@ -5,9 +5,7 @@
 #include <map>
 
 #include "core/base/config.h"
-#include "core/base/csv.h"
 #include "core/base/files.h"
-#include "core/statistics/summary.h"
 #include "datasets/session/frozen_folder.h"
 
 namespace graspbench {
@@ -18,31 +16,6 @@ namespace {
 fs::path FindComparisonFolder(const fs::path& folder, const std::string& hand,
                               const std::string& object) {
   return folder / "comparison" / (hand + "-" + object);
-}
-
-VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
-  VariantSummary summary;
-  const PlannedTrial& plan = records.front()->plan;
-  summary.hand = plan.hand;
-  summary.object = plan.object;
-  summary.grasp = plan.grasp;
-  summary.variant = VariantOfGrasp(plan.grasp);
-  double sum = 0.0;
-  std::vector<double> gft, got, gct;
-  for (const TrialRecord* record : records) {
-    const TrialResult& result = record->result;
-    ++summary.trials;
-    summary.successes += result.outcome == Outcome::kSuccess;
-    if (std::isfinite(result.stability.sigma)) sum += result.stability.sigma;
-    gft.push_back(result.timing.gft_ratio);
-    got.push_back(result.timing.got_ratio);
-    gct.push_back(result.timing.gct);
-  }
-  summary.mean_sigma = sum / summary.trials;
-  summary.median_gft_ratio = CalcMedianOfFinite(gft);
-  summary.median_got_ratio = CalcMedianOfFinite(got);
-  summary.median_gct = CalcMedianOfFinite(gct);
-  return summary;
 }
 
 /** Fills evaluations_to_90 of the runs of one scene. */
@@ -85,30 +58,6 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
   for (ComparisonRun& run : runs) by_scene[run.hand + "/" + run.object].push_back(&run);
   for (const auto& [scene, of_scene] : by_scene) CountEvaluations(of_scene);
   return runs;
-}
-
-std::string FormatSummary(const std::vector<VariantSummary>& summaries) {
-  std::string csv =
-      FormatCsvLine({"hand", "object", "grasp", "variant", "trials", "successes", "mean_sigma",
-                     "median_gft_ratio", "median_got_ratio", "median_gct_s"});
-  for (const VariantSummary& s : summaries) {
-    csv += FormatCsvLine({s.hand, s.object, s.grasp, NameOf(s.variant), s.trials, s.successes,
-                          JsonNumber(s.mean_sigma), JsonNumber(s.median_gft_ratio),
-                          JsonNumber(s.median_got_ratio), JsonNumber(s.median_gct)});
-  }
-  return csv;
-}
-
-std::string FormatComparison(const std::vector<ComparisonRun>& runs) {
-  std::string csv = FormatCsvLine({"hand", "object", "method", "seed", "evaluations",
-                                   "start_fitness", "best_fitness", "evaluations_to_90"});
-  for (const ComparisonRun& run : runs) {
-    const Json to_90 = run.evaluations_to_90 > 0 ? Json(run.evaluations_to_90) : Json();
-    csv += FormatCsvLine({run.hand, run.object, run.method, run.seed, run.fitness.size(),
-                          run.fitness.front(),
-                          *std::max_element(run.fitness.begin(), run.fitness.end()), to_90});
-  }
-  return csv;
 }
 
 /** Configuration and damage; nothing else is loaded. */
@@ -251,27 +200,6 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
   return tasks;
 }
 
-std::vector<VariantSummary> SummariseVariants(const Session& benchmark) {
-  std::vector<VariantSummary> summaries;
-  std::vector<const TrialRecord*> cell;
-  const auto finish_cell = [&] {
-    if (!cell.empty()) summaries.push_back(Summarise(cell));
-    cell.clear();
-  };
-  for (const TrialRecord& record : benchmark.records) {
-    if (!cell.empty()) {
-      const PlannedTrial& last = cell.back()->plan;
-      if (last.hand != record.plan.hand || last.object != record.plan.object ||
-          last.grasp != record.plan.grasp) {
-        finish_cell();
-      }
-    }
-    cell.push_back(&record);
-  }
-  finish_cell();
-  return summaries;
-}
-
 Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
   Campaign campaign = LoadFrozenCampaign(folder, on_damage);
   std::vector<fs::path> scenes;
@@ -287,13 +215,6 @@ Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
   }
   campaign.comparison = LoadComparison(folder, campaign.config);
   return campaign;
-}
-
-void ExportCampaign(const fs::path& folder, const Campaign& campaign) {
-  WriteFileAtomically(folder / "summary.csv", FormatSummary(SummariseVariants(campaign.benchmark)));
-  if (!campaign.comparison.empty()) {
-    WriteFileAtomically(folder / "comparison.csv", FormatComparison(campaign.comparison));
-  }
 }
 
 }  // namespace graspbench

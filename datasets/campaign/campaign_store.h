@@ -46,7 +46,7 @@ struct ComparisonConfig {
 
 struct CampaignConfig {
   /** A fifth of the evaluations of one scene alone: 42 scenes take 42 times as long. */
-  CampaignConfig() { optimise.evaluations = 200; }
+  CampaignConfig() { optimise.evaluations /= 5; }
 
   SessionConfig session;  ///< hands, objects, and the benchmark's trials; grasps is "best"
   OptimiseConfig optimise;
@@ -93,19 +93,6 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
                                            const std::vector<CampaignScene>& scenes,
                                            const std::filesystem::path& folder);
 
-/** What the benchmark's trials of one scene and variant say. */
-struct VariantSummary {
-  std::string hand, object, grasp;
-  Variant variant = kStandardGrasp;
-  int trials = 0;
-  int successes = 0;
-  double mean_sigma = kUnset;        ///< a trial without sigma counts 0
-  double median_gft_ratio = kUnset;  ///< of the trials in which every digit touched
-  double median_got_ratio = kUnset;
-  double median_gct = kUnset;  ///< [s]
-};
-std::vector<VariantSummary> SummariseVariants(const Session& benchmark);
-
 struct ComparisonRun {
   std::string hand, object, method;
   int seed = 0;
@@ -125,8 +112,5 @@ struct Campaign {
 /** Everything that is stored, finished or not; hands and objects are not loaded.
 @throws Error(kNotFound, kVersion, kFormat, kIo). */
 Campaign LoadCampaign(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
-
-/** Writes summary.csv and, when there is one, comparison.csv. */
-void ExportCampaign(const std::filesystem::path& folder, const Campaign& campaign);
 
 }  // namespace graspbench

@@ -30,7 +30,7 @@ struct StoreKind {
   bool keeps_torn_lines = false;
 
   /** Journals among these that other processes may be writing while the store is sealed: only their
-  whole lines are. None of them is continued behind a torn line (FindJournalName). */
+  whole lines are. None of them is continued behind a torn line (FindJournal of session_store.h). */
   std::vector<std::string> shared_journals = {};
 };
 

@@ -8,28 +8,12 @@
 namespace graspbench {
 namespace fs = std::filesystem;
 
-namespace {
-
-Json JsonPoint(const Eigen::VectorXd& point) {
-  return Json(std::vector<double>(point.data(), point.data() + point.size()));
-}
-
-Eigen::VectorXd PointFrom(const Json& json) {
-  const auto values = json.get<std::vector<double>>();
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-}  // namespace
-
 std::string FormatEvaluationLine(const EvaluationRecord& record) {
   Json json = {{"request", record.request}, {"stage", NameOf(record.stage)}};
   if (RowOf(kLearningStages, record.stage).has_individual) {
-    json["number"] = record.individual.number;
-    json["generation"] = record.individual.generation;
-    json["parents"] = record.individual.parents;
-    json["genome_rad"] = JsonPoint(record.individual.genome);
-    json["steps_rad"] = JsonPoint(record.individual.steps);
-    json["fitness"] = CalcFitness(record.trials);
+    Individual individual = record.individual;
+    individual.fitness = CalcFitness(record.trials);
+    json.update(RecordToJson(individual));
   }
   Json trials = Json::array();
   for (size_t i = 0; i < record.trials.size(); ++i) {
@@ -55,11 +39,7 @@ EvaluationRecord ParseEvaluationLine(std::string_view line) {
     }
     if (record.trials.empty()) throw Error(ErrorKind::kFormat, "no trials");
     if (!stage.has_individual) return record;
-    record.individual.number = IntFrom(json.at("number"));
-    record.individual.generation = IntFrom(json.at("generation"));
-    record.individual.parents = json.at("parents").get<std::vector<int>>();
-    record.individual.genome = PointFrom(json.at("genome_rad"));
-    record.individual.steps = PointFrom(json.at("steps_rad"));
+    ReadRecord(json, record.individual);
     record.individual.fitness = CalcFitness(record.trials);
     return record;
   } catch (const std::exception& e) {  // of the JSON library, or an Error of a value

@@ -20,9 +20,10 @@ bool AddJudgement(const Json& json, const std::unordered_map<std::string, TrialR
   if (record == records.end()) {
     throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
   }
-  Judgement judgement = JudgementFromJson(json.at("judgement"));
+  Judgement judgement;
+  ReadRecord(json.at("judgement"), judgement);
   std::optional<Judgement>& known = record->second->judgement;
-  if (known) return ToJson(*known) == ToJson(judgement);
+  if (known) return RecordToJson(*known) == RecordToJson(judgement);
   known = std::move(judgement);
   return true;
 }
@@ -36,8 +37,9 @@ std::filesystem::path MakeJudgePath(const std::filesystem::path& folder, int wor
 }  // namespace
 
 std::string FormatJudgementLine(const std::string& trial_id, const Judgement& judgement) {
-  return FormatCheckedLine(
-      {{"trial_id", trial_id}, {"judge_version", kJudgeVersion}, {"judgement", ToJson(judgement)}});
+  return FormatCheckedLine({{"trial_id", trial_id},
+                            {"judge_version", kJudgeVersion},
+                            {"judgement", RecordToJson(judgement)}});
 }
 
 JudgementWriter::JudgementWriter(const std::filesystem::path& folder, int worker,

@@ -85,17 +85,15 @@ class Additions {
     if (!mine.judgement) {
       mine.judgement = record.judgement;
       judge_ += FormatJudgementLine(record.plan.id, *record.judgement) + "\n";
-    } else if (ToJson(*mine.judgement) != ToJson(*record.judgement)) {
+    } else if (RecordToJson(*mine.judgement) != RecordToJson(*record.judgement)) {
       Fail(record, other, "another judgement");
     }
   }
 
   void Fail(const TrialRecord& record, const fs::path& other, const std::string& what) {
-    const PlannedTrial& plan = record.plan;
     conflicts_.Fail(other.string(), 0,
-                    "trial " + plan.id + " (" + plan.hand + ", " + plan.object + ", " + plan.grasp +
-                        ", number " + std::to_string(plan.trial) + ") has " + what + " than in \"" +
-                        folder_.string() + "\" or a folder before this one");
+                    "trial " + record.plan.id + " (" + DescribeTrial(record.plan) + ") has " +
+                        what + " than in \"" + folder_.string() + "\" or a folder before this one");
   }
 
   void Append(const char* subfolder, const std::string& lines) const {

@@ -12,10 +12,6 @@
 namespace graspbench {
 namespace {
 
-Json JsonAngles(const Eigen::VectorXd& q) {
-  return Json(std::vector<double>(q.data(), q.data() + q.size()));
-}
-
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         const StandardGrasp& grasp, int trial) {
   const Json content = {{"physics", kPhysicsVersion},
@@ -143,6 +139,11 @@ std::string JoinNames(const Json& parts) { return FormatJson(parts); }
 bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
   return a.id == b.id && a.hand == b.hand && a.object == b.object && a.grasp == b.grasp &&
          a.trial == b.trial;
+}
+
+std::string DescribeTrial(const PlannedTrial& planned) {
+  return planned.hand + ", " + planned.object + ", " + planned.grasp + ", number " +
+         std::to_string(planned.trial);
 }
 
 Json ToJson(const StandardGrasp& grasp) {

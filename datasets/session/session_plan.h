@@ -8,6 +8,7 @@ of hands and objects. */
 
 #include "core/base/json.h"
 #include "core/base/random.h"
+#include "core/base/record_fields.h"
 #include "core/trial/trial_runner.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_inputs.h"
@@ -22,8 +23,23 @@ struct PlannedTrial {
   std::string object;
   std::string grasp;
   int trial = 0;  ///< zero-based number within the cell
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using P = PlannedTrial;
+    field("trial_id", &P::id, FieldColumn{"", "hash of everything that matters for the result"});
+    field("hand", &P::hand, FieldColumn{"", "id of the hand"});
+    field("object", &P::object, FieldColumn{"", "id of the object"});
+    field("grasp", &P::grasp,
+          FieldColumn{"", "id of the standard grasp, g1 to g5, or of an optimised one"});
+    field("trial", &P::trial,
+          FieldColumn{"", "number of the trial within its hand, object and grasp, from 0"});
+  }
 };
 bool operator==(const PlannedTrial& a, const PlannedTrial& b);
+
+/** "tum, golf_ball, g1, number 3", for a person. */
+std::string DescribeTrial(const PlannedTrial& planned);
 
 /** Cells in the order hand, object, grasp. With the grasps
 

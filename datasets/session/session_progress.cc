@@ -58,7 +58,7 @@ Outline LoadOutline(const fs::path& path) {
     const std::string_view id = FindId(line.text), pair = FindPair(line.text);
     if (id.empty() || pair.empty()) {
       throw Error(ErrorKind::kFormat, "\"" + path.string() + "\":" + std::to_string(line.number) +
-                                          ": it is no planned trial; graspbench verify tells more");
+                                          ": it is no planned trial; see graspbench verify");
     }
     if (pair != last) {
       outline.group_sizes.push_back(0);
@@ -105,20 +105,6 @@ void AddShards(const Outline& outline, const std::vector<bool>& finished, int nu
 
 }  // namespace
 
-const char* NameOf(ShardState state) {
-  switch (state) {
-    case ShardState::kFinished:
-      return "finished";
-    case ShardState::kRunning:
-      return "running";
-    case ShardState::kStale:
-      return "stale";
-    case ShardState::kWaiting:
-      break;
-  }
-  return "waiting";
-}
-
 SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   LoadFrozen(kSessionStore, folder, OnDamage::kRefuse, {kSessionStore.file});
   const Outline outline = LoadOutline(folder / "plan.jsonl");
@@ -129,8 +115,9 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   for (const fs::path& path : ListJournals(folder)) {
     const Shard shard = FindShardOfFile(path.filename().string());
     if (0 < shard.count && shard.count <= progress.num_trials) {
-      double& age = ages[shard.count].try_emplace(shard.number, CalcAge(path)).first->second;
-      age = std::min(age, CalcAge(path));
+      const double age = CalcAge(path);
+      double& youngest = ages[shard.count].try_emplace(shard.number, age).first->second;
+      youngest = std::min(youngest, age);
     }
     ForEachLineOfFile(path, [&](const FileLine& line) {
       if (line.text.empty() || !line.is_whole) return;

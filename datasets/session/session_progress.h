@@ -7,12 +7,21 @@ records are not read beyond their checksums, so that it takes a moment for a mil
 #include <optional>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "datasets/session/shard.h"
 
 namespace graspbench {
 
 enum class ShardState { kFinished, kRunning, kStale, kWaiting };
-const char* NameOf(ShardState state);
+struct ShardStateRow {
+  ShardState value;
+  const char* name;
+};
+inline constexpr ShardStateRow kShardStates[] = {{ShardState::kFinished, "finished"},
+                                                 {ShardState::kRunning, "running"},
+                                                 {ShardState::kStale, "stale"},
+                                                 {ShardState::kWaiting, "waiting"}};
+inline const char* NameOf(ShardState state) { return RowOf(kShardStates, state).name; }
 
 struct ShardProgress {
   Shard shard;
@@ -26,7 +35,7 @@ struct ShardProgress {
 struct SessionProgress {
   int num_trials = 0;
   int num_finished = 0;
-  int num_bad_lines = 0;              ///< `graspbench verify` tells more
+  int num_bad_lines = 0;              ///< see `graspbench verify`
   std::vector<ShardProgress> shards;  ///< of every number of shards that has a journal
 };
 

@@ -94,10 +94,8 @@ class Merger {
       found = {std::move(record), file, number};
     } else if (ToJson(found.record) != ToJson(record)) {
       conflicts_.Fail(file, number,
-                      "trial " + record.plan.id + " (" + record.plan.hand + ", " +
-                          record.plan.object + ", " + record.plan.grasp + ", number " +
-                          std::to_string(record.plan.trial) + ") differs from " + found.file + ":" +
-                          std::to_string(found.line));
+                      "trial " + record.plan.id + " (" + DescribeTrial(record.plan) +
+                          ") differs from " + found.file + ":" + std::to_string(found.line));
     }
   }
 
@@ -174,6 +172,10 @@ Session LoadSession(const fs::path& folder, OnDamage on_damage) {
   LoadJudgements(folder, session);
   session.machine_differences = DescribeDifferences(LoadWorkers(folder, session.findings));
   return session;
+}
+
+Session LoadPlannedSession(const fs::path& folder) {
+  return LoadFiles(folder, OnDamage::kRefuse, {kSessionStore.file, "plan.jsonl"});
 }
 
 Session LoadShardOfSession(const fs::path& folder, const std::string& label) {

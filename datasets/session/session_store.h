@@ -57,6 +57,9 @@ struct Session {
 before anything is read, and for unequal duplicates; kIo. */
 Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
+/** Configuration and plan, without a look at any other file. @throws as LoadSession. */
+Session LoadPlannedSession(const std::filesystem::path& folder);
+
 /** What a worker of a shard needs: configuration, plan, and the records in the journals that begin
 with `label`. No other file is read. @throws as LoadSession. */
 Session LoadShardOfSession(const std::filesystem::path& folder, const std::string& label);

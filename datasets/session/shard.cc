@@ -18,7 +18,7 @@ Shard ParsePair(std::string_view text, std::string_view between, std::string_vie
   Shard shard{0, 0};
   const char* const end = text.data() + text.size();
   const auto number = std::from_chars(text.data(), end, shard.number);
-  if (number.ec != std::errc() || number.ptr == text.data()) return {0, 0};
+  if (number.ec != std::errc()) return {0, 0};
   rest = std::string_view(number.ptr, static_cast<size_t>(end - number.ptr));
   if (rest.substr(0, between.size()) != between) return {0, 0};
   rest.remove_prefix(between.size());
@@ -60,6 +60,10 @@ Shard ParseShard(const std::string& text) {
                                        "there are, as in 3/7");
   }
   return shard;
+}
+
+std::string FormatShard(const Shard& shard) {
+  return std::to_string(shard.number) + "/" + std::to_string(shard.count);
 }
 
 std::string FormatLabel(const Shard& shard) {

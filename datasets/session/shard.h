@@ -20,6 +20,9 @@ struct Shard {
 /** Reads "3/7". @throws Error(kUsage) when it is no such pair with 1 <= number <= count. */
 Shard ParseShard(const std::string& text);
 
+/** "3/7", as ParseShard reads it. */
+std::string FormatShard(const Shard& shard);
+
 /** "3of7": how the shard's files begin. */
 std::string FormatLabel(const Shard& shard);
 

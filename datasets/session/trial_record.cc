@@ -5,24 +5,18 @@
 
 namespace graspbench {
 
-Json ToJson(const PlannedTrial& planned) {
-  return Json{{"trial_id", planned.id},
-              {"hand", planned.hand},
-              {"object", planned.object},
-              {"grasp", planned.grasp},
-              {"trial", planned.trial}};
-}
+Json ToJson(const PlannedTrial& planned) { return RecordToJson(planned); }
 
 PlannedTrial PlannedTrialFromJson(const Json& json) {
-  return {json.at("trial_id").get<std::string>(), json.at("hand").get<std::string>(),
-          json.at("object").get<std::string>(), json.at("grasp").get<std::string>(),
-          IntFrom(json.at("trial"))};
+  PlannedTrial planned;
+  ReadRecord(json, planned);
+  return planned;
 }
 
 Json ToJson(const TrialRecord& record) {
   Json json = ToJson(record.plan);
   json["result"] = ToJson(record.result);
-  if (record.judgement) json["judgement"] = ToJson(*record.judgement);
+  if (record.judgement) json["judgement"] = RecordToJson(*record.judgement);
   return json;
 }
 

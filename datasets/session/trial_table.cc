@@ -10,9 +10,6 @@ namespace {
 
 using Value = std::function<Json(const TrialRecord&)>;
 
-Value TakePlan(std::string PlannedTrial::*field) {
-  return [field](const TrialRecord& record) { return Json(record.plan.*field); };
-}
 Value TakeTiming(double ContactTiming::*field) {
   return [field](const TrialRecord& record) { return JsonNumber(record.result.timing.*field); };
 }
@@ -34,29 +31,24 @@ Value TakeJudgement(Take take) {
 std::string FindWeakestForce(const Judgement& judgement) {
   const BreakingLoad* weakest = nullptr;
   for (const BreakingLoad& load : judgement.loads) {
-    const bool is_force = load.direction.substr(0, 5) == "force";
-    if (is_force && (!weakest || load.load < weakest->load)) weakest = &load;
+    if (load.is_force() && (!weakest || load.load < weakest->load)) weakest = &load;
   }
   return weakest ? weakest->direction : "";
 }
 
 void AddJudgementColumns(std::vector<TrialColumn>& columns) {
-  columns.push_back({"breaking_force_n", "number", "N",
-                     "smallest of the six pulls along the palm's axes that took the object out, on "
-                     "top of its weight; at most 100 N; missing when not judged",
-                     TakeJudgement([](const Judgement& judgement) {
-                       return JsonNumber(judgement.breaking_force);
-                     })});
-  columns.push_back({"breaking_direction", "string", "",
-                     "that pull's direction in the palm's frame", TakeJudgement(FindWeakestForce)});
-  columns.push_back({"breaking_moment_nm", "number", "N m",
-                     "smallest of the six twists about the palm's axes that turned the object out",
-                     TakeJudgement([](const Judgement& judgement) {
-                       return JsonNumber(judgement.breaking_moment);
-                     })});
-  columns.push_back(
-      {"volume", "number", "N^6", "of the wrench hull at the end of the hold, ferrari-canny",
-       TakeJudgement([](const Judgement& judgement) { return JsonNumber(judgement.volume); })});
+  std::vector<TrialColumn> fields;
+  AddFieldColumns<Judgement>(
+      [](const TrialRecord& record) -> const Judgement& { return *record.judgement; }, fields);
+  for (TrialColumn& column : fields) {
+    column.value = [take = column.value](const TrialRecord& record) {
+      return record.judgement ? take(record) : Json();
+    };
+  }
+  fields.insert(fields.begin() + 1,  // behind the force that it belongs to
+                {"breaking_direction", "string", "", "that pull's direction in the palm's frame",
+                 TakeJudgement(FindWeakestForce)});
+  columns.insert(columns.end(), fields.begin(), fields.end());
   for (const QualityConvention& convention : ListQualityConventions()) {
     const std::string id = convention.id;
     std::string edges = std::to_string(convention.num_edges) + " edges";
@@ -139,7 +131,7 @@ std::vector<TrialColumn> ListStabilityColumns() {
   return {
       {"sigma", "number", "N",
        "stability: smallest pull along the palm's axes that the contacts stand in the hold, as "
-       "their forces tell; 0 when the object was lost",
+       "their forces show; 0 when the object was lost",
        [](const TrialRecord& record) { return JsonNumber(record.result.stability.sigma); }},
       {"sigma_stabilisation", "number", "N", "the same before lift-off, whatever came later",
        TakePart(&Stability::stabilisation, &StabilityPart::sigma)},
@@ -167,21 +159,14 @@ std::vector<TrialColumn> ListStabilityColumns() {
        TakePart(&Stability::stabilisation, &StabilityPart::opposition)}};
 }
 
-/** The fields of the result that have a column, in their order; the stability has many. */
-struct ResultColumns {
-  std::vector<TrialColumn>& columns;
+const TrialResult& TakeResult(const TrialRecord& record) { return record.result; }
 
-  template <class T>
-  void operator()(const char* key, T TrialResult::*member, const FieldColumn& about) const {
-    columns.push_back(MakeFieldColumn<TrialRecord>(
-        key, member, about,
-        [](const TrialRecord& record) -> const TrialResult& { return record.result; }));
-  }
+/** The stability, a record within the result, has columns of its own. */
+struct ResultColumns : FieldColumnCollector<TrialRecord, TrialResult, decltype(&TakeResult)> {
+  using FieldColumnCollector::operator();
   void operator()(const char*, Stability TrialResult::*) const {
     for (TrialColumn& column : ListStabilityColumns()) columns.push_back(std::move(column));
   }
-  template <class... Other>
-  void operator()(const char*, const Other&...) const {}
 };
 
 }  // namespace
@@ -196,15 +181,10 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   const auto is_success = [](const TrialRecord& record) {
     return Json(IsSuccess(record.result.outcome) ? 1 : 0);
   };
-  std::vector<TrialColumn> columns = {
-      {"trial_id", "string", "", "hash of everything that matters for the result",
-       TakePlan(&PlannedTrial::id)},
-      {"hand", "string", "", "id of the hand", TakePlan(&PlannedTrial::hand)},
-      {"object", "string", "", "id of the object", TakePlan(&PlannedTrial::object)},
-      {"grasp", "string", "", "id of the standard grasp, g1 to g5, or of an optimised one",
-       TakePlan(&PlannedTrial::grasp)},
-      {"trial", "integer", "", "number of the trial within its hand, object and grasp, from 0",
-       [](const TrialRecord& record) { return Json(record.plan.trial); }},
+  std::vector<TrialColumn> columns;
+  AddFieldColumns<PlannedTrial>(
+      [](const TrialRecord& record) -> const PlannedTrial& { return record.plan; }, columns);
+  const std::vector<TrialColumn> outcome_columns = {
       {"outcome", "string", "", "how the trial ended",
        [](const TrialRecord& record) { return Json(NameOf(record.result.outcome)); }},
       {"success", "boolean", "", "1 when the outcome is success, else 0", is_success},
@@ -228,7 +208,8 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        "that never touched are left out",
        [](const TrialRecord& record) { return Json(FindContactOrder(record.result).Format()); }},
   };
-  TrialResult::ListFields(ResultColumns{columns});
+  columns.insert(columns.end(), outcome_columns.begin(), outcome_columns.end());
+  TrialResult::ListFields(ResultColumns{{columns, &TakeResult}});
   AddJudgementColumns(columns);
   for (const std::string& digit : ListDigits(records)) {
     AddDigitColumns(digit, columns);
@@ -253,29 +234,20 @@ std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records) {
 }
 
 std::vector<CsvColumn<EventRow>> ListEventColumns() {
-  const auto take_plan = [](std::string PlannedTrial::*field) {
-    return [field](const EventRow& row) { return Json(row.record->plan.*field); };
-  };
-  return {{"trial_id", "string", "", "as in trials.csv", take_plan(&PlannedTrial::id)},
-          {"hand", "string", "", "id of the hand", take_plan(&PlannedTrial::hand)},
-          {"object", "string", "", "id of the object", take_plan(&PlannedTrial::object)},
-          {"grasp", "string", "", "id of the grasp", take_plan(&PlannedTrial::grasp)},
-          {"trial", "integer", "", "number of the trial in its cell, from 0",
-           [](const EventRow& row) { return Json(row.record->plan.trial); }},
-          {"time_s", "number", "s", "since the start of closure",
-           [](const EventRow& row) { return JsonNumber(row.event->time); }},
-          {"digit", "string", "", "id of the digit; palm: none",
-           [](const EventRow& row) { return Json(row.event->digit); }},
-          {"link", "string", "", "name of the hand's link",
-           [](const EventRow& row) { return Json(row.event->link); }},
-          {"event", "string", "", "touch, lost, regained or slip",
-           [](const EventRow& row) { return Json(NameOf(row.event->kind)); }},
-          {"impulse_ns", "number", "N s", "normal impulse on the object of the touch that was lost",
-           [](const EventRow& row) { return JsonNumber(row.event->impulse); }},
-          {"contact_rank", "integer", "",
-           "on the first touch of a grasping digit: its place in contact_order, 1 first, tied "
-           "digits alike",
-           [](const EventRow& row) { return row.rank > 0 ? Json(row.rank) : Json(); }}};
+  std::vector<CsvColumn<EventRow>> columns;
+  AddFieldColumns<PlannedTrial>(
+      [](const EventRow& row) -> const PlannedTrial& { return row.record->plan; }, columns);
+  AddFieldColumns<ContactEvent>(
+      [](const EventRow& row) -> const ContactEvent& { return *row.event; }, columns);
+  columns.insert(columns.end() - 1,  // in front of the impulse, which some kinds have
+                 {"event", "string", "", "touch, lost, regained or slip",
+                  [](const EventRow& row) { return Json(NameOf(row.event->kind)); }});
+  columns.push_back(
+      {"contact_rank", "integer", "",
+       "on the first touch of a grasping digit: its place in contact_order, 1 first, tied "
+       "digits alike",
+       [](const EventRow& row) { return row.rank > 0 ? Json(row.rank) : Json(); }});
+  return columns;
 }
 
 }  // namespace graspbench

@@ -75,13 +75,11 @@ Answers::const_iterator FindCommonAnswer(const Answers& answers) {
 }
 
 std::string DescribeDistance(const TrialRecord& trial, const Distance& distance) {
-  const PlannedTrial& plan = trial.plan;
   const std::string by =
       std::isfinite(distance.relative)
           ? ", by a part of " + FormatSignificant(distance.relative, 2) + " of it"
           : "";
-  return "in sentinel trial " + plan.id + " (" + plan.hand + ", " + plan.object + ", " +
-         plan.grasp + ", number " + std::to_string(plan.trial) + ") " +
+  return "in sentinel trial " + trial.plan.id + " (" + DescribeTrial(trial.plan) + ") " +
          std::to_string(distance.num_different) + " of " +
          FormatCount(distance.num_values, "value") + " differ, most " + distance.worst + ": " +
          distance.here + " and " + distance.there + by;

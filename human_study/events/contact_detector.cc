@@ -203,7 +203,7 @@ EventTime CheckUsable(const EventTime& event, const ContactOptions& options) {
       options.max_uncertainty == 0.0 || !(event.uncertainty > options.max_uncertainty);
   if (!event.IsFound() || is_usable) return event;
   return MissingEvent(fmt::format("{}: known to \u00b1 {:.0f} ms only", kNotUsable,
-                                  MsFromS(kCoverageFactor * event.uncertainty)));
+                                  MsFromS(event.CalcHalfWidth())));
 }
 
 bool IsForce(const ContactDetector& detector) { return std::string_view(detector.id) == "force"; }

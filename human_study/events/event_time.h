@@ -16,10 +16,9 @@ instants apart. What is not covered: an error common to all trials, such as a wr
 #include <limits>
 #include <string>
 
-namespace graspbench {
+#include "core/statistics/distributions.h"
 
-/** 95 % of normal errors lie within this many standard uncertainties. */
-inline constexpr double kCoverageFactor = 1.96;
+namespace graspbench {
 
 struct EventTime {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< on the trial's clock [s]; NaN: none
@@ -29,6 +28,7 @@ struct EventTime {
   std::string missing;     ///< why there is none; empty when there is one
 
   bool IsFound() const { return missing.empty() && time == time; }
+  double CalcHalfWidth() const { return kNormal95 * uncertainty; }  ///< of the 95 % interval [s]
 };
 
 /** An event that was not found, and why. */

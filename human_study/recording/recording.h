@@ -17,6 +17,8 @@ at frame 1 starts at zero and a cropped one keeps its place. */
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
+
 namespace graspbench {
 
 enum class SampleState : uint8_t {
@@ -24,6 +26,14 @@ enum class SampleState : uint8_t {
   kFilled,    ///< computed or interpolated: by the recording software or by our own cleaning
   kInvalid,   ///< missing; its coordinates are NaN
 };
+struct SampleStateRow {
+  SampleState value;
+  const char* name;  ///< in files
+};
+inline constexpr SampleStateRow kSampleStates[] = {{SampleState::kMeasured, "measured"},
+                                                   {SampleState::kFilled, "filled"},
+                                                   {SampleState::kInvalid, "invalid"}};
+inline const char* NameOf(SampleState state) { return RowOf(kSampleStates, state).name; }
 
 /** One named point over all frames. */
 struct RecordedPoint {

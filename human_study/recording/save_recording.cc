@@ -38,18 +38,6 @@ std::string CleanLabel(std::string label) {
   return label;
 }
 
-const char* NameOf(SampleState state) {
-  switch (state) {
-    case SampleState::kMeasured:
-      return "measured";
-    case SampleState::kFilled:
-      return "filled";
-    case SampleState::kInvalid:
-      return "invalid";
-  }
-  return "";
-}
-
 int64_t FrameNumber(const Recording& recording, size_t frame) {
   return recording.first_frame + static_cast<int64_t>(frame);
 }

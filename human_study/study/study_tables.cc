@@ -109,11 +109,11 @@ TrialColumns ListMeasureColumns(const StudyResult& result) {
                      [](const StudyTrial* trial) { return Json(trial->analysis->num_touching); }});
   columns.push_back(
       {"num_unverified_touches", "integer", "",
-       "contacts of which neither the object's shape nor a force tells that the digit touched",
+       "contacts of which neither the object's shape nor a force shows that the digit touched",
        [](const StudyTrial* trial) { return Json(trial->analysis->num_unverified); }});
   columns.push_back(
       {"contact_order", "string", "",
-       "digits by first contact; = joins those the data cannot tell apart",
+       "digits by first contact; = joins those the data cannot separate",
        [](const StudyTrial* trial) { return Json(trial->analysis->order.Format()); }});
   const auto flag = [](bool TrialAnalysis::*field) {
     return [field](const StudyTrial* trial) { return Json((*trial->analysis).*field ? 1 : 0); };

@@ -39,7 +39,7 @@ Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
   const Filmstrip& strip = found->second;
   Html frames;
   for (const Picture& picture : strip.pictures) {
-    const std::string name = RowOf(kMoments, picture.moment).words;
+    const std::string name = Capitalise(NameOf(picture.moment));
     frames +=
         Element("figure", {},
                 Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},

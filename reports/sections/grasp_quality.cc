@@ -52,7 +52,7 @@ Html DrawRanks(const JudgeEvidence& evidence) {
 
 Html DrawRoc(const JudgeEvidence& evidence) {
   IntervalPlot plot;
-  plot.text.title = "How measures before lift-off tell success";
+  plot.text.title = "How measures before lift-off predict success";
   plot.text.description = "Areas under the ROC curve with 95 % intervals, one row per measure.";
   plot.axis = "area under the ROC curve";
   for (const RocEvidence& roc : evidence.roc) plot.rows.push_back(MakeRow(roc.measure, roc.area));
@@ -60,7 +60,7 @@ Html DrawRoc(const JudgeEvidence& evidence) {
                         FormatCount(evidence.num_finished, "finished trial") + ", " +
                         std::to_string(evidence.num_successes) +
                         " of them successful; a grasp that was never closed counts as 0.",
-                    "0.5 is chance, 1 tells every success from every failure before the lift.",
+                    "0.5 is chance, 1 ranks every success above every failure before the lift.",
                     MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
@@ -75,8 +75,7 @@ Html DrawAgreement(const JudgeEvidence& evidence) {
                              Text(std::to_string(evidence.agreements[a][a].num_both) + " of " +
                                   std::to_string(evidence.num_judged))};
     for (const Agreement& agreement : evidence.agreements[a]) {
-      row.push_back(Text(FormatFixed(
-          100.0 * (agreement.num_both + agreement.num_neither) / evidence.num_judged, 1)));
+      row.push_back(Text(FormatFixed(100.0 * agreement.share(), 1)));
     }
     table.AddRow(row);
   }

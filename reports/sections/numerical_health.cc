@@ -19,14 +19,13 @@ Html DrawTotals(const ReportData& data) {
                {"Share [%]", number, "of steps not converged"}});
   for (const std::string& hand : data.summary.hands) {
     const Tally tally = data.summary.TallyOf(hand);
-    const double share =
-        100.0 * static_cast<double>(tally.num_unconverged) / static_cast<double>(tally.num_steps);
     table.AddRow({Text(data.models.NameOfHand(hand)), Text(std::to_string(tally.finished)),
                   Text(std::to_string(tally.CountOf(Outcome::kNumericalFailure))),
                   Text(FormatFixed(MmFromM(tally.worst_penetration), 2)),
                   Text(FormatSignificant(MjFromJ(tally.worst_energy_residual), 3)),
                   Text(std::to_string(tally.num_steps)),
-                  Text(std::to_string(tally.num_unconverged)), Text(FormatFixed(share, 3))});
+                  Text(std::to_string(tally.num_unconverged)),
+                  Text(FormatFixed(100.0 * tally.share_unconverged(), 3))});
   }
   return table.ToHtml();
 }

@@ -115,7 +115,7 @@ TEST_F(CatalogueTest, UnknownNamesAndBareMeshesAreExplained) {
             0u);
   Write(kYaml, box_);
   EXPECT_NE(FindMessage((folder_ / "box.obj").string(), ErrorKind::kUsage)
-                .find("a mesh alone tells neither unit, mass nor friction. Put it into a folder "
+                .find("a mesh alone gives neither unit, mass nor friction. Put it into a folder "
                       "with an object.yaml"),
             std::string::npos);
   fs::remove(folder_ / "object.yaml");

@@ -143,6 +143,9 @@ TEST_F(CheckMeshFileTest, TheUnitIsInferredWhereTheSizeTellsIt) {
   EXPECT_FALSE(neither.is_unit_inferred);
   ASSERT_FALSE(neither.report.problems.empty());
   EXPECT_EQ(neither.report.problems[0].fault, MeshFault::kSize);
+  EXPECT_NE(neither.report.problems[0].text.find("neither metres nor millimetres"),
+            std::string::npos)
+      << neither.report.problems[0].text;
 }
 
 TEST_F(CheckMeshFileTest, AMissingFileIsNamed) {

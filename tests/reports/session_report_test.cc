@@ -205,7 +205,7 @@ TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {
   ExpectSoundPage(page);
   ExpectContains(page, "src=\"data:image/webp;base64,YWJj\"");
   ExpectContains(page, "alt=\"tum, can, power (g3): Pre-grasp\"");
-  ExpectContains(TextOfSection(page, "tum-can-g3"), "Closed, 1.25 s");
+  ExpectContains(TextOfSection(page, "tum-can-g3"), "Stabilisation, 1.25 s");
 }
 
 TEST(SessionReport, SeveralGraspsGetAColumnEach) {

@@ -7,6 +7,7 @@
 #include "core/base/config.h"
 #include "core/base/hash.h"
 #include "core/base/text.h"
+#include "datasets/analysis/campaign_export.h"
 #include "reports/campaign/campaign_report.h"
 #include "workbench/campaign_tables.h"
 #include "workbench/commands/command.h"
@@ -83,7 +84,9 @@ void AddCampaignCommand(CLI::App& program, ExitCode&) {
   const auto options = std::make_shared<CampaignOptions>();
   CampaignConfig& config = options->config;
   AddSceneOptions(command, config.session);
-  AddSearchOptions(command, config.optimise, "of each scene's step 2; 1000 for the full campaign");
+  AddSearchOptions(command, config.optimise,
+                   "of each scene's step 2; as many as optimise has (" +
+                       std::to_string(OptimiseConfig().evaluations) + ") for the full campaign");
   command
       .add_option("--trials", config.session.trials,
                   "trials of each scene and variant in the benchmark")

@@ -26,41 +26,47 @@ struct MergeOptions {
   bool json = false;
 };
 
-struct MachinesOfSession {
-  std::map<std::string, std::pair<Machine, std::set<std::string>>> shards;  ///< by what it is
-  std::set<std::string> builds;
+struct MachineShards {
+  Machine machine;
+  std::set<std::string> shards;  ///< that were worked on there
 };
 
-MachinesOfSession ListMachines(const fs::path& folder) {
-  MachinesOfSession machines;
+std::vector<MachineShards> ListMachines(const fs::path& folder) {
+  std::map<std::string, MachineShards> by_machine;
   Diagnostics ignored;  // LoadSession has told of them
   for (const WorkerStart& start : LoadWorkers(folder, ignored)) {
-    auto& [machine, shards] = machines.shards[DescribeMachine(start.machine)];
-    machine = start.machine;
-    shards.insert(start.shard);
-    machines.builds.insert(start.machine.build);
+    MachineShards& entry = by_machine[DescribeMachine(start.machine)];
+    entry.machine = start.machine;
+    entry.shards.insert(start.shard);
   }
+  std::vector<MachineShards> machines;
+  for (auto& [name, entry] : by_machine) machines.push_back(std::move(entry));
   return machines;
 }
 
-std::string FormatMachines(const MachinesOfSession& machines) {
+std::string FormatMachines(const std::vector<MachineShards>& machines) {
   TextTable table({"machine", "processor", "C library", "build", "shards"});
-  for (const auto& [name, entry] : machines.shards) {
-    const auto& [machine, shards] = entry;
+  for (const auto& [machine, shards] : machines) {
     table.AddRow({machine.host, machine.processor, machine.c_library, machine.build,
                   std::to_string(shards.size())});
   }
-  return machines.shards.empty() ? "" : table.Format() + "\n";
+  return machines.empty() ? "" : table.Format() + "\n";
 }
 
-Json MakeJson(const SessionSummary& summary, const MachinesOfSession& machines,
+size_t CountBuilds(const std::vector<MachineShards>& machines) {
+  std::set<std::string> builds;
+  for (const MachineShards& entry : machines) builds.insert(entry.machine.build);
+  return builds.size();
+}
+
+Json MakeJson(const SessionSummary& summary, const std::vector<MachineShards>& machines,
               const Session& session, const MergeOptions& options, const fs::path& report) {
   Json json = MakeSummaryJson(summary, options.folder, report);
   json["left"] = session.plan.size() - session.records.size();
   json["machines"] = Json::array();
-  for (const auto& [name, entry] : machines.shards) {
-    Json machine = RecordToJson(entry.first);
-    machine["shards"] = entry.second;
+  for (const auto& [entry, shards] : machines) {
+    Json machine = RecordToJson(entry);
+    machine["shards"] = shards;
     json["machines"].push_back(machine);
   }
   json["differences"] = session.machine_differences;
@@ -73,7 +79,7 @@ ExitCode Merge(const MergeOptions& options) {
   SealStore(kSessionStore, options.folder);
   ExportSession(options.folder, session);
   const fs::path report = WriteSessionReport(options.folder, session);
-  const MachinesOfSession machines = ListMachines(options.folder);
+  const std::vector<MachineShards> machines = ListMachines(options.folder);
   const SessionSummary summary = SummariseSession(session);
   if (options.json) {
     PrintJson(MakeJson(summary, machines, session, options, report));
@@ -83,8 +89,9 @@ ExitCode Merge(const MergeOptions& options) {
                 (options.folder / "export" / "trials.csv").string() + "\n");
   }
   if (num_new > 0) PrintMessage(FormatCount(num_new, "trial") + " came from other folders");
-  if (machines.builds.size() > 1) {
-    PrintMessage("note: " + std::to_string(machines.builds.size()) +
+  const size_t num_builds = CountBuilds(machines);
+  if (num_builds > 1) {
+    PrintMessage("note: " + std::to_string(num_builds) +
                  " builds of graspbench have worked on this session");
   }
   for (const std::string& difference : session.machine_differences) {

@@ -6,9 +6,9 @@
 
 #include "core/base/files.h"
 #include "core/hand/load_hand.h"
-#include "core/render/hand_scene.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
+#include "reports/cell_pictures.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
 
@@ -23,6 +23,12 @@ struct RenderOptions {
   std::string phase = NameOf(Moment::kClosed);
   std::string out;
 };
+
+std::vector<std::string> ListPhases() {
+  std::vector<std::string> phases;
+  for (const MomentRow& row : kMoments) phases.emplace_back(NameOf(row.value));
+  return phases;
+}
 
 StandardGrasp LoadGrasp(const Hand& hand, const std::string& id) {
   std::vector<std::string> known;
@@ -53,27 +59,17 @@ void Render(const RenderOptions& options) {
   const auto object = LoadObject(options.object);
   const TrialResult result = RunNominalTrial(hand, object, grasp);
 
-  std::vector<Scene> scenes;
-  const SceneSnapshot* shown = nullptr;
-  size_t shown_index = 0;
-  for (const SceneSnapshot& snapshot : result.snapshots) {
-    if (NameOf(snapshot.moment) == options.phase) {
-      shown = &snapshot;
-      shown_index = scenes.size();
-    }
-    scenes.push_back(MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO));
-  }
-  if (!shown) {
+  const auto shown = std::find_if(
+      result.snapshots.begin(), result.snapshots.end(),
+      [&](const SceneSnapshot& snapshot) { return NameOf(snapshot.moment) == options.phase; });
+  if (shown == result.snapshots.end()) {
     throw Error(ErrorKind::kUnsupported, "the trial ended before the phase \"" + options.phase +
                                              "\": " + NameOf(result.outcome) + ", " +
                                              result.reason);
   }
-  // One camera for all phases of a trial, so that pictures of a series can be compared.
-  const Eigen::Vector3d to_eye =
-      FindGraspView(*hand, result.snapshots.front().q, result.snapshots.front().X_WH);
-  const Camera camera = FrameScenes(scenes, to_eye, static_cast<double>(kWidth) / kHeight);
-  Renderer renderer(kWidth, kHeight);
-  WriteFileAtomically(options.out, EncodePng(renderer.Render(scenes[shown_index], camera)));
+  const auto index = static_cast<size_t>(shown - result.snapshots.begin());
+  WriteFileAtomically(options.out,
+                      RenderSnapshotAsPng(result.snapshots, index, hand, object, kWidth, kHeight));
   PrintResult(options.out + "\n");
   PrintMessage(hand->name + ", " + object->name + ", " + grasp.id + ": " + NameOf(result.outcome));
 }
@@ -83,8 +79,8 @@ void Render(const RenderOptions& options) {
 void AddRenderCommand(CLI::App& program, ExitCode&) {
   CLI::App& command =
       AddSubcommand(program, "render", "Run one trial without variation and draw it.",
-                    "  graspbench render shadow can g3 --phase closed --out can.png\n"
-                    "  graspbench render tum golf_ball g1 --phase lifted --out ball.png");
+                    "  graspbench render shadow can g3 --phase stabilisation --out can.png\n"
+                    "  graspbench render tum golf_ball g1 --phase hold --out ball.png");
   const auto options = std::make_shared<RenderOptions>();
   command.add_option("hand", options->hand, "hand by id or folder")
       ->required()
@@ -95,8 +91,8 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("grasp", options->grasp, "standard grasp: g1..g5")
       ->required()
       ->option_text("GRASP");
-  command.add_option("--phase", options->phase, "when: " + ListNames(ListNames(kMoments)))
-      ->check(CLI::IsMember(ListNames(kMoments)))
+  command.add_option("--phase", options->phase, "at the end of which: " + ListNames(ListPhases()))
+      ->check(CLI::IsMember(ListPhases()))
       ->option_text("PHASE")
       ->capture_default_str();
   command.add_option("--out", options->out, "the picture (PNG)")

@@ -23,16 +23,16 @@ struct ReportOptions {
 /** Writes the page of the result in options.folder below `place`. @returns its path from there. */
 std::filesystem::path WriteReport(const ReportOptions& options,
                                   const std::filesystem::path& place) {
-  const auto tell = [](const std::vector<Damage>& damage) {
+  const auto report_damage = [](const std::vector<Damage>& damage) {
     if (!damage.empty()) PrintMessage("damage accepted" + FormatDamage(damage));
   };
   if (HasCampaign(options.folder)) {
     const Campaign campaign = LoadCampaign(options.folder, options.on_damage);
-    tell(campaign.damage);
+    report_damage(campaign.damage);
     return WriteCampaignReport(place, campaign).lexically_relative(place);
   }
   const Session session = LoadSession(options.folder, options.on_damage);
-  tell(session.damage);
+  report_damage(session.damage);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   return WriteSessionReport(place, session).lexically_relative(place);
 }

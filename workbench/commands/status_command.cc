@@ -17,14 +17,10 @@ struct StatusOptions {
   bool json = false;
 };
 
-std::string FormatName(const Shard& shard) {
-  return std::to_string(shard.number) + "/" + std::to_string(shard.count);
-}
-
 Json MakeStatusJson(const SessionProgress& progress) {
   Json shards = Json::array();
   for (const ShardProgress& one : progress.shards) {
-    shards.push_back({{"shard", FormatName(one.shard)},
+    shards.push_back({{"shard", FormatShard(one.shard)},
                       {"trials", one.num_trials},
                       {"finished", one.num_finished},
                       {"state", NameOf(one.state)},
@@ -39,7 +35,7 @@ Json MakeStatusJson(const SessionProgress& progress) {
 void PrintStatus(const StatusOptions& options, const SessionProgress& progress) {
   TextTable table({"shard", "trials", "finished", "state", "last line [s] ago"});
   for (const ShardProgress& one : progress.shards) {
-    table.AddRow({FormatName(one.shard), std::to_string(one.num_trials),
+    table.AddRow({FormatShard(one.shard), std::to_string(one.num_trials),
                   std::to_string(one.num_finished), NameOf(one.state),
                   one.age ? FormatFixed(*one.age, 0) : "n/a"});
   }
@@ -56,7 +52,7 @@ void PrintStatus(const StatusOptions& options, const SessionProgress& progress) 
 
 void AddStatusCommand(CLI::App& program, ExitCode&) {
   CLI::App& command =
-      AddSubcommand(program, "status", "Tell how far the shards of a session are, by its journals.",
+      AddSubcommand(program, "status", "Show how far the shards of a session are, by its journals.",
                     "  graspbench status results/pilot\n"
                     "  graspbench status results/pilot --stale-after 3600 --json");
   const auto options = std::make_shared<StatusOptions>();

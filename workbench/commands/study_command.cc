@@ -4,11 +4,8 @@
 #include <optional>
 
 #include "core/base/text.h"
-#include "human_study/statistics/tidy_export.h"
+#include "human_study/study/analyse_study.h"
 #include "human_study/study/demo_study.h"
-#include "human_study/study/motion_bids.h"
-#include "human_study/study/run_study.h"
-#include "human_study/study/study_tables.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
@@ -42,35 +39,18 @@ void ShowProgress(size_t num_done, size_t num_planned) {
   PrintMessage(std::to_string(num_done) + " of " + std::to_string(num_planned) + " trials");
 }
 
-std::vector<MeasureTable> ListTables(const StudyResult& result) {
-  std::vector<MeasureTable> tables;
-  for (const TrialMeasure& measure : TrialMeasureList()) {
-    tables.push_back(MakeMeasureTable(result, measure));
-  }
-  return tables;
-}
-
 /** Analyses the study into the folder that will become --out. */
 StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const Study study = LoadStudy(options.study_file, options.data, options.settings);
   if (!study.warnings.entries().empty()) PrintMessage(study.warnings.Format());
   const std::optional<RobotSession> robot = LoadRobot(options, study);
-  MotionBidsWriter bids(staged.path() / "bids", study);
-  StudyWatch watch;
-  watch.on_row = ShowProgress;
-  watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
-    bids.WriteTrial(trial, reach);
-  };
-  StudyResult result = RunStudy(study, watch);
-  PrintResult(FormatRemoved(result) + FormatZeroGft(result.statistics.zero_gft));
-  bids.Finish();
-  WriteStudyTables(result, staged.path());
-  SaveTidyExport(ListTables(result), staged.path() / "tidy");
+  StudyResult result = AnalyseStudy(study, staged.path(), ShowProgress);
   const fs::path page = WriteStudyReport(staged.path(), result, robot ? &*robot : nullptr);
-  const fs::path report = fs::path(options.out) / page.lexically_relative(staged.path());
-  staged.Commit();
   const fs::path out = options.out;
-  PrintResult("kept     " + std::to_string(result.CountKept()) + " of " +
+  const fs::path report = out / page.lexically_relative(staged.path());
+  staged.Commit();
+  PrintResult(FormatRemoved(result) + FormatZeroGft(result.statistics.zero_gft) + "kept     " +
+              std::to_string(result.CountKept()) + " of " +
               FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
               (out / "measures.csv").string() + "\nR        " + (out / "tidy").string() +
               "\nBIDS     " + (out / "bids").string() + "\nreport   " + report.string() + "\n");

@@ -24,7 +24,7 @@ struct SubmitOptions {
 
 void Submit(const SubmitOptions& options) {
   SubmitRequest request = options.request;
-  const Session session = LoadShardOfSession(request.folder, "none");
+  const Session session = LoadPlannedSession(request.folder);
   if (request.num_shards == 0) {
     constexpr int kShardsOfCluster = 10;
     const int num_processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -62,6 +62,13 @@ RunRecord RunRecorder::Keep(bool is_complete) {
   return record_;
 }
 
+void RecordPlanning(const fs::path& folder) {
+  RunRecord record;
+  record.started_utc = FormatUtcNow();
+  record.ending = "planned";
+  AppendRunRecord(folder, record);
+}
+
 std::vector<std::string> ListBuilds(const fs::path& folder) {
   std::vector<std::string> builds;
   for (const Json& run : LoadRuns(folder)) {

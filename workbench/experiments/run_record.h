@@ -49,6 +49,9 @@ class RunRecorder : public Observer {
   RunRecord record_;
 };
 
+/** Notes in run.json which build has made the plan of a new session. @throws Error(kIo). */
+void RecordPlanning(const std::filesystem::path& folder);
+
 /** The builds of the program in run.json, a run each. */
 std::vector<std::string> ListBuilds(const std::filesystem::path& folder);
 

@@ -79,11 +79,6 @@ void CheckBuild(const fs::path& folder) {
                   "be the same");
 }
 
-std::string Describe(const PlannedTrial& planned) {
-  return planned.hand + ", " + planned.object + ", " + planned.grasp + ", number " +
-         std::to_string(planned.trial);
-}
-
 /** The inputs of a few trials: objects of the catalogue that none of them needs are not loaded.
 @throws Error(kVersion) when the trials are no longer what they were planned to be. */
 SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfig config) {
@@ -99,12 +94,13 @@ SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfi
                        config.objects.end());
   SessionInputs inputs = LoadSessionInputs(config);
   std::map<std::string, std::string> ids;
-  for (const PlannedTrial& planned : MakePlan(config, inputs)) ids[Describe(planned)] = planned.id;
+  for (const PlannedTrial& planned : MakePlan(config, inputs))
+    ids[DescribeTrial(planned)] = planned.id;
   for (const PlannedTrial& planned : trials) {
-    const auto now = ids.find(Describe(planned));
+    const auto now = ids.find(DescribeTrial(planned));
     if (now != ids.end() && now->second == planned.id) continue;
     throw Error(ErrorKind::kVersion,
-                "the trial " + Describe(planned) + " is " + planned.id + " in the plan and " +
+                "the trial " + DescribeTrial(planned) + " is " + planned.id + " in the plan and " +
                     (now == ids.end() ? "unknown" : now->second) +
                     " to this program: a hand, an object or a grasp differs from those of the "
                     "machine that planned the session");
@@ -163,7 +159,7 @@ class ShardWorker {
 
  private:
   bool HasWorkedHere() const {
-    Diagnostics ignored;  // another reader tells of them
+    Diagnostics ignored;  // reported by LoadSession
     const std::vector<WorkerStart> starts = LoadWorkers(folder_, ignored, label_);
     return std::any_of(starts.begin(), starts.end(),
                        [&](const WorkerStart& start) { return start.machine == machine_; });
@@ -210,13 +206,6 @@ ShardResult WorkOnShard(const ShardRequest& request, Observer& observer,
   const ShardResult result = worker->Work();
   if (HasAbandonedTasks()) static_cast<void>(worker.release());  // their threads still use it
   return result;
-}
-
-void RecordPlanning(const fs::path& folder) {
-  RunRecord record;
-  record.started_utc = FormatUtcNow();
-  record.ending = "planned";
-  AppendRunRecord(folder, record);
 }
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-One machine's part of a session that several work on, and putting the parts together. A worker reads
-configuration and plan, writes journals of its own and nothing else; which trials are its own
-follows from the plan (datasets/session/shard.h). */
+One machine's part of a session that several work on. A worker reads configuration and plan, writes
+journals of its own and nothing else; which trials are its own follows from the plan
+(datasets/session/shard.h). The parts are put together by datasets/session/merge_sessions.h. */
 
 #include <atomic>
 #include <filesystem>
@@ -37,8 +37,5 @@ struct ShardResult {
 process works on the shard; Error(kUsage) for more shards than trials; as LoadSession. */
 ShardResult WorkOnShard(const ShardRequest& request, Observer& observer,
                         const std::atomic<bool>& stop);
-
-/** Writes into run.json which build has made the plan of a new session. @throws Error(kIo). */
-void RecordPlanning(const std::filesystem::path& folder);
 
 }  // namespace graspbench

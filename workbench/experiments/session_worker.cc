@@ -15,9 +15,7 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
       std::find_if(session.records.begin(), session.records.end(),
                    [&](const TrialRecord& candidate) { return candidate.plan == planned; });
   if (ToJson(record->result) == ToJson(result)) return;
-  throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + planned.hand + ", " +
-                                       planned.object + ", " + planned.grasp + ", number " +
-                                       std::to_string(planned.trial) +
+  throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
                                        ") gives another result than its record: the session was "
                                        "run by another build or on another machine; run it anew "
                                        "to judge it");

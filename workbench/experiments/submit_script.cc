@@ -21,20 +21,20 @@ bool IsPlainWord(const std::string& text) {
   return text.find_first_not_of(kPlain) == text.npos;
 }
 
+void FailWord(YamlMap& map, const char* key, const std::string& word) {
+  map.Fail(key, "\"" + word + "\": expected letters, digits and _.,:=@+/- only");
+}
+
 void ReadWords(YamlMap& map, const char* key, std::vector<std::string>& words) {
   map.Read(key, words, Needed::kNo);
   for (const std::string& word : words) {
-    if (word.empty() || !IsPlainWord(word)) {
-      map.Fail(key, "\"" + word + "\": expected letters, digits and _.,:=@+/- only");
-    }
+    if (word.empty() || !IsPlainWord(word)) FailWord(map, key, word);
   }
 }
 
 void ReadWord(YamlMap& map, const char* key, std::string& word) {
   map.Read(key, word, Needed::kNo);
-  if (!IsPlainWord(word)) {
-    map.Fail(key, "\"" + word + "\": expected letters, digits and _.,:=@+/- only");
-  }
+  if (!IsPlainWord(word)) FailWord(map, key, word);
 }
 
 /** "#SBATCH --partition=a --time=b" with a line feed, or nothing. */

@@ -128,7 +128,7 @@ const Importer& FindImporter(const std::string& format, std::string_view head,
   throw Error(ErrorKind::kFormat,
               path.string() + ": " +
                   (head.empty() ? "the file is empty"
-                                : "neither its content nor its name tells the format") +
+                                : "neither its content nor its name shows the format") +
                   "; known formats: " + known +
                   " (--format names one; a plain table needs --mapping columns.yaml)");
 }

@@ -53,7 +53,7 @@ struct Importer {
   bool (*recognises)(std::string_view head);
   Recording (*import)(const ImportSource& source, const ImportOptions& options);
   /** Blanks personal data in the bytes of a file in place, at unchanged length where positions
-  matter, and tells what it blanked. Null: the format has no place for any. */
+  matter, and reports what it blanked. Null: the format has no place for any. */
   std::vector<PersonalField> (*redact)(std::string& bytes, const std::string& name);
 };
 

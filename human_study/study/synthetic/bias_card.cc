@@ -63,7 +63,7 @@ BiasRow BiasTrials::CalcRow(const AnalysisOptions& options) {
       const EventTime& contact = analysis.contacts[d].contact;
       if (!contact.IsFound()) continue;
       errors.push_back(contact.time - truth[d]);
-      num_covered += std::abs(contact.time - truth[d]) <= 1.96 * contact.uncertainty;
+      num_covered += std::abs(contact.time - truth[d]) <= contact.CalcHalfWidth();
     }
   }
   row.true_gft = CalcMean(true_gfts);
@@ -71,7 +71,7 @@ BiasRow BiasTrials::CalcRow(const AnalysisOptions& options) {
   row.sd_gft = CalcSd(gfts);
   row.contact_bias = CalcMean(errors);
   row.contact_sd = CalcSd(errors);
-  row.coverage = errors.empty() ? std::nan("") : num_covered / static_cast<double>(errors.size());
+  row.coverage = CalcShare(num_covered, static_cast<int64_t>(errors.size()));
   return row;
 }
 

@@ -6,6 +6,7 @@ study's rate and noise, analysed with the study's options, and compared with the
 #include <string>
 #include <vector>
 
+#include "core/statistics/proportion.h"
 #include "human_study/events/trial_analysis.h"
 #include "human_study/study/synthetic/synthetic_study.h"
 
@@ -30,8 +31,12 @@ struct BiasRow {
   double sd_gft = 0.0;
   double contact_bias = 0.0;  ///< mean of found - true contact time, over all digits [s]
   double contact_sd = 0.0;    ///< SD of that [s]
-  /** Share of contacts whose error is below 1.96 stated uncertainties: 0.95 would be honest. */
+  /** Share of contacts whose error lies within their stated 95 % interval: 0.95 would be honest. */
   double coverage = 0.0;
+
+  double gft_error() const { return mean_gft - true_gft; }  ///< [s]
+  /** The errors within one standard deviation over trials [s]. */
+  Interval gft_error_range() const { return {gft_error() - sd_gft, gft_error() + sd_gft}; }
 };
 
 /** Analyses the trials and compares with their truth. `text` stays empty.

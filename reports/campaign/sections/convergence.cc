@@ -23,13 +23,6 @@ Html DrawScene(const std::vector<const MethodCurve*>& curves, const std::string&
                     MakeScroll(plot.text.title, DrawLinePlot(plot)));
 }
 
-double FindFinal(const std::vector<const MethodCurve*>& curves, const std::string& method) {
-  for (const MethodCurve* curve : curves) {
-    if (curve->method == method) return curve->final_median;
-  }
-  return std::nan("");
-}
-
 Html DrawConvergence(const CampaignData& data) {
   const std::vector<MethodCurve> curves = ListMethodCurves(data.campaign);
   if (curves.empty()) {
@@ -48,7 +41,6 @@ Html DrawConvergence(const CampaignData& data) {
                 "median number of evaluations until 90 % of the way from the start to the best "
                 "fitness that any run of the scene found"}});
   Html figures;
-  int num_scenes = 0, num_won = 0;
   for (size_t first = 0, last; first < curves.size(); first = last) {
     std::vector<const MethodCurve*> scene;
     for (last = first; last < curves.size() && curves[last].hand == curves[first].hand &&
@@ -69,20 +61,16 @@ Html DrawConvergence(const CampaignData& data) {
                     ? FormatFixed(curve->median_evaluations_to_90, 0)
                     : std::string("never"))});
     }
-    const double evolved = FindFinal(scene, "es"), random = FindFinal(scene, "random");
-    if (std::isfinite(evolved) && std::isfinite(random)) {
-      ++num_scenes;
-      num_won += evolved > random ? 1 : 0;
-    }
     figures += DrawScene(scene, name);
   }
   Html html;
-  if (num_scenes > 0) {
+  const MethodDuel duel = CompareMethods(curves, "es", "random");
+  if (duel.num_scenes > 0) {
     html += MakeParagraph(
         "In the median over seeds the evolution strategy ends above random search "
         "in " +
-        std::to_string(num_won) + " of " + FormatCount(num_scenes, "scene") + " (" +
-        FormatPercent(static_cast<double>(num_won) / num_scenes) + ").");
+        std::to_string(duel.num_won) + " of " + FormatCount(duel.num_scenes, "scene") + " (" +
+        FormatPercent(duel.share_won()) + ").");
   }
   return html + MakeScroll("Search methods", table.ToHtml()) + figures;
 }

@@ -27,23 +27,19 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
       row.label = data.models.NameOfObject(scene.object);
       row.anchor = scene.key;
       row.series = hand == data.benchmark.hands.front() ? 0 : 1;
-      const std::vector<double> pairs = ListPairedDifferences(measure, scene, before, after);
-      const auto difference = CalcPairedDifference(measure, scene, before, after);
-      if (difference) {
-        row.value = unit * difference->estimate;
-        row.low = unit * difference->interval.low;
-        row.high = unit * difference->interval.high;
+      const PairedDifference pairs = CalcPairedDifference(measure, scene, before, after);
+      row.value = unit * pairs.mean;
+      if (pairs.interval) {
+        row.low = unit * pairs.interval->interval.low;
+        row.high = unit * pairs.interval->interval.high;
         row.text = FormatFixed(row.value, measure.decimals) + " (" +
                    FormatFixed(row.low, measure.decimals) + " to " +
                    FormatFixed(row.high, measure.decimals) + "), " +
-                   FormatCount(static_cast<int>(pairs.size()), "pair");
+                   FormatCount(pairs.num_pairs, "pair");
       } else {
-        row.value = row.low = row.high = std::nan("");
-        double sum = 0.0;
-        for (double pair : pairs) sum += pair;
-        if (!pairs.empty()) row.value = unit * sum / static_cast<double>(pairs.size());
+        row.low = row.high = std::nan("");
         row.text =
-            FormatFixed(row.value, measure.decimals) + ", no interval: " + difference.reason();
+            FormatFixed(row.value, measure.decimals) + ", no interval: " + pairs.interval.reason();
       }
       plot.rows.push_back(row);
     }

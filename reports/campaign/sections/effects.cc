@@ -19,7 +19,7 @@ std::string FormatMeasure(const VariantMeasure& measure, double value) {
 }
 
 std::string FormatRatio(const StepEffect& effect) {
-  if (!effect.ratio) return FormatFixed(effect.median_after / effect.median_before, 2);
+  if (!effect.ratio) return FormatFixed(effect.plain_ratio(), 2);
   return FormatFixed(effect.ratio->estimate, 2) + " (" +
          FormatFixed(effect.ratio->interval.low, 2) + " to " +
          FormatFixed(effect.ratio->interval.high, 2) + ")";
@@ -41,13 +41,11 @@ Html DrawEffects(const CampaignData& data, const std::string& hand, const std::s
     for (const VariantMeasure& measure : ListVariantMeasures()) {
       const StepEffect effect = CalcStepEffect(measure, data.scenes, step.before, step.after, hand);
       if (effect.num_scenes == 0) continue;
-      table.AddRow(
-          {Text(step.name), Text(measure.name), Text(std::to_string(effect.num_scenes)),
-           Text(FormatMeasure(measure, effect.median_before)),
-           Text(FormatMeasure(measure, effect.median_after)), Text(FormatRatio(effect)),
-           Text(std::to_string(effect.worse.size()) + " (" +
-                FormatPercent(static_cast<double>(effect.worse.size()) / effect.num_scenes) +
-                ")")});
+      table.AddRow({Text(step.name), Text(measure.name), Text(std::to_string(effect.num_scenes)),
+                    Text(FormatMeasure(measure, effect.median_before)),
+                    Text(FormatMeasure(measure, effect.median_after)), Text(FormatRatio(effect)),
+                    Text(std::to_string(effect.worse.size()) + " (" +
+                         FormatPercent(effect.share_worse()) + ")")});
     }
   }
   return MakeScroll(name, table.ToHtml());

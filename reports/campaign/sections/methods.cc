@@ -11,7 +11,7 @@ Html DrawMethods(const CampaignData& data) {
   const SessionConfig& session = data.campaign.config.session;
   Html html = MakeParagraph(
       "Step 1 watches one trial without variation and records by how much the joints of each digit "
-      "fall short of their commands when it first touches. With that, geometry tells when each "
+      "fall short of their commands when it first touches. With that, geometry gives when each "
       "digit meets the object at rest, and the pre-grasp is moved along the closing so that all do "
       "so at one common share: the largest that joint limits allow, the largest that keeps off "
       "the table, or half of that way. It is done once and again from its own result; "

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "reports/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -26,9 +27,10 @@ Html DrawFigure(const std::vector<BiasRow>& rows) {
     }
     IntervalPlot::Row row;
     row.label = "true " + FormatWithUnit(bias.true_gft, "s");
-    row.value = 1e3 * (bias.mean_gft - bias.true_gft);
-    row.low = row.value - 1e3 * bias.sd_gft;
-    row.high = row.value + 1e3 * bias.sd_gft;
+    const Interval range = bias.gft_error_range();
+    row.value = MsFromS(bias.gft_error());
+    row.low = MsFromS(range.low);
+    row.high = MsFromS(range.high);
     row.text = FormatFixed(row.value, 1) + " \u00B1 " + FormatValue(bias.sd_gft, "s") + " ms";
     row.series = series % 8;
     plot.rows.push_back(row);
@@ -43,17 +45,18 @@ Html DrawFigure(const std::vector<BiasRow>& rows) {
 
 Html DrawTable(const std::vector<BiasRow>& rows) {
   const Align number = Align::kNumber;
-  Table table("What these choices make of a known asynchrony.",
-              {{"Choice"},
-               {"True GFT [ms]", number},
-               {"n", number},
-               {"Missing", number, "trials without a GFT"},
-               {"Found GFT [ms]", number, "mean"},
-               {"SD [ms]", number},
-               {"Contact bias [ms]", number, "found - true contact time, all digits"},
-               {"Contact SD [ms]", number},
-               {"Coverage [%]", number,
-                "contacts whose error is below 1.96 stated uncertainties; 95 would be honest"}});
+  Table table(
+      "What these choices make of a known asynchrony.",
+      {{"Choice"},
+       {"True GFT [ms]", number},
+       {"n", number},
+       {"Missing", number, "trials without a GFT"},
+       {"Found GFT [ms]", number, "mean"},
+       {"SD [ms]", number},
+       {"Contact bias [ms]", number, "found - true contact time, all digits"},
+       {"Contact SD [ms]", number},
+       {"Coverage [%]", number,
+        "contacts whose error lies within their stated 95 % interval; 95 would be honest"}});
   for (const BiasRow& row : rows) {
     table.AddRow({Text(row.text), Text(FormatValue(row.true_gft, "s")),
                   Text(std::to_string(row.num_trials)), Text(std::to_string(row.num_missing)),

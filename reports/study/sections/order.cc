@@ -1,7 +1,5 @@
-#include <algorithm>
-#include <map>
-
 #include "core/base/text.h"
+#include "human_study/study/order_summary.h"
 #include "reports/study/study_section.h"
 #include "reports/svg_plot.h"
 
@@ -10,32 +8,15 @@ namespace {
 
 constexpr size_t kMaxOrders = 6;
 
-/** Who is sure to have touched first: the digit alone in the first group; empty for a tie. */
-std::string FindFirst(const ContactOrder& order) {
-  if (order.groups.empty() || order.groups.front().size() != 1) return "";
-  return order.groups.front().front();
-}
-
-Html DrawFirstDigits(const StudyResult& result) {
+Html DrawFirstDigits(const OrderSummary& summary, const std::vector<std::string>& digits) {
   StackedBars plot;
   plot.text.title = "First digit to touch, by participant";
   plot.text.description =
       "Share of trials in which each digit touched first, beyond the uncertainty of its time.";
-  for (const std::string& digit : result.digits) {
-    plot.classes.push_back({NameOfDigit(digit), digit});
-  }
+  for (const std::string& digit : digits) plot.classes.push_back({NameOfDigit(digit), digit});
   plot.classes.push_back({"cannot be told apart", "="});
-  for (const StudyTrial& trial : result.trials) {
-    if (!trial.IsKept()) continue;
-    auto row = std::find_if(plot.rows.begin(), plot.rows.end(),
-                            [&](const auto& r) { return r.label == trial.participant; });
-    if (row == plot.rows.end()) {
-      row = plot.rows.insert(plot.rows.end(),
-                             {trial.participant, "", std::vector<int>(plot.classes.size(), 0)});
-    }
-    const std::string first = FindFirst(trial.analysis->order);
-    const auto digit = std::find(result.digits.begin(), result.digits.end(), first);
-    ++row->counts[static_cast<size_t>(digit - result.digits.begin())];
+  for (const FirstDigits& row : summary.first) {
+    plot.rows.push_back({row.participant, "", row.counts});
   }
   return MakeFigure(
       "Which digit touched first, trials of each participant. A tie is two digits "
@@ -45,29 +26,22 @@ Html DrawFirstDigits(const StudyResult& result) {
 }
 
 /** How often one digit touched before another, for every two. */
-Html DrawPrecedence(const StudyResult& result) {
+Html DrawPrecedence(const OrderSummary& summary, const std::vector<std::string>& digits) {
   HeatMap map;
   map.text.title = "Which digit touched before which";
   map.text.description = "Share of trials in which the row's digit touched before the column's.";
-  for (const std::string& digit : result.digits) map.rows.push_back(NameOfDigit(digit));
+  for (const std::string& digit : digits) map.rows.push_back(NameOfDigit(digit));
   map.columns = map.rows;
-  for (const std::string& row : result.digits) {
-    for (const std::string& column : result.digits) {
-      int num_before = 0, num_both = 0;
-      for (const StudyTrial& trial : result.trials) {
-        if (!trial.IsKept()) continue;
-        const int a = trial.analysis->order.FindRank(row);
-        const int b = trial.analysis->order.FindRank(column);
-        if (a == 0 || b == 0) continue;  // one of them never touched
-        ++num_both;
-        num_before += a < b;
-      }
+  for (size_t row = 0; row < digits.size(); ++row) {
+    for (size_t column = 0; column < digits.size(); ++column) {
+      const Precedence& precedence = summary.precedence[row][column];
       HeatMap::Cell cell;
-      if (num_before > 0) {
-        cell.rate = static_cast<double>(num_before) / num_both;
+      if (precedence.num_before > 0) {
+        cell.rate = precedence.share();
         cell.text = FormatPercent(cell.rate);
-        cell.hint = NameOfDigit(row) + " before " + NameOfDigit(column) + ": " +
-                    std::to_string(num_before) + " of " + FormatCount(num_both, "trial");
+        cell.hint = map.rows[row] + " before " + map.columns[column] + ": " +
+                    std::to_string(precedence.num_before) + " of " +
+                    FormatCount(precedence.num_both, "trial");
       }
       map.cells.push_back(cell);
     }
@@ -79,38 +53,16 @@ Html DrawPrecedence(const StudyResult& result) {
       MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 
-/** Tied digits in the order of the hand: which of them came first is not known. */
-std::string FormatOrder(ContactOrder order, const std::vector<std::string>& digits) {
-  const auto place_of = [&](const std::string& digit) {
-    return std::find(digits.begin(), digits.end(), digit);
-  };
-  for (std::vector<std::string>& group : order.groups) {
-    std::sort(group.begin(), group.end(),
-              [&](const auto& a, const auto& b) { return place_of(a) < place_of(b); });
-  }
-  return order.Format();
-}
-
-Html DrawOrders(const StudyResult& result) {
-  std::map<std::string, int> counts;
-  int num_ties = 0, num_neighbours = 0;
-  for (const StudyTrial& trial : result.trials) {
-    if (!trial.IsKept()) continue;
-    ++counts[FormatOrder(trial.analysis->order, result.digits)];
-    num_ties += trial.analysis->order.num_ties;
-    num_neighbours += std::max(0, trial.analysis->num_touching - 1);
-  }
-  std::vector<std::pair<std::string, int>> orders(counts.begin(), counts.end());
-  std::stable_sort(orders.begin(), orders.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
+Html DrawOrders(const OrderSummary& summary) {
   Table table("Orders of contact, most frequent first; = joins digits that are tied.",
               {{"Order"}, {"Trials", Align::kNumber}, {"Share [%]", Align::kNumber}});
+  const std::vector<OrderCount>& orders = summary.orders;
   for (size_t i = 0; i < orders.size() && i < kMaxOrders; ++i) {
-    table.AddRow({Element("code", {}, orders[i].first), Text(std::to_string(orders[i].second)),
-                  Text(FormatFixed(100.0 * orders[i].second / result.CountKept(), 1))});
+    table.AddRow({Element("code", {}, orders[i].order), Text(std::to_string(orders[i].count)),
+                  Text(FormatFixed(100.0 * orders[i].share, 1))});
   }
-  std::string text = std::to_string(num_ties) + " of " + FormatCount(num_neighbours, "pair") +
-                     " of neighbours are tied.";
+  std::string text = std::to_string(summary.num_ties) + " of " +
+                     FormatCount(summary.num_neighbours, "pair") + " of neighbours are tied.";
   if (orders.size() > kMaxOrders) {
     text += " " + std::to_string(orders.size() - kMaxOrders) + " rarer orders are in measures.csv.";
   }
@@ -119,7 +71,9 @@ Html DrawOrders(const StudyResult& result) {
 
 Html DrawOrder(const StudyPageData& data) {
   if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
-  return DrawFirstDigits(data.result) + DrawPrecedence(data.result) + DrawOrders(data.result);
+  const OrderSummary summary = SummariseOrders(data.result);
+  const std::vector<std::string>& digits = data.result.digits;
+  return DrawFirstDigits(summary, digits) + DrawPrecedence(summary, digits) + DrawOrders(summary);
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "human_study/study/trial_flags.h"
 #include "human_study/study/trial_removal.h"
 #include "reports/study/study_section.h"
-#include "reports/study/trial_flags.h"
 
 namespace graspbench {
 namespace {
@@ -38,14 +38,9 @@ Html DrawFlags(const StudyResult& result) {
               {{"Flag", Align::kProse},
                {"Trials", Align::kNumber},
                {"Of those that count", Align::kNumber}});
-  for (const TrialFlag& flag : TrialFlagList()) {
-    int count = 0;
-    for (const StudyTrial& trial : result.trials) {
-      count += trial.IsKept() && flag.is_set(*trial.analysis);
-    }
-    const double share =
-        result.CountKept() > 0 ? static_cast<double>(count) / result.CountKept() : std::nan("");
-    table.AddRow({Text(flag.text), Text(std::to_string(count)), Text(FormatPercent(share))});
+  for (const FlagCount& counted : CountFlags(result)) {
+    table.AddRow({Text(counted.flag->text), Text(std::to_string(counted.count)),
+                  Text(FormatPercent(counted.share))});
   }
   return table.ToHtml();
 }

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "human_study/study/trial_flags.h"
 #include "reports/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
-#include "reports/study/trial_flags.h"
 
 namespace graspbench {
 namespace {
@@ -74,7 +74,7 @@ Html DrawContacts(const StudyTrial& trial) {
     StripChart::Row row;
     row.label = NameOfDigit(digit.digit);
     if (digit.contact.IsFound() && std::isfinite(digit.contact.uncertainty)) {
-      const double half = 1.96 * digit.contact.uncertainty;
+      const double half = digit.contact.CalcHalfWidth();
       row.spans.push_back({digit.contact.time - half, digit.contact.time + half, 0,
                            FormatValue(digit.contact.time, "s") + " ms"});
     }

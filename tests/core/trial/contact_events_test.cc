@@ -91,10 +91,13 @@ TEST(ContactEvents, SurviveTheirRecord) {
   script.Play(Script::State::kSticks, 0.1);
   script.Play(Script::State::kFree, 0.1);
   for (const ContactEvent& event : script.events()) {
-    const std::string text = ToJson(event).dump();
-    EXPECT_EQ(ToJson(ContactEventFromJson(Json::parse(text))).dump(), text);
+    const std::string text = RecordToJson(event).dump();
+    ContactEvent back;
+    ReadRecord(Json::parse(text), back);
+    EXPECT_EQ(RecordToJson(back).dump(), text);
   }
-  EXPECT_THROW(ContactEventFromJson({{"time_s", 1.0}, {"kind", "kiss"}}), Error);
+  ContactEvent event;
+  EXPECT_THROW(ReadRecord({{"time_s", 1.0}, {"kind", "kiss"}}, event), Error);
 }
 
 }  // namespace

@@ -58,8 +58,10 @@ TEST(Judge, TheSmallestOfSixIsTheBreakingForce) {
   EXPECT_EQ(judgement.epsilons.size(), ListQualityConventions().size());
   EXPECT_GT(judgement.volume, 0.0);
   EXPECT_EQ(judgement.verdicts.size(), ListVerdictRules().size());
-  const std::string text = ToJson(judgement).dump();
-  EXPECT_EQ(ToJson(JudgementFromJson(Json::parse(text))).dump(), text);
+  const std::string text = RecordToJson(judgement).dump();
+  Judgement back;
+  ReadRecord(Json::parse(text), back);
+  EXPECT_EQ(RecordToJson(back).dump(), text);
 }
 
 // Sigma predicts the pull that breaks the pinch before anybody pulls.

@@ -95,36 +95,6 @@ TEST(CampaignStore, CountsTheEvaluationsToNinetyPercentOfTheBestOfTheScene) {
   EXPECT_EQ(campaign.comparison[0].evaluations_to_90, 3);  // 1.9 is 90 % of the way to 2
   EXPECT_EQ(campaign.comparison[1].evaluations_to_90, 0);
   EXPECT_EQ(campaign.comparison[2].evaluations_to_90, 2);
-  ExportCampaign(folder.path(), campaign);
-  EXPECT_EQ(ReadFile(folder.path() / "comparison.csv"),
-            "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n"
-            "tum,mug,es,1,4,1.0,2.0,3\n"
-            "tum,mug,es,2,3,1.0,1.2,\n"
-            "tum,mug,grid,1,2,1.0,1.9,2\n");
-}
-
-TEST(SummariseVariants, HasOneRowForEachSceneAndVariant) {
-  Session session;
-  for (const char* grasp : {"g2", "new-pregrasp", "new-target"}) {
-    for (int trial = 0; trial < 2; ++trial) {
-      TrialRecord record;
-      record.plan = {"id", "tum", "mug", grasp, trial};
-      record.result.outcome = trial == 0 ? Outcome::kSuccess : Outcome::kPushedAway;
-      record.result.stability.sigma = trial == 0 ? 3.0 : kUnset;
-      record.result.contacts = {{"TH", true, 0.3}, {"FF", false, trial == 0 ? 0.4 : kUnset}};
-      record.result.timing = CalcContactTiming(record.result.contacts, 0.0);
-      session.records.push_back(record);
-    }
-  }
-  const auto rows = SummariseVariants(session);
-  ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0].variant, kStandardGrasp);
-  EXPECT_EQ(rows[0].grasp, "g2");
-  EXPECT_EQ(rows[2].variant, kNewTarget);
-  EXPECT_EQ(rows[1].trials, 2);
-  EXPECT_EQ(rows[1].successes, 1);
-  EXPECT_EQ(rows[1].mean_sigma, 1.5);
-  EXPECT_NEAR(rows[1].median_gft_ratio, 0.25, 1e-12);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST_F(JudgementStore, HeldTrialsAreJudgedOnce) {
   EXPECT_EQ(FindUnjudged(session).size(), unjudged.size());
   for (const TrialRecord& record : session.records) {
     if (record.judgement) {
-      EXPECT_EQ(ToJson(*record.judgement), ToJson(MakeJudgement(2.5)));
+      EXPECT_EQ(RecordToJson(*record.judgement), RecordToJson(MakeJudgement(2.5)));
     }
   }
 }

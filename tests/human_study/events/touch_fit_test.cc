@@ -82,7 +82,7 @@ TEST(FitTouch, AGivenPadOffsetTellsShallowFromDeep) {
     samples.touch_place = approach.depth;
     const EventTime found = CalcTouchTime(FitTouch(samples), kUsualDepths);
     seen += found.time - approach.touch;
-    covered += std::abs(found.time - approach.touch) <= kCoverageFactor * found.uncertainty;
+    covered += std::abs(found.time - approach.touch) <= found.CalcHalfWidth();
   }
   EXPECT_LT(std::abs(seen), 0.5 * std::abs(blind));
   EXPECT_GE(covered, 36.0);
@@ -109,7 +109,7 @@ TEST(LearnDepths, UncertaintiesCoverAndNoBiasIsLeft) {
       const EventTime found = CalcTouchTime(fits[i], weights);
       bias += (found.time - truth[i]) / 150.0;
       usual_bias += (CalcTouchTime(fits[i], kUsualDepths).time - truth[i]) / 150.0;
-      covered += (std::abs(found.time - truth[i]) <= kCoverageFactor * found.uncertainty) / 150.0;
+      covered += (std::abs(found.time - truth[i]) <= found.CalcHalfWidth()) / 150.0;
     }
     EXPECT_LT(std::abs(bias), 0.003) << depth;
     EXPECT_GE(covered, 0.9) << depth;

@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "datasets/session/merge_sessions.h"
+#include "workbench/experiments/run_record.h"
 
 namespace graspbench {
 namespace {

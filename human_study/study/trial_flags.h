@@ -9,6 +9,8 @@ What may be doubtful about a trial that counts all the same. */
 
 namespace graspbench {
 
+struct StudyResult;
+
 struct TrialFlag {
   const char* name;  ///< "filled", beside a trial
   const char* text;  ///< a sentence for tables
@@ -19,5 +21,13 @@ const std::vector<TrialFlag>& TrialFlagList();
 
 /** Names of those set, with commas; empty: none. */
 std::string FormatFlags(const TrialAnalysis& analysis);
+
+struct FlagCount {
+  const TrialFlag* flag = nullptr;
+  int count = 0;       ///< trials that count in spite of it
+  double share = 0.0;  ///< of those that count; NaN without any
+};
+/** In the order of TrialFlagList(). */
+std::vector<FlagCount> CountFlags(const StudyResult& result);
 
 }  // namespace graspbench

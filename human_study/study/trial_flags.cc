@@ -1,4 +1,7 @@
-#include "reports/study/trial_flags.h"
+#include "human_study/study/trial_flags.h"
+
+#include "core/statistics/proportion.h"
+#include "human_study/study/run_study.h"
 
 namespace graspbench {
 
@@ -14,7 +17,7 @@ const std::vector<TrialFlag>& TrialFlagList() {
       {"two maxima", "the largest and the last maximum of the opening differ",
        [](const A& a) { return a.peak_opening.is_ambiguous; }},
       {"touch not verified",
-       "neither the object's shape nor a force tells that every digit touched, rather than stopped "
+       "neither the object's shape nor a force shows that every digit touched, rather than stopped "
        "off the surface",
        [](const A& a) { return a.num_unverified > 0; }},
       {"digit without touch", "a recorded digit never touched",
@@ -29,6 +32,18 @@ std::string FormatFlags(const TrialAnalysis& analysis) {
     if (flag.is_set(analysis)) text += (text.empty() ? "" : ", ") + std::string(flag.name);
   }
   return text;
+}
+
+std::vector<FlagCount> CountFlags(const StudyResult& result) {
+  std::vector<FlagCount> counts;
+  for (const TrialFlag& flag : TrialFlagList()) {
+    int count = 0;
+    for (const StudyTrial& trial : result.trials) {
+      count += trial.IsKept() && flag.is_set(*trial.analysis);
+    }
+    counts.push_back({&flag, count, CalcShare(count, result.CountKept())});
+  }
+  return counts;
 }
 
 }  // namespace graspbench

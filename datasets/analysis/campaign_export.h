@@ -1,0 +1,49 @@
+#pragma once
+/** @file
+A campaign's numbers as tables in its folder: summary.csv, a line for each cell and variant of the
+benchmark, and comparison.csv, one for each search of the comparison. */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/record_fields.h"
+#include "core/base/units.h"
+#include "core/optimise/optimise_steps.h"
+#include "datasets/campaign/campaign_store.h"
+
+namespace graspbench {
+
+/** What the benchmark's trials of one scene and variant say. */
+struct VariantSummary {
+  std::string hand, object, grasp;
+  Variant variant = kStandardGrasp;
+  int trials = 0;
+  int successes = 0;
+  double mean_sigma = kUnset;  ///< [N]
+  double median_gft_ratio = kUnset;
+  double median_got_ratio = kUnset;
+  double median_gct = kUnset;  ///< [s]
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using S = VariantSummary;
+    field("hand", &S::hand, FieldColumn{"", "id of the hand"});
+    field("object", &S::object, FieldColumn{"", "id of the object"});
+    field("grasp", &S::grasp, FieldColumn{"", "id of the grasp"});
+    field("variant", &S::variant, FieldColumn{"", "standard, new-pregrasp or new-target"});
+    field("trials", &S::trials, FieldColumn{"", "finished trials"});
+    field("successes", &S::successes, FieldColumn{"", "those that succeeded"});
+    field("mean_sigma", &S::mean_sigma, FieldColumn{"N", "a trial without sigma counts 0"});
+    field("median_gft_ratio", &S::median_gft_ratio,
+          FieldColumn{"", "of the trials in which every digit touched"});
+    field("median_got_ratio", &S::median_got_ratio, FieldColumn{"", "of the same trials"});
+    field("median_gct_s", &S::median_gct, FieldColumn{"s", "of the same trials"});
+  }
+};
+std::vector<VariantSummary> SummariseVariants(const Session& benchmark);
+
+/** Writes summary.csv and, when there is one, comparison.csv. @throws Error(kIo). */
+void ExportCampaign(const std::filesystem::path& folder, const Campaign& campaign);
+
+}  // namespace graspbench

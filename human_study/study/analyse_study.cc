@@ -1,0 +1,30 @@
+#include "human_study/study/analyse_study.h"
+
+#include <vector>
+
+#include "human_study/statistics/tidy_export.h"
+#include "human_study/study/motion_bids.h"
+#include "human_study/study/study_tables.h"
+
+namespace graspbench {
+
+StudyResult AnalyseStudy(const Study& study, const std::filesystem::path& folder,
+                         const std::function<void(size_t, size_t)>& on_row) {
+  MotionBidsWriter bids(folder / "bids", study);
+  StudyWatch watch;
+  watch.on_row = on_row;
+  watch.on_trial = [&](const StudyTrial& trial, const ReachTrial& reach) {
+    bids.WriteTrial(trial, reach);
+  };
+  StudyResult result = RunStudy(study, watch);
+  bids.Finish();
+  WriteStudyTables(result, folder);
+  std::vector<MeasureTable> tables;
+  for (const TrialMeasure& measure : TrialMeasureList()) {
+    tables.push_back(MakeMeasureTable(result, measure));
+  }
+  SaveTidyExport(tables, folder / "tidy");
+  return result;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,60 @@
+#include "datasets/analysis/campaign_export.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+/** Two trials of each variant of one scene. */
+Session MakeBenchmark() {
+  Session session;
+  for (const char* grasp : {"g2", "new-pregrasp", "new-target"}) {
+    for (int trial = 0; trial < 2; ++trial) {
+      TrialRecord record;
+      record.plan = {"id", "tum", "mug", grasp, trial};
+      record.result.outcome = trial == 0 ? Outcome::kSuccess : Outcome::kPushedAway;
+      record.result.stability.sigma = trial == 0 ? 3.0 : kUnset;
+      record.result.contacts = {{"TH", true, 0.25}, {"FF", false, trial == 0 ? 0.5 : kUnset}};
+      record.result.timing = CalcContactTiming(record.result.contacts, 0.0);
+      session.records.push_back(record);
+    }
+  }
+  return session;
+}
+
+TEST(SummariseVariants, HasOneRowForEachSceneAndVariant) {
+  const auto rows = SummariseVariants(MakeBenchmark());
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].variant, kStandardGrasp);
+  EXPECT_EQ(rows[0].grasp, "g2");
+  EXPECT_EQ(rows[2].variant, kNewTarget);
+  EXPECT_EQ(rows[1].trials, 2);
+  EXPECT_EQ(rows[1].successes, 1);
+  EXPECT_EQ(rows[1].mean_sigma, 1.5);
+  EXPECT_NEAR(rows[1].median_gft_ratio, 0.5, 1e-12);
+}
+
+TEST(ExportCampaign, WritesALineForEachVariantAndSearch) {
+  const TemporaryFolder folder;
+  Campaign campaign;
+  campaign.benchmark = MakeBenchmark();
+  campaign.comparison = {{"tum", "mug", "es", 1, {1.0, 1.5, 2.0}, 3},
+                         {"tum", "mug", "es", 2, {1.0, 1.25}, 0}};
+  ExportCampaign(folder.path(), campaign);
+  EXPECT_EQ(ReadFile(folder.path() / "summary.csv"),
+            "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,"
+            "median_got_ratio,median_gct_s\n"
+            "tum,mug,g2,standard,2,1,1.5,0.5,0.5,0.5\n"
+            "tum,mug,new-pregrasp,new-pregrasp,2,1,1.5,0.5,0.5,0.5\n"
+            "tum,mug,new-target,new-target,2,1,1.5,0.5,0.5,0.5\n");
+  EXPECT_EQ(ReadFile(folder.path() / "comparison.csv"),
+            "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n"
+            "tum,mug,es,1,3,1.0,2.0,3\n"
+            "tum,mug,es,2,2,1.0,1.25,\n");
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,29 @@
+#include "human_study/study/trial_flags.h"
+
+#include <gtest/gtest.h>
+
+#include "human_study/study/run_study.h"
+
+namespace graspbench {
+namespace {
+
+TEST(TrialFlags, AreCountedOverTheTrialsThatCount) {
+  StudyResult result;
+  result.trials.resize(4);
+  for (StudyTrial& trial : result.trials) trial.analysis.emplace();
+  result.trials[0].analysis->used_filled = true;
+  result.trials[1].analysis->used_filled = true;
+  result.trials[1].analysis->used_gap = true;
+  result.trials[2].analysis->used_filled = true;
+  result.trials[2].removed = "no contact";
+  EXPECT_EQ(FormatFlags(*result.trials[1].analysis), "filled, gap");
+  EXPECT_EQ(FormatFlags(*result.trials[3].analysis), "");
+  for (const FlagCount& counted : CountFlags(result)) {
+    const std::string name = counted.flag->name;
+    EXPECT_EQ(counted.count, name == "filled" ? 2 : name == "gap" ? 1 : 0) << name;
+    EXPECT_DOUBLE_EQ(counted.share, counted.count / 3.0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace graspbench
