@@ -26,8 +26,8 @@ struct CheckedMeshFile {
   LengthUnit unit = LengthUnit::kM;
   bool is_unit_inferred = false;  ///< not given, but shown by the size
 };
-/** Without a unit it is inferred; where the size shows none, a problem of the report asks for it, and
-`unit` means nothing.
+/** Without a unit it is inferred; where the size shows none, a problem of the report asks for it,
+and `unit` means nothing.
 @throws as LoadMesh() when the file cannot be read at all. */
 CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit);
 

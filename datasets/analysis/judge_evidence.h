@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 How well measures of a grasp predict what the judge found: rank correlation with the smallest
-breaking force over all judged grasps, and how well measures taken before lift-off predict success. Intervals
-come from drawing cells (hand, object, grasp), because trials of one cell are alike. */
+breaking force over all judged grasps, and how well measures taken before lift-off predict success.
+Intervals come from drawing cells (hand, object, grasp), because trials of one cell are alike. */
 
 #include <string>
 #include <vector>
