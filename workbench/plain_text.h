@@ -1,4 +1,5 @@
 #pragma once
+/** @file Text as a terminal shows it. */
 
 #include <string>
 

@@ -18,6 +18,13 @@
 namespace graspbench {
 namespace {
 
+/** To so many bytes at most, and never within a letter. */
+void CutLine(size_t width, std::string& line) {
+  if (line.size() <= width) return;
+  while (width > 0 && (static_cast<unsigned char>(line[width]) & 0xC0) == 0x80) --width;
+  line.resize(width);
+}
+
 constexpr double kWindow = 30.0;             // [s] over which the rate is taken
 constexpr double kTerminalInterval = 0.099;  // [s] a little less than the batch's tick
 constexpr double kPlainInterval = 10.0;      // [s]
@@ -120,9 +127,7 @@ std::vector<std::string> FormatBlock(const ProgressState& state, int width) {
   if (num_shown < state.workers.size()) {
     lines.push_back("  and " + std::to_string(state.workers.size() - num_shown) + " more workers");
   }
-  for (std::string& line : lines) {
-    line.resize(std::min(line.size(), static_cast<size_t>(std::max(width, 1))));
-  }
+  for (std::string& line : lines) CutLine(static_cast<size_t>(std::max(width, 1)), line);
   return lines;
 }
 

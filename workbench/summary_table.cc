@@ -36,9 +36,7 @@ std::string FormatSummaryTable(const SessionSummary& summary) {
   for (const std::string& hand : summary.hands) {
     const Tally tally = summary.TallyOf(hand);
     table.AddRow({hand, std::to_string(tally.finished), std::to_string(tally.successes()),
-                  tally.finished > 0 ? MakePlainText(FormatPercent(
-                                           static_cast<double>(tally.successes()) / tally.finished))
-                                     : "n/a",
+                  tally.finished > 0 ? MakePlainText(FormatPercent(tally.rate())) : "n/a",
                   MakePlainText(FormatRateInterval(tally.successes(), tally.finished))});
   }
   return table.Format() + FormatFailures(summary);

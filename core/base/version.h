@@ -1,4 +1,5 @@
 #pragma once
+/** @file The version of the program. */
 
 namespace graspbench {
 

@@ -146,6 +146,15 @@ double CalcGraspHeight(double height, bool from_side) {
   return std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
 }
 
+/** R_WH that turns two perpendicular directions of the hand into two of the world. */
+Matrix3d CalcRotation(const Vector3d& a_H, const Vector3d& b_H, const Vector3d& a_W,
+                      const Vector3d& b_W) {
+  Matrix3d R_HX, R_WX;
+  R_HX << a_H, b_H, a_H.cross(b_H);
+  R_WX << a_W, b_W, a_W.cross(b_W);
+  return R_WX * R_HX.transpose();
+}
+
 }  // namespace
 
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s) {
@@ -185,22 +194,18 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   const Vector3d p_HG = 0.5 * (pads.p_HThumb + pads.p_HFingers);
   const Vector3d opposition_H = across(pads.p_HFingers - pads.p_HThumb).normalized();
 
-  Matrix3d R_HX;  // columns: the hand's directions ...
-  Matrix3d R_WX;  // ... and where they go in the world
+  Matrix3d R_WH;
   if (from_side) {
     // The hand comes along +y of the world, its thumb's side up.
     const Vector3d up_H =
         lateral_H.dot(across(pads.p_HThumb)) < 0.0 ? Vector3d(-lateral_H) : lateral_H;
-    R_HX << approach_H, up_H, approach_H.cross(up_H);
     placement.approach_W = Vector3d::UnitY();
-    R_WX << placement.approach_W, Vector3d::UnitZ(), placement.approach_W.cross(Vector3d::UnitZ());
+    R_WH = CalcRotation(approach_H, up_H, placement.approach_W, Vector3d::UnitZ());
   } else {
     placement.approach_W = -Vector3d::UnitZ();
     const Vector3d opposition_W(std::cos(grasp.alpha), std::sin(grasp.alpha), 0.0);
-    R_HX << approach_H, opposition_H, approach_H.cross(opposition_H);
-    R_WX << placement.approach_W, opposition_W, placement.approach_W.cross(opposition_W);
+    R_WH = CalcRotation(approach_H, opposition_H, placement.approach_W, opposition_W);
   }
-  const Matrix3d R_WH = R_WX * R_HX.transpose();
 
   const double grasp_height = CalcGraspHeight(height, from_side);
   placement.X_WH = MakePose(R_WH, Vector3d(p_OOcm.x(), p_OOcm.y(), grasp_height) - R_WH * p_HG);

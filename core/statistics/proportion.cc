@@ -67,7 +67,7 @@ double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_su
 std::string FormatRate(int num_successes, int num_trials) {
   std::string counts = std::to_string(num_successes) + " of " + FormatCount(num_trials, "trial");
   if (num_trials == 0) return counts;
-  return counts + " (" + FormatPercent(static_cast<double>(num_successes) / num_trials) +
+  return counts + " (" + FormatPercent(CalcShare(num_successes, num_trials)) +
          ", 95\u00A0% interval " + FormatRateInterval(num_successes, num_trials) + "\u00A0%)";
 }
 

@@ -1,11 +1,10 @@
 #include "datasets/analysis/campaign_export.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/csv.h"
 #include "core/base/files.h"
-#include "core/statistics/summary.h"
+#include "datasets/analysis/campaign_summary.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -19,21 +18,19 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
   summary.object = plan.object;
   summary.grasp = plan.grasp;
   summary.variant = VariantOfGrasp(plan.grasp);
-  double sum = 0.0;
-  std::vector<double> gft, got, gct;
+  CellSummary cell;
+  cell.records = records;
   for (const TrialRecord* record : records) {
-    const TrialResult& result = record->result;
     ++summary.trials;
-    summary.successes += result.outcome == Outcome::kSuccess;
-    if (std::isfinite(result.stability.sigma)) sum += result.stability.sigma;
-    gft.push_back(result.timing.gft_ratio);
-    got.push_back(result.timing.got_ratio);
-    gct.push_back(result.timing.gct);
+    summary.successes += record->result.outcome == Outcome::kSuccess;
   }
-  summary.mean_sigma = sum / summary.trials;
-  summary.median_gft_ratio = CalcMedianOfFinite(gft);
-  summary.median_got_ratio = CalcMedianOfFinite(got);
-  summary.median_gct = CalcMedianOfFinite(gct);
+  const auto calc = [&](const char* measure) {
+    return CalcCellValue(FindVariantMeasure(measure), cell);
+  };
+  summary.mean_sigma = calc("sigma");
+  summary.median_gft_ratio = calc("GFT%");
+  summary.median_got_ratio = calc("GOT%");
+  summary.median_gct = calc("GCT");
   return summary;
 }
 

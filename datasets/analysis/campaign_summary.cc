@@ -66,6 +66,11 @@ bool SceneVariants::IsComplete() const {
   });
 }
 
+int CountComplete(const std::vector<SceneVariants>& scenes) {
+  return static_cast<int>(std::count_if(
+      scenes.begin(), scenes.end(), [](const SceneVariants& scene) { return scene.IsComplete(); }));
+}
+
 double CalcCellValue(const VariantMeasure& measure, const CellSummary& cell) {
   std::vector<double> values;
   for (const TrialRecord* record : cell.records) {

@@ -56,6 +56,9 @@ struct PairedDifference {
 PairedDifference CalcPairedDifference(const VariantMeasure& measure, const SceneVariants& scene,
                                       Variant a, Variant b);
 
+/** Scenes of which all variants have a finished trial. */
+int CountComplete(const std::vector<SceneVariants>& scenes);
+
 /** What a step does to the cells' values of a measure. */
 struct StepEffect {
   int num_scenes = 0;

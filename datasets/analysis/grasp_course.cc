@@ -72,4 +72,38 @@ ThumbPlace CalcThumbPlace(const CellSummary& cell, const Hand& hand, const Grasp
   return {CalcMean(heights), CalcMean(angles)};
 }
 
+TapeCourse FindTapeCourse(const SceneVariants& scene) {
+  constexpr double kMuchLarger = 1.5;
+  TapeCourse course;
+  course.always_succeeds = true;
+  for (size_t v = 0; v < kNumVariants; ++v) {
+    const Tally& tally = scene.cells[v]->tally;
+    course.always_succeeds = course.always_succeeds && tally.successes() == tally.finished;
+    course.sigma[v] = CalcCellValue(FindVariantMeasure("sigma"), *scene.cells[v]);
+  }
+  course.gap_before = CalcContactGap(scene.cell(kStandardGrasp), "FF", "MF");
+  course.gap_after = CalcContactGap(scene.cell(kNewPreGrasp), "FF", "MF");
+  course.index_is_first = FindFirstDigit(scene.cell(kStandardGrasp)) == "FF";
+  course.fingers_meet = course.gap_after < course.gap_before;
+  course.is_much_firmer = course.sigma[kNewPreGrasp] >= kMuchLarger * course.sigma[kStandardGrasp];
+  course.is_firmer_again = course.sigma[kNewTarget] > course.sigma[kNewPreGrasp];
+  return course;
+}
+
+PropellerCourse FindPropellerCourse(const SceneVariants& scene, const Hand& hand,
+                                    const GraspObject& object) {
+  constexpr double kClearTurnDeg = 5.0;
+  constexpr double kCubeHeight = 0.031;  ///< the blades lie on the cube [m]
+  PropellerCourse course;
+  for (size_t v = 0; v < kNumVariants; ++v) {
+    course.places[v] = CalcThumbPlace(*scene.cells[v], hand, object);
+  }
+  const auto& places = course.places;
+  course.starts_on_blade = places[kStandardGrasp].height > kCubeHeight;
+  course.moves_between_blades =
+      places[kNewPreGrasp].from_blade_deg > places[kStandardGrasp].from_blade_deg + kClearTurnDeg;
+  course.ends_on_cube = places[kNewTarget].height < kCubeHeight;
+  return course;
+}
+
 }  // namespace graspbench

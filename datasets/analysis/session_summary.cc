@@ -96,6 +96,14 @@ int Tally::CountOf(Outcome outcome) const { return outcomes[IndexOf(outcome)]; }
 
 double Tally::rate() const { return CalcShare(successes(), finished); }
 
+Outcome Tally::most_frequent_failure() const {
+  Outcome worst = Outcome::kNoContact;
+  for (const Outcome outcome : ListOutcomes()) {
+    if (outcome != Outcome::kSuccess && CountOf(outcome) > CountOf(worst)) worst = outcome;
+  }
+  return worst;
+}
+
 double Tally::share_unconverged() const { return CalcShare(num_unconverged, num_steps); }
 
 Interval Tally::rate_interval() const { return CalcWilsonInterval(successes(), finished); }

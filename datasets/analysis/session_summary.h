@@ -41,8 +41,10 @@ struct Tally {
 
   int CountOf(Outcome outcome) const;
   int successes() const { return CountOf(Outcome::kSuccess); }
-  double rate() const;               ///< of success; NaN without a finished trial
-  Interval rate_interval() const;    ///< 95 %, Wilson
+  double rate() const;             ///< of success; NaN without a finished trial
+  Interval rate_interval() const;  ///< 95 %, Wilson
+  /** Of all outcomes but success; of equally many "no contact", then the first of ListOutcomes(). */
+  Outcome most_frequent_failure() const;
   double share_unconverged() const;  ///< of the steps; NaN without a step
 };
 

@@ -140,8 +140,7 @@ std::string MakeSessionIndex(const Session& session, const std::vector<TrialColu
                 const CellCounts& cell = cells[row];
                 const int n = cell.num_finished;
                 const Interval interval = CalcWilsonInterval(cell.num_successes, n);
-                const Json rate =
-                    n > 0 ? Json(static_cast<double>(cell.num_successes) / n) : Json();
+                const Json rate = JsonNumber(CalcShare(cell.num_successes, n));
                 return Json::array({cell.first->hand, cell.first->object, cell.first->grasp,
                                     cell.num_planned, n, cell.num_successes, rate, interval.low,
                                     interval.high})

@@ -358,4 +358,13 @@ DepthWeights LearnDepths(const std::vector<TouchFit>& fits) {
   return weights;
 }
 
+double CalcMeanDepth(const DepthWeights& weights) {
+  double sum = 0.0, depth = 0.0;
+  for (size_t k = 0; k < weights.size(); ++k) {
+    sum += weights[k];
+    depth += weights[k] * kSettlingDepths[k];
+  }
+  return depth / sum;
+}
+
 }  // namespace graspbench

@@ -37,6 +37,8 @@ using DepthWeights = std::array<double, kSettlingDepths.size()>;
 
 /** Before anything is learned: shallow is more likely than deep. */
 extern const DepthWeights kUsualDepths;
+/** The mean of the depths under these weights [m]. @pre their sum is positive. */
+double CalcMeanDepth(const DepthWeights& weights);
 
 struct TouchSamples {
   std::vector<double> times;   ///< [s], increasing

@@ -6,6 +6,7 @@ them. */
 #include <string>
 #include <vector>
 
+#include "core/statistics/proportion.h"
 #include "human_study/study/measure_statistics.h"
 
 namespace graspbench {
@@ -19,6 +20,12 @@ struct ConditionEstimates {
   these cannot be, the ones between persons. */
   Answer<Eigen::VectorXd> drawn;
   std::string drawn_kind;  ///< for the caption: which, or why there are none
+
+  /** Mean -+ half the drawn length. @pre `drawn` has a value. */
+  Interval drawn_interval(size_t cell) const {
+    const double half = (*drawn)[static_cast<Eigen::Index>(cell)];
+    return {means[cell] - half, means[cell] + half};
+  }
 };
 ConditionEstimates CalcConditionEstimates(const MeasureStatistics& statistics);
 

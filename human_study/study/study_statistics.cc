@@ -208,4 +208,19 @@ void CalcStudyStatistics(StudyResult& result) {
   result.statistics.zero_gft = CalcZeroGft(result.trials);
 }
 
+UniverseSummary SummariseUniverses(const std::vector<Universe>& universes) {
+  constexpr double kSignificance = 0.05;
+  UniverseSummary summary;
+  for (const Universe& universe : universes) {
+    if (!universe.summary) continue;
+    ++summary.num_values;
+    summary.lowest = std::fmin(summary.lowest, universe.summary->median);
+    summary.highest = std::fmax(summary.highest, universe.summary->median);
+    if (!universe.test) continue;
+    ++summary.num_tests;
+    summary.num_significant += universe.test->greenhouse_geisser.p < kSignificance;
+  }
+  return summary;
+}
+
 }  // namespace graspbench

@@ -4,6 +4,7 @@ What the trials of a study say together: each measure by condition, the main tes
 choice, the reliability of every measure of hand opening, and what the study's own choices do to a
 known asynchrony. */
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,14 @@ std::vector<TrialMeasure> ListStudyMeasures(const Study& study);
 
 /** All combinations of the study's own choices and the multiverse's; its own come first. */
 std::vector<Universe> ListUniverses(const StudyConfig& config);
+/** How far the choices move the main measure, and in how many its test says the same. */
+struct UniverseSummary {
+  int num_values = 0;                      ///< universes with a value
+  double lowest = NAN, highest = NAN;      ///< medians of the measure, in its unit
+  int num_tests = 0, num_significant = 0;  ///< p < 0.05, Greenhouse-Geisser
+};
+UniverseSummary SummariseUniverses(const std::vector<Universe>& universes);
+
 /** The study's options under one of them. */
 AnalysisOptions MakeOptions(const AnalysisOptions& own, const Universe& universe);
 

@@ -46,4 +46,14 @@ std::vector<FlagCount> CountFlags(const StudyResult& result) {
   return counts;
 }
 
+UnverifiedTouches CountUnverified(const StudyResult& result) {
+  UnverifiedTouches touches;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept() || trial.analysis->num_unverified == 0) continue;
+    touches.num_contacts += trial.analysis->num_unverified;
+    ++touches.num_trials;
+  }
+  return touches;
+}
+
 }  // namespace graspbench

@@ -30,4 +30,10 @@ struct FlagCount {
 /** In the order of TrialFlagList(). */
 std::vector<FlagCount> CountFlags(const StudyResult& result);
 
+/** Contacts that only the digit's own stop shows, in trials that count. */
+struct UnverifiedTouches {
+  int num_contacts = 0, num_trials = 0;
+};
+UnverifiedTouches CountUnverified(const StudyResult& result);
+
 }  // namespace graspbench

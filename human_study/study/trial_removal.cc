@@ -1,6 +1,8 @@
 #include "human_study/study/trial_removal.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "human_study/study/run_study.h"
 
@@ -73,6 +75,22 @@ std::vector<RemovalGroup> GroupRemoved(const std::vector<StudyTrial>& trials) {
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.trials.size() > b.trials.size(); });
+  return groups;
+}
+
+std::vector<FindingGroup> GroupFindings(const StudyResult& result) {
+  std::vector<FindingGroup> groups;
+  std::map<std::pair<std::string, std::string>, size_t> places;  // by code and hidden text
+  for (const FileFinding& entry : result.findings) {
+    const ImportFinding& finding = entry.finding;
+    const auto key = std::pair(finding.code, HideNumbers(finding.text));
+    const auto [place, is_new] = places.try_emplace(key, groups.size());
+    if (is_new) groups.push_back({finding.code, finding.text, 0, {}});
+    FindingGroup& group = groups[place->second];
+    if (group.text != finding.text) group.text = key.second;
+    ++group.count;
+    if (group.files.empty() || group.files.back() != entry.file) group.files.push_back(entry.file);
+  }
   return groups;
 }
 

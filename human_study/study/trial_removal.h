@@ -11,6 +11,7 @@ Why a trial does not count. */
 namespace graspbench {
 
 struct StudyTrial;
+struct StudyResult;
 
 /** A reason with its code. Besides those of plausibility.h: left_out (by a person, in trials.csv),
 unreadable, missing_marker, no_reach, no_onset, no_hold, no_opening, no_contact, not_usable (a
@@ -32,6 +33,16 @@ struct RemovalGroup {
 /** Trials that do not count by their reason, most frequent first; texts that differ in numbers
 alone are one reason. */
 std::vector<RemovalGroup> GroupRemoved(const std::vector<StudyTrial>& trials);
+
+struct FindingGroup {
+  std::string code;
+  std::string text;  ///< with an ellipsis for numbers that differ between the findings
+  int count = 0;
+  std::vector<std::string> files;
+};
+/** What had to be assumed to read the files, in the order of the first file; texts that differ in
+numbers alone are one. */
+std::vector<FindingGroup> GroupFindings(const StudyResult& result);
 
 /** The text with every number replaced by an ellipsis. */
 std::string HideNumbers(const std::string& text);

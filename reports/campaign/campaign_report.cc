@@ -16,12 +16,9 @@ std::vector<CampaignSection> ListCampaignSections() {
 }
 
 std::string MakeCampaignReport(const CampaignData& data) {
-  const auto num_complete =
-      std::count_if(data.scenes.begin(), data.scenes.end(),
-                    [](const SceneVariants& scene) { return scene.IsComplete(); });
   const CampaignConfig& config = data.campaign.config;
   const std::string subtitle =
-      std::to_string(num_complete) + " of " +
+      std::to_string(CountComplete(data.scenes)) + " of " +
       FormatCount(static_cast<int>(data.scenes.size()), "scene") + " finished, " +
       FormatCount(config.optimise.evaluations, "evaluation") + " each, " +
       FormatCount(config.session.trials, "benchmark trial") + " per variant, seed " +

@@ -28,12 +28,7 @@ Html DescribeFailures(const ReportData& data) {
   const Tally& total = data.summary.total;
   const int others = total.finished - total.successes();
   if (others == 0) return Text("Every finished trial was a success.");
-  Outcome worst = Outcome::kNoContact;
-  for (Outcome outcome : ListOutcomes()) {
-    if (outcome != Outcome::kSuccess && total.CountOf(outcome) > total.CountOf(worst)) {
-      worst = outcome;
-    }
-  }
+  const Outcome worst = total.most_frequent_failure();
   Html text = Text("The most frequent other outcome is " + std::string(NameOf(worst)) + " (" +
                    std::to_string(total.CountOf(worst)) + " of " + std::to_string(others) + ")");
   std::vector<const CellSummary*> without;

@@ -1,4 +1,5 @@
 #pragma once
+/** @file Words of a shell script. */
 
 #include <string>
 

@@ -220,8 +220,8 @@ std::vector<KnownAnswer> CheckCouplingRules() {
     }
   }
   answers.push_back({"rule middle-first: J1 before J2 is at its end", "rad", 0.0, early, 1e-12});
-  answers.push_back({"rule middle-first: J1 + J2 of a free finger told 120 deg", "deg", 120.0,
-                     DegFromRad(world.state().q[middle] + world.state().q[distal]), 1.0});
+  answers.push_back({"rule middle-first: J1 + J2 of a free finger commanded to 120 deg", "deg",
+                     120.0, DegFromRad(world.state().q[middle] + world.state().q[distal]), 1.0});
   answers.push_back({"rule middle-first: J2 of it", "deg", DegFromRad(hand.joints[middle].upper),
                      DegFromRad(world.state().q[middle]), 1.0});
 
@@ -271,11 +271,11 @@ std::vector<KnownAnswer> CheckArm() {
     const std::string how = "step " + std::to_string(std::lround(step * 1e6)) + " us: ";
     answers.push_back({how + "a free hand is off by", "m", 0.0, move(1.0, 1.2).second, 1e-9});
     const double in_a_row = 1.0 / (1.0 / config.arm_stiffness + 1.0 / config.contact_stiffness);
-    answers.push_back({how + "told to be 1 mm in the table", "N", 0.001 * in_a_row,
+    answers.push_back({how + "commanded 1 mm in the table", "N", 0.001 * in_a_row,
                        move(kRadius + 0.001, kRadius - 0.001).first, 1e-4});
     answers.push_back(
         {how + "energy without a cause", "J", 0.0, world.world().CalcEnergyResidual(), 1e-6});
-    answers.push_back({how + "told to be 20 mm in the table", "N", config.arm_force_limit,
+    answers.push_back({how + "commanded 20 mm in the table", "N", config.arm_force_limit,
                        move(kRadius + 0.001, kRadius - 0.02).first, 1e-9});
   }
   return answers;

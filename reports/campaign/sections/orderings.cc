@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "datasets/analysis/grasp_course.h"
@@ -29,37 +25,30 @@ std::vector<Column> MakeColumns() {
 }
 
 Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
-  constexpr double kMuchLarger = 1.5;
+  const TapeCourse course = FindTapeCourse(scene);
   Table table("Adhesive tape, TUM Hand, power grasp.", MakeColumns());
   std::string rates;
-  int num_all = 0;
-  std::array<double, kNumVariants> sigma{};
-  for (int v = 0; v < kNumVariants; ++v) {
-    const Tally& tally = scene.cells[v]->tally;
-    rates += (v > 0 ? ", " : "") + std::to_string(tally.successes()) + " of " +
-             std::to_string(tally.finished);
-    num_all += tally.successes() == tally.finished ? 1 : 0;
-    sigma[v] = CalcCellValue(FindVariantMeasure("sigma"), *scene.cells[v]);
+  for (const CellSummary* cell : scene.cells) {
+    rates += (rates.empty() ? "" : ", ") + std::to_string(cell->tally.successes()) + " of " +
+             std::to_string(cell->tally.finished);
   }
-  AddRow(table, "Every variant succeeds in all ten trials.", rates, num_all == kNumVariants);
+  AddRow(table, "Every variant succeeds in all ten trials.", rates, course.always_succeeds);
   AddRow(table, "Standard grasp: the index finger touches first and drags the tape to the thumb.",
          "trials in which a digit touched first: " +
              FormatFirstTouches(scene.cell(kStandardGrasp), models),
-         FindFirstDigit(scene.cell(kStandardGrasp)) == "FF");
-  const double before = CalcContactGap(scene.cell(kStandardGrasp), "FF", "MF");
-  const double after = CalcContactGap(scene.cell(kNewPreGrasp), "FF", "MF");
+         course.index_is_first);
   AddRow(table, "After step 1 index and middle finger arrive together.",
-         "mean time between them " + FormatFixed(MsFromS(before), 0) + " ms before, " +
-             FormatFixed(MsFromS(after), 0) + " ms after",
-         after < before);
+         "mean time between them " + FormatFixed(MsFromS(course.gap_before), 0) + " ms before, " +
+             FormatFixed(MsFromS(course.gap_after), 0) + " ms after",
+         course.fingers_meet);
+  const auto describe = [&](Variant before, Variant after) {
+    return "mean sigma " + FormatFixed(course.sigma[before], 2) + " before, " +
+           FormatFixed(course.sigma[after], 2) + " after";
+  };
   AddRow(table, "The stability is much larger after step 1 (here: by half or more).",
-         "mean sigma " + FormatFixed(sigma[kStandardGrasp], 2) + " before, " +
-             FormatFixed(sigma[kNewPreGrasp], 2) + " after",
-         sigma[kNewPreGrasp] >= kMuchLarger * sigma[kStandardGrasp]);
-  AddRow(table, "It is larger again after step 2.",
-         "mean sigma " + FormatFixed(sigma[kNewPreGrasp], 2) + " before, " +
-             FormatFixed(sigma[kNewTarget], 2) + " after",
-         sigma[kNewTarget] > sigma[kNewPreGrasp]);
+         describe(kStandardGrasp, kNewPreGrasp), course.is_much_firmer);
+  AddRow(table, "It is larger again after step 2.", describe(kNewPreGrasp, kNewTarget),
+         course.is_firmer_again);
   return table.ToHtml() +
          MakeParagraph(
              "The thesis's standard posture is not known. In the one proposed here index and "
@@ -70,24 +59,18 @@ Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
 }
 
 Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObject& object) {
-  constexpr double kClearTurnDeg = 5.0;
-  constexpr double kCubeHeight = 0.031;  ///< the blades lie on the cube [m]
+  const PropellerCourse course = FindPropellerCourse(scene, hand, object);
   Table table("Toy propeller, TUM Hand.", MakeColumns());
-  std::array<ThumbPlace, kNumVariants> places;
-  for (int v = 0; v < kNumVariants; ++v) {
-    places[v] = CalcThumbPlace(*scene.cells[v], hand, object);
-  }
   const auto describe = [](const ThumbPlace& place) {
     return "thumb " + FormatFixed(MmFromM(place.height), 1) + " mm above the table's side, " +
            FormatFixed(place.from_blade_deg, 0) + " degrees from the nearest blade";
   };
   AddRow(table, "Standard grasp: the thumb is on the side of a blade.",
-         describe(places[kStandardGrasp]), places[kStandardGrasp].height > kCubeHeight);
-  AddRow(
-      table, "After step 1 the contacts are between the blades.", describe(places[kNewPreGrasp]),
-      places[kNewPreGrasp].from_blade_deg > places[kStandardGrasp].from_blade_deg + kClearTurnDeg);
+         describe(course.places[kStandardGrasp]), course.starts_on_blade);
+  AddRow(table, "After step 1 the contacts are between the blades.",
+         describe(course.places[kNewPreGrasp]), course.moves_between_blades);
   AddRow(table, "After step 2 the contacts are on the cube below them.",
-         describe(places[kNewTarget]), places[kNewTarget].height < kCubeHeight);
+         describe(course.places[kNewTarget]), course.ends_on_cube);
   return table.ToHtml() +
          MakeParagraph(
              "The rule that places the hand aims at half the object's height, 25.7 mm, and the "

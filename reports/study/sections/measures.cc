@@ -23,9 +23,9 @@ Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& es
     row.value = mean * unit.factor;
     row.low = row.high = std::nan("");
     if (estimates.drawn) {
-      const double half = (*estimates.drawn)[static_cast<Eigen::Index>(cell)];
-      row.low = (mean - half) * unit.factor;
-      row.high = (mean + half) * unit.factor;
+      const Interval interval = estimates.drawn_interval(cell);
+      row.low = interval.low * unit.factor;
+      row.high = interval.high * unit.factor;
     }
     row.text = FormatWithUnit(mean, statistics.measure.unit) + ", " +
                FormatCount(estimates.num_trials[cell], "trial");

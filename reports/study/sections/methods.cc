@@ -61,15 +61,10 @@ std::string DescribeThreshold(const MovementOptions& options) {
 /** What the detectors that fit took from all contacts. */
 std::string DescribeDepth(const StudyResult& result) {
   if (result.num_learned == 0) return "";
-  const DepthWeights& weights = result.study.config.analysis.contact.depths;
-  double sum = 0.0, depth = 0.0;
-  for (size_t k = 0; k < weights.size(); ++k) {
-    sum += weights[k];
-    depth += weights[k] * kSettlingDepths[k];
-  }
+  const double depth = CalcMeanDepth(result.study.config.analysis.contact.depths);
   return ". How far a marker goes on after its digit touched was learned from " +
          FormatCount(result.num_learned, "contact") + " of the study, " +
-         FormatFixed(MmFromM(depth / sum), 1) + " mm on average";
+         FormatFixed(MmFromM(depth), 1) + " mm on average";
 }
 
 std::string DescribeEvents(const StudyResult& result) {

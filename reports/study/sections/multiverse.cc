@@ -45,24 +45,15 @@ HeatMap::Cell MakeCell(const Universe& universe, const char* unit) {
 
 /** How far the choices move the measure, and in how many the test says the same. */
 std::string DescribeVerdicts(const std::vector<Universe>& universes, const char* unit) {
-  int num_tests = 0, num_significant = 0;
-  double lowest = std::nan(""), highest = std::nan("");
-  for (const Universe& universe : universes) {
-    if (!universe.summary) continue;
-    lowest = std::fmin(lowest, universe.summary->median);
-    highest = std::fmax(highest, universe.summary->median);
-    if (!universe.test) continue;
-    ++num_tests;
-    num_significant += universe.test->greenhouse_geisser.p < 0.05;
-  }
+  const UniverseSummary summary = SummariseUniverses(universes);
   std::string text;
-  if (!std::isnan(lowest)) {
-    text = "Its median lies between " + FormatWithUnit(lowest, unit) + " and " +
-           FormatWithUnit(highest, unit) + ". ";
+  if (summary.num_values > 0) {
+    text = "Its median lies between " + FormatWithUnit(summary.lowest, unit) + " and " +
+           FormatWithUnit(summary.highest, unit) + ". ";
   }
-  if (num_tests > 0) {
-    text += "p is below 0.05 in " + std::to_string(num_significant) + " of " +
-            FormatCount(num_tests, "combination") + " with a test. ";
+  if (summary.num_tests > 0) {
+    text += "p is below 0.05 in " + std::to_string(summary.num_significant) + " of " +
+            FormatCount(summary.num_tests, "combination") + " with a test. ";
   }
   return text;
 }

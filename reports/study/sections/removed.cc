@@ -46,28 +46,7 @@ Html DrawFlags(const StudyResult& result) {
 }
 
 Html DrawImport(const StudyResult& result) {
-  // The same deviation in every file is one finding.
-  struct Group {
-    std::string code, kind, text;
-    int count = 0;
-    std::vector<std::string> files;
-  };
-  std::vector<Group> groups;
-  for (const FileFinding& entry : result.findings) {
-    const std::string kind = HideNumbers(entry.finding.text);
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
-      return g.code == entry.finding.code && g.kind == kind;
-    });
-    if (group == groups.end()) {
-      group = groups.insert(groups.end(), {entry.finding.code, kind, entry.finding.text, 0, {}});
-    } else if (group->text != entry.finding.text) {
-      group->text = kind;
-    }
-    ++group->count;
-    if (group->files.empty() || group->files.back() != entry.file) {
-      group->files.push_back(entry.file);
-    }
-  }
+  const std::vector<FindingGroup> groups = GroupFindings(result);
   Html html = MakeParagraph(
       std::to_string(result.num_frozen) + " samples repeated the one before exactly and were " +
       (result.study.config.cleaning.drop_frozen ? "taken as missing; " : "kept; ") +
@@ -79,7 +58,7 @@ Html DrawImport(const StudyResult& result) {
                {"Assumption", Align::kProse},
                {"Times", Align::kNumber},
                {"Files", Align::kProse}});
-  for (const Group& group : groups) {
+  for (const FindingGroup& group : groups) {
     table.AddRow({Element("code", {}, group.code), Text(group.text),
                   Text(std::to_string(group.count)), Text(ListNames(group.files))});
   }

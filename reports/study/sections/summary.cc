@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "human_study/study/trial_flags.h"
 #include "human_study/study/trial_removal.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -10,18 +11,10 @@ namespace {
 
 /** Smallest and largest median of the main measure over all choices. */
 std::string DescribeRange(const StudyResult& result, const char* unit) {
-  double low = std::nan(""), high = std::nan("");
-  int count = 0;
-  for (const Universe& universe : result.universes) {
-    if (!universe.summary) continue;
-    const double median = universe.summary->median;
-    if (!(median >= low)) low = median;
-    if (!(median <= high)) high = median;
-    ++count;
-  }
-  if (count < 2) return "";
-  return " (" + FormatValue(low, unit) + " to " + FormatWithUnit(high, unit) + " over " +
-         std::to_string(count) + " choices of the analysis)";
+  const UniverseSummary summary = SummariseUniverses(result.universes);
+  if (summary.num_values < 2) return "";
+  return " (" + FormatValue(summary.lowest, unit) + " to " + FormatWithUnit(summary.highest, unit) +
+         " over " + std::to_string(summary.num_values) + " choices of the analysis)";
 }
 
 /** The study's main test in a sentence, or why there is none. */
@@ -46,7 +39,7 @@ std::string DescribeMainTest(const StudyResult& result) {
          FormatFixed(own.test->generalised_eta_squared, 2) + ".";
 }
 
-/** What this recording cannot tell from touching at once. */
+/** What this recording cannot separate from touching at once. */
 std::string DescribeZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
   return " GFT below " + FormatWithUnit(zero.limit, "s") +
@@ -54,20 +47,15 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
          FormatWithUnit(zero.median, "s") + ".";
 }
 
-/** Contacts that only the digit's own stop tells of. */
+/** Contacts that only the digit's own stop shows. */
 Html DrawUnverified(const StudyResult& result) {
-  int num_contacts = 0, num_trials = 0;
-  for (const StudyTrial& trial : result.trials) {
-    if (!trial.IsKept() || trial.analysis->num_unverified == 0) continue;
-    num_contacts += trial.analysis->num_unverified;
-    ++num_trials;
-  }
-  if (num_contacts == 0) return Html();
+  const UnverifiedTouches touches = CountUnverified(result);
+  if (touches.num_contacts == 0) return Html();
   return Element(
       "p", {},
       Text(
-          "Touch not verifiable: " + FormatCount(num_contacts, "contact") + " in " +
-          FormatCount(num_trials, "trial") +
+          "Touch not verifiable: " + FormatCount(touches.num_contacts, "contact") + " in " +
+          FormatCount(touches.num_trials, "trial") +
           " of those that count. Without the object's shape (objects.csv) or a force, a digit that "
           "stops off the surface looks like one that touches."));
 }
