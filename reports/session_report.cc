@@ -25,7 +25,7 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session) {
   const SessionSummary summary = SummariseSession(session);
   const SessionModels models = LoadSessionModels(session);
-  const CellPictures pictures = RenderCellPictures(summary, models);
+  const CellPictures pictures = RenderCellPictures(session, summary, models);
   const std::filesystem::path path = folder / "report" / "index.html";
   std::error_code failure;
   std::filesystem::create_directories(path.parent_path(), failure);

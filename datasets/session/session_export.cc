@@ -1,3 +1,4 @@
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "datasets/session/session_index.h"
@@ -10,17 +11,27 @@ void ExportSession(const std::filesystem::path& folder, const Session& session) 
   const std::filesystem::path exports = folder / "export";
   MakeFolder(exports);
   const std::vector<TrialColumn> columns = ListTrialColumns(session.records);
-  std::string lines;
-  for (const TrialRecord& record : session.records) lines += FormatJson(ToJson(record)) + "\n";
-  WriteFileAtomically(exports / "trials.csv", FormatCsv(columns, session.records));
+  const std::vector<CsvColumn<EventRow>> event_columns = ListEventColumns();
+  AtomicFile trials(exports / "trials.csv"), events(exports / "events.csv"),
+      lines(exports / "records.jsonl");
+  SessionIndex index(columns);
+  trials.Write(FormatCsvHeading(columns));
+  events.Write(FormatCsvHeading(event_columns));
+  ForEachWhole(session, [&](const TrialRecord& record) {
+    const std::vector<Json> cells = MakeCsvCells(columns, record);
+    trials.Write(FormatCsvLine(cells));
+    index.AddTrial(cells);
+    events.Write(FormatCsvLines(event_columns, ListEvents(record)));
+    lines.Write(FormatJson(ToJson(record)) + "\n");
+  });
+  trials.Commit();
   WriteFileAtomically(exports / "trials.schema.json",
                       FormatJson(MakeTableSchema(columns, "trial_id"), 2) + "\n");
-  WriteFileAtomically(exports / "records.jsonl", lines);
-  WriteFileAtomically(exports / "events.csv",
-                      FormatCsv(ListEventColumns(), ListEvents(session.records)));
+  lines.Commit();
+  events.Commit();
   WriteFileAtomically(exports / "events.schema.json",
-                      FormatJson(MakeTableSchema(ListEventColumns(), ""), 2) + "\n");
-  WriteFileAtomically(folder / "index.sqlite", MakeSessionIndex(session, columns));
+                      FormatJson(MakeTableSchema(event_columns, ""), 2) + "\n");
+  index.Write(session, folder / "index.sqlite");
 }
 
 }  // namespace graspbench

@@ -4,7 +4,6 @@
 
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
-#include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
@@ -29,7 +28,7 @@ void AddGraspFile(const std::string& path, SessionInputs& inputs) {
 
 }  // namespace
 
-SessionInputs LoadSessionInputs(const SessionConfig& config) {
+SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use) {
   SessionInputs inputs;
   for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
     auto hand = std::make_shared<const Hand>(LoadHand(name));
@@ -37,7 +36,7 @@ SessionInputs LoadSessionInputs(const SessionConfig& config) {
     inputs.hands.push_back({std::move(hand), std::move(grasps)});
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {
-    inputs.objects.push_back(LoadObject(name));
+    inputs.objects.push_back(LoadObject(name, field_use));
   }
   for (const std::string& name : config.grasps) {
     if (IsGraspFile(name)) AddGraspFile(name, inputs);

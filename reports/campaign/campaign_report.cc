@@ -34,7 +34,7 @@ std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
   const SessionSummary benchmark = SummariseSession(campaign.benchmark);
   const SessionModels models = LoadSessionModels(campaign.benchmark);
   const std::vector<SceneVariants> scenes = ListScenes(campaign, benchmark);
-  const VariantPictures pictures = RenderVariantPictures(scenes, models);
+  const VariantPictures pictures = RenderVariantPictures(campaign.benchmark, scenes, models);
   const std::filesystem::path path = folder / "report" / "index.html";
   MakeFolder(path.parent_path());
   WriteFileAtomically(path, MakeCampaignReport({campaign, benchmark, scenes, models, pictures}));

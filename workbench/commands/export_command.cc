@@ -17,7 +17,7 @@ struct ExportOptions {
 };
 
 void Export(const ExportOptions& options) {
-  const Session session = LoadSession(options.folder, options.on_damage);
+  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   if (!session.damage.empty()) PrintMessage("damage accepted" + FormatDamage(session.damage));
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   const std::filesystem::path folder = options.out.empty() ? options.folder : options.out;

@@ -46,7 +46,7 @@ void Judge(const JudgeOptions& options) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. Continue with the same command");
   }
-  const Session session = LoadSession(folder, options.on_damage);
+  const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   ExportSession(folder, session);
   const std::filesystem::path report = WriteSessionReport(folder, session);
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);

@@ -22,13 +22,14 @@ fs::path FindFolder(const SessionRequest& request, const std::vector<PlannedTria
 PreparedSession PrepareSession(const SessionRequest& request) {
   PreparedSession prepared;
   const bool names_a_session = request.resume && !request.out.empty();
-  if (names_a_session) prepared.session = LoadSession(request.out, request.on_damage);
+  if (names_a_session)
+    prepared.session = LoadSession(request.out, request.on_damage, RecordParts::kBrief);
   if (request.config) {
     prepared.config = *request.config;
   } else if (names_a_session) {
     prepared.config = prepared.session.config;
   }
-  prepared.inputs = LoadSessionInputs(prepared.config);
+  prepared.inputs = LoadSessionInputs(prepared.config, FieldUse::kLater);
   const std::vector<PlannedTrial> plan = MakePlan(prepared.config, prepared.inputs);
   prepared.folder = FindFolder(request, plan);
   const bool may_continue = request.resume || request.out.empty();
@@ -39,7 +40,8 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   } else if (!may_continue) {
     CreateSession(prepared.folder, prepared.config, plan);  // says what is there
   }
-  if (!names_a_session) prepared.session = LoadSession(prepared.folder, request.on_damage);
+  if (!names_a_session)
+    prepared.session = LoadSession(prepared.folder, request.on_damage, RecordParts::kBrief);
   CheckSameSession(prepared.session, prepared.config, plan);
   return prepared;
 }
@@ -69,8 +71,8 @@ RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer&
 
 bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
                   const std::atomic<bool>& stop, OnDamage on_damage) {
-  const Session session = LoadSession(folder, on_damage);
-  const SessionInputs inputs = LoadSessionInputs(session.config);
+  const Session session = LoadSession(folder, on_damage, RecordParts::kBrief);
+  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater);
   CheckSameSession(session, session.config, MakePlan(session.config, inputs));
   return JudgeSession(session, inputs, folder, num_workers, observer, stop);
 }

@@ -92,7 +92,7 @@ SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfi
   };
   config.objects.erase(std::remove_if(config.objects.begin(), config.objects.end(), is_idle),
                        config.objects.end());
-  SessionInputs inputs = LoadSessionInputs(config);
+  SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater);
   std::map<std::string, std::string> ids;
   for (const PlannedTrial& planned : MakePlan(config, inputs))
     ids[DescribeTrial(planned)] = planned.id;
@@ -127,7 +127,8 @@ class ShardWorker {
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
         budget_(request.time_budget, observer, stop),
-        session_(request.judge ? LoadSession(folder_) : LoadShardOfSession(folder_, label_)) {
+        session_(request.judge ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
+                               : LoadShardOfSession(folder_, label_)) {
     CheckPhysics(folder_);
     if (!request.allow_build) CheckBuild(folder_);
   }

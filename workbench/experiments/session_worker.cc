@@ -14,7 +14,7 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
   const auto record =
       std::find_if(session.records.begin(), session.records.end(),
                    [&](const TrialRecord& candidate) { return candidate.plan == planned; });
-  if (ToJson(record->result) == ToJson(result)) return;
+  if (ToJson(LoadWhole(session, *record).result) == ToJson(result)) return;
   throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
                                        ") gives another result than its record: the session was "
                                        "run by another build or on another machine; run it anew "
