@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -7,13 +9,17 @@
 
 namespace graspbench {
 
-void ExportSession(const std::filesystem::path& folder, const Session& session) {
+void ExportSession(const std::filesystem::path& folder, const Session& session, bool with_records) {
   const std::filesystem::path exports = folder / "export";
   MakeFolder(exports);
+  // Records that were asked for once do not get old.
+  with_records = with_records || std::filesystem::exists(exports / "records.jsonl");
+  UnsealOutput(exports);
   const std::vector<TrialColumn> columns = ListTrialColumns(session.records);
   const std::vector<CsvColumn<EventRow>> event_columns = ListEventColumns();
-  AtomicFile trials(exports / "trials.csv"), events(exports / "events.csv"),
-      lines(exports / "records.jsonl");
+  AtomicFile trials(exports / "trials.csv"), events(exports / "events.csv");
+  std::optional<AtomicFile> lines;
+  if (with_records) lines.emplace(exports / "records.jsonl");
   SessionIndex index(columns);
   trials.Write(FormatCsvHeading(columns));
   events.Write(FormatCsvHeading(event_columns));
@@ -22,16 +28,20 @@ void ExportSession(const std::filesystem::path& folder, const Session& session) 
     trials.Write(FormatCsvLine(cells));
     index.AddTrial(cells);
     events.Write(FormatCsvLines(event_columns, ListEvents(record)));
-    lines.Write(FormatJson(ToJson(record)) + "\n");
+    if (lines) lines->Write(FormatJson(ToJson(record)) + "\n");
   });
   trials.Commit();
+  events.Commit();
+  if (lines) lines->Commit();
   WriteFileAtomically(exports / "trials.schema.json",
                       FormatJson(MakeTableSchema(columns, "trial_id"), 2) + "\n");
-  lines.Commit();
-  events.Commit();
   WriteFileAtomically(exports / "events.schema.json",
                       FormatJson(MakeTableSchema(event_columns, ""), 2) + "\n");
   index.Write(session, folder / "index.sqlite");
+  std::vector<std::string> files = {"../index.sqlite", "events.csv", "events.schema.json",
+                                    "trials.csv", "trials.schema.json"};
+  if (with_records) files.push_back("records.jsonl");
+  SealOutput(exports, files);
 }
 
 }  // namespace graspbench

@@ -189,6 +189,7 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                   const std::vector<std::string>& only) {
   Frozen frozen = LoadFrozen(kSessionStore, folder, on_damage, only);
   Session session;
+  session.folder = folder;
   session.damage = std::move(frozen.damage);
   if (!frozen.is_sealed) {
     session.findings.Warn(kSessionStore.file, 0,
@@ -221,9 +222,10 @@ Session LoadPlannedSession(const fs::path& folder) {
 }
 
 Session LoadShardOfSession(const fs::path& folder, const std::string& label) {
-  return LoadFiles(folder, OnDamage::kRefuse, RecordParts::kBrief,
-                   {kSessionStore.file, "plan.jsonl", "journal/" + label + "-*.jsonl",
-                    "workers/" + label + "-*.jsonl"});
+  return LoadFiles(
+      folder, OnDamage::kRefuse, RecordParts::kBrief,
+      {kSessionStore.file, "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*",
+       "journal/" + label + "-*.jsonl", "workers/" + label + "-*.jsonl"});
 }
 
 TrialRecord LoadWhole(const Session& session, const TrialRecord& record) {

@@ -6,12 +6,14 @@ A session's folder:
                           folder a session
     manifest.json         hashes of all that must not change and of what was committed (manifest.h)
     plan.jsonl            one planned trial a line
+    inputs/               the user's own hands, objects and grasps, see input_copies.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/               trials.csv, events.csv, their dictionaries, records.jsonl
-    report/index.html
+    export/               trials.csv, events.csv, their dictionaries; when asked for records.jsonl,
+                          the whole records in the plan's order, without checksums; manifest.json
+    report/               index.html, manifest.json
     run.json              when, where, how long: the only file with clock and host
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
@@ -53,6 +55,7 @@ enum class RecordParts {
 };
 
 struct Session {
+  std::filesystem::path folder;  ///< it was loaded from; empty: it stands in none
   SessionConfig config;
   std::vector<PlannedTrial> plan;
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
@@ -123,7 +126,10 @@ class JournalWriter {
   AppendFile file_;
 };
 
-/** Writes index.sqlite and export/ from what LoadSession gives. Same records, same bytes. */
-void ExportSession(const std::filesystem::path& folder, const Session& session);
+/** Writes index.sqlite and export/ from what LoadSession gives, record by record. Same records, same
+bytes. @param with_records  also records.jsonl; where it is, it is always written anew.
+@throws Error(kIo). */
+void ExportSession(const std::filesystem::path& folder, const Session& session,
+                   bool with_records = false);
 
 }  // namespace graspbench

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/files.h"
 #include "core/base/text.h"
+#include "reports/write_page.h"
 
 namespace graspbench {
 
@@ -35,10 +35,8 @@ std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
   const SessionModels models = LoadSessionModels(campaign.benchmark);
   const std::vector<SceneVariants> scenes = ListScenes(campaign, benchmark);
   const VariantPictures pictures = RenderVariantPictures(campaign.benchmark, scenes, models);
-  const std::filesystem::path path = folder / "report" / "index.html";
-  MakeFolder(path.parent_path());
-  WriteFileAtomically(path, MakeCampaignReport({campaign, benchmark, scenes, models, pictures}));
-  return path;
+  return WriteReportPage(folder,
+                         MakeCampaignReport({campaign, benchmark, scenes, models, pictures}));
 }
 
 }  // namespace graspbench

@@ -137,12 +137,7 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
   command.add_flag("--plan-only", options->plan_only,
                    "make the folder and run nothing: see work, submit");
   AddAcceptDamageOption(command, options->on_damage);
-  command
-      .add_option("--trial-timeout", options->trial_time_limit,
-                  "seconds after which a trial is given up as a numerical failure")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S")
-      ->capture_default_str();
+  AddTrialTimeoutOption(command, options->trial_time_limit);
   command.add_flag("--json", options->json, "print the summary as one JSON object");
   command.callback([options, &exit_code] { exit_code = Run(*options); });
 }

@@ -96,7 +96,7 @@ TEST_F(SessionStore, GivesBackWhatWasAppended) {
 TEST_F(SessionStore, ExportsEveryFinishedTrialInThePlansOrder) {
   const auto plan = CreateFakeSession(folder(), 2);
   AppendAll(0, {plan[6], plan[1], plan[3]});
-  ExportSession(folder(), LoadSession(folder()));
+  ExportSession(folder(), LoadSession(folder()), true);
   const std::vector<PlannedTrial> finished = {plan[1], plan[3], plan[6]};
   std::string lines;
   for (const Json& record : JsonOfFakes(finished)) lines += record.dump() + "\n";
@@ -143,10 +143,10 @@ TEST_F(SessionStore, ResultsDoNotDependOnWorkersOrderOrDuplicates) {
       });
     }
     for (std::thread& thread : threads) thread.join();
-    ExportSession(folder(), LoadSession(folder()));
+    ExportSession(folder(), LoadSession(folder()), true);
     if (expected.empty()) expected = ReadResults(folder());
     EXPECT_EQ(ReadResults(folder()), expected) << workers << " workers";
-    ExportSession(folder(), LoadSession(folder()));  // idempotent
+    ExportSession(folder(), LoadSession(folder()), true);  // idempotent
     EXPECT_EQ(ReadResults(folder()), expected);
   }
 }
@@ -172,7 +172,7 @@ TEST_F(SessionStore, BriefRecordsAreReadAgainAsAWhole) {
                 record.result.phases.empty() && record.result.contact_events.empty());
   }
   EXPECT_EQ(again[4].judgement->loads.size(), 1u);
-  ExportSession(folder(), whole);
+  ExportSession(folder(), whole, true);
   const auto expected = ReadResults(folder());
   ExportSession(folder(), brief);
   EXPECT_TRUE(ReadResults(folder()) == expected);
@@ -228,11 +228,11 @@ TEST_F(SessionStore, KilledAtAnyMomentLosesNoFinishedTrial) {
   EXPECT_GT(num_finished, 0u);
 
   AppendAll(0, FindUnfinished(LoadSession(folder())));
-  ExportSession(folder(), LoadSession(folder()));
+  ExportSession(folder(), LoadSession(folder()), true);
   const auto interrupted = ReadResults(folder());
   fs::remove_all(folder());
   AppendAll(0, CreateFakeSession(folder(), 40));
-  ExportSession(folder(), LoadSession(folder()));
+  ExportSession(folder(), LoadSession(folder()), true);
   EXPECT_TRUE(ReadResults(folder()) == interrupted);
 }
 
