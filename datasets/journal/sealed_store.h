@@ -60,8 +60,9 @@ struct StoreRepair {
   StoreState state;                  ///< afterwards: what cannot be repaired
 };
 /** Moves each line that is no record into <journal>.damaged, and files and outputs that can be made
-anew aside under such a name; no byte is lost. What is left is sealed; damage to files that never change stays
-damage. Nothing is done in a store older than manifests. @throws as CheckStore; kFormat; kIo. */
+anew aside under such a name; no byte is lost. What is left is sealed; damage to files that never
+change stays damage. Nothing is done in a store older than manifests.
+@throws as CheckStore; kFormat; kIo. */
 StoreRepair RepairStore(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -33,8 +33,8 @@ class JudgementWriter {
   AppendFile file_;
 };
 
-/** Joins the stored judgements to session.records, brief to brief ones; damaged lines become findings.
-@throws Error(kFormat) for unequal duplicates, Error(kIo). */
+/** Joins the stored judgements to session.records, brief to brief ones; damaged lines become
+findings. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
 
 /** Trials that the judge can say something about and has not yet: those whose object was in the

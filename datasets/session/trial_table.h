@@ -16,8 +16,8 @@ using TrialColumn = CsvColumn<TrialRecord>;
 /** Name of the column of a convention's epsilon: "epsilon_dex_net". */
 std::string NameEpsilonColumn(const QualityConvention& convention);
 
-/** All columns in order; their values are those of whole records. Those of first contacts follow the digits TH FF MF RF LF, which are always
-there, then any other digits of the records by name. */
+/** All columns in order; their values are those of whole records. Those of first contacts follow the
+digits TH FF MF RF LF, which are always there, then any other digits of the records by name. */
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records);
 
 /** A contact event with the trial it belongs to. */

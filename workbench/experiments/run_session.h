@@ -52,8 +52,9 @@ RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer&
 
 /** Breaks the held grasps of a finished session that are not judged yet.
 @param trial_time_limit  a grasp whose test has not ended by then stays unjudged.
-@returns whether no grasp is left but those. @throws Error(kVersion) when a trial gives another result than
-its record; Error(kUsage) when hands, objects or physics have changed since. */
+@returns whether no grasp is left but those.
+@throws Error(kVersion) when a trial gives another result than its record; Error(kUsage) when hands,
+objects or physics have changed since. */
 bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
                   const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse,
                   double trial_time_limit = kTrialTimeLimit);
