@@ -43,7 +43,7 @@ void CopyFiles(const fs::path& from, const fs::path& to, const std::vector<std::
                                          "cannot keep a copy; move it inside");
     }
     MakeFolder((to / name).parent_path());
-    WriteFileAtomically(to / name, ReadFile(from / name));
+    WriteFile(to / name, ReadFile(from / name));
   }
 }
 
@@ -101,9 +101,10 @@ void CopyInputs(const SessionConfig& config, const fs::path& folder) {
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     if (!IsGraspFile(config.grasps[i])) continue;
     MakeFolder(folder / kInputs / "grasps");
-    WriteFileAtomically(folder / kInputs / "grasps" / (std::to_string(i) + ".yaml"),
-                        ReadFile(config.grasps[i]));
+    WriteFile(folder / kInputs / "grasps" / (std::to_string(i) + ".yaml"),
+              ReadFile(config.grasps[i]));
   }
+  if (fs::exists(folder / kInputs)) SyncFileSystem(folder);  // once for thousands of files
 }
 
 std::string FindHandInput(const std::string& name, const fs::path& folder) {
