@@ -54,7 +54,12 @@ std::string CalcContentHash(const GraspObject& object) {
   return CalcHashHex(bytes);
 }
 
-std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std::string& id) {
+std::shared_ptr<const SignedDistanceField> LoadField(const TriMesh& mesh) {
+  return SignedDistanceField::LoadOrBuild(mesh, FindCacheRoot() / "sdf");
+}
+
+std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std::string& id,
+                                              FieldUse field_use) {
   const fs::path path = folder / "object.yaml";
   const ObjectFile file = LoadObjectFile(path);
   auto object = std::make_shared<GraspObject>();
@@ -99,7 +104,7 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   if (!file.grasp_order.empty()) object->grasp_order = file.grasp_order;
   object->colour = file.colour.cast<float>();
   object->content_hash = CalcContentHash(*object);
-  object->field = SignedDistanceField::LoadOrBuild(object->mesh, FindCacheRoot() / "sdf");
+  if (field_use == FieldUse::kNow) object->field = LoadField(object->mesh);
   return object;
 }
 
@@ -121,15 +126,17 @@ std::vector<std::string> ListObjects() {
   return ids;
 }
 
-std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path) {
+std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path, FieldUse field_use) {
   const std::vector<std::string> ids = ListObjects();
   if (std::find(ids.begin(), ids.end(), id_or_path) != ids.end()) {
-    return LoadFolder(FindCatalogue() / id_or_path, id_or_path);
+    return LoadFolder(FindCatalogue() / id_or_path, id_or_path, field_use);
   }
   std::error_code status;
   fs::path path = fs::absolute(id_or_path, status).lexically_normal();
   if (path.filename() == "object.yaml" || !path.has_filename()) path = path.parent_path();
-  if (fs::is_directory(path, status)) return LoadFolder(path, path.filename().string());
+  if (fs::is_directory(path, status)) {
+    return LoadFolder(path, path.filename().string(), field_use);
+  }
   if (fs::exists(path, status)) {
     throw Error(ErrorKind::kUsage,
                 "\"" + id_or_path +
@@ -139,6 +146,14 @@ std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path) {
   }
   throw Error(ErrorKind::kNotFound,
               "no object and no folder \"" + id_or_path + "\"" + SuggestNames(id_or_path, ids));
+}
+
+std::shared_ptr<const GraspObject> CompleteObject(
+    const std::shared_ptr<const GraspObject>& object) {
+  if (object->field) return object;
+  auto complete = std::make_shared<GraspObject>(*object);
+  complete->field = LoadField(complete->mesh);
+  return complete;
 }
 
 }  // namespace graspbench

@@ -22,10 +22,20 @@ std::string FormatSizeInMm(const Eigen::Vector3d& size, int decimals);
 objects/catalogue/catalogue.yaml. */
 std::vector<std::string> ListObjects();
 
+/** A distance field takes some 4 MB, all the rest of an object a few kB to 100 kB. */
+enum class FieldUse {
+  kNow,
+  kLater  ///< `field` stays empty, see CompleteObject
+};
+
 /** Loads a catalogue object by its id, or a user's object by the path of its folder (object.yaml
 and a mesh, see object_file.h) or of its object.yaml. The mesh is checked (mesh_check.h); the
 distance field comes from the cache when it is there.
 @throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem. */
-std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path);
+std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path,
+                                              FieldUse field_use = FieldUse::kNow);
+
+/** The object with its distance field; itself when it has one. */
+std::shared_ptr<const GraspObject> CompleteObject(const std::shared_ptr<const GraspObject>& object);
 
 }  // namespace graspbench

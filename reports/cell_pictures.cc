@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/render/hand_scene.h"
 #include "core/render/scene.h"
+#include "reports/shown_trials.h"
 
 namespace graspbench {
 namespace {
@@ -36,20 +37,22 @@ Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
 
 }  // namespace
 
-const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand) {
-  const TrialRecord* chosen = nullptr;
-  for (const TrialRecord* record : cell.records) {
-    const std::vector<SceneSnapshot>& snapshots = record->result.snapshots;
-    const auto is_drawable = [&](const SceneSnapshot& s) { return IsDrawable(s, hand); };
-    if (snapshots.empty() || !std::all_of(snapshots.begin(), snapshots.end(), is_drawable))
-      continue;
+const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand, const Session& session) {
+  const auto find_rank = [](const TrialRecord* record) {
     const Outcome outcome = record->result.outcome;
-    if (outcome == Outcome::kNotPhysical) return record;
-    const bool is_first_success =
-        outcome == Outcome::kSuccess && (!chosen || chosen->result.outcome != Outcome::kSuccess);
-    if (chosen == nullptr || is_first_success) chosen = record;
+    return outcome == Outcome::kNotPhysical ? 0 : outcome == Outcome::kSuccess ? 1 : 2;
+  };
+  std::vector<const TrialRecord*> candidates = cell.records;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const auto* a, const auto* b) { return find_rank(a) < find_rank(b); });
+  for (const TrialRecord* candidate : candidates) {
+    const std::vector<SceneSnapshot> snapshots = LoadWhole(session, *candidate).result.snapshots;
+    const bool are_drawable =
+        std::all_of(snapshots.begin(), snapshots.end(),
+                    [&](const SceneSnapshot& snapshot) { return IsDrawable(snapshot, hand); });
+    if (!snapshots.empty() && are_drawable) return candidate;
   }
-  return chosen;
+  return nullptr;
 }
 
 std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots,
@@ -77,14 +80,15 @@ std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, siz
   return EncodePng(Renderer(width, height).Render(scene, camera));
 }
 
-CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models) {
+CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
+                                const SessionModels& models) {
   CellPictures pictures;
   std::unique_ptr<Renderer> renderer;
   for (const CellSummary& cell : summary.cells) {
     const auto hand = models.FindHand(cell.hand);
     const auto object = models.FindObject(cell.object);
-    if (cell.records.empty() || !hand || !object) continue;
-    const TrialRecord* record = ChooseTrial(cell, *hand);
+    if (cell.records.empty() || !hand || !object || !IsDrawnInFull(cell, summary)) continue;
+    const TrialRecord* record = ChooseTrial(cell, *hand, session);
     if (record == nullptr) {
       pictures.problems.push_back("no trial of " + NameOfCell(cell, models) +
                                   " has snapshots that fit the hand as it is now");
@@ -93,7 +97,8 @@ CellPictures RenderCellPictures(const SessionSummary& summary, const SessionMode
     try {
       if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
       pictures.by_cell[cell.key] = {
-          record, RenderSnapshots(record->result.snapshots, hand, object, *renderer)};
+          record,
+          RenderSnapshots(LoadWhole(session, *record).result.snapshots, hand, object, *renderer)};
     } catch (const Error& e) {
       pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());
       return pictures;

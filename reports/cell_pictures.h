@@ -35,8 +35,8 @@ inline constexpr int kPictureWidth = 360;
 inline constexpr int kPictureHeight = 270;
 
 /** Of the cell's trials whose snapshots fit the hand the first that is not physical, else the first
-success, else the first; null without any. */
-const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand);
+success, else the first; null without any. @param session  that of the cell's records. */
+const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand, const Session& session);
 
 /** All from one camera, which stands as near as the scenes allow. @throws Error when the machine
 cannot draw. @pre not empty; ChooseTrial found that they fit the hand. */
@@ -51,7 +51,9 @@ std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, siz
                                 const std::shared_ptr<const GraspObject>& object, int width,
                                 int height);
 
-/** Never throws for a machine that cannot draw: the reason becomes a problem. */
-CellPictures RenderCellPictures(const SessionSummary& summary, const SessionModels& models);
+/** Of the cells that are drawn in full (shown_trials.h). Never throws for a machine that cannot
+draw: the reason becomes a problem. */
+CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
+                                const SessionModels& models);
 
 }  // namespace graspbench

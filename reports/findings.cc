@@ -27,9 +27,16 @@ void AddJournalFindings(const ReportData& data, std::vector<std::string>& findin
 }
 
 void AddNonsense(const ReportData& data, std::vector<std::string>& findings) {
+  constexpr size_t kMaxNamed = 50;
+  const auto num_all = static_cast<size_t>(data.summary.total.CountOf(Outcome::kNotPhysical));
   for (const CellSummary& cell : data.summary.cells) {
     for (const TrialRecord* record : cell.records) {
       if (record->result.outcome != Outcome::kNotPhysical) continue;
+      if (findings.size() == kMaxNamed) {
+        findings.push_back("Not physical, so no success: " + std::to_string(num_all - kMaxNamed) +
+                           " more trials; export/trials.csv names them.");
+        return;
+      }
       findings.push_back("Not physical, so no success: " + NameOfCell(cell, data.models) +
                          ", trial " + std::to_string(record->plan.trial) + ": " +
                          record->result.reason + "; the cell's pictures show such a trial.");

@@ -47,7 +47,8 @@ std::string SessionModels::NameOfDigit(const std::string& hand_id, const std::st
 SessionModels LoadSessionModels(const Session& session) {
   SessionModels models;
   try {
-    const SessionInputs inputs = LoadSessionInputs(session.config);
+    const SessionInputs inputs =
+        LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
     for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
     for (const auto& object : inputs.objects) models.objects[object->id] = object;
     if (!(MakePlan(session.config, inputs) == session.plan)) {

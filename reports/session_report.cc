@@ -1,10 +1,9 @@
 #include "reports/session_report.h"
 
-#include "core/base/error.h"
-#include "core/base/files.h"
 #include "core/base/text.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
+#include "reports/write_page.h"
 
 namespace graspbench {
 
@@ -25,16 +24,8 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session) {
   const SessionSummary summary = SummariseSession(session);
   const SessionModels models = LoadSessionModels(session);
-  const CellPictures pictures = RenderCellPictures(summary, models);
-  const std::filesystem::path path = folder / "report" / "index.html";
-  std::error_code failure;
-  std::filesystem::create_directories(path.parent_path(), failure);
-  if (failure) {
-    throw Error(ErrorKind::kIo, "cannot make the folder \"" + path.parent_path().string() +
-                                    "\" for the report: " + failure.message());
-  }
-  WriteFileAtomically(path, MakeSessionReport(session, summary, models, pictures));
-  return path;
+  const CellPictures pictures = RenderCellPictures(session, summary, models);
+  return WriteReportPage(folder, MakeSessionReport(session, summary, models, pictures));
 }
 
 }  // namespace graspbench

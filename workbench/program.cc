@@ -167,6 +167,15 @@ void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage) {
       "go on with what is whole in a damaged folder; the report names the damage");
 }
 
+void AddTrialTimeoutOption(CLI::App& command, double& time_limit) {
+  command
+      .add_option("--trial-timeout", time_limit,
+                  "seconds after which a trial is given up as a numerical failure")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S")
+      ->capture_default_str();
+}
+
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
   num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   command.add_option("--jobs", num_workers, what + " at a time")

@@ -35,18 +35,27 @@ std::string FormatCsvLine(const std::vector<Json>& cells);
 
 /** RFC 4180 with line feeds: a heading and one line a row. The one writer of such tables. */
 template <class Row>
+std::string FormatCsvHeading(const std::vector<CsvColumn<Row>>& columns) {
+  std::vector<Json> cells;
+  for (const CsvColumn<Row>& column : columns) cells.push_back(column.name);
+  return FormatCsvLine(cells);
+}
+template <class Row>
+std::vector<Json> MakeCsvCells(const std::vector<CsvColumn<Row>>& columns, const Row& row) {
+  std::vector<Json> cells;
+  for (const CsvColumn<Row>& column : columns) cells.push_back(column.value(row));
+  return cells;
+}
+template <class Row>
+std::string FormatCsvLines(const std::vector<CsvColumn<Row>>& columns,
+                           const std::vector<Row>& rows) {
+  std::string lines;
+  for (const Row& row : rows) lines += FormatCsvLine(MakeCsvCells(columns, row));
+  return lines;
+}
+template <class Row>
 std::string FormatCsv(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
-  std::string csv;
-  const auto add_line = [&](const auto& cell_of) {
-    std::vector<Json> cells;
-    for (const CsvColumn<Row>& column : columns) cells.push_back(cell_of(column));
-    csv += FormatCsvLine(cells);
-  };
-  add_line([](const CsvColumn<Row>& column) { return Json(column.name); });
-  for (const Row& row : rows) {
-    add_line([&](const CsvColumn<Row>& column) { return column.value(row); });
-  }
-  return csv;
+  return FormatCsvHeading(columns) + FormatCsvLines(columns, rows);
 }
 
 /** The data dictionary in the form of a Frictionless Table Schema, plus each column's unit.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -126,10 +125,8 @@ Spread CalcContactSpread(const CellSummary& cell, const std::string& digit) {
 
 const CellSummary* SessionSummary::FindCell(const std::string& hand, const std::string& object,
                                             const std::string& grasp) const {
-  for (const CellSummary& cell : cells) {
-    if (cell.hand == hand && cell.object == object && cell.grasp == grasp) return &cell;
-  }
-  return nullptr;
+  const auto place = places.find({hand, object, grasp});
+  return place == places.end() ? nullptr : &cells[place->second];
 }
 
 Tally SessionSummary::TallyOf(const std::string& hand, const std::string& grasp) const {
@@ -142,14 +139,13 @@ Tally SessionSummary::TallyOf(const std::string& hand, const std::string& grasp)
 
 SessionSummary SummariseSession(const Session& session) {
   SessionSummary summary;
-  std::map<std::tuple<std::string, std::string, std::string>, size_t> index_of;
   for (const PlannedTrial& trial : session.plan) {
-    AddUnknown(trial.hand, summary.hands);
-    AddUnknown(trial.object, summary.objects);
-    AddUnknown(trial.grasp, summary.grasps);
     const auto [place, is_new] =
-        index_of.insert({{trial.hand, trial.object, trial.grasp}, summary.cells.size()});
+        summary.places.insert({{trial.hand, trial.object, trial.grasp}, summary.cells.size()});
     if (is_new) {
+      AddUnknown(trial.hand, summary.hands);
+      AddUnknown(trial.object, summary.objects);
+      AddUnknown(trial.grasp, summary.grasps);
       CellSummary cell;
       cell.hand = trial.hand;
       cell.object = trial.object;
@@ -162,8 +158,9 @@ SessionSummary SummariseSession(const Session& session) {
   }
   std::sort(summary.grasps.begin(), summary.grasps.end());
   for (const TrialRecord& record : session.records) {
-    const auto found = index_of.find({record.plan.hand, record.plan.object, record.plan.grasp});
-    GRASPBENCH_DEMAND(found != index_of.end(),
+    const auto found =
+        summary.places.find({record.plan.hand, record.plan.object, record.plan.grasp});
+    GRASPBENCH_DEMAND(found != summary.places.end(),
                       "a record that is not in the plan: " + record.plan.id);
     summary.cells[found->second].records.push_back(&record);
   }

@@ -9,7 +9,9 @@ before closure began is counted apart and in no time measure. Trials with a nume
 count as not successful and are left out of every other figure. */
 
 #include <array>
+#include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,8 @@ struct SessionSummary {
   std::vector<std::string> objects;  ///< ids in the plan's order
   std::vector<std::string> grasps;   ///< ids, sorted
   Tally total;
+  /** Of the cells by hand, object and grasp, for FindCell. */
+  std::map<std::tuple<std::string, std::string, std::string>, size_t> places;
 
   /** Null when the plan has no such cell. */
   const CellSummary* FindCell(const std::string& hand, const std::string& object,

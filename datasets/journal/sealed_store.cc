@@ -57,6 +57,7 @@ Manifest MakeManifest(const StoreKind& kind, const fs::path& folder) {
   manifest.kind = kind.name;
   for (const auto* patterns : {&kind.files, &kind.derived}) {
     for (const std::string& path : ListMatches(folder, *patterns)) {
+      if (fs::is_directory(folder / path)) continue;  // its files match a longer pattern
       manifest.files.push_back(SealFile(folder, path));
     }
   }
@@ -211,6 +212,36 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
   repair.actions.push_back("sealed what is there; what is missing runs again when it is continued");
 }
 
+std::vector<Damage> CheckOutput(const fs::path& output) {
+  if (!HasManifest(output)) return {};
+  try {
+    return FindDamage(output, LoadManifest(output));
+  } catch (const Error&) {
+    return {{kManifestFile, 0, "its bytes have changed"}};
+  }
+}
+
+/** The name from the store of a file that an output's manifest names. */
+std::string NameInStore(const std::string& output, const std::string& file) {
+  return (fs::path(output) / file).lexically_normal().generic_string();
+}
+
+void RepairOutputs(const StoreKind& kind, const fs::path& folder, StoreRepair& repair) {
+  for (const std::string& output : kind.outputs) {
+    const std::vector<Damage> damages = CheckOutput(folder / output);
+    for (const Damage& damage : damages) {
+      const std::string name = NameInStore(output, damage.path);
+      std::string action = name + ": ";
+      if (fs::exists(folder / name)) {
+        SetFileAside(folder / name);
+        action += "set aside as " + name + kAside + "; ";
+      }
+      repair.actions.push_back(action + "graspbench " + output + " makes it anew");
+    }
+    if (!damages.empty()) UnsealOutput(folder / output);
+  }
+}
+
 const StoreKind* DemandKind(const fs::path& folder) {
   const StoreKind* kind = FindStoreKind(folder);
   if (kind || HasManifest(folder)) return kind;
@@ -248,7 +279,28 @@ void SealStore(const StoreKind& kind, const fs::path& folder, const std::string&
   WriteManifest(folder, manifest);
 }
 
-StoreState CheckStore(const fs::path& folder) {
+void UnsealOutput(const fs::path& output) {
+  std::error_code status;
+  if (fs::remove(output / kManifestFile, status)) SyncFolder(output);
+  if (status) {
+    throw Error(ErrorKind::kIo,
+                "cannot remove \"" + (output / kManifestFile).string() + "\": " + status.message());
+  }
+}
+
+void SealOutput(const fs::path& output, const std::vector<std::string>& files) {
+  Manifest manifest;
+  manifest.kind = "output";
+  for (const std::string& file : files) manifest.files.push_back(SealFile(output, file));
+  SortByPath(manifest.files);
+  WriteManifest(output, manifest);
+}
+
+namespace {
+
+enum class OutputUse { kSkip, kCheck };
+
+StoreState Check(const fs::path& folder, OutputUse outputs) {
   const StoreKind* kind = DemandKind(folder);
   if (!kind) {
     StoreState state;
@@ -264,18 +316,28 @@ StoreState CheckStore(const fs::path& folder) {
   }
   StoreState state = CheckOwnFiles(*kind, folder);
   for (const std::string& store : ListStores(*kind, folder)) {
-    const StoreState inner = CheckStore(folder / store);
+    const StoreState inner = Check(folder / store, outputs);
     for (const Damage& damage : inner.damages) {
       state.damages.push_back({store + "/" + damage.path, damage.line, damage.text});
+    }
+  }
+  if (outputs == OutputUse::kSkip) return state;
+  for (const std::string& output : kind->outputs) {
+    for (const Damage& damage : CheckOutput(folder / output)) {
+      state.damages.push_back({NameInStore(output, damage.path), damage.line, damage.text});
     }
   }
   return state;
 }
 
+}  // namespace
+
+StoreState CheckStore(const fs::path& folder) { return Check(folder, OutputUse::kCheck); }
+
 StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
                        const std::vector<std::string>& only) {
-  StoreState state =
-      only.empty() ? CheckStore(folder) : CheckOwnFiles(*DemandKind(folder), folder, only);
+  StoreState state = only.empty() ? Check(folder, OutputUse::kSkip)
+                                  : CheckOwnFiles(*DemandKind(folder), folder, only);
   if (state.damages.empty() || on_damage == OnDamage::kAccept) return state;
   throw Error(ErrorKind::kFormat,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
@@ -289,6 +351,7 @@ StoreRepair RepairStore(const fs::path& folder) {
   StoreRepair repair;
   if (kind) {
     RepairOwnFiles(*kind, folder, repair);
+    RepairOutputs(*kind, folder, repair);
     for (const std::string& store : ListStores(*kind, folder)) {
       const StoreRepair inner = RepairStore(folder / store);
       for (const std::string& action : inner.actions) {

@@ -4,7 +4,11 @@ A store and its manifest: sealing what was written, verifying it before it is re
 
 Sealed when it is created, when a run begins and when it ends; what a killed program appended behind
 the last seal is good line by line. A store of a schema older than manifests can be read and says
-so; from its next run on it is sealed too. */
+so; from its next run on it is sealed too.
+
+Tables and pages that are made from a store have a manifest each, in their own folder inside it.
+Nothing is read from them again, so that they stop no reader; CheckStore tells when one is not what
+was written. */
 
 #include <filesystem>
 #include <string>
@@ -35,11 +39,17 @@ changes keeps the seal it has.
 void SealStore(const StoreKind& kind, const std::filesystem::path& folder,
                const std::string& inputs = "");
 
-/** The manifest's own text and files, and each whole line behind them.
+/** Before outputs are written into their folder: from now on nothing vouches for what is there.
+@throws Error(kIo). */
+void UnsealOutput(const std::filesystem::path& output);
+/** When they are written. @param files  all of them, named from the folder. @throws Error(kIo). */
+void SealOutput(const std::filesystem::path& output, const std::vector<std::string>& files);
+
+/** The manifest's own text and files, each whole line behind them, and the outputs.
 @throws Error(kNotFound) when there is neither a store nor a manifest. */
 StoreState CheckStore(const std::filesystem::path& folder);
 
-/** CheckStore before anything is read from the folder.
+/** CheckStore, but of the outputs, before anything is read from the folder.
 @param only  patterns of the store's own files that will be read; empty: everything.
 @throws Error(kFormat) naming all damage and what can be done about it, unless it is accepted. */
 StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage,
@@ -49,9 +59,10 @@ struct StoreRepair {
   std::vector<std::string> actions;  ///< what was done, in words
   StoreState state;                  ///< afterwards: what cannot be repaired
 };
-/** Moves each line that is no record into <journal>.damaged, and files that can be made anew aside
-under such a name; no byte is lost. What is left is sealed; damage to files that never change stays
-damage. Nothing is done in a store older than manifests. @throws as CheckStore; kFormat; kIo. */
+/** Moves each line that is no record into <journal>.damaged, and files and outputs that can be made
+anew aside under such a name; no byte is lost. What is left is sealed; damage to files that never
+change stays damage. Nothing is done in a store older than manifests.
+@throws as CheckStore; kFormat; kIo. */
 StoreRepair RepairStore(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -49,12 +49,13 @@ const StoreKind kSessionStore = {
     /*sealed_schema=*/4,
     /*command=*/"graspbench run",
     /*remedy=*/"run the session anew into another folder",
-    /*files=*/{"session.json", "plan.jsonl"},
+    /*files=*/{"session.json", "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*"},
     /*derived=*/{},
     /*journals=*/{"journal/*.jsonl", "judge/*.jsonl", "workers/*.jsonl"},
     /*stores=*/{},
     /*keeps_torn_lines=*/true,
-    /*shared_journals=*/{"journal/*-*.jsonl", "judge/*-*.jsonl", "workers/*-*.jsonl"}};
+    /*shared_journals=*/{"journal/*-*.jsonl", "judge/*-*.jsonl", "workers/*-*.jsonl"},
+    /*outputs=*/{"export", "report"}};
 const StoreKind kSceneStore = {
     /*name=*/"optimisation",
     /*file=*/"scene.json",
@@ -80,7 +81,9 @@ const StoreKind kCampaignStore = {
     /*derived=*/{},
     /*journals=*/{"comparison/*/*.jsonl"},
     /*stores=*/{"scenes/*", "benchmark"},
-    /*keeps_torn_lines=*/false};
+    /*keeps_torn_lines=*/false,
+    /*shared_journals=*/{},
+    /*outputs=*/{"report"}};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
   for (const StoreKind* kind : {&kCampaignStore, &kSessionStore, &kSceneStore}) {

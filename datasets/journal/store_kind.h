@@ -32,6 +32,9 @@ struct StoreKind {
   /** Journals among these that other processes may be writing while the store is sealed: only their
   whole lines are. None of them is continued behind a torn line (FindJournal of session_store.h). */
   std::vector<std::string> shared_journals = {};
+
+  /** Folders of what is made from the store and can be made anew at any time: see SealOutput. */
+  std::vector<std::string> outputs = {};
 };
 
 extern const StoreKind kSessionStore;

@@ -11,22 +11,42 @@ namespace {
 
 constexpr char kFolder[] = "judge";
 
-/** Reads one line into the record it belongs to. False: that has another judgement already.
-@throws Json::exception, Error(kFormat). */
-bool AddJudgement(const Json& json, const std::unordered_map<std::string, TrialRecord*>& records) {
-  if (IntFrom(json.at("judge_version")) != kJudgeVersion) return true;
-  const auto id = json.at("trial_id").get<std::string>();
-  const auto record = records.find(id);
-  if (record == records.end()) {
-    throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
+/** Joins judgements to the records of a session. */
+class Joiner {
+ public:
+  explicit Joiner(Session& session) : session_(session), is_brief_(!session.lines.trials.empty()) {
+    for (TrialRecord& record : session.records) records_.emplace(record.plan.id, &record);
   }
-  Judgement judgement;
-  ReadRecord(json.at("judgement"), judgement);
-  std::optional<Judgement>& known = record->second->judgement;
-  if (known) return RecordToJson(*known) == RecordToJson(judgement);
-  known = std::move(judgement);
-  return true;
-}
+
+  /** False: the line's trial has another judgement already.
+  @throws Json::exception, Error(kFormat). */
+  bool Add(std::string_view line, const LinePlace& place) {
+    const Json json = ParseCheckedLine(line);
+    if (IntFrom(json.at("judge_version")) != kJudgeVersion) return true;
+    const auto id = json.at("trial_id").get<std::string>();
+    const auto found = records_.find(id);
+    if (found == records_.end()) {
+      throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
+    }
+    TrialRecord& record = *found->second;
+    Judgement judgement;
+    ReadRecord(json.at("judgement"), judgement);
+    if (record.judgement) {
+      return RecordToJson(*LoadWhole(session_, record).judgement) == RecordToJson(judgement);
+    }
+    if (is_brief_) {
+      std::vector<BreakingLoad>().swap(judgement.loads);
+      session_.lines.judgements[static_cast<size_t>(&record - session_.records.data())] = place;
+    }
+    record.judgement = std::move(judgement);
+    return true;
+  }
+
+ private:
+  Session& session_;
+  bool is_brief_;
+  std::unordered_map<std::string_view, TrialRecord*> records_;  // looked up only, never iterated
+};
 
 std::filesystem::path MakeJudgePath(const std::filesystem::path& folder, int worker,
                                     const std::string& label) {
@@ -50,25 +70,38 @@ void JudgementWriter::Append(const std::string& trial_id, const Judgement& judge
   file_.Append(FormatJudgementLine(trial_id, judgement) + "\n");
 }
 
+Judgement ParseJudgementLine(std::string_view line) {
+  const Json json = ParseCheckedLine(line);
+  try {
+    Judgement judgement;
+    ReadRecord(json.at("judgement"), judgement);
+    return judgement;
+  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
+    throw Error(ErrorKind::kFormat, std::string("it is no judgement of this version: ") + e.what());
+  }
+}
+
 void LoadJudgements(const std::filesystem::path& folder, Session& session) {
-  std::unordered_map<std::string, TrialRecord*> records;  // looked up only, never iterated
-  for (TrialRecord& record : session.records) records.emplace(record.plan.id, &record);
+  Joiner joiner(session);
   Diagnostics conflicts;
   for (const std::filesystem::path& path : ListJournals(folder, kFolder)) {
     const std::string file = std::string(kFolder) + "/" + path.filename().string();
-    ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool is_whole) {
-      if (!is_whole) {
-        session.findings.Warn(file, number,
+    session.lines.files.push_back(file);
+    const int index = static_cast<int>(session.lines.files.size()) - 1;
+    ForEachLineOfFile(path, [&](const FileLine& line) {
+      if (line.text.empty()) return;
+      if (!line.is_whole) {
+        session.findings.Warn(file, line.number,
                               "the last line was not finished; its trial counts as "
                               "not judged");
         return;
       }
       try {
-        if (!AddJudgement(ParseCheckedLine(line), records)) {
-          conflicts.Fail(file, number, "a trial has two different judgements");
+        if (!joiner.Add(line.text, {index, line.number, line.start, line.text.size()})) {
+          conflicts.Fail(file, line.number, "a trial has two different judgements");
         }
       } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-        session.findings.Warn(file, number,
+        session.findings.Warn(file, line.number,
                               std::string("skipped: ") + e.what() + "; it counts as not judged");
       }
     });

@@ -10,6 +10,7 @@ has found counts as not judged. Equal duplicates are fine, unequal ones are an e
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "datasets/session/session_store.h"
@@ -18,6 +19,8 @@ namespace graspbench {
 
 /** Without the line break. */
 std::string FormatJudgementLine(const std::string& trial_id, const Judgement& judgement);
+/** @throws Error(kFormat) saying what is wrong with the line. */
+Judgement ParseJudgementLine(std::string_view line);
 
 /** Appends to one worker's file; each Append is on the disk when it returns. */
 class JudgementWriter {
@@ -30,8 +33,8 @@ class JudgementWriter {
   AppendFile file_;
 };
 
-/** Joins the stored judgements to session.records; damaged lines become findings.
-@throws Error(kFormat) for unequal duplicates, Error(kIo). */
+/** Joins the stored judgements to session.records, brief to brief ones; damaged lines become
+findings. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
 
 /** Trials that the judge can say something about and has not yet: those whose object was in the

@@ -2,19 +2,25 @@
 
 #include <sqlite3.h>
 
-#include <memory>
+#include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/statistics/proportion.h"
 
 namespace graspbench {
-namespace {
 
 /** A database in memory. What can fail here is a column's name: they hold the ids of digits. */
-class Database {
+class SessionIndex::Database {
  public:
-  Database() { Check(sqlite3_open(":memory:", &db_)); }
-  ~Database() { sqlite3_close(db_); }
+  Database() {
+    Check(sqlite3_open(":memory:", &db_));
+    Run("BEGIN");
+  }
+  ~Database() {
+    sqlite3_finalize(insert_);
+    sqlite3_close(db_);
+  }
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
@@ -22,10 +28,9 @@ class Database {
     Check(sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr));
   }
 
-  /** Creates a table and fills it row by row from `cell(row, column)`. */
-  template <class Cell>
+  /** Creates a table, to which AddRow adds from now on. */
   void AddTable(const std::string& name, const std::vector<std::string>& column_names,
-                const std::vector<std::string>& column_types, size_t num_rows, Cell&& cell) {
+                const std::vector<std::string>& column_types) {
     std::string definition, places;
     for (size_t i = 0; i < column_names.size(); ++i) {
       definition += (i > 0 ? ", " : "") + Quote(column_names[i]) + " " + column_types[i];
@@ -33,26 +38,25 @@ class Database {
     }
     Run("CREATE TABLE " + name + " (" + definition + ")");
     const std::string sql = "INSERT INTO " + name + " VALUES (" + places + ")";
-    sqlite3_stmt* statement = nullptr;
-    Check(sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr));
-    const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> insert(statement,
-                                                                       &sqlite3_finalize);
-    for (size_t row = 0; row < num_rows; ++row) {
-      for (size_t i = 0; i < column_names.size(); ++i) {
-        Bind(insert.get(), static_cast<int>(i) + 1, cell(row, i));
-      }
-      Check(sqlite3_step(insert.get()));
-      sqlite3_reset(insert.get());
-    }
+    sqlite3_finalize(insert_);
+    insert_ = nullptr;
+    Check(sqlite3_prepare_v2(db_, sql.c_str(), -1, &insert_, nullptr));
   }
 
-  std::string Serialize() {
+  void AddRow(const std::vector<Json>& cells) {
+    for (size_t i = 0; i < cells.size(); ++i) Bind(insert_, static_cast<int>(i) + 1, cells[i]);
+    Check(sqlite3_step(insert_));
+    sqlite3_reset(insert_);
+  }
+
+  void Write(const std::filesystem::path& path) {
+    Run("COMMIT");
     sqlite3_int64 size = 0;
-    unsigned char* bytes = sqlite3_serialize(db_, "main", &size, 0);
+    const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
+        sqlite3_serialize(db_, "main", &size, 0), &sqlite3_free);
     GRASPBENCH_DEMAND(bytes, "serialize");
-    std::string content(reinterpret_cast<const char*>(bytes), static_cast<size_t>(size));
-    sqlite3_free(bytes);
-    return content;
+    WriteFileAtomically(path, std::string_view(reinterpret_cast<const char*>(bytes.get()),
+                                               static_cast<size_t>(size)));
   }
 
  private:
@@ -83,7 +87,10 @@ class Database {
   }
 
   sqlite3* db_ = nullptr;
+  sqlite3_stmt* insert_ = nullptr;
 };
+
+namespace {
 
 const char* SqlTypeOf(const std::string& type) {
   if (type == "string") return "TEXT";
@@ -119,35 +126,34 @@ std::vector<CellCounts> CountCells(const Session& session) {
 
 }  // namespace
 
-std::string MakeSessionIndex(const Session& session, const std::vector<TrialColumn>& columns) {
-  Database db;
-  db.Run("BEGIN");
+SessionIndex::SessionIndex(const std::vector<TrialColumn>& columns)
+    : db_(std::make_unique<Database>()) {
   std::vector<std::string> names, types;
   for (const TrialColumn& column : columns) {
     names.push_back(column.name);
     types.push_back(SqlTypeOf(column.type));
   }
   types.front() += " PRIMARY KEY";
-  db.AddTable("trials", names, types, session.records.size(),
-              [&](size_t row, size_t i) { return columns[i].value(session.records[row]); });
+  db_->AddTable("trials", names, types);
+}
 
-  const std::vector<CellCounts> cells = CountCells(session);
-  db.AddTable("cells",
-              {"hand", "object", "grasp", "planned", "finished", "successes", "success_rate",
-               "wilson_low", "wilson_high"},
-              {"TEXT", "TEXT", "TEXT", "INTEGER", "INTEGER", "INTEGER", "REAL", "REAL", "REAL"},
-              cells.size(), [&](size_t row, size_t i) {
-                const CellCounts& cell = cells[row];
-                const int n = cell.num_finished;
-                const Interval interval = CalcWilsonInterval(cell.num_successes, n);
-                const Json rate = JsonNumber(CalcShare(cell.num_successes, n));
-                return Json::array({cell.first->hand, cell.first->object, cell.first->grasp,
-                                    cell.num_planned, n, cell.num_successes, rate, interval.low,
-                                    interval.high})
-                    .at(i);
-              });
-  db.Run("COMMIT");
-  return db.Serialize();
+SessionIndex::~SessionIndex() = default;
+
+void SessionIndex::AddTrial(const std::vector<Json>& cells) { db_->AddRow(cells); }
+
+void SessionIndex::Write(const Session& session, const std::filesystem::path& path) {
+  db_->AddTable("cells",
+                {"hand", "object", "grasp", "planned", "finished", "successes", "success_rate",
+                 "wilson_low", "wilson_high"},
+                {"TEXT", "TEXT", "TEXT", "INTEGER", "INTEGER", "INTEGER", "REAL", "REAL", "REAL"});
+  for (const CellCounts& cell : CountCells(session)) {
+    const int n = cell.num_finished;
+    const Interval interval = CalcWilsonInterval(cell.num_successes, n);
+    const Json rate = JsonNumber(CalcShare(cell.num_successes, n));
+    db_->AddRow({cell.first->hand, cell.first->object, cell.first->grasp, cell.num_planned, n,
+                 cell.num_successes, rate, interval.low, interval.high});
+  }
+  db_->Write(path);
 }
 
 }  // namespace graspbench

@@ -1,27 +1,20 @@
 #include "datasets/session/session_inputs.h"
 
-#include <string_view>
-
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
-#include "objects/catalogue.h"
+#include "datasets/session/input_copies.h"
 
 namespace graspbench {
 namespace {
 
 const std::vector<std::string> kAll = {"all"};
 
-bool IsGraspFile(const std::string& name) {
-  constexpr std::string_view kEnding = ".yaml";
-  return name.size() > kEnding.size() &&
-         name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
-}
-
-void AddGraspFile(const std::string& path, SessionInputs& inputs) {
+/** @param name  in the configuration; the file may be a copy. */
+void AddGraspFile(const std::string& name, const std::string& path, SessionInputs& inputs) {
   std::vector<const Hand*> hands;
   for (const SessionHand& hand : inputs.hands) hands.push_back(hand.hand.get());
   GraspFile file = LoadGraspFile(path, hands);
-  inputs.grasp_files[path] = file.grasp.id;
+  inputs.grasp_files[name] = file.grasp.id;
   for (SessionHand& hand : inputs.hands) {
     if (hand.hand->id == file.hand) hand.grasps.push_back(std::move(file.grasp));
   }
@@ -29,18 +22,20 @@ void AddGraspFile(const std::string& path, SessionInputs& inputs) {
 
 }  // namespace
 
-SessionInputs LoadSessionInputs(const SessionConfig& config) {
+SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
+                                const std::filesystem::path& folder) {
   SessionInputs inputs;
   for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
-    auto hand = std::make_shared<const Hand>(LoadHand(name));
+    auto hand = std::make_shared<const Hand>(LoadHand(FindHandInput(name, folder)));
     std::vector<StandardGrasp> grasps = LoadStandardGrasps(*hand);
     inputs.hands.push_back({std::move(hand), std::move(grasps)});
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {
-    inputs.objects.push_back(LoadObject(name));
+    inputs.objects.push_back(LoadObject(FindObjectInput(name, folder), field_use));
   }
-  for (const std::string& name : config.grasps) {
-    if (IsGraspFile(name)) AddGraspFile(name, inputs);
+  for (size_t i = 0; i < config.grasps.size(); ++i) {
+    const std::string& name = config.grasps[i];
+    if (IsGraspFile(name)) AddGraspFile(name, FindGraspInput(name, i, folder), inputs);
   }
   return inputs;
 }

@@ -2,6 +2,7 @@
 /** @file
 The hands and objects of a session, loaded once and shared between threads. */
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@ The hands and objects of a session, loaded once and shared between threads. */
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 #include "datasets/session/session_config.h"
+#include "objects/catalogue.h"
 
 namespace graspbench {
 
@@ -27,7 +29,11 @@ struct SessionInputs {
 
 /** Loads what the configuration names; "all" is every hand and object that comes with the program.
 A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and goes to its hand.
+@param folder  of the session whose copies are taken (input_copies.h); empty: the originals.
+@param field_use  kLater where thousands of objects must fit: whoever simulates one completes it
+(CompleteObject).
 @throws Error(kNotFound) with suggestions; Error(kFormat) when one of them cannot be used. */
-SessionInputs LoadSessionInputs(const SessionConfig& config);
+SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use = FieldUse::kNow,
+                                const std::filesystem::path& folder = {});
 
 }  // namespace graspbench

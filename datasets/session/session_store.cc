@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <unordered_map>
 
 #include "core/base/config.h"
@@ -39,70 +40,113 @@ std::vector<PlannedTrial> LoadPlan(const fs::path& path) {
   return plan;
 }
 
+template <class T>
+void Drop(std::vector<T>& values) {
+  std::vector<T>().swap(values);
+}
+
+void MakeBrief(TrialResult& result) {
+  result.contacts.shrink_to_fit();
+  Drop(result.touches);
+  Drop(result.phases);
+  Drop(result.contact_events);
+  Drop(result.snapshots);
+}
+
 /** Finished trials by their place in the plan, gathered from journals in any order. */
 class Merger {
  public:
-  Merger(const std::vector<PlannedTrial>& plan, Diagnostics& findings)
-      : plan_(plan), found_(plan.size()), findings_(findings) {
-    for (size_t i = 0; i < plan.size(); ++i) place_of_.emplace(plan[i].id, i);
+  Merger(const fs::path& folder, Session& session, RecordParts parts)
+      : session_(session),
+        parts_(parts),
+        records_(session.plan.size()),
+        places_(session.plan.size()) {
+    lines_.folder = folder;
+    place_of_.reserve(session.plan.size());
+    for (size_t i = 0; i < session.plan.size(); ++i) place_of_.emplace(session.plan[i].id, i);
   }
 
-  void AddLine(std::string_view line, const std::string& file, int number, bool is_whole) {
-    if (!is_whole) {
-      findings_.Warn(file, number,
-                     "the last line was not finished when the program stopped; "
-                     "its trial counts as not run");
-      return;
-    }
-    try {
-      AddRecord(ParseJournalLine(line), file, number);
-    } catch (const Error& e) {
-      findings_.Warn(file, number,
-                     std::string("skipped: ") + e.what() + "; its trial counts as not run");
-    }
+  void AddFile(const std::string& file) {
+    lines_.files.push_back(file);
+    ForEachLineOfFile(lines_.folder / file, [&](const FileLine& line) {
+      if (!line.text.empty()) AddLine(line);
+    });
   }
 
   /** @throws Error(kFormat) when a trial has two different results. */
-  std::vector<TrialRecord> TakeRecords() {
+  void TakeRecords() {
     conflicts_.ThrowIfErrors(
         ErrorKind::kFormat,
         "one trial has different results: two versions of the program have written to this session "
         "or a file was edited; delete the wrong lines and seal the rest with graspbench verify "
         "--repair, or run the session anew");
-    std::vector<TrialRecord> records;
-    for (Found& found : found_) {
-      if (!found.file.empty()) records.push_back(std::move(found.record));
+    size_t num_found = 0;  // they move up in place: of a large session there is no room for two
+    for (size_t i = 0; i < records_.size(); ++i) {
+      if (places_[i].file < 0) continue;
+      if (num_found < i) {
+        records_[num_found] = std::move(records_[i]);
+        places_[num_found] = places_[i];
+      }
+      ++num_found;
     }
-    return records;
+    records_.resize(num_found);
+    places_.resize(num_found);
+    session_.records = std::move(records_);
+    if (parts_ == RecordParts::kWhole) return;
+    lines_.judgements.resize(num_found);
+    lines_.trials = std::move(places_);
+    session_.lines = std::move(lines_);
   }
 
  private:
-  struct Found {
-    TrialRecord record;
-    std::string file;  ///< empty: not found
-    int line = 0;
-  };
-
-  void AddRecord(TrialRecord record, const std::string& file, int number) {
-    const auto place = place_of_.find(record.plan.id);
-    if (place == place_of_.end() || !(plan_[place->second] == record.plan)) {
-      findings_.Warn(file, number, "skipped: trial " + record.plan.id + " is not in the plan");
+  void AddLine(const FileLine& line) {
+    const std::string& file = lines_.files.back();
+    if (!line.is_whole) {
+      session_.findings.Warn(file, line.number,
+                             "the last line was not finished when the program stopped; "
+                             "its trial counts as not run");
       return;
     }
-    Found& found = found_[place->second];
-    if (found.file.empty()) {
-      found = {std::move(record), file, number};
-    } else if (ToJson(found.record) != ToJson(record)) {
-      conflicts_.Fail(file, number,
-                      "trial " + record.plan.id + " (" + DescribeTrial(record.plan) +
-                          ") differs from " + found.file + ":" + std::to_string(found.line));
+    try {
+      AddRecord(ParseJournalLine(line.text), line);
+    } catch (const Error& e) {
+      session_.findings.Warn(file, line.number,
+                             std::string("skipped: ") + e.what() + "; its trial counts as not run");
     }
   }
 
-  const std::vector<PlannedTrial>& plan_;
-  std::unordered_map<std::string, size_t> place_of_;  // looked up only, never iterated
-  std::vector<Found> found_;
-  Diagnostics& findings_;
+  void AddRecord(TrialRecord record, const FileLine& line) {
+    const std::string& file = lines_.files.back();
+    const auto found = place_of_.find(record.plan.id);
+    if (found == place_of_.end() || !(session_.plan[found->second] == record.plan)) {
+      session_.findings.Warn(file, line.number,
+                             "skipped: trial " + record.plan.id + " is not in the plan");
+      return;
+    }
+    LinePlace& place = places_[found->second];
+    if (place.file < 0) {
+      place = {static_cast<int>(lines_.files.size()) - 1, line.number, line.start,
+               line.text.size()};
+      if (parts_ == RecordParts::kBrief) MakeBrief(record.result);
+      records_[found->second] = std::move(record);
+    } else if (ToJson(LoadKnown(found->second)) != ToJson(record)) {
+      conflicts_.Fail(file, line.number,
+                      "trial " + record.plan.id + " (" + DescribeTrial(record.plan) +
+                          ") differs from " + NameOfLine(lines_, place));
+    }
+  }
+
+  TrialRecord LoadKnown(size_t index) const {
+    if (parts_ == RecordParts::kWhole) return records_[index];
+    return ParseJournalLine(ReadLine(lines_, places_[index]));
+  }
+
+  Session& session_;
+  RecordParts parts_;
+  std::unordered_map<std::string_view, size_t> place_of_;  // looked up only, never iterated
+  std::vector<TrialRecord> records_;                       // by place in the plan
+  std::vector<LinePlace> places_;                          // of the same
+  RecordLines lines_;
   Diagnostics conflicts_;
 };
 
@@ -141,10 +185,11 @@ std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& su
 namespace {
 
 /** Without judgements. @param only  patterns of the files that may be read; empty: all. */
-Session LoadFiles(const fs::path& folder, OnDamage on_damage,
+Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                   const std::vector<std::string>& only) {
   Frozen frozen = LoadFrozen(kSessionStore, folder, on_damage, only);
   Session session;
+  session.folder = folder;
   session.damage = std::move(frozen.damage);
   if (!frozen.is_sealed) {
     session.findings.Warn(kSessionStore.file, 0,
@@ -153,35 +198,54 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage,
   }
   session.config = SessionConfigFromJson(frozen.config, (folder / kSessionStore.file).string());
   session.plan = LoadPlan(folder / "plan.jsonl");
-  Merger merger(session.plan, session.findings);
+  Merger merger(folder, session, parts);
   for (const fs::path& path : ListJournals(folder)) {
     const std::string file = "journal/" + path.filename().string();
-    if (!only.empty() && !IsMatch(file, only)) continue;
-    ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool is_whole) {
-      merger.AddLine(line, file, number, is_whole);
-    });
+    if (only.empty() || IsMatch(file, only)) merger.AddFile(file);
   }
-  session.records = merger.TakeRecords();
+  merger.TakeRecords();
   return session;
 }
 
 }  // namespace
 
-Session LoadSession(const fs::path& folder, OnDamage on_damage) {
-  Session session = LoadFiles(folder, on_damage, {});
+Session LoadSession(const fs::path& folder, OnDamage on_damage, RecordParts parts) {
+  Session session = LoadFiles(folder, on_damage, parts, {});
   LoadJudgements(folder, session);
   session.machine_differences = DescribeDifferences(LoadWorkers(folder, session.findings));
   return session;
 }
 
 Session LoadPlannedSession(const fs::path& folder) {
-  return LoadFiles(folder, OnDamage::kRefuse, {kSessionStore.file, "plan.jsonl"});
+  return LoadFiles(folder, OnDamage::kRefuse, RecordParts::kBrief,
+                   {kSessionStore.file, "plan.jsonl"});
 }
 
 Session LoadShardOfSession(const fs::path& folder, const std::string& label) {
-  return LoadFiles(folder, OnDamage::kRefuse,
-                   {kSessionStore.file, "plan.jsonl", "journal/" + label + "-*.jsonl",
-                    "workers/" + label + "-*.jsonl"});
+  return LoadFiles(
+      folder, OnDamage::kRefuse, RecordParts::kBrief,
+      {kSessionStore.file, "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*",
+       "journal/" + label + "-*.jsonl", "workers/" + label + "-*.jsonl"});
+}
+
+TrialRecord LoadWhole(const Session& session, const TrialRecord& record) {
+  const RecordLines& lines = session.lines;
+  if (lines.trials.empty()) return record;
+  const auto index = static_cast<size_t>(&record - session.records.data());
+  GRASPBENCH_DEMAND(index < session.records.size(), record.plan.id);
+  LinePlace place = lines.trials[index];
+  try {
+    TrialRecord whole = ParseJournalLine(ReadLine(lines, place));
+    if (!(whole.plan == record.plan)) throw Error(ErrorKind::kFormat, "it is another trial's");
+    place = lines.judgements[index];
+    if (place.file >= 0) whole.judgement = ParseJudgementLine(ReadLine(lines, place));
+    return whole;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::kFormat) throw;
+    throw Error(ErrorKind::kFormat, NameOfLine(lines, place) +
+                                        " has changed since the session was loaded: " + e.what() +
+                                        "; let nobody else write there and start again");
+  }
 }
 
 fs::path FindJournal(const fs::path& subfolder, int worker, const std::string& label) {

@@ -6,12 +6,14 @@ A session's folder:
                           folder a session
     manifest.json         hashes of all that must not change and of what was committed (manifest.h)
     plan.jsonl            one planned trial a line
+    inputs/               the user's own hands, objects and grasps, see input_copies.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/               trials.csv, events.csv, their dictionaries, records.jsonl
-    report/index.html
+    export/               trials.csv, events.csv, their dictionaries; when asked for records.jsonl,
+                          the whole records in the plan's order, without checksums; manifest.json
+    report/               index.html, manifest.json
     run.json              when, where, how long: the only file with clock and host
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
@@ -29,6 +31,7 @@ the same bytes for any number of workers and any number of interruptions. */
 #include "core/base/diagnostics.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/sealed_store.h"
+#include "datasets/session/record_lines.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_plan.h"
 #include "datasets/session/trial_record.h"
@@ -43,10 +46,20 @@ session (suggesting --resume), Error(kIo) when it cannot be written. */
 void CreateSession(const std::filesystem::path& folder, const SessionConfig& config,
                    const std::vector<PlannedTrial>& plan);
 
+/** How much of every record is held in memory: 7 kB of journal are 5 kB whole and 1 kB brief. */
+enum class RecordParts {
+  kWhole,
+  /** Without what only exports, pictures and single trials need: postures at the touches, phases,
+  contact events, snapshots, the loads of a judgement. LoadWhole reads a record again. */
+  kBrief
+};
+
 struct Session {
+  std::filesystem::path folder;  ///< it was loaded from; empty: it stands in none
   SessionConfig config;
   std::vector<PlannedTrial> plan;
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
+  RecordLines lines;                 ///< of brief records; empty when they are whole
   /** Warnings about journal lines that were skipped; files are named from the session's folder. */
   Diagnostics findings;
   std::vector<Damage> damage;  ///< found and accepted
@@ -55,13 +68,30 @@ struct Session {
 };
 /** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
 before anything is read, and for unequal duplicates; kIo. */
-Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
+Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse,
+                    RecordParts parts = RecordParts::kWhole);
 
 /** Configuration and plan, without a look at any other file. @throws as LoadSession. */
 Session LoadPlannedSession(const std::filesystem::path& folder);
 
-/** What a worker of a shard needs: configuration, plan, and the records in the journals that begin
-with `label`. No other file is read. @throws as LoadSession. */
+/** The whole of one of session.records. Several threads may ask.
+@throws Error(kFormat, kIo) when its line is not what it was when the session was loaded. */
+TrialRecord LoadWhole(const Session& session, const TrialRecord& record);
+
+/** Calls `take(const TrialRecord&)` for the whole of every record, in their order. */
+template <class Take>
+void ForEachWhole(const Session& session, Take&& take) {
+  for (const TrialRecord& record : session.records) {
+    if (session.lines.trials.empty()) {
+      take(record);
+    } else {
+      take(LoadWhole(session, record));
+    }
+  }
+}
+
+/** What a worker of a shard needs: configuration, plan, and the brief records in the journals that
+begin with `label`. No other file is read. @throws as LoadSession. */
 Session LoadShardOfSession(const std::filesystem::path& folder, const std::string& label);
 
 /** The journals in a subfolder of the session's, by name; none when there is no such folder. */
@@ -96,7 +126,10 @@ class JournalWriter {
   AppendFile file_;
 };
 
-/** Writes index.sqlite and export/ from what LoadSession gives. Same records, same bytes. */
-void ExportSession(const std::filesystem::path& folder, const Session& session);
+/** Writes index.sqlite and export/ from what LoadSession gives, record by record. Same records, same
+bytes. @param with_records  also records.jsonl; where it is, it is always written anew.
+@throws Error(kIo). */
+void ExportSession(const std::filesystem::path& folder, const Session& session,
+                   bool with_records = false);
 
 }  // namespace graspbench

@@ -219,16 +219,14 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   return columns;
 }
 
-std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records) {
+std::vector<EventRow> ListEvents(const TrialRecord& record) {
   std::vector<EventRow> rows;
-  for (const TrialRecord& record : records) {
-    const ContactOrder order = FindContactOrder(record.result);
-    std::set<std::string> touched;
-    for (const ContactEvent& event : record.result.contact_events) {
-      const bool is_first =
-          event.kind == ContactEventKind::kTouch && touched.insert(event.digit).second;
-      rows.push_back({&record, &event, is_first ? order.FindRank(event.digit) : 0});
-    }
+  const ContactOrder order = FindContactOrder(record.result);
+  std::set<std::string> touched;
+  for (const ContactEvent& event : record.result.contact_events) {
+    const bool is_first =
+        event.kind == ContactEventKind::kTouch && touched.insert(event.digit).second;
+    rows.push_back({&record, &event, is_first ? order.FindRank(event.digit) : 0});
   }
   return rows;
 }

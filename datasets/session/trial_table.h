@@ -16,8 +16,8 @@ using TrialColumn = CsvColumn<TrialRecord>;
 /** Name of the column of a convention's epsilon: "epsilon_dex_net". */
 std::string NameEpsilonColumn(const QualityConvention& convention);
 
-/** All columns in order. Those of first contacts follow the digits TH FF MF RF LF, which are always
-there, then any other digits of the records by name. */
+/** All columns in order; their values are those of whole records. Those of first contacts follow the
+digits TH FF MF RF LF, which are always there, then any other digits of the records by name. */
 std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records);
 
 /** A contact event with the trial it belongs to. */
@@ -26,8 +26,8 @@ struct EventRow {
   const ContactEvent* event = nullptr;
   int rank = 0;  ///< in the order of contact, on a grasping digit's first touch; else 0
 };
-/** The events of all records, and the columns of `events.csv`. */
-std::vector<EventRow> ListEvents(const std::vector<TrialRecord>& records);
+/** The events of a whole record, which must outlive them, and the columns of `events.csv`. */
+std::vector<EventRow> ListEvents(const TrialRecord& record);
 std::vector<CsvColumn<EventRow>> ListEventColumns();
 
 }  // namespace graspbench

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
@@ -30,11 +31,13 @@ std::vector<const RecordedPoint*> FindPositions(const Recording& recording) {
   return positions;
 }
 
-/** A label must not break the table it names a column of. */
+/** A label must not break the table it names a column of, nor be run by a spreadsheet. */
 std::string CleanLabel(std::string label) {
   for (char& c : label) {
     if (c == '\t' || c == ',' || c == '"' || c == '\n' || c == '\r') c = '_';
   }
+  const std::string heading = label + "_x";  // "-5" alone is a number
+  if (GuardCell(heading) != heading) label[0] = '_';
   return label;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/files.h"
 #include "core/base/text.h"
+#include "reports/write_page.h"
 
 namespace graspbench {
 
@@ -31,11 +31,9 @@ std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
   const SessionSummary benchmark = SummariseSession(campaign.benchmark);
   const SessionModels models = LoadSessionModels(campaign.benchmark);
   const std::vector<SceneVariants> scenes = ListScenes(campaign, benchmark);
-  const VariantPictures pictures = RenderVariantPictures(scenes, models);
-  const std::filesystem::path path = folder / "report" / "index.html";
-  MakeFolder(path.parent_path());
-  WriteFileAtomically(path, MakeCampaignReport({campaign, benchmark, scenes, models, pictures}));
-  return path;
+  const VariantPictures pictures = RenderVariantPictures(campaign.benchmark, scenes, models);
+  return WriteReportPage(folder,
+                         MakeCampaignReport({campaign, benchmark, scenes, models, pictures}));
 }
 
 }  // namespace graspbench

@@ -18,7 +18,8 @@ const SceneSnapshot* FindClosed(const TrialRecord* record) {
 
 }  // namespace
 
-VariantPictures RenderVariantPictures(const std::vector<SceneVariants>& scenes,
+VariantPictures RenderVariantPictures(const Session& benchmark,
+                                      const std::vector<SceneVariants>& scenes,
                                       const SessionModels& models) {
   VariantPictures pictures;
   std::unique_ptr<Renderer> renderer;
@@ -30,7 +31,8 @@ VariantPictures RenderVariantPictures(const std::vector<SceneVariants>& scenes,
     std::vector<int> variants;
     for (int variant = 0; variant < kNumVariants; ++variant) {
       const CellSummary* cell = scene.cells[variant];
-      const SceneSnapshot* closed = cell ? FindClosed(ChooseTrial(*cell, *hand)) : nullptr;
+      const SceneSnapshot* closed =
+          cell ? FindClosed(ChooseTrial(*cell, *hand, benchmark)) : nullptr;
       if (closed == nullptr) continue;
       snapshots.push_back(*closed);
       variants.push_back(variant);

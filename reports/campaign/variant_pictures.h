@@ -18,7 +18,8 @@ struct VariantPictures {
 };
 
 /** Never throws for a machine that cannot draw: the reason becomes a problem. */
-VariantPictures RenderVariantPictures(const std::vector<SceneVariants>& scenes,
+VariantPictures RenderVariantPictures(const Session& benchmark,
+                                      const std::vector<SceneVariants>& scenes,
                                       const SessionModels& models);
 
 }  // namespace graspbench

@@ -7,6 +7,7 @@
 #include "reports/layout.h"
 #include "reports/line_plot.h"
 #include "reports/sections/section.h"
+#include "reports/shown_trials.h"
 #include "reports/svg_plot.h"
 
 namespace graspbench {
@@ -76,8 +77,17 @@ double FindContactTime(const TrialResult& result, const std::string& digit) {
   return std::nan("");
 }
 
+Html MakeSmall(const std::string& text) { return Element("p", {{"class", "small"}}, text); }
+
+/** What is left out of a cell that is too large for the page. */
+Html DrawShare(const std::vector<const TrialRecord*>& shown, const CellSummary& cell) {
+  const std::string share = DescribeShownTrials(shown.size(), cell);
+  return share.empty() ? Html() : MakeSmall(share);
+}
+
 Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& digits,
                       const ReportData& data) {
+  const std::vector<const TrialRecord*> shown = ChooseShownTrials(cell, data.summary);
   DotStrips plot;
   plot.text.title = "First contact of each digit, " + NameOfCell(cell, data.models);
   plot.text.description =
@@ -89,7 +99,7 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
     DotStrips::Row row;
     row.label = data.models.NameOfDigit(cell.hand, digit);
     row.median = CalcContactSpread(cell, digit).median;
-    for (const TrialRecord* record : cell.records) {
+    for (const TrialRecord* record : shown) {
       const double time = FindContactTime(record->result, digit);
       row.dots.push_back({time, record->result.outcome == Outcome::kSuccess,
                           "trial " + std::to_string(record->plan.trial) + ": " +
@@ -97,10 +107,10 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
     }
     plot.rows.push_back(row);
   }
-  return MakeScroll(plot.text.title, DrawDotStrips(plot));
+  const Html strips = MakeScroll(plot.text.title, DrawDotStrips(plot));
+  const Html share = DrawShare(shown, cell);
+  return share.empty() ? strips : Element("div", {}, strips + share);
 }
-
-Html MakeSmall(const std::string& text) { return Element("p", {{"class", "small"}}, text); }
 
 /** "Order of contact: TH<FF in 7 trials, FF<TH in 2; in 1 another." */
 Html DescribeOrders(const CellSummary& cell) {
@@ -175,7 +185,8 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
   columns.push_back({"Trial id"});
   columns.push_back({"Reason", Align::kProse});
   Table table("Trials of " + NameOfCell(cell, data.models) + ".", columns);
-  for (const TrialRecord* record : cell.records) {
+  const std::vector<const TrialRecord*> shown = ChooseShownTrials(cell, data.summary);
+  for (const TrialRecord* record : shown) {
     const TrialResult& result = record->result;
     std::vector<Html> row = {Text(std::to_string(record->plan.trial)),
                              Text(NameOf(result.outcome))};
@@ -202,7 +213,8 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
     row.push_back(Text(result.reason));
     table.AddRow(row);
   }
-  return MakeDetails("All values of " + FormatCount(cell.tally.finished, "trial"), table.ToHtml());
+  return MakeDetails("All values of " + FormatCount(static_cast<int>(shown.size()), "trial"),
+                     DrawShare(shown, cell) + table.ToHtml());
 }
 
 /** The first success, else the first trial. @pre the cell has a record */
@@ -229,13 +241,13 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
              FormatCount(tally.planned, "planned trial") + " missing.";
   }
   content += Element("p", {{"class", "small"}}, facts);
-  if (tally.finished > 0) {
+  if (tally.finished > 0 && IsDrawnInFull(cell, data.summary)) {
     const std::vector<std::string> digits = ListDigits(cell);
     content += DrawFilmstrip(cell, data);
     content += Element("div", {{"class", "pair"}},
                        DrawContactTimes(cell, digits, data) + DrawTiming(cell));
-    const Html events =
-        DrawContactStrip(FindShownTrial(cell), NameOfCell(cell, data.models), data.models);
+    const Html events = DrawContactStrip(LoadWhole(data.session, FindShownTrial(cell)),
+                                         NameOfCell(cell, data.models), data.models);
     if (!events.empty()) content += MakeDetails("Contact events of one trial", events);
     content += DrawTrials(cell, digits, data);
   }
@@ -254,6 +266,11 @@ Html DrawCells(const ReportData& data) {
                   Element("b", {}, "What to look for: ") +
                       Text("digits that arrive late or never, crosses apart from the discs, "
                            "fingers that hold the object otherwise than the grasp intends."));
+  if (!IsDrawnInFull(data.summary.cells.back(), data.summary)) {
+    html += MakeNote("info", "This session has too many cells for one page.",
+                     MakeParagraph("The first of them are shown in full, the others by their rates "
+                                   "alone; export/trials.csv has all their trials."));
+  }
   for (const std::string& hand : data.summary.hands) {
     html += Element("h3", {}, data.models.NameOfHand(hand));
     for (const CellSummary& cell : data.summary.cells) {

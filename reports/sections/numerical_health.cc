@@ -31,11 +31,17 @@ Html DrawTotals(const ReportData& data) {
 }
 
 Html DrawFailures(const ReportData& data) {
+  constexpr int kMaxListed = 200;
+  int num_listed = 0;
   Table table("Trials that ended as numerical failure.",
               {{"Cell"}, {"Trial"}, {"Trial id"}, {"Reason", Align::kProse}});
   for (const CellSummary& cell : data.summary.cells) {
     for (const TrialRecord* record : cell.records) {
       if (record->result.outcome != Outcome::kNumericalFailure) continue;
+      if (++num_listed > kMaxListed) {
+        return table.ToHtml() + MakeParagraph("The first " + std::to_string(kMaxListed) +
+                                              "; export/trials.csv has all of them.");
+      }
       table.AddRow({LinkTo(cell.key, NameOfCell(cell, data.models)),
                     Text(std::to_string(record->plan.trial)), Element("code", {}, record->plan.id),
                     Text(record->result.reason)});

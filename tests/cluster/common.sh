@@ -26,6 +26,8 @@ make_sessions() {
 # The results of both are the same bytes, and nothing is damaged.
 compare_sessions() {
   local file
+  "$program" export "$folder/whole" --records
+  "$program" export "$folder/parts" --records
   for file in session.json plan.jsonl export/trials.csv export/events.csv export/records.jsonl \
       index.sqlite report/index.html; do
     cmp "$folder/whole/$file" "$folder/parts/$file"

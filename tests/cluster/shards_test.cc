@@ -76,6 +76,9 @@ class GRASPBENCH_SUITE : public testing::Test {
   }
   /** All of it, once and for all: what a reader of the folder sees. */
   void ExpectSameResults(const fs::path& folder) {
+    for (const fs::path& of : {whole(), folder}) {
+      ASSERT_EQ(Call({"export", of.string(), "--records"}), 0);
+    }
     for (const char* file : {"session.json", "plan.jsonl", "export/trials.csv", "export/events.csv",
                              "export/records.jsonl", "index.sqlite", "report/index.html"}) {
       ExpectSameFile(whole() / file, folder / file);

@@ -19,12 +19,9 @@ inline void FuzzRecordLine(const std::string& line) {
     const std::vector<TrialRecord> records = {ParseJournalLine(line)};
     const std::string written = FormatJournalLine(records[0]);
     GRASPBENCH_DEMAND(FormatJournalLine(ParseJournalLine(written)) == written, written);
-    Session session;
-    session.plan = {records[0].plan};
-    session.records = records;
     const auto columns = ListTrialColumns(records);
     FormatCsv(columns, records);
-    MakeSessionIndex(session, columns);
+    SessionIndex(columns).AddTrial(MakeCsvCells(columns, records[0]));
   } catch (const Error&) {
   }
 }

@@ -67,6 +67,16 @@ TEST_F(CatalogueTest, AUsersFolderIsCentredAndHomogeneous) {
   EXPECT_EQ(LoadObject(folder_.string() + "/")->id, object->id);
 }
 
+TEST_F(CatalogueTest, TheFieldMayComeLater) {
+  Write(kYaml, box_);
+  const auto light = LoadObject(folder_.string(), FieldUse::kLater);
+  EXPECT_EQ(light->field, nullptr);
+  EXPECT_EQ(light->content_hash, LoadObject(folder_.string())->content_hash);
+  const auto complete = CompleteObject(light);
+  EXPECT_NEAR(complete->field->Query({0.0, 0.0, 0.015}).distance, 0.005, 1e-6);
+  EXPECT_EQ(CompleteObject(complete), complete);
+}
+
 TEST_F(CatalogueTest, DensityGivesTheMassAndAGivenCentreOfMassIsTaken) {
   std::string yaml = kYaml;
   yaml.replace(yaml.find("mass_kg: 0.06"), 13, "density_kg_per_m3: 500");

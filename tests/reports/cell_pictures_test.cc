@@ -42,14 +42,14 @@ TEST(RenderCellPictures, DrawsTheFirstSuccessTheSameEveryTime) {
   session.records[0].result.outcome = Outcome::kKnockedOver;
   for (TrialRecord& record : session.records) record.result.snapshots = MakeSnapshots();
   const SessionSummary summary = SummariseSession(session);
-  const CellPictures pictures = RenderCellPictures(summary, MakeModels());
+  const CellPictures pictures = RenderCellPictures(session, summary, MakeModels());
   EXPECT_TRUE(pictures.problems.empty());
   const Filmstrip& strip = pictures.by_cell.at("tum-can-g3");
   EXPECT_EQ(strip.record, &session.records[1]);
   ASSERT_EQ(strip.pictures.size(), 3u);
   EXPECT_EQ(strip.pictures[2].moment, Moment::kLifted);
   EXPECT_EQ(strip.pictures[0].webp.substr(8, 4), "WEBP");
-  const CellPictures again = RenderCellPictures(summary, MakeModels());
+  const CellPictures again = RenderCellPictures(session, summary, MakeModels());
   EXPECT_EQ(again.by_cell.at("tum-can-g3").pictures[0].webp, strip.pictures[0].webp);
 }
 
@@ -63,15 +63,19 @@ TEST(RenderCellPictures, AnObjectThatFlewAwayDoesNotShrinkTheHand) {
   const SessionSummary summary = SummariseSession(session), other_summary = SummariseSession(other);
   // Where it went must not matter for the camera, so the first picture is the same.
   EXPECT_EQ(
-      RenderCellPictures(summary, MakeModels()).by_cell.at("tum-can-g3").pictures[0].webp,
-      RenderCellPictures(other_summary, MakeModels()).by_cell.at("tum-can-g3").pictures[0].webp);
+      RenderCellPictures(session, summary, MakeModels()).by_cell.at("tum-can-g3").pictures[0].webp,
+      RenderCellPictures(other, other_summary, MakeModels())
+          .by_cell.at("tum-can-g3")
+          .pictures[0]
+          .webp);
 }
 
 TEST(RenderCellPictures, SnapshotsThatDoNotFitTheHandAreAProblem) {
   Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
   session.records[0].result.snapshots = MakeSnapshots();
   session.records[0].result.snapshots[1].q = Eigen::VectorXd::Zero(3);
-  const CellPictures pictures = RenderCellPictures(SummariseSession(session), MakeModels());
+  const CellPictures pictures =
+      RenderCellPictures(session, SummariseSession(session), MakeModels());
   EXPECT_TRUE(pictures.by_cell.empty());
   ASSERT_EQ(pictures.problems.size(), 1u);
   EXPECT_EQ(pictures.problems[0],

@@ -80,6 +80,11 @@ class FailingDisk : public testing::Test {
     EXPECT_EQ(Run(is_begun ? again : line), 0) << Log();
     EXPECT_EQ(Run("verify out"), 0) << Log();
   }
+  /** Whole records in one file, whatever the journals are called. */
+  void ExportRecords() const {
+    EXPECT_EQ(Run("export whole --records"), 0) << Log();
+    EXPECT_EQ(Run("export out --records"), 0) << Log();
+  }
 };
 
 TEST_F(FailingDisk, SessionsAreContinuedAndJudgedToTheSameBytes) {
@@ -93,8 +98,9 @@ TEST_F(FailingDisk, SessionsAreContinuedAndJudgedToTheSameBytes) {
     RunUnderFaults("judge out", "judge out", seed + 5, 4);
     RunUnderFaults("export out", "export out", seed + 9, 3);
     RunUnderFaults("report out", "report out", seed + 12, 3);
+    ExportRecords();
     ExpectSame({"session.json", "plan.jsonl", "export/trials.csv", "export/records.jsonl",
-                "index.sqlite", "report/index.html"});
+                "export/manifest.json", "index.sqlite", "report/index.html"});
   }
   EXPECT_GT(num_failed_, 4) << "the faults must bite";
 }
@@ -111,8 +117,9 @@ TEST_F(FailingDisk, ShardsAreContinuedAndMergedToTheSameBytes) {
       RunUnderFaults(work, work, seed + 5 * shard, 5);
     }
     RunUnderFaults("merge out", "merge out", seed + 15, 4);
+    ExportRecords();
     ExpectSame({"session.json", "plan.jsonl", "export/trials.csv", "export/records.jsonl",
-                "index.sqlite", "report/index.html"});
+                "export/manifest.json", "index.sqlite", "report/index.html"});
   }
   EXPECT_GT(num_failed_, 4) << "the faults must bite";
 }
@@ -127,6 +134,18 @@ TEST_F(FailingDisk, OptimisationsAreContinuedToTheSameBytes) {
                 "manifest.json"});
   }
   EXPECT_GT(num_failed_, 1) << "the faults must bite";
+}
+
+TEST_F(FailingDisk, CampaignsAreContinuedToTheSameBytes) {
+  const std::string line =
+      "campaign --hand tum --object golf_ball --evaluations 4 --fitness-trials 1 --trials 2 "
+      "--set optimise.check_trials=2 --out ";
+  ASSERT_EQ(Run(line + "whole"), 0) << Log();
+  RunUnderFaults(line + "out", line + "out", 301, 6);
+  ExpectSame({"campaign.json", "summary.csv", "scenes/tum-golf_ball/result.json",
+              "scenes/tum-golf_ball/journal.jsonl", "benchmark/export/trials.csv",
+              "benchmark/index.sqlite", "report/index.html", "report/manifest.json"});
+  EXPECT_GT(num_failed_, 2) << "the faults must bite";
 }
 
 // A basin and a study are there as a whole or not at all, whenever the program is killed.

@@ -64,6 +64,7 @@ void AddBasinCommand(CLI::App& program, ExitCode&) {
       ->option_text("N")
       ->capture_default_str();
   AddJobsOption(command, options->num_workers);
+  AddTrialTimeoutOption(command, request.trial_time_limit);
   command.add_option("--out", options->out, "folder for index.html and basin.csv")
       ->required()
       ->option_text("DIR");

@@ -44,6 +44,8 @@ void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::stri
 void AddReplaceOption(CLI::App& command, bool& replace);
 /** "--accept-damage": go on with what is left of a damaged store. */
 void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage);
+/** "--trial-timeout": seconds of the clock; the limit's value is the default. */
+void AddTrialTimeoutOption(CLI::App& command, double& time_limit);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
 ///@}

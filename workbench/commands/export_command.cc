@@ -13,19 +13,20 @@ struct ExportOptions {
   std::string folder;
   std::string out;  ///< empty: the session's own folder
   bool replace = false;
+  bool with_records = false;
   OnDamage on_damage = OnDamage::kRefuse;
 };
 
 void Export(const ExportOptions& options) {
-  const Session session = LoadSession(options.folder, options.on_damage);
+  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   if (!session.damage.empty()) PrintMessage("damage accepted" + FormatDamage(session.damage));
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   const std::filesystem::path folder = options.out.empty() ? options.folder : options.out;
   if (options.out.empty()) {
-    ExportSession(folder, session);
+    ExportSession(folder, session, options.with_records);
   } else {
     StagedFolder staged({folder, "export", options.replace, {options.folder}});
-    ExportSession(staged.path(), session);
+    ExportSession(staged.path(), session, options.with_records);
     staged.Commit();
   }
   PrintResult((folder / "export" / "trials.csv").string() + "\n");
@@ -45,6 +46,8 @@ void AddExportCommand(CLI::App& program, ExitCode&) {
   command.add_option("--out", options->out, "folder for a session that cannot be written")
       ->option_text("DIR")
       ->default_str("that of the session");
+  command.add_flag("--records", options->with_records,
+                   "also records.jsonl: everything, a line a trial, as the journals hold it");
   AddReplaceOption(command, options->replace);
   AddAcceptDamageOption(command, options->on_damage);
   command.callback([options] { Export(*options); });

@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "datasets/analysis/judge_evidence.h"
+#include "datasets/session/judgement_store.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
@@ -19,6 +20,7 @@ struct JudgeOptions {
   std::string folder;
   int num_workers = 1;
   OnDamage on_damage = OnDamage::kRefuse;
+  double trial_time_limit = kTrialTimeLimit;
   bool json = false;
 };
 
@@ -34,7 +36,19 @@ void PrintEvidence(const JudgeEvidence& evidence) {
   PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged\n\n" + table.Format());
 }
 
-void Judge(const JudgeOptions& options) {
+/** Names the grasps whose test did not end in time. */
+ExitCode TellUnjudged(const Session& session, double trial_time_limit) {
+  const std::vector<PlannedTrial> unjudged = FindUnjudged(session);
+  for (const PlannedTrial& trial : unjudged) {
+    PrintMessage("trial " + trial.id + " (" + trial.hand + ", " + trial.object + ", " +
+                 trial.grasp + ", number " + std::to_string(trial.trial) +
+                 ") stays unjudged: the judge had not ended after " + FormatJson(trial_time_limit) +
+                 " s");
+  }
+  return unjudged.empty() ? kExitOk : kExitNumericalFailures;
+}
+
+ExitCode Judge(const JudgeOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
@@ -42,11 +56,12 @@ void Judge(const JudgeOptions& options) {
         return options.folder + ": " + FormatCount(stage.num_left, "held grasp") + " to judge";
       },
       stop);
-  if (!JudgeSession(folder, options.num_workers, observer, stop, options.on_damage)) {
+  if (!JudgeSession(folder, options.num_workers, observer, stop, options.on_damage,
+                    options.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what was judged is kept. Continue with the same command");
   }
-  const Session session = LoadSession(folder, options.on_damage);
+  const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   ExportSession(folder, session);
   const std::filesystem::path report = WriteSessionReport(folder, session);
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
@@ -57,11 +72,12 @@ void Judge(const JudgeOptions& options) {
     PrintResult("\nreport   " + report.string() + "\ndata     " +
                 (folder / "export" / "trials.csv").string() + "\n");
   }
+  return TellUnjudged(session, options.trial_time_limit);
 }
 
 }  // namespace
 
-void AddJudgeCommand(CLI::App& program, ExitCode&) {
+void AddJudgeCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command = AddSubcommand(
       program, "judge",
       "Pull and twist the held objects of a finished session until they leave the hand.",
@@ -72,9 +88,10 @@ void AddJudgeCommand(CLI::App& program, ExitCode&) {
       ->required()
       ->option_text("DIR");
   AddJobsOption(command, options->num_workers, "grasps");
+  AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
   command.add_flag("--json", options->json, "print the evidence as one JSON object");
-  command.callback([options] { Judge(*options); });
+  command.callback([options, &exit_code] { exit_code = Judge(*options); });
 }
 
 }  // namespace graspbench

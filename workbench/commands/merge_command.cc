@@ -75,7 +75,8 @@ Json MakeJson(const SessionSummary& summary, const std::vector<MachineShards>& m
 
 ExitCode Merge(const MergeOptions& options) {
   const int num_new = MergeSessions(options.folder, options.others);
-  const Session session = LoadSession(options.folder);  // finds damage before it is sealed
+  // Damage is found before it is sealed.
+  const Session session = LoadSession(options.folder, OnDamage::kRefuse, RecordParts::kBrief);
   SealStore(kSessionStore, options.folder);
   ExportSession(options.folder, session);
   const fs::path report = WriteSessionReport(options.folder, session);

@@ -31,7 +31,7 @@ std::filesystem::path WriteReport(const ReportOptions& options,
     report_damage(campaign.damage);
     return WriteCampaignReport(place, campaign).lexically_relative(place);
   }
-  const Session session = LoadSession(options.folder, options.on_damage);
+  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   report_damage(session.damage);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   return WriteSessionReport(place, session).lexically_relative(place);

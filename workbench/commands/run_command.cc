@@ -58,10 +58,14 @@ void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers
   PrintMessage(text);
 }
 
-ExitCode Finish(const PreparedSession& work, const RunOptions& options) {
+/** Nothing of the work is needed any more but its folder. */
+ExitCode Finish(PreparedSession& work, const RunOptions& options) {
   const fs::path& folder = work.folder;
-  Session session = LoadSession(folder, options.on_damage);
-  session.damage = work.session.damage;  // what was found before the run sealed what is there
+  const std::vector<Damage> damage = work.session.damage;
+  work.session = {};  // before it is loaded again: two large ones would not fit
+  work.inputs = {};
+  Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
+  session.damage = damage;  // what was found before the run sealed what is there
   ExportSession(folder, session);
   const fs::path report = WriteSessionReport(folder, session);
   const SessionSummary summary = SummariseSession(session);
@@ -92,7 +96,7 @@ ExitCode Run(const RunOptions& options) {
   request.resume = options.resume;
   request.on_damage = options.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
-  const PreparedSession work = PrepareSession(request);
+  PreparedSession work = PrepareSession(request);
   if (options.plan_only) return Plan(work);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
@@ -133,12 +137,7 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
   command.add_flag("--plan-only", options->plan_only,
                    "make the folder and run nothing: see work, submit");
   AddAcceptDamageOption(command, options->on_damage);
-  command
-      .add_option("--trial-timeout", options->trial_time_limit,
-                  "seconds after which a trial is given up as a numerical failure")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S")
-      ->capture_default_str();
+  AddTrialTimeoutOption(command, options->trial_time_limit);
   command.add_flag("--json", options->json, "print the summary as one JSON object");
   command.callback([options, &exit_code] { exit_code = Run(*options); });
 }

@@ -68,12 +68,7 @@ void AddWorkCommand(CLI::App& program, ExitCode&) {
       ->check(CLI::Range(1, 1024))
       ->option_text("N")
       ->capture_default_str();
-  command
-      .add_option("--trial-timeout", request.trial_time_limit,
-                  "seconds after which a trial is given up as a numerical failure")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S")
-      ->capture_default_str();
+  AddTrialTimeoutOption(command, request.trial_time_limit);
   command.add_flag("--allow-build", request.allow_build,
                    "work with another build of graspbench than the one that made the plan");
   command.callback([options] { Work(*options); });

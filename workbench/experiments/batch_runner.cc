@@ -23,23 +23,22 @@ bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
     const auto record = std::make_shared<TrialRecord>();  // of the trial that has just run
-    const auto keep = [&board, tools](const TrialRecord& kept) {
-      tools->keep(kept);
-      board.Count(kept.result.outcome);
-    };
     const RunTask run = [&board, &trials, worker, tools, record](size_t task) {
       board.SetBusy(worker, trials[task]);
       record->plan = trials[task];
       record->result = tools->run(record->plan);
     };
-    const RunTask keep_result = [&board, worker, keep, record](size_t) {
-      keep(*record);
+    const RunTask keep = [&board, worker, tools, record](size_t) {
+      tools->keep(*record);
+      board.Count(record->result.outcome);
       board.SetBusy(worker, std::nullopt);
     };
-    const RunTask give_up = [&trials, keep, time_limit](size_t task) {
-      keep({trials[task], MakeEndlessResult(time_limit)});
+    const RunTask give_up = [&board, &trials, tools, time_limit](size_t task) {
+      const TrialRecord endless = {trials[task], MakeEndlessResult(time_limit)};
+      (tools->give_up ? tools->give_up : tools->keep)(endless);
+      board.Count(endless.result.outcome);
     };
-    return {run, keep_result, time_limit < kNoTimeLimit ? give_up : RunTask()};
+    return {run, keep, time_limit < kNoTimeLimit ? give_up : RunTask()};
   };
   return RunTasks(
       trials.size(), num_workers, make_runner, [&] { show(board.Read()); }, stop, time_limit);

@@ -18,6 +18,8 @@ struct BatchWorker {
   std::function<TrialResult(const PlannedTrial&)> run;
   /** The record is safe when this returns. */
   std::function<void(const TrialRecord&)> keep;
+  /** What to do with a trial that has not ended in time, a numerical failure; empty: keep it. */
+  std::function<void(const TrialRecord&)> give_up = {};
 };
 /** Called in the worker's own thread. */
 using MakeBatchWorker = std::function<BatchWorker(int worker)>;
@@ -28,7 +30,7 @@ inline constexpr double kNoTimeLimit = std::numeric_limits<double>::infinity();
 
 /** Runs `trials` until all are done or `stop` is set; a trial that has begun is finished and kept.
 @param time_limit  [s of the clock]: a trial that has not ended by then is kept as a numerical
-failure, and the others go on.   @returns, @throws  as RunTasks of worker_pool.h. */
+failure or given up, and the others go on.   @returns, @throws  as RunTasks of worker_pool.h. */
 bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, const ShowBatch& show,
               const std::atomic<bool>& stop, double time_limit = kNoTimeLimit);

@@ -68,7 +68,7 @@ BasinMap MapBasin(const BasinRequest& request, int num_workers, Observer& observ
   stage.name = "basin";
   stage.num_all = stage.num_left = stage.num_trials = request.num_samples;
   if (!RunBatchStage(stage, PlanSamples(nominal, map.samples.size()), num_workers, make_worker,
-                     observer, stop)) {
+                     observer, stop, request.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted, "stopped; nothing was written");
   }
   return map;

@@ -7,7 +7,7 @@ The robustness basin of one grasp, sampled (core/trial/basin.h). */
 #include <vector>
 
 #include "core/trial/basin.h"
-#include "workbench/experiments/observer.h"
+#include "workbench/experiments/run_session.h"
 
 namespace graspbench {
 
@@ -15,6 +15,7 @@ struct BasinRequest {
   std::string hand, object;
   std::string grasp = "best";
   int num_samples = 200;
+  double trial_time_limit = kTrialTimeLimit;  ///< later a sample is a numerical failure [s]
 };
 
 struct BasinMap {

@@ -163,7 +163,7 @@ NumericsSummary SummariseNumerics(const std::string& variant,
 NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& session,
                             int trials_per_cell, int num_workers, Observer& observer,
                             const std::atomic<bool>& stop) {
-  const SessionInputs inputs = LoadSessionInputs(session.config);
+  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kNow, session.folder);
   CheckSameSession(session, session.config, MakePlan(session.config, inputs));
   const std::vector<TrialRecord> trials = ChooseTrials(session.records, trials_per_cell);
   if (trials.empty()) {

@@ -42,7 +42,8 @@ CreateSession and LoadSession throw. */
 PreparedSession PrepareSession(const SessionRequest& request);
 
 /** After this long a trial counts as endless [s of the clock]. The longest that the ranges of a
-session allow takes some five minutes alone on a processor. */
+session allow takes some five minutes alone on a processor; the distance field of an object that is
+new to the cache, half a second. */
 inline constexpr double kTrialTimeLimit = 1800.0;
 
 /** Runs the trials that are left and adds itself to run.json. @returns that record. */
@@ -50,15 +51,18 @@ RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer&
                      const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
 
 /** Breaks the held grasps of a finished session that are not judged yet.
-@returns whether all are judged now. @throws Error(kVersion) when a trial gives another result than
-its record; Error(kUsage) when hands, objects or physics have changed since. */
+@param trial_time_limit  a grasp whose test has not ended by then stays unjudged.
+@returns whether no grasp is left but those.
+@throws Error(kVersion) when a trial gives another result than its record; Error(kUsage) when hands,
+objects or physics have changed since. */
 bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse);
+                  const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse,
+                  double trial_time_limit = kTrialTimeLimit);
 
 /** The same for a session that is loaded with its inputs. */
 bool JudgeSession(const Session& session, const SessionInputs& inputs,
                   const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop);
+                  const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
 
 /** A stage of trials that continues what `session` holds. */
 Stage MakeSessionStage(const std::string& name, const Session& session, size_t num_unfinished);

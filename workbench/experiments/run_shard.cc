@@ -81,7 +81,8 @@ void CheckBuild(const fs::path& folder) {
 
 /** The inputs of a few trials: objects of the catalogue that none of them needs are not loaded.
 @throws Error(kVersion) when the trials are no longer what they were planned to be. */
-SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfig config) {
+SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfig config,
+                           const fs::path& folder) {
   std::set<std::string> needed;
   for (const PlannedTrial& planned : trials) needed.insert(planned.object);
   const std::vector<std::string> catalogue = ListObjects();
@@ -92,7 +93,7 @@ SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfi
   };
   config.objects.erase(std::remove_if(config.objects.begin(), config.objects.end(), is_idle),
                        config.objects.end());
-  SessionInputs inputs = LoadSessionInputs(config);
+  SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater, folder);
   std::map<std::string, std::string> ids;
   for (const PlannedTrial& planned : MakePlan(config, inputs))
     ids[DescribeTrial(planned)] = planned.id;
@@ -127,7 +128,8 @@ class ShardWorker {
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
         budget_(request.time_budget, observer, stop),
-        session_(request.judge ? LoadSession(folder_) : LoadShardOfSession(folder_, label_)) {
+        session_(request.judge ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
+                               : LoadShardOfSession(folder_, label_)) {
     CheckPhysics(folder_);
     if (!request.allow_build) CheckBuild(folder_);
   }
@@ -145,14 +147,13 @@ class ShardWorker {
     if (!HasWorkedHere()) sentinels = ListSentinels(session_.plan);
     std::vector<PlannedTrial> all = trials;
     all.insert(all.end(), sentinels.begin(), sentinels.end());
-    inputs_ = LoadInputsOf(all, session_.config);
+    inputs_ = LoadInputsOf(all, session_.config, folder_);
     budget_.Look();  // loading takes time, too
     if (!sentinels.empty() && !RunSentinels(sentinels, log)) return result;
     RunBatchStage(MakeStage(trials), trials, request_.num_workers,
                   request_.judge ? MakeJudgeWorkers(session_, inputs_, folder_, label_)
                                  : MakeSessionWorkers(session_.config, inputs_, folder_, label_),
-                  budget_, budget_.stop(),
-                  request_.judge ? kNoTimeLimit : request_.trial_time_limit);
+                  budget_, budget_.stop(), request_.trial_time_limit);
     result.num_left -= budget_.num_done();
     return result;
   }

@@ -14,7 +14,7 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
   const auto record =
       std::find_if(session.records.begin(), session.records.end(),
                    [&](const TrialRecord& candidate) { return candidate.plan == planned; });
-  if (ToJson(record->result) == ToJson(result)) return;
+  if (ToJson(LoadWhole(session, *record).result) == ToJson(result)) return;
   throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
                                        ") gives another result than its record: the session was "
                                        "run by another build or on another machine; run it anew "
@@ -39,15 +39,17 @@ MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& in
     const auto runner = std::make_shared<PlannedTrialRunner>(session.config, inputs);
     const auto writer = std::make_shared<JudgementWriter>(folder, worker, label);
     const auto judgement = std::make_shared<Judgement>();  // of the trial that has just run
-    return BatchWorker{[&session, runner, judgement](const PlannedTrial& planned) {
-                         JudgedTrial trial = runner->Judge(planned);
-                         CheckSameResult(session, planned, trial.result);
-                         *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
-                         return trial.result;
-                       },
-                       [writer, judgement](const TrialRecord& record) {
-                         writer->Append(record.plan.id, *judgement);
-                       }};
+    const auto judge = [runner, judgement](const PlannedTrial& planned) {
+      JudgedTrial trial = runner->Judge(planned);
+      *judgement = trial.judgement ? *trial.judgement : MakeEmptyHandJudgement();
+      return trial.result;
+    };
+    const auto keep = [&session, writer, judgement](const TrialRecord& record) {
+      CheckSameResult(session, record.plan, record.result);
+      writer->Append(record.plan.id, *judgement);
+    };
+    // Nothing is known of a grasp whose test does not end: it stays unjudged.
+    return BatchWorker{judge, keep, [](const TrialRecord&) {}};
   };
 }
 

@@ -56,7 +56,7 @@ Html DrawStrips(const SceneVariants& scene, const CampaignData& data) {
   Html strips;
   for (int v = 0; hand && v < kNumVariants; ++v) {
     const CellSummary* cell = scene.cells[v];
-    const TrialRecord* record = cell ? ChooseTrial(*cell, *hand) : nullptr;
+    const TrialRecord* record = cell ? ChooseTrial(*cell, *hand, data.campaign.benchmark) : nullptr;
     if (record == nullptr) continue;
     strips += DrawContactStrip(
         *record, data.NameOfScene(scene) + ", " + WordsOf(static_cast<Variant>(v)), data.models);

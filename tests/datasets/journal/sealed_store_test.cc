@@ -125,6 +125,54 @@ TEST_F(SealedStore, ScenesThatChangedPlacesAreFound) {
   EXPECT_NE(Look(stores_[3]), "");
 }
 
+// Nothing is read from them again, so they stop nobody, but they are not believed either.
+TEST_F(SealedStore, AChangedExportOrPageIsNamedAndStopsNoReader) {
+  ExportSession(session_, LoadSession(session_));
+  MakeFolder(session_ / "report");
+  WriteFile(session_ / "report/index.html", "page");
+  SealOutput(session_ / "report", {"index.html"});
+  EXPECT_EQ(Look(session_), "");
+  for (const char* name : {"export/trials.csv", "export/events.csv", "export/trials.schema.json",
+                           "export/events.schema.json", "index.sqlite", "report/index.html"}) {
+    const std::string whole = ReadFile(session_ / name);
+    std::string flipped = whole;
+    flipped[whole.size() / 2] ^= 4;
+    WriteFile(session_ / name, flipped);
+    EXPECT_EQ(Look(session_), std::string("\n  ") + name + ": its bytes have changed");
+    LoadSession(session_);
+    fs::remove(session_ / name);
+    EXPECT_EQ(Look(session_), std::string("\n  ") + name + ": is missing");
+    WriteFile(session_ / name, whole);
+  }
+  EXPECT_EQ(Look(session_), "");
+  Edit(session_ / "export/manifest.json", "trials", "tryals");
+  EXPECT_EQ(Look(session_), "\n  export/manifest.json: its bytes have changed");
+}
+
+TEST_F(SealedStore, RepairSetsAChangedExportAside) {
+  ExportSession(session_, LoadSession(session_));
+  Edit(session_ / "export/trials.csv", "trial_id", "trial_ID");
+  WriteFile(session_ / "index.sqlite", "");
+  const StoreRepair repair = RepairStore(session_);
+  EXPECT_EQ(repair.actions,
+            (std::vector<std::string>{"index.sqlite: set aside as index.sqlite.damaged; graspbench "
+                                      "export makes it anew",
+                                      "export/trials.csv: set aside as export/trials.csv.damaged; "
+                                      "graspbench export makes it anew"}));
+  EXPECT_TRUE(repair.state.damages.empty());
+  EXPECT_EQ(ReadFile(session_ / "export/trials.csv.damaged").substr(0, 8), "trial_ID");
+  ExportSession(session_, LoadSession(session_));
+  EXPECT_EQ(Look(session_), "");
+}
+
+// Killed between the first byte of an export and its last, nothing vouches for it.
+TEST_F(SealedStore, AnExportThatWasNotFinishedIsNoDamage) {
+  ExportSession(session_, LoadSession(session_));
+  UnsealOutput(session_ / "export");
+  Edit(session_ / "export/trials.csv", "trial_id", "trial_ID");
+  EXPECT_EQ(Look(session_), "");
+}
+
 TEST(StoreMutations, AreFoundAndLoseNoWholeLine) {
   const TemporaryFolder folder;
   const MutationCount count = MutateStores(folder.path(), "quick", 300);

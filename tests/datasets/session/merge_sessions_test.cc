@@ -22,7 +22,7 @@ class MergeSessionsTest : public testing::Test {
     return folder;
   }
   static std::string Export(const fs::path& folder) {
-    ExportSession(folder, LoadSession(folder));
+    ExportSession(folder, LoadSession(folder), true);
     return ReadFile(folder / "export" / "records.jsonl") + ReadFile(folder / "index.sqlite");
   }
   /** The message of what must not be merged; nothing may have changed. */

@@ -17,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/random.h"
+#include "datasets/session/judgement_store.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -95,7 +96,7 @@ TEST_F(SessionStore, GivesBackWhatWasAppended) {
 TEST_F(SessionStore, ExportsEveryFinishedTrialInThePlansOrder) {
   const auto plan = CreateFakeSession(folder(), 2);
   AppendAll(0, {plan[6], plan[1], plan[3]});
-  ExportSession(folder(), LoadSession(folder()));
+  ExportSession(folder(), LoadSession(folder()), true);
   const std::vector<PlannedTrial> finished = {plan[1], plan[3], plan[6]};
   std::string lines;
   for (const Json& record : JsonOfFakes(finished)) lines += record.dump() + "\n";
@@ -142,12 +143,55 @@ TEST_F(SessionStore, ResultsDoNotDependOnWorkersOrderOrDuplicates) {
       });
     }
     for (std::thread& thread : threads) thread.join();
-    ExportSession(folder(), LoadSession(folder()));
+    ExportSession(folder(), LoadSession(folder()), true);
     if (expected.empty()) expected = ReadResults(folder());
     EXPECT_EQ(ReadResults(folder()), expected) << workers << " workers";
-    ExportSession(folder(), LoadSession(folder()));  // idempotent
+    ExportSession(folder(), LoadSession(folder()), true);  // idempotent
     EXPECT_EQ(ReadResults(folder()), expected);
   }
+}
+
+TEST_F(SessionStore, BriefRecordsAreReadAgainAsAWhole) {
+  auto plan = CreateFakeSession(folder(), 6);
+  AppendAll(1, {plan.begin(), plan.begin() + 9});
+  WriteText(folder() / "journal" / "2.jsonl", "\n\n");  // blank lines count
+  AppendAll(2, {plan.rbegin(), plan.rend() - 7});       // the last ones backwards, two again
+  Judgement judgement;
+  judgement.loads = {{"force +x", 2.5, true}};
+  judgement.breaking_force = 2.5;
+  JudgementWriter(folder(), 0).Append(plan[4].id, judgement);
+  const Session whole = LoadSession(folder());
+  const Session brief = LoadSession(folder(), OnDamage::kRefuse, RecordParts::kBrief);
+  ASSERT_EQ(brief.records.size(), plan.size());
+  EXPECT_EQ(brief.findings.Format(), whole.findings.Format());
+  std::vector<TrialRecord> again;
+  ForEachWhole(brief, [&](const TrialRecord& record) { again.push_back(record); });
+  EXPECT_EQ(JsonOf(again), JsonOf(whole.records));
+  for (const TrialRecord& record : brief.records) {
+    EXPECT_TRUE(record.result.snapshots.empty() && record.result.touches.empty() &&
+                record.result.phases.empty() && record.result.contact_events.empty());
+  }
+  EXPECT_EQ(again[4].judgement->loads.size(), 1u);
+  ExportSession(folder(), whole, true);
+  const auto expected = ReadResults(folder());
+  ExportSession(folder(), brief);
+  EXPECT_TRUE(ReadResults(folder()) == expected);
+}
+
+TEST_F(SessionStore, ALineThatHasChangedSinceItWasLoadedIsNamed) {
+  const auto plan = CreateFakeSession(folder(), 1);
+  AppendAll(0, plan);
+  const Session brief = LoadSession(folder(), OnDamage::kRefuse, RecordParts::kBrief);
+  std::string text = ReadFile(journal(0));
+  const size_t second = text.find('\n') + 1;
+  text[second + 30] ^= 1;
+  WriteText(journal(0), text);
+  LoadWhole(brief, brief.records[0]);
+  const auto [kind, message] = FindError([&] { LoadWhole(brief, brief.records[1]); });
+  EXPECT_EQ(kind, ErrorKind::kFormat);
+  ExpectHas(message, "journal/0.jsonl:2 has changed since the session was loaded");
+  WriteText(journal(0), text.substr(0, second + 40));
+  EXPECT_EQ(FindError([&] { LoadWhole(brief, brief.records[1]); }).first, ErrorKind::kIo);
 }
 
 TEST_F(SessionStore, KilledAtAnyMomentLosesNoFinishedTrial) {
@@ -184,11 +228,11 @@ TEST_F(SessionStore, KilledAtAnyMomentLosesNoFinishedTrial) {
   EXPECT_GT(num_finished, 0u);
 
   AppendAll(0, FindUnfinished(LoadSession(folder())));
-  ExportSession(folder(), LoadSession(folder()));
+  ExportSession(folder(), LoadSession(folder()), true);
   const auto interrupted = ReadResults(folder());
   fs::remove_all(folder());
   AppendAll(0, CreateFakeSession(folder(), 40));
-  ExportSession(folder(), LoadSession(folder()));
+  ExportSession(folder(), LoadSession(folder()), true);
   EXPECT_TRUE(ReadResults(folder()) == interrupted);
 }
 

@@ -47,6 +47,20 @@ TEST(SaveRecording, CsvIsInMetresWithTheStateOfEverySample) {
             "7,0.12,0.1005,0,-0.002,measured\n8,0.14,,,,invalid\n");
 }
 
+TEST(SaveRecording, NoLabelIsRunByASpreadsheet) {
+  for (const auto& [label, kept] : std::vector<std::pair<std::string, std::string>>{
+           {"=1+2", "_1+2"}, {"-5", "_5"}, {"@cmd", "_cmd"}, {"'=x", "_=x"}, {"R+", "R+"}}) {
+    Recording recording = MakeSyntheticRecording(2, 1);
+    recording.points[0].label = label;
+    SaveRecording(kFolder / "label.csv", recording);
+    EXPECT_EQ(ReadFile(kFolder / "label.csv").substr(0, 14 + kept.size()),
+              "frame,time_s," + kept + "_")
+        << label;
+    SaveRecording(kFolder / "label.tsv", recording);
+    EXPECT_EQ(LoadRecording(kFolder / "label.tsv").points[0].label, kept);
+  }
+}
+
 TEST(SaveRecording, WhatIsNoPositionIsLeftOutAndCounted) {
   Recording recording = MakeSyntheticRecording(4, 3);
   recording.points[1].unit = "deg";

@@ -1,0 +1,128 @@
+#include "datasets/session/input_copies.h"
+
+#include <algorithm>
+#include <regex>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/json.h"
+#include "core/hand/load_hand.h"
+#include "objects/catalogue.h"
+#include "objects/object_file.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kInputs[] = "inputs";
+
+bool IsOneOf(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** The folder that the name of an own hand or object stands for; its own name is the id. */
+fs::path FindOriginal(const std::string& name) {
+  fs::path path = fs::absolute(name).lexically_normal();
+  if (path.filename() == "object.yaml" || !path.has_filename()) path = path.parent_path();
+  return path;
+}
+
+fs::path FindCopy(const fs::path& folder, const char* kind, const std::string& name) {
+  return folder / kInputs / kind / FindOriginal(name).filename();
+}
+
+void CopyFiles(const fs::path& from, const fs::path& to, const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    const fs::path name = fs::path(file).lexically_normal();
+    if (name.is_absolute() || *name.begin() == "..") {
+      throw Error(ErrorKind::kUsage, "\"" + from.string() + "\" names \"" + file +
+                                         "\", which lies outside that folder, so that a session "
+                                         "cannot keep a copy; move it inside");
+    }
+    MakeFolder((to / name).parent_path());
+    WriteFile(to / name, ReadFile(from / name));
+  }
+}
+
+/** Texts that `pattern` finds in the file, each once. */
+std::vector<std::string> ListNamed(const fs::path& path, const std::regex& pattern) {
+  const std::string text = ReadFile(path);
+  std::vector<std::string> names;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    if (!IsOneOf((*match)[1], names)) names.push_back((*match)[1]);
+  }
+  return names;
+}
+
+void CopyHand(const fs::path& from, const fs::path& to) {
+  static const std::regex kMesh("filename\\s*=\\s*[\"']([^\"']+)[\"']");
+  std::vector<std::string> files = {"hand.urdf", "hand.yaml"};
+  for (const std::string& mesh : ListNamed(from / "hand.urdf", kMesh)) {
+    // A name in a comment may stand for nothing.
+    if (fs::is_regular_file(from / mesh)) files.push_back(mesh);
+  }
+  CopyFiles(from, to, files);
+}
+
+void CopyObject(const fs::path& from, const fs::path& to) {
+  std::vector<std::string> files = {"object.yaml", LoadObjectFile(from / "object.yaml").mesh};
+  if (fs::path(files[1]).extension() == ".gltf") {
+    const Json gltf = Json::parse(ReadFile(from / files[1]), nullptr, /*allow_exceptions=*/false);
+    for (const Json& buffer : gltf.value("buffers", Json::array())) {
+      const std::string uri = buffer.value("uri", "");
+      if (!uri.empty() && uri.rfind("data:", 0) != 0) files.push_back(uri);
+    }
+  }
+  CopyFiles(from, to, files);
+}
+
+}  // namespace
+
+bool IsGraspFile(const std::string& name) {
+  constexpr std::string_view kEnding = ".yaml";
+  return name.size() > kEnding.size() &&
+         name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
+}
+
+void CopyInputs(const SessionConfig& config, const fs::path& folder) {
+  std::vector<std::string> own = ListHands();
+  own.push_back("all");
+  for (const std::string& name : config.hands) {
+    if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), FindCopy(folder, "hands", name));
+  }
+  own = ListObjects();
+  own.push_back("all");
+  for (const std::string& name : config.objects) {
+    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), FindCopy(folder, "objects", name));
+  }
+  for (size_t i = 0; i < config.grasps.size(); ++i) {
+    if (!IsGraspFile(config.grasps[i])) continue;
+    MakeFolder(folder / kInputs / "grasps");
+    WriteFile(folder / kInputs / "grasps" / (std::to_string(i) + ".yaml"),
+              ReadFile(config.grasps[i]));
+  }
+  if (fs::exists(folder / kInputs)) SyncFileSystem(folder);  // once for thousands of files
+}
+
+std::string FindHandInput(const std::string& name, const fs::path& folder) {
+  if (folder.empty()) return name;
+  const fs::path copy = FindCopy(folder, "hands", name);
+  return fs::exists(copy) ? copy.string() : name;
+}
+
+std::string FindObjectInput(const std::string& name, const fs::path& folder) {
+  if (folder.empty()) return name;
+  const fs::path copy = FindCopy(folder, "objects", name);
+  return fs::exists(copy) ? copy.string() : name;
+}
+
+std::string FindGraspInput(const std::string& name, size_t number, const fs::path& folder) {
+  if (folder.empty()) return name;
+  const fs::path copy = folder / kInputs / "grasps" / (std::to_string(number) + ".yaml");
+  return fs::exists(copy) ? copy.string() : name;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,34 @@
+#pragma once
+/** @file
+The user's own hands, objects and grasp files, copied into the folder of a session when it is made:
+
+    inputs/hands/<id>/     hand.urdf, hand.yaml and the meshes that hand.urdf names
+    inputs/objects/<id>/   object.yaml, its mesh and the files that a .gltf names
+    inputs/grasps/<n>.yaml the n-th of the configuration's grasps, from 0
+
+What comes with the program is not copied. The copies are sealed with the session; whoever continues
+or reads it takes them, wherever it was moved to and whatever became of the originals. */
+
+#include <filesystem>
+#include <string>
+
+#include "datasets/session/session_config.h"
+
+namespace graspbench {
+
+/** True for a name that stands for a grasp file and not for a grasp's id. */
+bool IsGraspFile(const std::string& name);
+
+/** @pre LoadSessionInputs(config) has found them usable. @throws Error(kUsage) for a file that is
+named from outside its hand's or object's folder; Error(kIo). */
+void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
+
+/** Where to load an input from: its copy in the session's folder, else the name itself.
+@param folder  empty: there is no session yet. */
+std::string FindHandInput(const std::string& name, const std::filesystem::path& folder);
+std::string FindObjectInput(const std::string& name, const std::filesystem::path& folder);
+/** @param number  in the configuration's list of grasps. */
+std::string FindGraspInput(const std::string& name, size_t number,
+                           const std::filesystem::path& folder);
+
+}  // namespace graspbench

@@ -1,0 +1,17 @@
+#include "reports/write_page.h"
+
+#include "core/base/files.h"
+#include "datasets/journal/sealed_store.h"
+
+namespace graspbench {
+
+std::filesystem::path WriteReportPage(const std::filesystem::path& folder, std::string_view page) {
+  const std::filesystem::path report = folder / "report", path = report / "index.html";
+  MakeFolder(report);
+  UnsealOutput(report);
+  WriteFileAtomically(path, page);
+  SealOutput(report, {"index.html"});
+  return path;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,63 @@
+#include "core/base/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / "atomic_files";
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  size_t CountFiles() const {
+    return static_cast<size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  fs::path folder_;
+};
+
+TEST_F(AtomicFiles, PiecesOfAnySizeAreThereInTheirOrderOnlyAfterCommit) {
+  const fs::path path = folder_ / "table.csv";
+  WriteFile(path, "old");
+  std::string whole;
+  {
+    AtomicFile file(path);
+    for (const size_t size : {1, 70000, 0, 3, 65535, 65536, 2}) {
+      const std::string piece(size, static_cast<char>('a' + whole.size() % 26));
+      file.Write(piece);
+      whole += piece;
+    }
+    EXPECT_EQ(ReadFile(path), "old");
+    file.Commit();
+  }
+  EXPECT_TRUE(ReadFile(path) == whole);
+  EXPECT_EQ(CountFiles(), 1u);
+}
+
+TEST_F(AtomicFiles, NothingIsLeftWithoutCommit) {
+  { AtomicFile(folder_ / "table.csv").Write("half"); }
+  EXPECT_EQ(CountFiles(), 0u);
+}
+
+TEST_F(AtomicFiles, AMissingFolderIsNamed) {
+  try {
+    AtomicFile file(folder_ / "none" / "table.csv");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kIo);
+    EXPECT_NE(std::string(e.what()).find("cannot create"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

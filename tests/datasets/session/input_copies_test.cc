@@ -1,0 +1,101 @@
+#include "datasets/session/input_copies.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/shape/obj_file.h"
+#include "core/shape/primitives.h"
+#include "datasets/session/session_inputs.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kYaml[] =
+    "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.06\n"
+    "friction_static: 0.5\nfriction_dynamic: 0.4\n";
+
+class InputCopies : public testing::Test {
+ protected:
+  InputCopies() {
+    fs::create_directories(block_);
+    WriteFile(block_ / "object.yaml", kYaml);
+    WriteFile(block_ / "block.obj", FormatObj(MakeRoundedBox({0.04, 0.03, 0.02}, 0.0), 1e3));
+    WriteFile(block_ / "photo.raw", "not asked for");
+    config_.hands = {"tum"};
+    config_.objects = {"golf_ball", block_.string()};
+  }
+
+  TemporaryFolder top_;
+  const fs::path block_ = top_.path() / "mine" / "block", session_ = top_.path() / "session";
+  SessionConfig config_;
+};
+
+TEST_F(InputCopies, HoldWhatTheOriginalsAreMadeOfAndNoMore) {
+  const std::string hash = LoadSessionInputs(config_).objects[1]->content_hash;
+  CopyInputs(config_, session_);
+  const fs::path copy = session_ / "inputs" / "objects" / "block";
+  EXPECT_TRUE(fs::exists(copy / "object.yaml") && fs::exists(copy / "block.obj"));
+  EXPECT_FALSE(fs::exists(copy / "photo.raw"));
+  EXPECT_FALSE(fs::exists(session_ / "inputs" / "hands"));
+  fs::remove_all(block_);
+  const SessionInputs inputs = LoadSessionInputs(config_, FieldUse::kLater, session_);
+  ASSERT_EQ(inputs.objects.size(), 2u);
+  EXPECT_EQ(inputs.objects[0]->id, "golf_ball");
+  EXPECT_EQ(inputs.objects[1]->id, "block");
+  EXPECT_EQ(inputs.objects[1]->content_hash, hash);
+  EXPECT_THROW(LoadSessionInputs(config_, FieldUse::kLater), Error);
+}
+
+TEST_F(InputCopies, TheSameFolderByOtherNamesHasTheSameCopy) {
+  config_.objects[1] += "/";
+  CopyInputs(config_, session_);
+  for (const std::string& name :
+       {block_.string(), (block_ / "object.yaml").string(), (block_ / "." / "").string()}) {
+    EXPECT_EQ(FindObjectInput(name, session_), (session_ / "inputs/objects/block").string());
+  }
+  EXPECT_EQ(FindObjectInput("can", session_), "can");
+  EXPECT_EQ(FindObjectInput(block_.string(), {}), block_.string());
+}
+
+TEST_F(InputCopies, BuffersOfAGltfComeAlongAndNothingFromOutside) {
+  std::string yaml = kYaml;
+  WriteFile(block_ / "object.yaml", yaml.replace(yaml.find("block.obj"), 9, "a.gltf"));
+  const auto write_buffer_name = [&](const std::string& name) {
+    WriteFile(block_ / "a.gltf", "{\"buffers\":[{\"uri\":\"" + name +
+                                     "\"},{\"uri\":\"data:application/octet-stream;base64,\"}]}");
+  };
+  WriteFile(block_ / "a.bin", "bytes");
+  write_buffer_name("a.bin");
+  CopyInputs(config_, session_);
+  EXPECT_EQ(ReadFile(session_ / "inputs/objects/block/a.bin"), "bytes");
+  write_buffer_name("../secret");
+  WriteFile(block_.parent_path() / "secret", "x");
+  try {
+    CopyInputs(config_, top_.path() / "other");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kUsage);
+    EXPECT_NE(std::string(e.what()).find("lies outside that folder"), std::string::npos);
+  }
+}
+
+TEST_F(InputCopies, AHandBringsTheMeshesOfItsUrdf) {
+  const fs::path hand = top_.path() / "mine" / "hand";
+  fs::copy(FindDataRoot() / "core" / "hand" / "models" / "tum", hand, fs::copy_options::recursive);
+  config_.hands = {hand.string()};
+  const SessionHand original = LoadSessionInputs(config_).hands[0];
+  CopyInputs(config_, session_);
+  fs::remove_all(hand);
+  const SessionHand copy = LoadSessionInputs(config_, FieldUse::kLater, session_).hands[0];
+  EXPECT_EQ(copy.hand->id, "hand");
+  EXPECT_EQ(copy.hand->content_hash, original.hand->content_hash);
+  EXPECT_EQ(copy.hand->visuals.size(), original.hand->visuals.size());
+  EXPECT_EQ(copy.grasps.size(), original.grasps.size());
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,80 @@
+/** @file
+Trials that do not end in time: the others are finished, and what did not end is named. */
+
+#include <gtest/gtest.h>
+
+#include "core/shape/obj_file.h"
+#include "core/shape/primitives.h"
+#include "tests/support/run_program.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class EndlessTrial : public testing::Test {
+ protected:
+  void SetUp() override {
+    top_ = fs::path(testing::TempDir()) / ("endless_trial_" + std::to_string(::getpid()));
+    fs::remove_all(top_);
+    fs::create_directories(top_);
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(top_);
+  }
+  static int Call(const std::vector<std::string>& arguments) { return WaitFor(Start(arguments)); }
+  static std::vector<std::string> ReadLines(const fs::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+  }
+
+  fs::path top_;
+};
+
+// A cube that no hand can reach around ends at once. A ball that is held for a minute in steps of a
+// tenth of a millisecond takes half a minute, too long for a limit of four seconds.
+TEST_F(EndlessTrial, TheOthersAreFinishedAndItIsNamed) {
+  const fs::path cube = top_ / "cube", out = top_ / "out";
+  fs::create_directories(cube);
+  WriteFile(cube / "cube.obj", FormatObj(MakeRoundedBox({0.4, 0.4, 0.4}, 0.01), 1e3));
+  WriteFile(cube / "object.yaml",
+            "name: cube\nmesh: cube.obj\nmesh_unit: mm\nmass_kg: 1\n"
+            "friction_static: 0.5\nfriction_dynamic: 0.4\n");
+  EXPECT_EQ(Call({"run", "--hand", "shadow", "--object", "golf_ball," + cube.string(), "--trials",
+                  "2", "--set", "sim.step_s=0.0001", "--set", "strategy.hold_time_s=60",
+                  "--trial-timeout", "4", "--jobs", "2", "--out", out.string()}),
+            4);
+  const std::vector<std::string> rows = ReadLines(out / "export" / "trials.csv");
+  ASSERT_EQ(rows.size(), 5u);  // with the heading
+  int num_named = 0, num_others = 0;
+  for (size_t i = 1; i < rows.size(); ++i) {
+    const bool is_ball = rows[i].find(",golf_ball,") != std::string::npos;
+    const bool is_named =
+        rows[i].find("the trial had not ended after 4.0 s and was given up") != std::string::npos;
+    EXPECT_EQ(is_ball, is_named) << rows[i];
+    (is_ball ? num_named : num_others) += 1;
+    if (!is_ball) continue;
+    const std::string page = ReadFile(out / "report" / "index.html");
+    EXPECT_NE(page.find(rows[i].substr(0, 16)), std::string::npos) << "its id is on the page";
+  }
+  EXPECT_EQ(num_named, 2);
+  EXPECT_EQ(num_others, 2);
+  EXPECT_EQ(Call({"verify", out.string()}), 0);
+}
+
+TEST_F(EndlessTrial, AGraspWhoseTestDoesNotEndStaysUnjudgedUntilItDoes) {
+  const fs::path whole = top_ / "whole", hurried = top_ / "hurried";
+  ASSERT_EQ(Call({"run", "--hand", "tum", "--object", "golf_ball", "--trials", "2", "--out",
+                  whole.string()}),
+            0);
+  fs::copy(whole, hurried, fs::copy_options::recursive);
+  ASSERT_EQ(Call({"judge", whole.string()}), 0);
+  EXPECT_EQ(Call({"judge", hurried.string(), "--trial-timeout", "0.001"}), 4);
+  EXPECT_EQ(CountLines(hurried / "judge"), 0);
+  ASSERT_EQ(Call({"judge", hurried.string()}), 0);
+  ExpectSameFile(whole / "export" / "trials.csv", hurried / "export" / "trials.csv");
+}
+
+}  // namespace
+}  // namespace graspbench

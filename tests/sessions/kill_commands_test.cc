@@ -1,0 +1,92 @@
+/** @file
+Every command that works on a finished session, and an optimisation, killed at random moments:
+started again it ends with the bytes of one that was left alone, and nothing counts as damaged. */
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "core/base/random.h"
+#include "tests/support/run_program.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+struct Command {
+  std::string name;                    ///< before the folder
+  std::vector<std::string> arguments;  ///< behind it
+  std::vector<std::string> files;      ///< that it makes
+};
+
+std::ostream& operator<<(std::ostream& out, const Command& command) { return out << command.name; }
+
+class GRASPBENCH_SUITE : public testing::TestWithParam<Command> {
+ protected:
+  void SetUp() override {
+    top_ = fs::path(testing::TempDir()) /
+           ("kill_" + GetParam().name + "_" + std::to_string(::getpid()));
+    fs::remove_all(top_);
+    fs::create_directories(top_);
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(top_);
+  }
+  std::vector<std::string> MakeLine(const fs::path& folder) const {
+    std::vector<std::string> line = {GetParam().name};
+    const bool has_out = GetParam().name == "optimise";
+    if (has_out) line.push_back("--out");
+    line.push_back(folder.string());
+    line.insert(line.end(), GetParam().arguments.begin(), GetParam().arguments.end());
+    return line;
+  }
+  fs::path top_;
+};
+
+TEST_P(GRASPBENCH_SUITE, EndsWithTheSameBytesWheneverItIsKilled) {
+  const fs::path whole = top_ / "whole", killed = top_ / "killed";
+  if (GetParam().name != "optimise") {
+    ASSERT_EQ(WaitFor(Start({"run", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials",
+                             "4", "--out", whole.string()})),
+              0);
+    fs::copy(whole, killed, fs::copy_options::recursive);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(WaitFor(Start(MakeLine(whole))), 0);
+  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+
+  RandomStream moments("kill " + GetParam().name, "moment");
+  int num_kills = 0;
+  for (int attempt = 0; attempt < 3 * GRASPBENCH_NUM_KILLS && num_kills < GRASPBENCH_NUM_KILLS;
+       ++attempt) {
+    const auto is_time = [] { return true; };
+    num_kills += KillAfter(Start(MakeLine(killed)), is_time,
+                           duration.count() * moments.NextUniform(0.0, 0.9));
+    if (fs::exists(killed / "manifest.json")) {
+      EXPECT_EQ(WaitFor(Start({"verify", killed.string()})), 0) << "after kill " << num_kills;
+    }
+  }
+  EXPECT_GE(num_kills, GRASPBENCH_NUM_KILLS / 2);
+  ASSERT_EQ(WaitFor(Start(MakeLine(killed))), 0);
+  for (const std::string& file : GetParam().files) ExpectSameFile(whole / file, killed / file);
+  EXPECT_EQ(WaitFor(Start({"verify", killed.string()})), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, GRASPBENCH_SUITE,
+    testing::Values(
+        Command{"judge", {}, {"export/trials.csv", "index.sqlite", "report/index.html"}},
+        Command{"export",
+                {"--records"},
+                {"export/trials.csv", "export/events.csv", "export/records.jsonl",
+                 "export/manifest.json", "index.sqlite"}},
+        Command{"report", {}, {"report/index.html", "report/manifest.json"}},
+        Command{
+            "optimise",
+            {"--hand", "tum", "--object", "golf_ball", "--evaluations", "4", "--fitness-trials",
+             "1"},
+            {"scene.json", "journal.jsonl", "result.json", "individuals.csv", "new-target.yaml"}}),
+    [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,106 @@
+/** @file
+A session of the user's own hand, object and grasp file is complete: moved elsewhere and with the
+originals gone it is continued, judged, exported and reported from any working directory. */
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/grasp/grasp_file.h"
+#include "core/hand/load_hand.h"
+#include "core/shape/obj_file.h"
+#include "core/shape/primitives.h"
+#include "tests/support/run_program.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class MovedSession : public testing::Test {
+ protected:
+  void SetUp() override {
+    top_ = fs::path(testing::TempDir()) / ("moved_session_" + std::to_string(::getpid()));
+    fs::remove_all(top_);
+    fs::create_directories(top_ / "mine" / "block");
+    fs::copy(FindDataRoot() / "core" / "hand" / "models" / "tum", top_ / "mine" / "my_hand",
+             fs::copy_options::recursive);
+    WriteFile(top_ / "mine" / "block" / "block.obj",
+              FormatObj(MakeRoundedBox({0.05, 0.05, 0.08}, 0.004), 1e3));
+    WriteFile(top_ / "mine" / "block" / "object.yaml",
+              "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.05\n"
+              "friction_static: 0.5\nfriction_dynamic: 0.4\n");
+    const Hand hand = LoadHand((top_ / "mine" / "my_hand").string());
+    StandardGrasp grasp = LoadStandardGrasps(hand).front();
+    const std::string made_from = grasp.id;
+    grasp.id = "my-grasp";
+    WriteFile(top_ / "mine" / "my.yaml", FormatGraspFile(hand, grasp, made_from));
+  }
+  void TearDown() override {
+    fs::current_path(testing::TempDir());
+    if (!HasFailure()) fs::remove_all(top_);
+  }
+  static int Call(const std::vector<std::string>& arguments) { return WaitFor(Start(arguments)); }
+
+  /** Names and bytes of all files. */
+  static std::map<std::string, std::string> ReadAll(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.is_regular_file()) {
+        files[entry.path().lexically_relative(folder).string()] = ReadFile(entry.path());
+      }
+    }
+    return files;
+  }
+
+  fs::path top_;
+};
+
+TEST_F(MovedSession, NeedsNothingButItsFolder) {
+  fs::current_path(top_);
+  const std::vector<std::string> session = {
+      "run",        "--hand",  "mine/my_hand",      "--object",
+      "mine/block", "--grasp", "best,mine/my.yaml", "--trials",
+      "2",          "--out"};
+  const auto run = [&](const std::string& out, const std::string& more) {
+    std::vector<std::string> arguments = session;
+    arguments.push_back(out);
+    if (!more.empty()) arguments.push_back(more);
+    return Call(arguments);
+  };
+  ASSERT_EQ(run("whole", ""), 0);
+  ASSERT_EQ(Call({"judge", "whole"}), 0);
+  ASSERT_EQ(run("planned", "--plan-only"), 0);
+  fs::remove_all("mine");
+  fs::create_directories("elsewhere");
+  fs::rename("planned", "elsewhere/moved");
+  fs::current_path("/");
+
+  const fs::path whole = top_ / "whole", moved = top_ / "elsewhere" / "moved";
+  ASSERT_EQ(Call({"run", "--resume", "--out", moved.string()}), 0);
+  ASSERT_EQ(Call({"judge", moved.string()}), 0);
+  EXPECT_EQ(Call({"verify", moved.string()}), 0);
+  for (const char* file :
+       {"plan.jsonl", "export/trials.csv", "index.sqlite", "report/index.html"}) {
+    ExpectSameFile(whole / file, moved / file);
+  }
+
+  const auto before = ReadAll(moved);
+  fs::permissions(moved, fs::perms::owner_write, fs::perm_options::remove);
+  const fs::path table = top_ / "table", page = top_ / "page";
+  EXPECT_EQ(Call({"export", moved.string(), "--out", table.string()}), 0);
+  EXPECT_EQ(Call({"report", moved.string(), "--out", page.string()}), 0);
+  fs::permissions(moved, fs::perms::owner_write, fs::perm_options::add);
+  EXPECT_TRUE(ReadAll(moved) == before);
+  ExpectSameFile(table / "export" / "trials.csv", moved / "export" / "trials.csv");
+  ExpectSameFile(page / "report" / "index.html", moved / "report" / "index.html");
+
+  // A copy is as precious as the plan.
+  const fs::path mesh = moved / "inputs" / "objects" / "block" / "block.obj";
+  const std::string text = ReadFile(mesh);
+  WriteFile(mesh, text + "\n");
+  EXPECT_EQ(Call({"report", moved.string()}), 3);
+  EXPECT_EQ(Call({"verify", moved.string()}), 3);
+}
+
+}  // namespace
+}  // namespace graspbench
