@@ -1,6 +1,8 @@
 #include "datasets/journal/sealed_store.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -71,11 +73,14 @@ Manifest MakeManifest(const StoreKind& kind, const fs::path& folder) {
 
 /** What never changes and cannot be made anew is judged by its first seal. */
 void KeepFirstSeals(const StoreKind& kind, const Manifest& before, Manifest& after) {
+  std::set<std::string> kept;  // thousands, in a session of many own objects
   for (const ManifestFile& old : before.files) {
-    if (!IsMatch(old.path, kind.files)) continue;
-    Remove(after.files, {old.path});
-    after.files.push_back(old);
+    if (IsMatch(old.path, kind.files)) kept.insert(old.path);
   }
+  const auto is_kept = [&](const ManifestFile& file) { return kept.count(file.path) > 0; };
+  after.files.erase(std::remove_if(after.files.begin(), after.files.end(), is_kept),
+                    after.files.end());
+  std::copy_if(before.files.begin(), before.files.end(), std::back_inserter(after.files), is_kept);
   SortByPath(after.files);
 }
 
