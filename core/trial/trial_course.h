@@ -66,7 +66,10 @@ class TrialCourse {
   void Begin();
   /** Goes on by one step; false when the trial is over and nothing is left to do. */
   bool Advance();
-  /** The result. @pre Advance gave false. */
+  /** What the strategy would ask for in the next step if nothing touched, without physics: the rest
+  of the course of a trial that is over early. Unset: its last phase has ended. */
+  std::optional<WorldCommand> CommandBlindly();
+  /** The result. @pre Advance gave false; CommandBlindly was not called. */
   TrialResult End();
   /** Begin, Advance to the end, End. */
   TrialResult Run();
@@ -78,6 +81,7 @@ class TrialCourse {
 
   World& world() { return *world_; }
   double time() const { return notes_.time; }  ///< since the start [s]
+  Phase phase() const { return notes_.phase; }
   /** Once it is over: the object hangs in the hand, so that there is something to judge. */
   bool is_held() const;
   /** @pre is_held() */

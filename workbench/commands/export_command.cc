@@ -1,7 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "datasets/mjcf/mjcf_export.h"
+#include "datasets/session/session_inputs.h"
 #include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
@@ -11,16 +15,51 @@ namespace {
 
 struct ExportOptions {
   std::string folder;
-  std::string out;  ///< empty: the session's own folder
+  std::string out;                // empty: the session's own folder
+  std::vector<std::string> mjcf;  // ids of trials, or "all"; empty: tables
   bool replace = false;
   bool with_records = false;
   OnDamage on_damage = OnDamage::kRefuse;
 };
 
-void Export(const ExportOptions& options) {
-  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
-  if (!session.damage.empty()) PrintMessage("damage accepted" + FormatDamage(session.damage));
-  if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
+/** The trials that are asked for, in the plan's order. */
+std::vector<PlannedTrial> FindTrials(const Session& session, const std::vector<std::string>& ids) {
+  if (ids == std::vector<std::string>{"all"}) return session.plan;
+  std::vector<std::string> known;
+  for (const PlannedTrial& planned : session.plan) known.push_back(planned.id);
+  for (const std::string& id : ids) {
+    if (std::count(known.begin(), known.end(), id) > 0) continue;
+    throw Error(ErrorKind::kNotFound, "the session has no trial \"" + id + "\"" +
+                                          SuggestNames(id, known) +
+                                          "; the column trial_id of trials.csv has them");
+  }
+  std::vector<PlannedTrial> found;
+  for (const PlannedTrial& planned : session.plan) {
+    if (std::count(ids.begin(), ids.end(), planned.id) > 0) found.push_back(planned);
+  }
+  return found;
+}
+
+/** A folder a trial, named by its id; the path of each scene is printed. */
+void ExportMjcf(const ExportOptions& options, const Session& session) {
+  const std::vector<PlannedTrial> trials = FindTrials(session, options.mjcf);
+  const SessionInputs inputs = LoadSessionInputs(session.config);
+  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
+  const bool is_own = options.out.empty();  // below export/, which is written anew
+  const std::filesystem::path folder =
+      std::filesystem::path(is_own ? options.folder + "/export/mjcf" : options.out);
+  StagedFolder staged({folder, "mjcf", options.replace || is_own, {options.folder}});
+  MjcfExporter exporter;
+  std::string written;
+  for (const PlannedTrial& planned : trials) {
+    exporter.Export(MakeTrialSetup(session.config, inputs, planned), staged.path() / planned.id);
+    written += (folder / planned.id / "scene.xml").string() + "\n";
+  }
+  staged.Commit();
+  PrintResult(written);
+}
+
+void ExportTables(const ExportOptions& options, const Session& session) {
   const std::filesystem::path folder = options.out.empty() ? options.folder : options.out;
   if (options.out.empty()) {
     ExportSession(folder, session, options.with_records);
@@ -32,17 +71,30 @@ void Export(const ExportOptions& options) {
   PrintResult((folder / "export" / "trials.csv").string() + "\n");
 }
 
+void Export(const ExportOptions& options) {
+  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
+  if (!session.damage.empty()) PrintMessage("damage accepted" + FormatDamage(session.damage));
+  if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
+  options.mjcf.empty() ? ExportTables(options, session) : ExportMjcf(options, session);
+}
+
 }  // namespace
 
 void AddExportCommand(CLI::App& program, ExitCode&) {
   CLI::App& command =
       AddSubcommand(program, "export", "Write the trials of a session as CSV and SQLite.",
                     "  graspbench export results/benchmark-1a2b3c4d\n"
-                    "  column -ts, \"$(graspbench export results/pilot)\" | less -S");
+                    "  column -ts, \"$(graspbench export results/pilot)\" | less -S\n"
+                    "  graspbench export results/pilot --mjcf all --out scenes");
   const auto options = std::make_shared<ExportOptions>();
   command.add_option("folder", options->folder, "folder of the session")
       ->required()
       ->option_text("DIR");
+  command
+      .add_option("--mjcf", options->mjcf,
+                  "instead: scene and commanded motion of these trials for MuJoCo")
+      ->delimiter(',')
+      ->option_text("ID,..|all");
   command.add_option("--out", options->out, "folder for a session that cannot be written")
       ->option_text("DIR")
       ->default_str("that of the session");

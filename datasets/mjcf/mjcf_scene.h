@@ -1,0 +1,42 @@
+#pragma once
+/** @file
+The scene of a trial in MuJoCo's format (MJCF), for MuJoCo 3.
+
+    bodies      "hand/<link>" as in hand.urdf, masses and inertias given; "object" in frame O
+    arm         slide joints arm/x, arm/y, arm/z along the world's axes with a position and a
+                velocity actuator each, together at most the arm's force; arm/turn, a ball joint
+                about H's origin with spring and damping. "carried" takes the hand's weight off them
+    drives      a position actuator per drive with stiffness, damping and torque limit
+    coupling    even and fixed: an equality of both joints. middle-first: the drive pulls on the sum
+                of both joints, a tendon keeps distal <= middle, and of the equalities lock/<joint>
+                exactly one holds its joint where it is; who steps the file says which
+                (core/hand/coupling.h), the file starts with the distal joints locked
+    hand        capsules that collide, named "<digit or palm>/<link>/<n>"; in group 3, not
+                colliding, the balls that graspbench puts on the same surface, for whoever wants the
+                very same points of contact
+    object      convex parts (datasets/mjcf/convex_parts.h); MuJoCo would take the hull of a whole
+                mesh
+    friction    elliptic cone of the static coefficient, pads with torsion; the dynamic one is told
+                in <custom>, MuJoCo has no use for it. Links of the hand rub on each other as on
+                the object
+    key "start" where the trial begins: hand, drives, object
+
+Not the same as in graspbench: the inertia of the hand along the commanded motion loads the arm
+(some 0.1 mm), its moment has no limit (whoever steps the file ends there); contacts and stops are
+MuJoCo's own springs, critically damped with a time constant of 5 ms; what a joint's stop gives way
+is scaled to be alike. */
+
+#include <string>
+#include <vector>
+
+#include "core/physics/world.h"
+#include "core/trial/trial_setup.h"
+#include "datasets/mjcf/convex_parts.h"
+
+namespace graspbench {
+
+/** The file's text. @param start  where the trial begins.   @param parts  of the setup's object. */
+std::string FormatMjcf(const TrialSetup& setup, const WorldState& start,
+                       const std::vector<ConvexPart>& parts);
+
+}  // namespace graspbench

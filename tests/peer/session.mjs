@@ -1,0 +1,27 @@
+// The trials of a session as graspbench recorded them, and their scenes for MuJoCo.
+
+import {execFileSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+
+/** Has graspbench write records and the scenes of those that `isWanted`; returns these records with
+    the folder of each scene. */
+export function exportSession(graspbench, folder, isWanted = () => true) {
+  const run = args => execFileSync(graspbench, args, {stdio: ['ignore', 'pipe', 'inherit'],
+                                                      maxBuffer: 1 << 24});
+  run(['export', folder, '--records']);
+  const records = readRecords(folder).filter(isWanted);
+  if (records.length === 0) throw new Error(`${folder}: no such trial`);
+  run(['export', folder, '--mjcf', records.map(record => record.trial_id).join(',')]);
+  return records;
+}
+
+export function readRecords(folder) {
+  return readFileSync(join(folder, 'export', 'records.jsonl'), 'utf8').trim().split('\n').map(line => {
+    const record = JSON.parse(line);
+    return {...record, scene: join(folder, 'export', 'mjcf', record.trial_id)};
+  });
+}
+
+/** The same draw in sessions of different settings. */
+export const nameOf = record => `${record.hand} ${record.object} ${record.grasp} #${record.trial}`;
