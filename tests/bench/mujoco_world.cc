@@ -24,6 +24,7 @@ constexpr const char* kSphereBits = "contype='1' conaffinity='0'";
 constexpr const char* kObjectBits = "contype='2' conaffinity='1'";
 constexpr const char* kTableBits = "contype='0' conaffinity='3'";
 constexpr const char* kCapsuleBits = "contype='4' conaffinity='4' condim='1'";
+constexpr const char* kOnlyCapsuleBits = "contype='5' conaffinity='4'";  // both in one
 
 std::string Format(const Vector3d& v) {
   std::ostringstream text;
@@ -102,11 +103,19 @@ class SceneWriter {
             << "' armature='" << kRootArmature << "'/>\n";
     }
     if (data.joint >= 0) WriteJoint(data);
+    WriteSurface(link);
+    for (int child = 0; child < static_cast<int>(hand_.links.size()); ++child) {
+      if (hand_.links[child].parent == link) WriteLink(child, hand_.links[child].X_PJ, {});
+    }
+    text_ << "</body>\n";
+  }
+
+  void WriteSurface(int link) {
+    const int dimension = hand_.links[link].surface.torsion_radius > 0.0 ? 4 : 3;
     for (const ContactSphere& sphere : hand_.contact_spheres) {
-      if (sphere.link != link) continue;
+      if (sphere.link != link || config_.has_capsules_only) continue;
       text_ << "<geom type='sphere' size='" << sphere.radius << "' pos='" << Format(sphere.p_LS)
-            << "' condim='" << (hand_.links[link].surface.torsion_radius > 0.0 ? 4 : 3) << "' "
-            << kSphereBits << "/>\n";
+            << "' condim='" << dimension << "' " << kSphereBits << "/>\n";
     }
     for (const LinkCapsule& capsule : hand_.capsules) {
       if (capsule.link != link) continue;
@@ -118,12 +127,12 @@ class SceneWriter {
       } else {
         text_ << "fromto='" << Format(capsule.p_LA) << ' ' << Format(capsule.p_LB) << "' ";
       }
-      text_ << kCapsuleBits << "/>\n";
+      if (config_.has_capsules_only) {
+        text_ << "condim='" << dimension << "' " << kOnlyCapsuleBits << "/>\n";
+      } else {
+        text_ << kCapsuleBits << "/>\n";
+      }
     }
-    for (int child = 0; child < static_cast<int>(hand_.links.size()); ++child) {
-      if (hand_.links[child].parent == link) WriteLink(child, hand_.links[child].X_PJ, {});
-    }
-    text_ << "</body>\n";
   }
 
   void WriteJoint(const HandLink& link) {

@@ -26,12 +26,15 @@ namespace graspbench {
 
 enum class PrimitiveShape { kSphere, kCylinder, kBox };  ///< cylinder along z
 
-/** What a user sets in MuJoCo. The defaults do not creep. */
+/** What a user sets in MuJoCo. The defaults are an expert's; with 50 passes to no tolerance it does
+not creep, with a geom per ball it has our points of contact. */
 struct MujocoConfig {
   double step = 0.002;           ///< [s]
   double impratio = 100.0;       ///< stiffness of friction over that of normal contact
   double time_constant = 0.005;  ///< of contacts, limits and equalities (solref) [s]
   double impedance_min = 0.95, impedance_max = 0.99;  ///< solimp
+  /** One geom per capsule of a link in place of one per ball; links then rub on each other. */
+  bool has_capsules_only = true;
   int noslip_iterations = 5;
   double noslip_tolerance = 1e-6;
 };
