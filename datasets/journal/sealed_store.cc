@@ -239,8 +239,8 @@ void RepairOutputs(const StoreKind& kind, const fs::path& folder, StoreRepair& r
       const std::string name = NameInStore(output, damage.path);
       std::string action = name + ": ";
       if (fs::exists(folder / name)) {
-        SetFileAside(folder / name);
-        action += "set aside as " + name + kAside + "; ";
+        SetFileAside(folder / name, kDamaged);
+        action += "set aside as " + name + kDamaged + "; ";
       }
       repair.actions.push_back(action + "graspbench " + output + " makes it anew");
     }
