@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -12,7 +13,9 @@
 
 #include "core/base/error.h"
 #include "core/base/escape.h"
+#include "core/base/text.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/shell_quote.h"
 
 namespace graspbench {
 namespace {
@@ -161,19 +164,48 @@ void AddReplaceOption(CLI::App& command, bool& replace) {
                    "write in the place of an earlier result, if all its files are as written");
 }
 
+void AddPlanOnlyOption(CLI::App& command, bool& plan_only) {
+  command.add_flag("--plan-only", plan_only, "make the folder and run nothing: see work, submit");
+}
+
+void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
+               bool as_json) {
+  const std::string name = folder.string();
+  const std::string next = "graspbench submit " + QuoteForShell(name) + " --engine local";
+  if (as_json) {
+    PrintJson({{"folder", name}, {unit + "s", count}, {"next", next}});
+  } else {
+    PrintResult(name + ": " + FormatCount(count, unit) + " planned\nnext     " + next + "\n");
+  }
+}
+
 void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage) {
   command.add_flag_callback(
       "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },
       "go on with what is whole in a damaged folder; the report names the damage");
 }
 
-void AddTrialTimeoutOption(CLI::App& command, double& time_limit) {
-  command
-      .add_option("--trial-timeout", time_limit,
-                  "seconds after which a trial is given up as a numerical failure")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S")
-      ->capture_default_str();
+void AddSecondsOption(CLI::App& command, const std::string& name, double& seconds,
+                      const std::string& text) {
+  const auto check = [](const std::string& value) {
+    double number = 0.0;
+    const bool is_time =
+        CLI::detail::lexical_cast(value, number) && std::isfinite(number) && number > 0.0;
+    return is_time ? std::string() : "\"" + value + "\": expected a number of seconds above 0";
+  };
+  command.add_option(name, seconds, text)->check(check)->option_text("S")->capture_default_str();
+}
+
+void AddTrialTimeoutOption(CLI::App& command, double& seconds) {
+  AddSecondsOption(command, "--trial-timeout", seconds,
+                   "seconds after which a trial is given up as a numerical failure");
+}
+
+void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text) {
+  const auto name = [](const std::string& value) {
+    return value == "." ? std::filesystem::current_path().string() : value;
+  };
+  command.add_option("folder", folder, text)->required()->transform(name)->option_text("DIR");
 }
 
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {

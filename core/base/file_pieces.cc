@@ -25,7 +25,8 @@ struct OpenedFile {
 
 }  // namespace
 
-void ReadPieces(const fs::path& path, const std::function<bool(std::string_view)>& take) {
+void ReadPieces(const fs::path& path, const std::function<bool(std::string_view)>& take,
+                uintmax_t start) {
   std::error_code status;
   if (!fs::exists(path, status)) {
     throw Error(ErrorKind::kNotFound, "no file \"" + path.string() + "\"");
@@ -44,6 +45,7 @@ void ReadPieces(const fs::path& path, const std::function<bool(std::string_view)
     throw Error(ErrorKind::kIo,
                 "\"" + path.string() + "\" is a device, a pipe or a socket; a file was expected");
   }
+  if (start > 0 && ::lseek(file.id, static_cast<off_t>(start), SEEK_SET) < 0) throw fail();
   std::string piece(kPieceSize, '\0');
   while (true) {
     const ssize_t count = ::read(file.id, piece.data(), piece.size());

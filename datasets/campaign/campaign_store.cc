@@ -6,6 +6,7 @@
 
 #include "core/base/config.h"
 #include "core/base/files.h"
+#include "core/base/hash.h"
 #include "datasets/session/frozen_folder.h"
 
 namespace graspbench {
@@ -60,19 +61,35 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
   return runs;
 }
 
+CampaignConfig ParseConfig(const fs::path& folder, const Frozen& frozen) {
+  Diagnostics problems;
+  const auto config = ConfigFromJson<CampaignConfig>(
+      frozen.config, (folder / kCampaignStore.file).string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  return config;
+}
+
 /** Configuration and damage; nothing else is loaded. */
 Campaign LoadFrozenCampaign(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
   Frozen frozen = LoadFrozen(kCampaignStore, folder, on_damage);
   Campaign campaign;
+  campaign.config = ParseConfig(folder, frozen);
   campaign.damage = std::move(frozen.damage);
-  Diagnostics problems;
-  campaign.config = ConfigFromJson<CampaignConfig>(
-      frozen.config, (folder / kCampaignStore.file).string(), problems);
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return campaign;
 }
 
+std::string HashScenes(const std::vector<CampaignScene>& scenes) {
+  std::string hashes;
+  for (const CampaignScene& scene : scenes) hashes += CalcInputsHash(scene.inputs);
+  return CalcHashHex(hashes);
+}
+
 }  // namespace
+
+CampaignConfig LoadCampaignConfig(const fs::path& folder) {
+  return ParseConfig(folder,
+                     LoadFrozen(kCampaignStore, folder, OnDamage::kRefuse, {kCampaignStore.file}));
+}
 
 void CheckCampaignConfig(const CampaignConfig& config) {
   std::string text;
@@ -141,6 +158,36 @@ std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const Sessio
   return scenes;
 }
 
+size_t FindSceneNumber(const std::vector<CampaignScene>& scenes, const CampaignScene& scene) {
+  return static_cast<size_t>(
+      std::count_if(scenes.begin(), scenes.end(),
+                    [&](const CampaignScene& other) { return other.folder < scene.folder; }));
+}
+
+std::vector<fs::path> ListScenes(const fs::path& folder) {
+  std::vector<fs::path> scenes;
+  std::error_code status;
+  for (const auto& entry : fs::directory_iterator(folder / "scenes", status)) {
+    if (HasScene(entry.path())) scenes.push_back(entry.path());
+  }
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+void SealScenes(const fs::path& folder, const std::vector<CampaignScene>& scenes) {
+  SealStore(kCampaignStore, folder, HashScenes(scenes));
+}
+
+void CheckSameScenes(const fs::path& folder, const std::vector<CampaignScene>& scenes) {
+  const std::string planned = LoadManifest(folder).inputs, now = HashScenes(scenes);
+  if (planned.empty() || planned == now) return;
+  throw Error(ErrorKind::kVersion,
+              "the hands, objects and grasps of the campaign in \"" + folder.string() + "\" are " +
+                  planned + " in its plan and " + now +
+                  " to this program: one of them differs from those of the machine that planned "
+                  "it");
+}
+
 SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignScene>& scenes) {
   for (const CampaignScene& scene : scenes) {
     for (SessionHand& hand : inputs.hands) {
@@ -202,14 +249,8 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
 
 Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
   Campaign campaign = LoadFrozenCampaign(folder, on_damage);
-  std::vector<fs::path> scenes;
-  if (fs::exists(folder / "scenes")) {
-    for (const auto& entry : fs::directory_iterator(folder / "scenes")) {
-      if (HasScene(entry.path())) scenes.push_back(entry.path());
-    }
-  }
-  std::sort(scenes.begin(), scenes.end());
-  for (const fs::path& scene : scenes) campaign.scenes.push_back(LoadScene(scene, on_damage));
+  for (const fs::path& scene : ListScenes(folder))
+    campaign.scenes.push_back(LoadScene(scene, on_damage));
   if (HasSession(folder / "benchmark")) {
     campaign.benchmark = LoadSession(folder / "benchmark", on_damage);
   }

@@ -63,6 +63,9 @@ struct CampaignConfig {
 /** @throws Error(kRange) listing all problems of the values. */
 void CheckCampaignConfig(const CampaignConfig& config);
 
+/** The frozen configuration; no other file is read. @throws Error(kNotFound, kVersion, kFormat). */
+CampaignConfig LoadCampaignConfig(const std::filesystem::path& folder);
+
 bool HasCampaign(const std::filesystem::path& folder);
 /** Creates the folder, or finds the same campaign there.
 @throws Error(kUsage) listing the settings that differ; kVersion; kFormat; kIo. */
@@ -76,6 +79,17 @@ struct CampaignScene {
 /** The scenes in the order hand, object. @throws as LoadSessionInputs and MakePlan. */
 std::vector<CampaignScene> PlanScenes(const CampaignConfig& config, const SessionInputs& inputs,
                                       const std::filesystem::path& folder);
+
+/** Where a scene stands among all of them by the names of their folders, from 0: what status can see
+without loading a hand. */
+size_t FindSceneNumber(const std::vector<CampaignScene>& scenes, const CampaignScene& scene);
+/** The folders of the scenes that are begun, by name. */
+std::vector<std::filesystem::path> ListScenes(const std::filesystem::path& folder);
+
+/** Seals the campaign with a hash of the scenes' hands, objects and grasps. */
+void SealScenes(const std::filesystem::path& folder, const std::vector<CampaignScene>& scenes);
+/** @throws Error(kVersion) when they were sealed with others, saying both hashes. */
+void CheckSameScenes(const std::filesystem::path& folder, const std::vector<CampaignScene>& scenes);
 
 /** The inputs of the benchmark: `inputs` and the saved grasps of all scenes, which are finished. */
 SessionInputs AddSceneGrasps(SessionInputs inputs, const std::vector<CampaignScene>& scenes);

@@ -27,6 +27,7 @@ struct AppendFile::Impl {
 
   std::filesystem::path path;
   int file = -1;
+  uintmax_t size = 0;
   bool ends_torn = false;  ///< the last line lacks its line break
 };
 
@@ -62,6 +63,7 @@ AppendFile::AppendFile(const std::filesystem::path& path, const std::string& in_
     impl_->Fail("read");
   }
   impl_->ends_torn = last != '\n';
+  impl_->size = static_cast<uintmax_t>(status.st_size);
   SyncFolder(impl_->path.parent_path());
 }
 
@@ -74,6 +76,7 @@ void AppendFile::Append(const std::string& lines) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) impl_->Fail("write");
     written += static_cast<size_t>(count);
+    impl_->size += static_cast<uintmax_t>(count);
     impl_->ends_torn = written < text.size();
   }
   if (::fdatasync(impl_->file) != 0) impl_->Fail("sync");
@@ -81,7 +84,10 @@ void AppendFile::Append(const std::string& lines) {
 
 void AppendFile::Truncate(size_t length) {
   if (::ftruncate(impl_->file, static_cast<off_t>(length)) != 0) impl_->Fail("shorten");
+  impl_->size = length;
   impl_->ends_torn = false;
 }
+
+uintmax_t AppendFile::size() const { return impl_->size; }
 
 }  // namespace graspbench

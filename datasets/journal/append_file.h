@@ -4,6 +4,7 @@ A file of lines that only grows: locked against a second writer, each Append on 
 returns. A line that a crash has torn stays where it is; the next one starts on a line of its own.
 */
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,6 +25,9 @@ class AppendFile {
   /** @param lines  each with its line break.
   @throws Error(kIo) with the system's reason; what was appended before stays valid. */
   void Append(const std::string& lines);
+
+  /** Of the file now, if nobody else writes it [bytes]. */
+  uintmax_t size() const;
 
   /** Cuts off what lies behind the first `length` bytes. @throws Error(kIo). */
   void Truncate(size_t length);

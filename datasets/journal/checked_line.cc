@@ -54,11 +54,10 @@ Json ParseCheckedLine(std::string_view line) {
 }
 
 void ForEachLineOfFile(const std::filesystem::path& path,
-                       const std::function<void(const FileLine&)>& take) {
+                       const std::function<void(const FileLine&)>& take, uintmax_t start) {
   std::string begun;  // of a line that goes on in the next piece
   int number = 0;
-  uintmax_t start = 0;
-  ReadPieces(path, [&](std::string_view piece) {
+  const auto take_piece = [&](std::string_view piece) {
     for (size_t end = piece.find('\n'); end != piece.npos; end = piece.find('\n')) {
       std::string_view text = piece.substr(0, end);
       if (!begun.empty()) text = begun.append(text);
@@ -69,7 +68,8 @@ void ForEachLineOfFile(const std::filesystem::path& path,
     }
     begun.append(piece);
     return true;
-  });
+  };
+  ReadPieces(path, take_piece, start);
   if (!begun.empty()) take({begun, number + 1, start, false});
 }
 

@@ -47,8 +47,9 @@ struct FileLine {
   uintmax_t start;        ///< of the text in the file [bytes]
   bool is_whole;          ///< ends in a line break; false for the last one only
 };
-/** Every line of a file, the empty ones too; holds one line at a time. @throws as ReadFile. */
+/** Every line of a file, the empty ones too; holds one line at a time.
+@param start  where the first line begins, and is counted as number 1. @throws as ReadFile. */
 void ForEachLineOfFile(const std::filesystem::path& path,
-                       const std::function<void(const FileLine&)>& take);
+                       const std::function<void(const FileLine&)>& take, uintmax_t start = 0);
 
 }  // namespace graspbench

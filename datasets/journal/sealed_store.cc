@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kAside[] = ".damaged";
+constexpr char kDamaged[] = ".damaged";
+constexpr char kSetAside[] = ".set-aside";
 
 void SortByPath(std::vector<ManifestFile>& files) {
   std::sort(files.begin(), files.end(),
@@ -148,15 +149,15 @@ int SetLinesAside(const fs::path& journal) {
     }
   });
   if (num_bad == 0) return 0;
-  AppendFile(journal.string() + kAside).Append(bad);
+  AppendFile(journal.string() + kDamaged).Append(bad);
   WriteFileAtomically(journal, good);
   return num_bad;
 }
 
-void SetFileAside(const fs::path& path) {
-  fs::path aside = path.string() + kAside;
+void SetFileAside(const fs::path& path, const char* ending) {
+  fs::path aside = path.string() + ending;
   for (int number = 2; fs::exists(aside); ++number) {
-    aside = path.string() + kAside + std::to_string(number);
+    aside = path.string() + ending + std::to_string(number);
   }
   std::error_code status;
   fs::rename(path, aside, status);
@@ -176,7 +177,7 @@ void RepairJournals(const StoreKind& kind, const fs::path& folder, const StoreSt
     const int count = SetLinesAside(folder / journal);
     if (count == 0) continue;
     repair.actions.push_back(journal + ": " + FormatCount(count, "damaged line") +
-                             " set aside in " + journal + kAside);
+                             " set aside in " + journal + kDamaged);
   }
 }
 
@@ -189,8 +190,8 @@ bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreSta
     is_damaged = true;
     std::string action = damage.path + ": ";
     if (fs::exists(folder / damage.path)) {
-      SetFileAside(folder / damage.path);
-      action += "set aside as " + damage.path + kAside + "; ";
+      SetFileAside(folder / damage.path, kDamaged);
+      action += "set aside as " + damage.path + kDamaged + "; ";
     }
     repair.actions.push_back(action + "continuing makes it anew");
   }
@@ -238,8 +239,8 @@ void RepairOutputs(const StoreKind& kind, const fs::path& folder, StoreRepair& r
       const std::string name = NameInStore(output, damage.path);
       std::string action = name + ": ";
       if (fs::exists(folder / name)) {
-        SetFileAside(folder / name);
-        action += "set aside as " + name + kAside + "; ";
+        SetFileAside(folder / name, kDamaged);
+        action += "set aside as " + name + kDamaged + "; ";
       }
       repair.actions.push_back(action + "graspbench " + output + " makes it anew");
     }
@@ -347,8 +348,28 @@ StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
   throw Error(ErrorKind::kFormat,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
                   FormatDamage(state.damages) + "\ngraspbench verify --repair " + folder.string() +
-                  " sets damaged lines aside and loses no whole one; report, export, judge and "
-                  "run --resume go on as it is with --accept-damage");
+                  " sets damaged lines aside and loses no whole one, and any command goes on; "
+                  "report, export, judge and run --resume do so as it is with --accept-damage");
+}
+
+void SetJournalAside(const fs::path& folder, const std::string& journal) {
+  const StoreKind* kind = DemandKind(folder);
+  if (!kind) throw Error(ErrorKind::kUsage, "\"" + folder.string() + "\" has no journals");
+  for (const std::string& store : ListStores(*kind, folder)) {
+    if (journal.rfind(store + "/", 0) != 0) continue;
+    return SetJournalAside(folder / store, journal.substr(store.size() + 1));
+  }
+  const std::vector<std::string> journals = ListMatches(folder, kind->journals);
+  if (std::find(journals.begin(), journals.end(), journal) == journals.end()) {
+    throw Error(ErrorKind::kUsage, "no journal \"" + journal + "\" in \"" + folder.string() + "\"" +
+                                       SuggestNames(journal, journals));
+  }
+  VerifyStore(folder, OnDamage::kRefuse);
+  if (std::optional<Manifest> manifest = FindManifest(folder)) {
+    Remove(manifest->files, {journal});
+    WriteManifest(folder, *manifest);
+  }
+  SetFileAside(folder / journal, kSetAside);
 }
 
 StoreRepair RepairStore(const fs::path& folder) {

@@ -55,6 +55,11 @@ StoreState CheckStore(const std::filesystem::path& folder);
 StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage,
                        const std::vector<std::string>& only = {});
 
+/** Takes a journal out of a whole store: it is renamed to <journal>.set-aside, and what it holds
+counts as not run. @throws Error(kUsage) when there is no such journal, naming those that are there;
+as VerifyStore; kIo. */
+void SetJournalAside(const std::filesystem::path& folder, const std::string& journal);
+
 struct StoreRepair {
   std::vector<std::string> actions;  ///< what was done, in words
   StoreState state;                  ///< afterwards: what cannot be repaired

@@ -79,10 +79,10 @@ const StoreKind kCampaignStore = {
     /*remedy=*/"run the campaign anew into another folder",
     /*files=*/{"campaign.json", "scenes/*/scene.json", "benchmark/session.json"},
     /*derived=*/{},
-    /*journals=*/{"comparison/*/*.jsonl"},
+    /*journals=*/{"comparison/*/*.jsonl", "workers/*.jsonl"},
     /*stores=*/{"scenes/*", "benchmark"},
     /*keeps_torn_lines=*/false,
-    /*shared_journals=*/{},
+    /*shared_journals=*/{"workers/*-*.jsonl"},
     /*outputs=*/{"report"}};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {

@@ -36,6 +36,14 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   return problems;
 }
 
+void CheckOptimiseConfig(const OptimiseConfig& config) {
+  std::string text;
+  for (const ConfigProblem& problem : Validate(config)) {
+    text += "\n" + problem.key + ": " + problem.text;
+  }
+  if (!text.empty()) throw Error(ErrorKind::kRange, "the optimisation cannot be run" + text);
+}
+
 TrialSetup MakeLearningSetup(const SceneConfig& config, const SceneInputs& inputs,
                              const LearningRequest& request, int draw) {
   const Hand& hand = *inputs.hand;

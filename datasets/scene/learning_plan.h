@@ -37,6 +37,8 @@ struct SceneInputs {
 
 /** All problems of the values, as Validate(SessionConfig) reports them. */
 std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
+/** @throws Error(kRange) listing them. */
+void CheckOptimiseConfig(const OptimiseConfig& config);
 
 /** The draw of a number: 0 without variation, else from streams of (seed, object, number) and
 (seed, hand, object, number) that no benchmark trial uses. */

@@ -17,15 +17,6 @@ namespace {
 
 constexpr char kResult[] = "result.json";
 
-/** Of everything that an optimisation depends on beside its configuration. */
-std::string CalcInputsHash(const SceneInputs& inputs) {
-  const Json content = {{"physics", kPhysicsVersion},
-                        {"hand", {inputs.hand->id, inputs.hand->content_hash}},
-                        {"object", {inputs.object->id, inputs.object->content_hash}},
-                        {"grasp", ToJson(inputs.grasp)}};
-  return CalcHashHex(FormatJson(content));
-}
-
 Json JsonAngles(const Eigen::VectorXd& angles) {
   return Json(std::vector<double>(angles.data(), angles.data() + angles.size()));
 }
@@ -136,12 +127,23 @@ SceneConfig ParseSceneConfig(const fs::path& folder, OnDamage on_damage = OnDama
 
 bool HasScene(const fs::path& folder) { return HasFrozen(kSceneStore, folder); }
 
-bool IsSceneFinished(const fs::path& folder, const SceneInputs& inputs) {
+std::string CalcInputsHash(const SceneInputs& inputs) {
+  const Json content = {{"physics", kPhysicsVersion},
+                        {"hand", {inputs.hand->id, inputs.hand->content_hash}},
+                        {"object", {inputs.object->id, inputs.object->content_hash}},
+                        {"grasp", ToJson(inputs.grasp)}};
+  return CalcHashHex(FormatJson(content));
+}
+
+bool HasSceneResult(const fs::path& folder) {
   if (!HasManifest(folder)) return false;
   const Manifest manifest = LoadManifest(folder);
-  return manifest.inputs == CalcInputsHash(inputs) &&
-         std::any_of(manifest.files.begin(), manifest.files.end(),
+  return std::any_of(manifest.files.begin(), manifest.files.end(),
                      [](const ManifestFile& file) { return file.path == kResult; });
+}
+
+bool IsSceneFinished(const fs::path& folder, const SceneInputs& inputs) {
+  return HasSceneResult(folder) && LoadManifest(folder).inputs == CalcInputsHash(inputs);
 }
 
 void CreateScene(const fs::path& folder, const SceneConfig& config) {

@@ -29,6 +29,10 @@ namespace graspbench {
 void CreateScene(const std::filesystem::path& folder, const SceneConfig& config);
 
 bool HasScene(const std::filesystem::path& folder);
+/** Hash of the hand, the object, the grasp and the physics. */
+std::string CalcInputsHash(const SceneInputs& inputs);
+/** True when it was finished, with whatever hand, object and grasp. */
+bool HasSceneResult(const std::filesystem::path& folder);
 /** True when it was finished with the hand, the object, the grasp and the physics of today. */
 bool IsSceneFinished(const std::filesystem::path& folder, const SceneInputs& inputs);
 

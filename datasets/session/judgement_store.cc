@@ -108,9 +108,9 @@ void LoadJudgements(const std::filesystem::path& folder, Session& session) {
   }
   conflicts.ThrowIfErrors(
       ErrorKind::kFormat,
-      "two versions of the program have judged this session or a file was "
-      "edited; delete the folder \"judge\", seal the rest with graspbench verify "
-      "--repair and judge the session anew");
+      "two machines or versions of the program have judged this session or a file was edited; "
+      "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and keeps it "
+      "beside, then judge again");
 }
 
 std::vector<PlannedTrial> FindUnjudged(const Session& session) {

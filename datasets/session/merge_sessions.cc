@@ -15,8 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kMergedLabel[] = "merged";
-
 /** The program's version may differ: what matters are schema, physics, settings and plan. */
 void CheckSamePlan(const fs::path& folder, const fs::path& other) {
   const auto load = [](const fs::path& of) {
@@ -42,31 +40,26 @@ class Additions {
  public:
   explicit Additions(const fs::path& folder) : folder_(folder), session_(LoadSession(folder)) {
     for (TrialRecord& record : session_.records) records_.emplace(record.plan.id, record);
-    Diagnostics findings;
-    for (const WorkerStart& start : LoadWorkers(folder, findings)) {
-      known_starts_.insert(FormatWorkerLine(start));
-    }
+    known_starts_ = ListStartLines(folder);
   }
 
   void Add(const fs::path& other) {
     const Session session = LoadSession(other);
     CheckSamePlan(folder_, other);
     for (const TrialRecord& record : session.records) AddRecord(record, other);
-    Diagnostics findings;
-    for (const WorkerStart& start : LoadWorkers(other, findings)) {
-      const std::string line = FormatWorkerLine(start);
-      if (known_starts_.insert(line).second) workers_ += line + "\n";
-    }
+    workers_ += CollectStarts(other, known_starts_);
   }
 
   int Write() const {
     conflicts_.ThrowIfErrors(
         ErrorKind::kFormat,
         "one trial has different results: two builds or machines have worked on this session; "
-        "nothing was merged, keep the results of one of them");
+        "nothing was merged; leave that folder out, or merge with --set-aside FILE, which leaves "
+        "out what a journal in \"" +
+            folder_.string() + "\" holds");
     Append("journal", journal_);
     Append("judge", judge_);
-    Append("workers", workers_);
+    AppendStarts(folder_, workers_);
     return num_new_;
   }
 
@@ -80,26 +73,39 @@ class Additions {
       journal_ += FormatJournalLine(bare) + "\n";
     }
     TrialRecord& mine = known->second;
-    if (ToJson(mine.result) != ToJson(record.result)) Fail(record, other, "another result");
+    if (ToJson(mine.result) != ToJson(record.result))
+      Fail(record, other, "another result than in " + FindSource(record.plan.id));
     if (!record.judgement) return;
     if (!mine.judgement) {
       mine.judgement = record.judgement;
       judge_ += FormatJudgementLine(record.plan.id, *record.judgement) + "\n";
     } else if (RecordToJson(*mine.judgement) != RecordToJson(*record.judgement)) {
-      Fail(record, other, "another judgement");
+      Fail(record, other, "another judgement than in \"" + folder_.string() + "\"");
     }
   }
 
   void Fail(const TrialRecord& record, const fs::path& other, const std::string& what) {
-    conflicts_.Fail(other.string(), 0,
-                    "trial " + record.plan.id + " (" + DescribeTrial(record.plan) + ") has " +
-                        what + " than in \"" + folder_.string() + "\" or a folder before this one");
+    conflicts_.Fail(
+        other.string(), 0,
+        "trial " + record.plan.id + " (" + DescribeTrial(record.plan) + ") has " + what);
+  }
+
+  /** The journal that holds the trial's record, or what was merged before. */
+  std::string FindSource(const std::string& id) const {
+    for (const fs::path& path : ListJournals(folder_)) {
+      bool is_here = false;
+      ForEachTrialOf(path, [&](std::string_view other) { is_here = is_here || other == id; });
+      if (is_here) return "journal/" + path.filename().string();
+    }
+    return "a folder before this one";
   }
 
   void Append(const char* subfolder, const std::string& lines) const {
     if (lines.empty()) return;
     MakeFolder(folder_ / subfolder);
-    AppendFile(FindJournal(folder_ / subfolder, 0, kMergedLabel)).Append(lines);
+    const fs::path path = FindJournal(folder_ / subfolder, 0, kMergedLabel);
+    AppendFile(path).Append(lines);
+    if (subfolder == std::string("journal")) JournalIndex index(path);
   }
 
   fs::path folder_;

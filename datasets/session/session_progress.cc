@@ -14,22 +14,14 @@
 #include "core/base/hash.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/session/frozen_folder.h"
+#include "datasets/session/journal_index.h"
 #include "datasets/session/session_store.h"
+#include "datasets/session/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-/** Ids stand first in every line of plan and journals. Empty: the line begins otherwise. */
-std::string_view FindId(std::string_view line) {
-  constexpr std::string_view kHead = "{\"trial_id\":\"";
-  constexpr size_t kIdLength = 16;
-  if (line.substr(0, kHead.size()) != kHead) return {};
-  line.remove_prefix(kHead.size());
-  return line.substr(0, line.find('"')).size() == kIdLength ? line.substr(0, kIdLength)
-                                                            : std::string_view();
-}
 
 /** Of a line of the plan: what names hand and object. */
 std::string_view FindPair(std::string_view line) {
@@ -40,11 +32,15 @@ std::string_view FindPair(std::string_view line) {
 /** The plan as far as it matters here. */
 struct Outline {
   std::vector<int> group_sizes;
+  std::vector<uint64_t> hashes;                  // of the ids, in the plan's order
   std::vector<std::pair<uint64_t, int>> places;  // hash of an id, place; sorted
 
-  /** -1: not in the plan. */
-  int FindPlace(std::string_view id) const {
+  /** -1: not in the plan. @param guess  looked at first: journals mostly follow the plan. */
+  int FindPlace(std::string_view id, int guess) const {
     const uint64_t hash = CalcHash64(id);
+    if (static_cast<size_t>(guess) < hashes.size() && hashes[static_cast<size_t>(guess)] == hash) {
+      return guess;
+    }
     const auto found = std::lower_bound(places.begin(), places.end(), std::pair(hash, 0));
     return found != places.end() && found->first == hash ? found->second : -1;
   }
@@ -53,9 +49,8 @@ struct Outline {
 Outline LoadOutline(const fs::path& path) {
   Outline outline;
   std::string last;
-  int place = 0;
   ForEachLineOfFile(path, [&](const FileLine& line) {
-    const std::string_view id = FindId(line.text), pair = FindPair(line.text);
+    const std::string_view id = FindTrialId(line.text), pair = FindPair(line.text);
     if (id.empty() || pair.empty()) {
       throw Error(ErrorKind::kFormat, "\"" + path.string() + "\":" + std::to_string(line.number) +
                                           ": it is no planned trial; see graspbench verify");
@@ -65,28 +60,21 @@ Outline LoadOutline(const fs::path& path) {
       last = pair;
     }
     ++outline.group_sizes.back();
-    outline.places.emplace_back(CalcHash64(id), place++);
+    outline.hashes.push_back(CalcHash64(id));
+    outline.places.emplace_back(outline.hashes.back(), outline.places.size());
   });
   std::sort(outline.places.begin(), outline.places.end());
   return outline;
 }
 
-double CalcAge(const fs::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return 0.0;
-  return std::max(0.0, std::difftime(std::time(nullptr), status.st_mtime));
-}
+/** What the files of workers say of the shards of one deal, by number. */
+struct Deal {
+  std::map<int, double> ages;  // of the youngest file [s]
+  std::set<int> at_rest;
+};
 
-ShardState FindState(const ShardProgress& progress, double stale_after) {
-  if (progress.num_finished == progress.num_trials) return ShardState::kFinished;
-  if (!progress.age) return ShardState::kWaiting;
-  return *progress.age <= stale_after ? ShardState::kRunning : ShardState::kStale;
-}
-
-/** The shards of one deal. @param ages  of those that have journals, by number. */
 void AddShards(const Outline& outline, const std::vector<bool>& finished, int num_shards,
-               const std::map<int, double>& ages, double stale_after,
-               std::vector<ShardProgress>& shards) {
+               const Deal& known, double stale_after, std::vector<ShardProgress>& shards) {
   std::vector<ShardProgress> of_deal(static_cast<size_t>(num_shards));
   for (int i = 0; i < num_shards; ++i) of_deal[static_cast<size_t>(i)].shard = {i + 1, num_shards};
   const std::vector<int> deal = DealGroups(outline.group_sizes, num_shards);
@@ -96,33 +84,56 @@ void AddShards(const Outline& outline, const std::vector<bool>& finished, int nu
     progress.num_finished += finished[place];
   }
   for (ShardProgress& progress : of_deal) {
-    const auto age = ages.find(progress.shard.number);
-    if (age != ages.end()) progress.age = age->second;
-    progress.state = FindState(progress, stale_after);
+    const int number = progress.shard.number;
+    const auto age = known.ages.find(number);
+    if (age != known.ages.end()) progress.age = age->second;
+    progress.state = FindState(progress, known.at_rest.count(number) > 0, stale_after);
     shards.push_back(progress);
   }
 }
 
+/** @returns by number of shards; @param num_trials  there are no more shards. */
+std::map<int, Deal> FindDeals(const fs::path& folder, const Workers& workers, int num_trials) {
+  std::map<int, Deal> deals;
+  for (const char* subfolder : {"journal", "workers"}) {
+    for (const fs::path& path : ListJournals(folder, subfolder)) {
+      const Shard shard = FindShardOfFile(path.filename().string());
+      if (shard.count == 0 || shard.count > num_trials) continue;
+      Deal& deal = deals[shard.count];
+      double& age = deal.ages.try_emplace(shard.number, CalcAge(path)).first->second;
+      age = std::min(age, CalcAge(path));
+      if (workers.at_rest.count(FormatLabel(shard)) > 0) deal.at_rest.insert(shard.number);
+    }
+  }
+  return deals;
+}
+
 }  // namespace
+
+double CalcAge(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return 0.0;
+  return std::max(0.0, std::difftime(std::time(nullptr), status.st_mtime));
+}
+
+ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stale_after) {
+  if (progress.num_finished == progress.num_trials) return ShardState::kFinished;
+  if (is_at_rest) return ShardState::kStopped;
+  if (!progress.age) return ShardState::kWaiting;
+  return *progress.age <= stale_after ? ShardState::kRunning : ShardState::kStale;
+}
 
 SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   LoadFrozen(kSessionStore, folder, OnDamage::kRefuse, {kSessionStore.file});
   const Outline outline = LoadOutline(folder / "plan.jsonl");
   std::vector<bool> finished(outline.places.size(), false);
-  std::map<int, std::map<int, double>> ages;  // by number of shards, by shard
   SessionProgress progress;
   progress.num_trials = static_cast<int>(finished.size());
   for (const fs::path& path : ListJournals(folder)) {
-    const Shard shard = FindShardOfFile(path.filename().string());
-    if (0 < shard.count && shard.count <= progress.num_trials) {
-      const double age = CalcAge(path);
-      double& youngest = ages[shard.count].try_emplace(shard.number, age).first->second;
-      youngest = std::min(youngest, age);
-    }
-    ForEachLineOfFile(path, [&](const FileLine& line) {
-      if (line.text.empty() || !line.is_whole) return;
-      const int place = outline.FindPlace(FindId(line.text));
-      if (place < 0 || !IsCheckedLine(line.text)) {
+    int place = -1;
+    progress.num_bad_lines += ForEachTrialOf(path, [&](std::string_view id) {
+      place = outline.FindPlace(id, place + 1);
+      if (place < 0) {
         ++progress.num_bad_lines;
       } else {
         finished[static_cast<size_t>(place)] = true;
@@ -130,8 +141,11 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
     });
   }
   progress.num_finished = static_cast<int>(std::count(finished.begin(), finished.end(), true));
-  for (const auto& [num_shards, of_deal] : ages) {
-    AddShards(outline, finished, num_shards, of_deal, stale_after, progress.shards);
+  Diagnostics ignored;  // a merge tells of them
+  const Workers workers = LoadWorkers(folder, ignored);
+  progress.unchecked = FindUnchecked(folder, workers.starts);
+  for (const auto& [num_shards, deal] : FindDeals(folder, workers, progress.num_trials)) {
+    AddShards(outline, finished, num_shards, deal, stale_after, progress.shards);
   }
   return progress;
 }

@@ -1,10 +1,13 @@
 #pragma once
 /** @file
-How far the shards of a session are, from plan and journals alone: no machine is asked, and the
-records are not read beyond their checksums, so that it takes a moment for a million trials. */
+How far the shards of a session are, from plan and journals alone: no machine is asked, and no
+record is read whose trial an index names (journal_index.h), so that it takes a moment for a million
+trials. */
 
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/base/enum_table.h"
@@ -12,13 +15,14 @@ records are not read beyond their checksums, so that it takes a moment for a mil
 
 namespace graspbench {
 
-enum class ShardState { kFinished, kRunning, kStale, kWaiting };
+enum class ShardState { kFinished, kRunning, kStopped, kStale, kWaiting };
 struct ShardStateRow {
   ShardState value;
   const char* name;
 };
 inline constexpr ShardStateRow kShardStates[] = {{ShardState::kFinished, "finished"},
                                                  {ShardState::kRunning, "running"},
+                                                 {ShardState::kStopped, "stopped"},
                                                  {ShardState::kStale, "stale"},
                                                  {ShardState::kWaiting, "waiting"}};
 inline const char* NameOf(ShardState state) { return RowOf(kShardStates, state).name; }
@@ -27,7 +31,7 @@ struct ShardProgress {
   Shard shard;
   int num_trials = 0;
   int num_finished = 0;
-  /** Since its journals were last written [s]; none: it has none. */
+  /** Since its journals or its worker's file were last written [s]; none: it has none. */
   std::optional<double> age;
   ShardState state = ShardState::kWaiting;
 };
@@ -35,11 +39,19 @@ struct ShardProgress {
 struct SessionProgress {
   int num_trials = 0;
   int num_finished = 0;
-  int num_bad_lines = 0;              ///< see `graspbench verify`
+  int num_bad_lines = 0;              ///< behind what the indices name; see `verify`
   std::vector<ShardProgress> shards;  ///< of every number of shards that has a journal
+  /** Labels of shards of whose machine no sentinel trials are kept, see worker_log.h. */
+  std::set<std::string> unchecked;
 };
 
-/** @param stale_after  an unfinished shard whose journals are older is stale [s].
+/** From what is finished and how old its files are. @param is_at_rest  its worker has ended. */
+ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stale_after);
+/** Since the file was written [s]; 0: it cannot be asked. */
+double CalcAge(const std::filesystem::path& path);
+
+/** A worker that ended with trials left has stopped. One that was killed counts as running until it
+is stale. @param stale_after  an unfinished shard whose files are older is stale [s].
 @throws as LoadFrozen, without a look at other files; Error(kIo). */
 SessionProgress ReadProgress(const std::filesystem::path& folder, double stale_after);
 

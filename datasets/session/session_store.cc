@@ -77,9 +77,9 @@ class Merger {
   void TakeRecords() {
     conflicts_.ThrowIfErrors(
         ErrorKind::kFormat,
-        "one trial has different results: two versions of the program have written to this session "
-        "or a file was edited; delete the wrong lines and seal the rest with graspbench verify "
-        "--repair, or run the session anew");
+        "one trial has different results: two machines or versions of the program have written to "
+        "this session or a file was edited; graspbench merge DIR --set-aside FILE leaves out what "
+        "one of these files holds and keeps it beside, or run the session anew");
     size_t num_found = 0;  // they move up in place: of a large session there is no room for two
     for (size_t i = 0; i < records_.size(); ++i) {
       if (places_[i].file < 0) continue;
@@ -212,7 +212,10 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
 Session LoadSession(const fs::path& folder, OnDamage on_damage, RecordParts parts) {
   Session session = LoadFiles(folder, on_damage, parts, {});
   LoadJudgements(folder, session);
-  session.machine_differences = DescribeDifferences(LoadWorkers(folder, session.findings));
+  const std::vector<WorkerStart> starts = LoadWorkers(folder, session.findings).starts;
+  session.machine_differences = DescribeDifferences(starts);
+  const std::string unchecked = DescribeUnchecked(FindUnchecked(folder, starts));
+  if (!unchecked.empty()) session.machine_differences.push_back(unchecked);
   return session;
 }
 
@@ -225,7 +228,7 @@ Session LoadShardOfSession(const fs::path& folder, const std::string& label) {
   return LoadFiles(
       folder, OnDamage::kRefuse, RecordParts::kBrief,
       {kSessionStore.file, "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*",
-       "journal/" + label + "-*.jsonl", "workers/" + label + "-*.jsonl"});
+       "journal/" + label + "-*.jsonl", "journal/merged-*.jsonl", "workers/" + label + "-*.jsonl"});
 }
 
 TrialRecord LoadWhole(const Session& session, const TrialRecord& record) {
@@ -255,6 +258,15 @@ fs::path FindJournal(const fs::path& subfolder, int worker, const std::string& l
     path = subfolder / (name + "-" + std::to_string(number) + ".jsonl");
   }
   return path;
+}
+
+JournalWriter::JournalWriter(const fs::path& journal, bool has_index) : file_(journal) {
+  if (has_index) index_.emplace(journal);
+}
+
+void JournalWriter::Append(const TrialRecord& record) {
+  file_.Append(FormatJournalLine(record) + "\n");
+  if (index_) index_->Append(record.plan.id, file_.size());
 }
 
 std::vector<PlannedTrial> FindUnfinished(const Session& session) {

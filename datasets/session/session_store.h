@@ -9,6 +9,7 @@ A session's folder:
     inputs/               the user's own hands, objects and grasps, see input_copies.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
+    progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
     export/               trials.csv, events.csv, their dictionaries; when asked for records.jsonl,
@@ -25,12 +26,14 @@ configuration. session.json, plan.jsonl, index.sqlite and export/ have
 the same bytes for any number of workers and any number of interruptions. */
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/diagnostics.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/sealed_store.h"
+#include "datasets/session/journal_index.h"
 #include "datasets/session/record_lines.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_plan.h"
@@ -63,7 +66,8 @@ struct Session {
   /** Warnings about journal lines that were skipped; files are named from the session's folder. */
   Diagnostics findings;
   std::vector<Damage> damage;  ///< found and accepted
-  /** Machines that did not agree on a sentinel trial, as sentences (worker_log.h). */
+  /** Machines that did not agree on a sentinel trial or have run none, as sentences
+  (worker_log.h). */
   std::vector<std::string> machine_differences = {};
 };
 /** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
@@ -91,7 +95,7 @@ void ForEachWhole(const Session& session, Take&& take) {
 }
 
 /** What a worker of a shard needs: configuration, plan, and the brief records in the journals that
-begin with `label`. No other file is read. @throws as LoadSession. */
+begin with `label` or that a merge has brought. No other file is read. @throws as LoadSession. */
 Session LoadShardOfSession(const std::filesystem::path& folder, const std::string& label);
 
 /** The journals in a subfolder of the session's, by name; none when there is no such folder. */
@@ -112,18 +116,22 @@ crash has torn is not continued there, 3of7-0-2.jsonl and so on. */
 std::filesystem::path FindJournal(const std::filesystem::path& subfolder, int worker,
                                   const std::string& label);
 
-/** Appends finished trials to one worker's journal; see append_file.h. */
+/** Appends finished trials to one worker's journal, and a shard's to its index; see append_file.h,
+journal_index.h. */
 class JournalWriter {
  public:
   /** @param label  of a shard's worker. @throws Error(kIo) when the journal cannot be written or
   another process writes it. */
   JournalWriter(const std::filesystem::path& folder, int worker, const std::string& label = "")
-      : file_(FindJournal(folder / "journal", worker, label)) {}
+      : JournalWriter(FindJournal(folder / "journal", worker, label), !label.empty()) {}
   /** @throws Error(kIo) with the system's reason; what was appended before stays valid. */
-  void Append(const TrialRecord& record) { file_.Append(FormatJournalLine(record) + "\n"); }
+  void Append(const TrialRecord& record);
 
  private:
+  JournalWriter(const std::filesystem::path& journal, bool has_index);
+
   AppendFile file_;
+  std::optional<JournalIndex> index_;
 };
 
 /** Writes index.sqlite and export/ from what LoadSession gives, record by record. Same records, same

@@ -66,6 +66,10 @@ std::string FormatShard(const Shard& shard) {
   return std::to_string(shard.number) + "/" + std::to_string(shard.count);
 }
 
+bool IsCardOf(size_t card, const Shard& shard) {
+  return card % static_cast<size_t>(shard.count) + 1 == static_cast<size_t>(shard.number);
+}
+
 std::string FormatLabel(const Shard& shard) {
   return std::to_string(shard.number) + "of" + std::to_string(shard.count);
 }

@@ -23,6 +23,9 @@ Shard ParseShard(const std::string& text);
 /** "3/7", as ParseShard reads it. */
 std::string FormatShard(const Shard& shard);
 
+/** Whether the card of this number, from 0, is the shard's: cards are dealt one by one. */
+bool IsCardOf(size_t card, const Shard& shard);
+
 /** "3of7": how the shard's files begin. */
 std::string FormatLabel(const Shard& shard);
 

@@ -12,6 +12,7 @@
 #include "core/base/text.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/session/session_store.h"
+#include "datasets/session/shard.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -85,21 +86,8 @@ std::string DescribeDistance(const TrialRecord& trial, const Distance& distance)
          distance.here + " and " + distance.there + by;
 }
 
-}  // namespace
-
-bool operator==(const Machine& a, const Machine& b) { return RecordToJson(a) == RecordToJson(b); }
-
-std::string FormatWorkerLine(const WorkerStart& start) {
-  Json json = {{"shard", start.shard},
-               {"started_utc", start.started_utc},
-               {"machine", RecordToJson(start.machine)},
-               {"sentinels", Json::array()}};
-  for (const TrialRecord& record : start.sentinels) json["sentinels"].push_back(ToJson(record));
-  return FormatCheckedLine(json);
-}
-
-WorkerStart ParseWorkerLine(std::string_view line) {
-  const Json json = ParseCheckedLine(line);
+/** @throws Error(kFormat). */
+WorkerStart ReadStart(const Json& json) {
   try {
     WorkerStart start{
         json.at("shard").get<std::string>(), json.at("started_utc").get<std::string>(), {}, {}};
@@ -114,23 +102,97 @@ WorkerStart ParseWorkerLine(std::string_view line) {
   }
 }
 
-std::vector<WorkerStart> LoadWorkers(const fs::path& folder, Diagnostics& findings,
-                                     const std::string& label) {
-  std::vector<WorkerStart> starts;
+}  // namespace
+
+bool operator==(const Machine& a, const Machine& b) { return RecordToJson(a) == RecordToJson(b); }
+
+std::string FormatWorkerLine(const WorkerStart& start) {
+  Json json = {{"shard", start.shard},
+               {"started_utc", start.started_utc},
+               {"machine", RecordToJson(start.machine)},
+               {"sentinels", Json::array()}};
+  for (const TrialRecord& record : start.sentinels) json["sentinels"].push_back(ToJson(record));
+  return FormatCheckedLine(json);
+}
+
+std::string FormatWorkerLine(const WorkerEnd& end) {
+  return FormatCheckedLine(
+      {{"shard", end.shard}, {"ended_utc", end.ended_utc}, {"left", end.num_left}});
+}
+
+WorkerStart ParseWorkerLine(std::string_view line) { return ReadStart(ParseCheckedLine(line)); }
+
+Workers LoadWorkers(const fs::path& folder, Diagnostics& findings) {
+  Workers workers;
+  std::map<std::string, std::pair<std::string, bool>> last;  // by shard: when; whether it ended
+  const auto read = [&](const Json& json) {
+    const bool is_end = json.contains("ended_utc");
+    const auto shard = json.at("shard").get<std::string>();
+    const auto when = json.at(is_end ? "ended_utc" : "started_utc").get<std::string>();
+    if (!is_end) workers.starts.push_back(ReadStart(json));
+    if (last[shard].first <= when) last[shard] = {when, is_end};
+  };
   for (const fs::path& path : ListJournals(folder, kWorkersFolder)) {
-    const std::string name = path.filename().string();
-    if (!label.empty() && name.rfind(label + "-", 0) != 0) continue;
-    const std::string file = std::string(kWorkersFolder) + "/" + name;
+    const std::string file = std::string(kWorkersFolder) + "/" + path.filename().string();
     ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool is_whole) {
       if (!is_whole) return;  // the worker was killed, and its next start has a line
       try {
-        starts.push_back(ParseWorkerLine(line));
-      } catch (const Error& e) {
+        read(ParseCheckedLine(line));
+      } catch (const std::exception& e) {  // of the JSON library, or an Error
         findings.Warn(file, number, std::string("skipped: ") + e.what());
       }
     });
   }
-  return starts;
+  for (const auto& [shard, state] : last) {
+    if (state.second) workers.at_rest.insert(shard);
+  }
+  return workers;
+}
+
+bool HasSentinels(const std::vector<WorkerStart>& starts, const Machine& machine,
+                  const std::vector<PlannedTrial>& plan) {
+  const std::vector<PlannedTrial> sentinels = ListSentinels(plan);
+  const auto has_them = [&](const WorkerStart& start) {
+    return start.machine == machine &&
+           std::equal(sentinels.begin(), sentinels.end(), start.sentinels.begin(),
+                      start.sentinels.end(),
+                      [](const PlannedTrial& a, const TrialRecord& b) { return a == b.plan; });
+  };
+  return std::any_of(starts.begin(), starts.end(), has_them);
+}
+
+std::set<std::string> FindUnchecked(const fs::path& folder,
+                                    const std::vector<WorkerStart>& starts) {
+  std::set<std::string> checked, begun, unchecked;
+  for (const WorkerStart& start : starts) {
+    begun.insert(start.shard);
+    if (!start.sentinels.empty()) checked.insert(DescribeMachine(start.machine));
+  }
+  for (const WorkerStart& start : starts) {
+    if (checked.count(DescribeMachine(start.machine)) == 0) unchecked.insert(start.shard);
+  }
+  for (const fs::path& path : ListJournals(folder)) {
+    const Shard shard = FindShardOfFile(path.filename().string());
+    if (shard.count > 0 && begun.count(FormatLabel(shard)) == 0) {
+      unchecked.insert(FormatLabel(shard));
+    }
+  }
+  return unchecked;
+}
+
+std::string DescribeUnchecked(const std::set<std::string>& labels) {
+  if (labels.empty()) return "";
+  constexpr size_t kMaxNamed = 5;
+  std::string names;
+  size_t num_named = 0;
+  for (const std::string& label : labels) {
+    if (num_named++ < kMaxNamed) names += (names.empty() ? "" : ", ") + label;
+  }
+  if (labels.size() > kMaxNamed)
+    names += " and " + std::to_string(labels.size() - kMaxNamed) + " more";
+  return "no sentinel trials are kept of the machines of " +
+         FormatCount(static_cast<int64_t>(labels.size()), "shard") + " (" + names +
+         "): whether they agree with the others is not known";
 }
 
 std::string DescribeMachine(const Machine& machine) {
@@ -172,6 +234,40 @@ std::vector<std::string> DescribeDifferences(const std::vector<WorkerStart>& sta
   std::vector<std::string> sentences;
   for (const auto& [machine, difference] : worst) sentences.push_back(difference.second);
   return sentences;
+}
+
+std::set<std::string> ListStartLines(const fs::path& folder) {
+  Diagnostics ignored;
+  std::set<std::string> lines;
+  for (const WorkerStart& start : LoadWorkers(folder, ignored).starts) {
+    lines.insert(FormatWorkerLine(start));
+  }
+  return lines;
+}
+
+std::string CollectStarts(const fs::path& other, std::set<std::string>& known) {
+  Diagnostics ignored;
+  std::string added;
+  const auto add = [&](const WorkerStart& start) {
+    const std::string line = FormatWorkerLine(start);
+    if (known.insert(line).second) added += line + "\n";
+  };
+  const std::vector<WorkerStart> starts = LoadWorkers(other, ignored).starts;
+  std::set<std::string> begun;
+  for (const WorkerStart& start : starts) {
+    add(start);
+    begun.insert(start.shard);
+  }
+  for (const std::string& label : FindUnchecked(other, starts)) {
+    if (begun.count(label) == 0) add({label, "", {}, {}});
+  }
+  return added;
+}
+
+void AppendStarts(const fs::path& folder, const std::string& lines) {
+  if (lines.empty()) return;
+  MakeFolder(folder / kWorkersFolder);
+  AppendFile(FindJournal(folder / kWorkersFolder, 0, kMergedLabel)).Append(lines);
 }
 
 WorkerLog::WorkerLog(const fs::path& folder, const std::string& label)

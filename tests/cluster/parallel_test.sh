@@ -3,7 +3,7 @@
 # bytes as one run.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 require parallel seq pgrep
-make_sessions 20
+make_sessions 12
 
 work() {
   parallel --jobs 2 --joblog "$folder/joblog" --resume-failed \
@@ -25,6 +25,6 @@ compare_sessions
 
 # The same by the program's own script, on a plan of its own.
 rm -r "$folder/parts"
-"$program" run --object golf_ball,tea_light --trials 20 --plan-only --out "$folder/parts"
+"$program" run --object golf_ball,tea_light --trials 12 --plan-only --out "$folder/parts"
 "$program" submit "$folder/parts" --engine parallel --array 5 >>"$folder/parallel.log" 2>&1
 compare_sessions

@@ -1,9 +1,10 @@
 /** @file
-A session that several processes work on, in any order, some of them twice, some of them killed, has
-the same results, byte for byte, as one that ran in a single process. */
+A session or campaign that several processes work on, in any order, some of them twice, some of them
+killed, has the same results, byte for byte, as one that ran in a single process. */
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
 #include <vector>
@@ -32,6 +33,44 @@ std::vector<std::string> MakeSession(int trials) {
 std::vector<std::string> Join(std::vector<std::string> a, const std::vector<std::string>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
+}
+
+/** Two scenes that learn as little as they can, and two searches. */
+std::vector<std::string> MakeCampaign() {
+  std::vector<std::string> arguments = {"campaign",
+                                        "--hand",
+                                        "tum",
+                                        "--object",
+                                        "golf_ball,tea_light",
+                                        "--evaluations",
+                                        "2",
+                                        "--fitness-trials",
+                                        "1",
+                                        "--trials",
+                                        GRASPBENCH_BENCHMARK_TRIALS};
+  for (const char* setting :
+       {"session.sim.step_s=0.004", "session.strategy.hold_time_s=0.2", "optimise.check_trials=1",
+        "comparison.scenes=tum/tea_light", "comparison.methods=es,random", "comparison.seeds=1",
+        "comparison.evaluations=3"}) {
+    arguments.insert(arguments.end(), {"--set", setting});
+  }
+  return arguments;
+}
+
+/** Everything that is not a journal of workers, a seal of those or a clock. */
+std::vector<fs::path> ListCampaignResults(const fs::path& campaign) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(campaign)) {
+    const fs::path path = entry.path().lexically_relative(campaign);
+    const std::string top = path.begin()->string(), name = path.filename().string();
+    const std::string inner = path.parent_path().filename().string();
+    const bool is_of_workers = inner == "journal" || inner == "judge" || inner == "progress" ||
+                               inner == "workers" || (name == "manifest.json" && top != "scenes") ||
+                               name == "run.json";
+    if (entry.is_regular_file() && !is_of_workers) files.push_back(path);
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 int Call(const std::vector<std::string>& arguments) { return WaitFor(Start(arguments)); }
@@ -64,6 +103,15 @@ class GRASPBENCH_SUITE : public testing::Test {
     const fs::path folder = top_ / name;
     EXPECT_EQ(Call(Join(MakeSession(trials_), {"--plan-only", "--out", folder.string()})), 0);
     return folder;
+  }
+  /** Kills workers at random points. */
+  void KillSome(const fs::path& folder, int count) {
+    for (int kill = 0; kill < GRASPBENCH_NUM_KILLS / 2; ++kill) {
+      const int num_lines = CountLines(folder) + random_.NextIndex(8);
+      KillAfter(
+          Start(WorkOn(folder, 1 + random_.NextIndex(count), count)),
+          [&] { return CountLines(folder) >= num_lines; }, random_.NextUniform(0.0, 0.3));
+    }
   }
   std::vector<int> Shuffle(int count) {
     std::vector<int> numbers(static_cast<size_t>(count));
@@ -110,6 +158,7 @@ TEST_F(GRASPBENCH_SUITE, InAnyOrderAndSomeTwiceGiveTheBytesOfOneRun) {
     fs::copy(there, copy, fs::copy_options::recursive);
     ASSERT_EQ(Call({"merge", here.string(), there.string()}), 0);
     ExpectSameResults(here);
+    if (count != 7) continue;
     ASSERT_EQ(Call({"merge", here.string(), there.string()}), 0);  // once more changes nothing
     ExpectSameResults(here);
     ASSERT_EQ(Call({"merge", copy.string(), here.string()}), 0);  // nor does the other way round
@@ -187,12 +236,64 @@ TEST_F(GRASPBENCH_SUITE, SecondWorkerOfAShardLeaves) {
   EXPECT_EQ(Call(WorkOn(folder, 1, 1)), 0);
 }
 
+TEST_F(GRASPBENCH_SUITE, TermOnSubmitEndsItsWorkers) {
+  RunWhole(trials_);
+  const fs::path folder = MakePlan("terminated");
+  const std::vector<std::string> submit = {"submit", folder.string(), "--engine",
+                                           "local",  "--array",       "4"};
+  const pid_t script = Start(submit);
+  while (CountLines(folder / "journal") == 0 && !HasEnded(script)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ::kill(script, SIGTERM);
+  EXPECT_EQ(WaitFor(script), 75);
+  const int num_lines = CountLines(folder / "journal");
+  EXPECT_LT(num_lines, 4 * trials_);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_EQ(CountLines(folder / "journal"), num_lines);  // nobody works any more
+  ASSERT_EQ(Call(submit), 0);
+  ExpectSameResults(folder);
+}
+
+// Scenes and searches on two disks, in any order, some twice, some killed; then the benchmark.
+TEST_F(GRASPBENCH_SUITE, CampaignTheBytesOfOneCampaign) {
+  ASSERT_EQ(Call(Join(MakeCampaign(), {"--jobs", "1", "--out", whole().string()})), 0);
+  const std::vector<fs::path> files = ListCampaignResults(whole());
+  EXPECT_GT(files.size(), 20u);
+  for (const int count : std::vector<int>{GRASPBENCH_CAMPAIGN_SHARD_COUNTS}) {
+    const std::string name = std::to_string(count);
+    const fs::path here = top_ / ("here" + name), there = top_ / ("there" + name);
+    ASSERT_EQ(Call(Join(MakeCampaign(), {"--plan-only", "--out", here.string()})), 0);
+    fs::copy(here, there, fs::copy_options::recursive);
+    KillSome(here, count);
+    for (const int number : Shuffle(count)) {
+      if (number % 2 == 0) {
+        ASSERT_EQ(Call(WorkOn(there, number, count)), 0);
+      }
+      if (number % 2 != 0) {
+        ASSERT_EQ(Call(WorkOn(here, number, count)), 0);
+      }
+    }
+    ASSERT_EQ(Call({"merge", here.string(), there.string()}), 75);  // the benchmark is to be run
+    KillSome(here, count);
+    for (const int number : Shuffle(count)) ASSERT_EQ(Call(WorkOn(here, number, count)), 0);
+    ASSERT_EQ(Call(WorkOn(here, 1, count)), 0);
+    ASSERT_EQ(Call({"merge", here.string(), there.string()}), 0);
+    EXPECT_EQ(ListCampaignResults(here), files);
+    for (const fs::path& file : files) ExpectSameFile(whole() / file, here / file);
+    EXPECT_EQ(Call({"verify", here.string()}), 0);
+  }
+}
+
 // Two machines that round differently, by a changed line of one's sentinels.
 TEST_F(GRASPBENCH_SUITE, MergeNamesTheMachineWhoseSentinelsDiffer) {
   const fs::path folder = MakePlan("machines");
-  for (const int number : {1, 2, 3}) ASSERT_EQ(Call(WorkOn(folder, number, 3)), 0);
-  const fs::path log = folder / "workers" / "2of3-0.jsonl";
-  std::string line = ReadFile(log);
+  const fs::path other = MakePlan("other machine");
+  ASSERT_EQ(Call(WorkOn(other, 2, 3)), 0);
+  for (const int number : {1, 3}) ASSERT_EQ(Call(WorkOn(folder, number, 3)), 0);
+  const fs::path log = other / "workers" / "2of3-0.jsonl";
+  const std::string text = ReadFile(log);
+  std::string line = text.substr(0, text.find('\n'));
   const auto replace = [&line](const std::string& from, const std::string& to) {
     const size_t at = line.find(from);
     ASSERT_NE(at, std::string::npos) << from;
@@ -203,7 +304,7 @@ TEST_F(GRASPBENCH_SUITE, MergeNamesTheMachineWhoseSentinelsDiffer) {
   replace("\"lift_height_m\":", "\"lift_height_m\":0.0625");
   const std::string body = line.substr(0, line.rfind(",\"xxh64\":\""));
   WriteFile(log, body + ",\"xxh64\":\"" + CalcHashHex(body) + "\"}\n");
-  ASSERT_EQ(Call({"merge", folder.string()}), 0);
+  ASSERT_EQ(Call({"merge", folder.string(), other.string()}), 0);
   const std::string report = ReadFile(folder / "report" / "index.html");
   const size_t said = report.find("zeta (");
   ASSERT_NE(said, std::string::npos);

@@ -13,6 +13,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_campaign.h"
+#include "workbench/experiments/run_record.h"
 #include "workbench/terminal_observer.h"
 
 namespace graspbench {
@@ -29,6 +30,7 @@ struct CampaignOptions {
   CampaignConfig config;
   std::vector<std::string> settings;
   bool compare = false;
+  bool plan_only = false;
   int num_workers = 1;
   std::string out;
 };
@@ -56,6 +58,11 @@ void Run(CampaignOptions options) {
   }
   CheckCampaignConfig(options.config);
   const fs::path folder = FindFolder(options);
+  if (options.plan_only) {
+    const int num_scenes = PlanCampaign(folder, options.config);
+    RecordPlanning(folder);
+    return PrintPlan(folder, num_scenes, "scene");
+  }
   PrintMessage(folder.string() + " on " + FormatCount(options.num_workers, "worker"));
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(DescribeStage, stop);
@@ -95,6 +102,7 @@ void AddCampaignCommand(CLI::App& program, ExitCode&) {
   command.add_flag("--compare", options->compare,
                    "also compare search methods over several seeds, on six scenes");
   AddSettingsOption(command, options->settings, "comparison.seeds=20");
+  AddPlanOnlyOption(command, options->plan_only);
   AddJobsOption(command, options->num_workers);
   command.add_option("--out", options->out, "folder")
       ->option_text("DIR")

@@ -5,6 +5,7 @@ exit code. Faults are thrown as Error; program.cc prints them and chooses the ex
 
 Results go to stdout, messages and progress to stderr. `--json` prints one object. */
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,21 @@ void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
 void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of);
 /** "--replace": an older result of the command's own kind. */
 void AddReplaceOption(CLI::App& command, bool& replace);
+/** "--plan-only": for several machines. */
+void AddPlanOnlyOption(CLI::App& command, bool& plan_only);
+/** Says what was planned and how to go on. */
+void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
+               bool as_json = false);
 /** "--accept-damage": go on with what is left of a damaged store. */
 void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage);
-/** "--trial-timeout": seconds of the clock; the limit's value is the default. */
-void AddTrialTimeoutOption(CLI::App& command, double& time_limit);
+/** A number of seconds, finite and above 0; the value is the default. */
+void AddSecondsOption(CLI::App& command, const std::string& name, double& seconds,
+                      const std::string& text);
+/** "--trial-timeout". */
+void AddTrialTimeoutOption(CLI::App& command, double& seconds);
+/** The folder of a store, the command's argument. "." is replaced by its path, so that what is
+advised holds anywhere. */
+void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
 ///@}

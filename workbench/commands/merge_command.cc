@@ -1,19 +1,22 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/text.h"
+#include "datasets/analysis/campaign_export.h"
 #include "datasets/analysis/session_summary.h"
+#include "datasets/campaign/merge_campaigns.h"
 #include "datasets/session/merge_sessions.h"
-#include "datasets/session/worker_log.h"
+#include "reports/campaign/campaign_report.h"
 #include "reports/session_report.h"
+#include "workbench/campaign_tables.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/merge_campaign.h"
+#include "workbench/experiments/shell_quote.h"
+#include "workbench/machine_tables.h"
 #include "workbench/summary_table.h"
-#include "workbench/text_table.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -23,57 +26,76 @@ namespace {
 struct MergeOptions {
   fs::path folder;
   std::vector<fs::path> others;
+  std::vector<std::string> aside;
   bool json = false;
 };
-
-struct MachineShards {
-  Machine machine;
-  std::set<std::string> shards;  ///< that were worked on there
-};
-
-std::vector<MachineShards> ListMachines(const fs::path& folder) {
-  std::map<std::string, MachineShards> by_machine;
-  Diagnostics ignored;  // LoadSession has told of them
-  for (const WorkerStart& start : LoadWorkers(folder, ignored)) {
-    MachineShards& entry = by_machine[DescribeMachine(start.machine)];
-    entry.machine = start.machine;
-    entry.shards.insert(start.shard);
-  }
-  std::vector<MachineShards> machines;
-  for (auto& [name, entry] : by_machine) machines.push_back(std::move(entry));
-  return machines;
-}
-
-std::string FormatMachines(const std::vector<MachineShards>& machines) {
-  TextTable table({"machine", "processor", "C library", "build", "shards"});
-  for (const auto& [machine, shards] : machines) {
-    table.AddRow({machine.host, machine.processor, machine.c_library, machine.build,
-                  std::to_string(shards.size())});
-  }
-  return machines.empty() ? "" : table.Format() + "\n";
-}
-
-size_t CountBuilds(const std::vector<MachineShards>& machines) {
-  std::set<std::string> builds;
-  for (const MachineShards& entry : machines) builds.insert(entry.machine.build);
-  return builds.size();
-}
 
 Json MakeJson(const SessionSummary& summary, const std::vector<MachineShards>& machines,
               const Session& session, const MergeOptions& options, const fs::path& report) {
   Json json = MakeSummaryJson(summary, options.folder, report);
   json["left"] = session.plan.size() - session.records.size();
-  json["machines"] = Json::array();
-  for (const auto& [entry, shards] : machines) {
-    Json machine = RecordToJson(entry);
-    machine["shards"] = shards;
-    json["machines"].push_back(machine);
-  }
+  json["machines"] = MakeMachinesJson(machines);
   json["differences"] = session.machine_differences;
   return json;
 }
 
+[[noreturn]] void FailOnRest(const MergeOptions& options, const std::string& rest) {
+  throw Error(ErrorKind::kInterrupted,
+              rest +
+                  " left; what is there is merged and reported. Work on the shards again, then "
+                  "merge again: graspbench status " +
+                  QuoteForShell(options.folder.string()));
+}
+
+ExitCode MergeOfCampaign(const MergeOptions& options) {
+  const CampaignRest rest = MergeCampaign(options.folder, options.others);
+  const Campaign campaign = LoadCampaign(options.folder);
+  if (!campaign.benchmark.records.empty()) ExportCampaign(options.folder, campaign);
+  const std::string report = WriteCampaignReport(options.folder, campaign).string();
+  const std::vector<std::string> differences = DescribeCampaignMachines(options.folder);
+  if (options.json) {
+    PrintJson({{"folder", options.folder.string()},
+               {"report", report},
+               {"scenes_left", rest.scenes},
+               {"trials_left", rest.trials},
+               {"judgements_left", rest.judgements},
+               {"searches_left", rest.searches},
+               {"differences", differences}});
+  } else {
+    PrintResult(FormatVariantsTable(campaign) + "\nreport   " + report + "\n");
+  }
+  for (const std::string& difference : differences) PrintMessage("warning: " + difference);
+  if (rest.scenes > 0) FailOnRest(options, FormatCount(rest.scenes, "scene is", "scenes are"));
+  if (rest.sum() > 0) {
+    FailOnRest(options, "all scenes are finished; " + FormatCount(rest.trials, "trial") + ", " +
+                            FormatCount(rest.judgements, "grasp") + " to judge and " +
+                            FormatCount(rest.searches, "search", "searches") + " are");
+  }
+  return kExitOk;
+}
+
+ExitCode MergeOfScene(const MergeOptions& options) {
+  const int num_new = MergeScenes(options.folder, options.others);
+  if (num_new > 0) PrintMessage(FormatCount(num_new, "evaluation") + " came from other folders");
+  if (!HasSceneResult(options.folder)) {
+    throw Error(ErrorKind::kInterrupted,
+                "the optimisation is not finished; what is there is merged. Work on it again: "
+                "graspbench work " +
+                    QuoteForShell(options.folder.string()) + " --shard 1/1");
+  }
+  PrintResult("data     " + (options.folder / "result.json").string() + "\n");
+  return kExitOk;
+}
+
 ExitCode Merge(const MergeOptions& options) {
+  for (const std::string& journal : options.aside) {
+    SetJournalAside(options.folder, journal);
+    PrintMessage(journal + " is set aside as " + journal +
+                 ".set-aside; its trials count as not run");
+  }
+  const StoreKind* kind = FindStoreKind(options.folder);
+  if (kind == &kCampaignStore) return MergeOfCampaign(options);
+  if (kind == &kSceneStore) return MergeOfScene(options);
   const int num_new = MergeSessions(options.folder, options.others);
   // Damage is found before it is sealed.
   const Session session = LoadSession(options.folder, OnDamage::kRefuse, RecordParts::kBrief);
@@ -99,13 +121,7 @@ ExitCode Merge(const MergeOptions& options) {
     PrintMessage("warning: " + difference);
   }
   const auto num_left = static_cast<int64_t>(session.plan.size() - session.records.size());
-  if (num_left > 0) {
-    throw Error(ErrorKind::kInterrupted,
-                FormatCount(num_left, "trial is", "trials are") +
-                    " left; what is there is merged and reported. Work on the shards again, then "
-                    "merge again: graspbench status " +
-                    options.folder.string());
-  }
+  if (num_left > 0) FailOnRest(options, FormatCount(num_left, "trial is", "trials are"));
   return summary.total.CountOf(Outcome::kNumericalFailure) > 0 ? kExitNumericalFailures : kExitOk;
 }
 
@@ -113,15 +129,19 @@ ExitCode Merge(const MergeOptions& options) {
 
 void AddMergeCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command = AddSubcommand(
-      program, "merge", "Put the shards of a session together and write its report.",
+      program, "merge", "Put the shards of a session or campaign together and write its report.",
       "  graspbench merge results/pilot                 after graspbench work, on one disk\n"
       "  graspbench merge results/pilot node1/pilot node2/pilot");
   const auto options = std::make_shared<MergeOptions>();
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
-  command.add_option("others", options->others, "folders of the same session on other disks")
+  AddStoreFolder(command, options->folder, "folder of a session, campaign or optimisation");
+  command.add_option("others", options->others, "folders of the same one on other disks")
       ->option_text("OTHER..");
+  command
+      .add_option(
+          "--set-aside", options->aside,
+          "leave out what a journal of DIR holds and keep it beside, as journal/2of7-0.jsonl")
+      ->allow_extra_args(false)
+      ->option_text("FILE");
   command.add_flag("--json", options->json, "print summary and machines as one JSON object");
   command.callback([options, &exit_code] { exit_code = Merge(*options); });
 }

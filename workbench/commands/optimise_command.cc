@@ -11,6 +11,7 @@
 #include "core/grasp/grasp_file.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/run_record.h"
 #include "workbench/experiments/scene_runner.h"
 #include "workbench/optimise_tables.h"
 #include "workbench/terminal_observer.h"
@@ -25,19 +26,8 @@ struct OptimiseOptions {
   std::optional<int> replay;
   int num_workers = 1;
   std::string out;
+  bool plan_only = false;
 };
-
-void CheckConfig(const SceneConfig& config) {
-  if (config.hand.empty() || config.object.empty()) {
-    throw Error(ErrorKind::kUsage,
-                "--hand and --object say what to optimise\nsee: graspbench optimise --help");
-  }
-  std::string text;
-  for (const ConfigProblem& problem : Validate(config.optimise)) {
-    text += "\n" + problem.key + ": " + problem.text;
-  }
-  if (!text.empty()) throw Error(ErrorKind::kRange, "the optimisation cannot be run" + text);
-}
 
 /** Without --out the folder is named by its configuration: the same command continues it. */
 fs::path FindFolder(const OptimiseOptions& options, const SceneInputs& inputs) {
@@ -49,9 +39,18 @@ fs::path FindFolder(const OptimiseOptions& options, const SceneInputs& inputs) {
 
 void Optimise(OptimiseOptions options) {
   SceneConfig& config = options.config;
-  CheckConfig(config);
+  if (config.hand.empty() || config.object.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "--hand and --object say what to optimise\nsee: graspbench optimise --help");
+  }
+  CheckOptimiseConfig(config.optimise);
   const SceneInputs inputs = LoadSceneInputs(config);
   const fs::path folder = FindFolder(options, inputs);
+  if (options.plan_only) {
+    PlanScene(folder, config);
+    RecordPlanning(folder);
+    return PrintPlan(folder, 1, "scene");
+  }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
       [&](const Stage& stage) {
@@ -115,6 +114,7 @@ void AddOptions(CLI::App& command, OptimiseOptions& options) {
   command.add_option("--seed", config.seed, "another seed gives another search")
       ->option_text("N")
       ->capture_default_str();
+  AddPlanOnlyOption(command, options.plan_only);
   AddJobsOption(command, options.num_workers);
   command
       .add_option("--out", options.out,

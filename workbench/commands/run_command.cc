@@ -80,12 +80,9 @@ ExitCode Finish(PreparedSession& work, const RunOptions& options) {
 }
 
 /** For several machines: nothing runs. */
-ExitCode Plan(const PreparedSession& work) {
+ExitCode Plan(const PreparedSession& work, bool as_json) {
   RecordPlanning(work.folder);
-  const std::string folder = QuoteForShell(work.folder.string());
-  PrintResult(work.folder.string() + ": " +
-              FormatCount(static_cast<int64_t>(work.session.plan.size()), "trial") +
-              " planned\nnext     graspbench submit " + folder + " --engine local\n");
+  PrintPlan(work.folder, static_cast<int>(work.session.plan.size()), "trial", as_json);
   return kExitOk;
 }
 
@@ -97,7 +94,7 @@ ExitCode Run(const RunOptions& options) {
   request.on_damage = options.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   PreparedSession work = PrepareSession(request);
-  if (options.plan_only) return Plan(work);
+  if (options.plan_only) return Plan(work, options.json);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);
@@ -134,8 +131,7 @@ void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("DIR")
       ->default_str("results/NAME-HASH");
   command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
-  command.add_flag("--plan-only", options->plan_only,
-                   "make the folder and run nothing: see work, submit");
+  AddPlanOnlyOption(command, options->plan_only);
   AddAcceptDamageOption(command, options->on_damage);
   AddTrialTimeoutOption(command, options->trial_time_limit);
   command.add_flag("--json", options->json, "print the summary as one JSON object");

@@ -4,8 +4,11 @@
 #include <string>
 
 #include "core/base/text.h"
-#include "datasets/session/session_progress.h"
+#include "datasets/campaign/campaign_progress.h"
+#include "datasets/journal/store_kind.h"
+#include "datasets/session/worker_log.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/shell_quote.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {
@@ -17,63 +20,105 @@ struct StatusOptions {
   bool json = false;
 };
 
-Json MakeStatusJson(const SessionProgress& progress) {
-  Json shards = Json::array();
-  for (const ShardProgress& one : progress.shards) {
-    shards.push_back({{"shard", FormatShard(one.shard)},
-                      {"trials", one.num_trials},
-                      {"finished", one.num_finished},
-                      {"state", NameOf(one.state)},
-                      {"age_s", one.age ? Json(*one.age) : Json(nullptr)}});
+Json MakeShardsJson(const std::vector<ShardProgress>& shards, const char* unit) {
+  Json json = Json::array();
+  for (const ShardProgress& one : shards) {
+    json.push_back({{"shard", FormatShard(one.shard)},
+                    {unit, one.num_trials},
+                    {"finished", one.num_finished},
+                    {"state", NameOf(one.state)},
+                    {"age_s", one.age ? Json(*one.age) : Json(nullptr)}});
   }
+  return json;
+}
+
+Json MakeStatusJson(const SessionProgress& progress) {
   return {{"trials", progress.num_trials},
           {"finished", progress.num_finished},
           {"damaged_lines", progress.num_bad_lines},
-          {"shards", shards}};
+          {"without_sentinels", progress.unchecked},
+          {"shards", MakeShardsJson(progress.shards, "trials")}};
 }
 
-void PrintStatus(const StatusOptions& options, const SessionProgress& progress) {
-  TextTable table({"shard", "trials", "finished", "state", "last line [s] ago"});
-  for (const ShardProgress& one : progress.shards) {
+Json MakeStatusJson(const CampaignProgress& progress) {
+  return {{"scenes", progress.num_scenes},
+          {"finished", progress.num_finished},
+          {"without_sentinels", progress.unchecked},
+          {"shards", MakeShardsJson(progress.shards, "scenes")},
+          {"benchmark", progress.benchmark ? MakeStatusJson(*progress.benchmark) : Json(nullptr)},
+          {"searches_begun", progress.num_searches}};
+}
+
+std::string FormatShards(const std::vector<ShardProgress>& shards, const char* unit) {
+  TextTable table({"shard", unit, "finished", "state", "last line [s] ago"});
+  for (const ShardProgress& one : shards) {
     table.AddRow({FormatShard(one.shard), std::to_string(one.num_trials),
                   std::to_string(one.num_finished), NameOf(one.state),
                   one.age ? FormatFixed(*one.age, 0) : "n/a"});
   }
-  PrintResult(options.folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
+  return shards.empty() ? "" : "\n" + table.Format();
+}
+
+void PrintUnchecked(const std::set<std::string>& labels) {
+  if (!labels.empty()) PrintMessage("note: " + DescribeUnchecked(labels));
+}
+
+void PrintStatus(const std::filesystem::path& folder, const SessionProgress& progress) {
+  PrintResult(folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
               FormatCount(progress.num_trials, "trial") + " finished\n" +
-              (progress.shards.empty() ? "" : "\n" + table.Format()));
+              FormatShards(progress.shards, "trials"));
+  PrintUnchecked(progress.unchecked);
   if (progress.num_bad_lines > 0) {
     PrintMessage(FormatCount(progress.num_bad_lines, "damaged line is", "damaged lines are") +
-                 " left out; see graspbench verify " + options.folder.string());
+                 " left out; see graspbench verify " + QuoteForShell(folder.string()));
+  }
+}
+
+void PrintStatus(const std::filesystem::path& folder, const CampaignProgress& progress) {
+  PrintResult(folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
+              FormatCount(progress.num_scenes, "scene") + " finished; " +
+              FormatCount(progress.num_searches, "search", "searches") + " begun\n" +
+              FormatShards(progress.shards, "scenes"));
+  PrintUnchecked(progress.unchecked);
+  if (progress.benchmark) PrintStatus(folder / "benchmark", *progress.benchmark);
+}
+
+void ShowStatus(const StatusOptions& options) {
+  const StoreKind* kind = FindStoreKind(options.folder);
+  const auto show = [&options](const auto& progress) {
+    if (options.json) {
+      PrintJson(MakeStatusJson(progress));
+    } else {
+      PrintStatus(options.folder, progress);
+    }
+  };
+  if (kind == &kCampaignStore)
+    return show(ReadCampaignProgress(options.folder, options.stale_after));
+  if (kind != &kSceneStore) return show(ReadProgress(options.folder, options.stale_after));
+  const SceneProgress scene = ReadSceneProgress(options.folder, options.stale_after);
+  if (options.json) {
+    PrintJson({{"answers", scene.num_answers},
+               {"state", NameOf(scene.state)},
+               {"age_s", scene.age ? Json(*scene.age) : Json(nullptr)}});
+  } else {
+    PrintResult(options.folder.string() + ": " + NameOf(scene.state) + ", " +
+                FormatCount(scene.num_answers, "evaluation") + " kept\n");
   }
 }
 
 }  // namespace
 
 void AddStatusCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
-      AddSubcommand(program, "status", "Show how far the shards of a session are, by its journals.",
-                    "  graspbench status results/pilot\n"
-                    "  graspbench status results/pilot --stale-after 3600 --json");
+  CLI::App& command = AddSubcommand(
+      program, "status", "Show how far the shards of a session or campaign are, by its journals.",
+      "  graspbench status results/pilot\n"
+      "  graspbench status results/pilot --stale-after 3600 --json");
   const auto options = std::make_shared<StatusOptions>();
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
-  command
-      .add_option("--stale-after", options->stale_after,
-                  "seconds without a new line after which an unfinished shard is stale")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S")
-      ->capture_default_str();
+  AddStoreFolder(command, options->folder, "folder of a session, campaign or optimisation");
+  AddSecondsOption(command, "--stale-after", options->stale_after,
+                   "seconds without a new line after which an unfinished shard is stale");
   command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options] {
-    const SessionProgress progress = ReadProgress(options->folder, options->stale_after);
-    if (options->json) {
-      PrintJson(MakeStatusJson(progress));
-    } else {
-      PrintStatus(*options, progress);
-    }
-  });
+  command.callback([options] { ShowStatus(*options); });
 }
 
 }  // namespace graspbench

@@ -11,7 +11,7 @@
 
 #include "datasets/session/shard.h"
 #include "workbench/commands/command.h"
-#include "workbench/experiments/run_session.h"
+#include "workbench/experiments/run_shard.h"
 #include "workbench/experiments/submit_script.h"
 
 namespace graspbench {
@@ -24,14 +24,15 @@ struct SubmitOptions {
 
 void Submit(const SubmitOptions& options) {
   SubmitRequest request = options.request;
-  const Session session = LoadPlannedSession(request.folder);
+  const int num_cards = CountCards(request.folder);
+  request.num_rounds = FindStoreKind(request.folder) == &kCampaignStore ? 2 : 1;
   if (request.num_shards == 0) {
     constexpr int kShardsOfCluster = 10;
     const int num_processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    request.num_shards = std::min(request.engine == "slurm" ? kShardsOfCluster : num_processors,
-                                  static_cast<int>(session.plan.size()));
+    request.num_shards =
+        std::min(request.engine == "slurm" ? kShardsOfCluster : num_processors, num_cards);
   }
-  DealPlan(session.plan, {1, request.num_shards});  // says when these are too many
+  CheckRequest({request.folder, {1, request.num_shards}, request.judge});
   request.program = std::filesystem::read_symlink("/proc/self/exe");
   if (request.engine == "slurm") request.cluster = LoadClusterConfig(FindClusterFile());
   const std::string script = MakeSubmitScript(request);
@@ -57,9 +58,7 @@ void AddSubmitCommand(CLI::App& program, ExitCode&) {
   const auto options = std::make_shared<SubmitOptions>();
   SubmitRequest& request = options->request;
   request.num_shards = 0;
-  command.add_option("folder", request.folder, "folder made by run --plan-only")
-      ->required()
-      ->option_text("DIR");
+  AddStoreFolder(command, request.folder, "folder made with --plan-only");
   command.add_option("--engine", request.engine, "what starts the workers: local, parallel, slurm")
       ->required()
       ->option_text("ENGINE");

@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <limits>
-#include <map>
+#include <charconv>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -8,6 +8,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_shard.h"
+#include "workbench/experiments/shell_quote.h"
 #include "workbench/terminal_observer.h"
 
 namespace graspbench {
@@ -15,55 +16,73 @@ namespace {
 
 struct WorkOptions {
   ShardRequest request;
-  std::string folder;
   std::string shard;
+  std::string time_budget;
 };
+
+/** @returns seconds. */
+double ParseTime(const std::string& text) {
+  constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  for (const auto& [unit, seconds] : kUnits) {
+    const bool is_time = read.ec == std::errc() && number > 0.0 && std::isfinite(number);
+    if (is_time && std::string_view(read.ptr) == std::string_view(&unit, 1)) {
+      return number * seconds;
+    }
+  }
+  throw Error(ErrorKind::kUsage,
+              "--time-budget \"" + text + "\": expected a number and its unit, as 90s, 25m or 2h");
+}
+
+std::string DescribeStage(const Stage& stage) {
+  if (stage.name == "optimisation") return FormatCount(stage.num_left, "scene") + " to optimise";
+  if (stage.name == "comparison") {
+    return FormatCount(stage.num_left, "search", "searches") + " to run";
+  }
+  return FormatCount(stage.num_left, "trial") + " to " + stage.name;
+}
 
 void Work(const WorkOptions& options) {
   ShardRequest request = options.request;
-  request.folder = options.folder;
   request.shard = ParseShard(options.shard);
-  const std::string name = options.folder + ", shard " + options.shard;
+  if (!options.time_budget.empty()) request.time_budget = ParseTime(options.time_budget);
+  const std::string folder = request.folder.string(), name = folder + ", shard " + options.shard;
   const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(
-      [&](const Stage& stage) {
-        return name + ": " + FormatCount(stage.num_left, "trial") + " to " + stage.name;
-      },
-      stop);
+  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeStage(stage); },
+                            stop);
   const ShardResult result = WorkOnShard(request, observer, stop);
   if (result.num_left > 0) {
     throw Error(ErrorKind::kInterrupted,
-                name + ": stopped; " + FormatCount(result.num_left, "trial is", "trials are") +
+                name + ": stopped; " +
+                    FormatCount(result.num_left, result.unit + " is", result.unit + "s are") +
                     " left and the finished ones are kept. The same command goes on");
   }
-  PrintMessage(name + ": " + FormatCount(result.num_trials, "trial") +
-               ", all finished; when every shard is: graspbench merge " + options.folder);
+  PrintMessage(name + ": " + FormatCount(result.num_all, result.unit) +
+               ", all finished; when every shard is: graspbench merge " + QuoteForShell(folder) +
+               (result.goes_on ? ", then work on the shards again" : ""));
 }
 
 }  // namespace
 
 void AddWorkCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
-      program, "work", "Run one machine's part of a session that several machines work on.",
+      program, "work", "Run one machine's part of a session or campaign that several work on.",
       "  graspbench work results/pilot --shard 3/7\n"
       "  graspbench work results/pilot --shard 3/7 --time-budget 25m --judge");
   const auto options = std::make_shared<WorkOptions>();
   ShardRequest& request = options->request;
-  command.add_option("folder", options->folder, "folder made by run --plan-only")
-      ->required()
-      ->option_text("DIR");
+  AddStoreFolder(command, request.folder, "folder made with --plan-only");
   command.add_option("--shard", options->shard, "which part of how many, from 1/N to N/N")
       ->required()
       ->option_text("K/N");
   command.add_flag("--judge", request.judge, "break what the shard's trials held; after a merge");
   command
-      .add_option("--time-budget", request.time_budget,
-                  "stop before this time is over, finish the current trial, exit with 75")
-      ->transform(CLI::AsNumberWithUnit(
-          std::map<std::string, double>{{"s", 1.0}, {"m", 60.0}, {"h", 3600.0}}))
-      ->check(CLI::PositiveNumber)
+      .add_option("--time-budget", options->time_budget,
+                  "stop when this time is over, finish the current trial, exit with 75")
       ->option_text("TIME")
-      ->default_str("none; units s, m, h");
+      ->default_str("none; 90s, 25m, 2h");
   command.add_option("--jobs", request.num_workers, "trials at a time")
       ->check(CLI::Range(1, 1024))
       ->option_text("N")

@@ -1,8 +1,10 @@
 #include "workbench/experiments/run_campaign.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/files.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/learning_batch.h"
@@ -31,6 +33,11 @@ class CampaignRun {
   }
 
   bool Run() {
+    Plan();
+    return OptimiseScenes() && Benchmark() && Compare();
+  }
+
+  int Plan() {
     if (HasCampaign(folder_)) {
       CreateCampaign(folder_, config_);  // the same one, or an error
     } else {
@@ -38,20 +45,30 @@ class CampaignRun {
       CreateCampaign(staged.path(), config_);
       staged.Commit();
     }
-    return OptimiseScenes() && Benchmark() && Compare();
+    for (const CampaignScene& scene : scenes_) CreateScene(scene.folder, scene.config);
+    SealScenes(folder_, scenes_);
+    return static_cast<int>(scenes_.size());
+  }
+
+  /** @returns the scenes that are not finished. */
+  int PlanBenchmark() {
+    const auto is_unfinished = [](const CampaignScene& scene) {
+      return !IsSceneFinished(scene.folder, scene.inputs);
+    };
+    const auto num_left = std::count_if(scenes_.begin(), scenes_.end(), is_unfinished);
+    if (num_left > 0 || HasSession(folder_ / "benchmark")) return static_cast<int>(num_left);
+    const SessionConfig config = MakeBenchmarkConfig(config_);
+    CreateSession(folder_ / "benchmark", config,
+                  MakePlan(config, AddSceneGrasps(inputs_, scenes_)));
+    SealStore(kCampaignStore, folder_);
+    return 0;
   }
 
  private:
   bool OptimiseScenes() {
     std::vector<LearningTask> tasks;
     for (const CampaignScene& scene : scenes_) {
-      CreateScene(scene.folder, scene.config);
-      if (IsSceneFinished(scene.folder, scene.inputs)) continue;
-      LearningTask task = MakeTask(scene, CountLearningTrials(config_.optimise));
-      task.run = [&scene](TrialPool& pool, const ObserveLearning& observe) {
-        RunScene(scene.folder, scene.config, scene.inputs, pool, observe);
-      };
-      tasks.push_back(std::move(task));
+      if (!IsSceneFinished(scene.folder, scene.inputs)) tasks.push_back(MakeSceneTask(scene));
     }
     return RunTasks("optimisation", tasks, scenes_.size());
   }
@@ -60,20 +77,9 @@ class CampaignRun {
     const std::vector<ComparisonTask> searches = PlanComparison(config_, scenes_, folder_);
     std::vector<LearningTask> tasks;
     for (const ComparisonTask& search : searches) {
-      const OptimiseConfig& optimise = search.config.optimise;
-      LearningTask task = MakeTask(*search.scene, optimise.evaluations * optimise.fitness_trials);
-      task.grasp = optimise.method + "-" + std::to_string(optimise.seed);
-      task.run = [&search](TrialPool& pool, const ObserveLearning& observe) {
-        RunComparisonSearch(search, pool, observe);
-      };
-      MakeFolder(search.journal.parent_path());
-      tasks.push_back(std::move(task));
+      tasks.push_back(MakeSearchTask(search));
     }
     return tasks.empty() || RunTasks("comparison", tasks, searches.size());
-  }
-
-  LearningTask MakeTask(const CampaignScene& scene, int num_trials) const {
-    return {scene.inputs.hand->id, scene.inputs.object->id, scene.config.grasp, num_trials, {}};
   }
 
   bool RunTasks(const char* name, const std::vector<LearningTask>& tasks, size_t num_all) {
@@ -94,11 +100,10 @@ class CampaignRun {
 
   bool Benchmark() {
     const fs::path folder = folder_ / "benchmark";
+    PlanBenchmark();
     const SessionConfig config = MakeBenchmarkConfig(config_);
     const SessionInputs inputs = AddSceneGrasps(inputs_, scenes_);
     const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
-    if (!HasSession(folder)) CreateSession(folder, config, plan);
-    SealStore(kCampaignStore, folder_);
     const Session session = LoadSession(folder);
     CheckSameSession(session, config, plan);
     const std::vector<PlannedTrial> trials = FindUnfinished(session);
@@ -142,6 +147,51 @@ class CampaignRun {
 };
 
 }  // namespace
+
+LearningTask MakeSceneTask(const CampaignScene& scene) {
+  return {scene.inputs.hand->id, scene.inputs.object->id, scene.config.grasp,
+          CountLearningTrials(scene.config.optimise),
+          [&scene](TrialPool& pool, const ObserveLearning& observe) {
+            RunScene(scene.folder, scene.config, scene.inputs, pool, observe);
+          }};
+}
+
+LearningTask MakeSearchTask(const ComparisonTask& search) {
+  const OptimiseConfig& optimise = search.config.optimise;
+  return {search.scene->inputs.hand->id, search.scene->inputs.object->id,
+          optimise.method + "-" + std::to_string(optimise.seed),
+          optimise.evaluations * optimise.fitness_trials,
+          [&search](TrialPool& pool, const ObserveLearning& observe) {
+            MakeFolder(search.journal.parent_path());
+            RunComparisonSearch(search, pool, observe);
+          }};
+}
+
+bool IsSearchFinished(const ComparisonTask& search) {
+  if (!fs::exists(search.journal)) return false;
+  const std::atomic<bool> simulate_nothing{true};
+  TrialPool pool(1, simulate_nothing);
+  try {
+    RunComparisonSearch(search, pool, [](const LearningRequest&, const LearningTrial&) {});
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInterrupted) throw;
+    return false;
+  }
+  return true;
+}
+
+int PlanCampaign(const fs::path& folder, const CampaignConfig& config) {
+  Observer nobody;
+  const std::atomic<bool> stop{false};
+  return CampaignRun(folder, config, 1, nobody, stop).Plan();
+}
+
+int PlanBenchmark(const fs::path& folder) {
+  Observer nobody;
+  const std::atomic<bool> stop{false};
+  const CampaignConfig config = LoadCampaignConfig(folder);
+  return CampaignRun(folder, config, 1, nobody, stop).PlanBenchmark();
+}
 
 bool RunCampaign(const fs::path& folder, const CampaignConfig& config, int num_workers,
                  Observer& observer, const std::atomic<bool>& stop) {

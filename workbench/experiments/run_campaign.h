@@ -7,9 +7,25 @@ same trial poses, judge what was held, compare search methods. */
 #include <filesystem>
 
 #include "datasets/campaign/campaign_store.h"
+#include "workbench/experiments/learning_batch.h"
 #include "workbench/experiments/observer.h"
 
 namespace graspbench {
+
+/** The optimisation of a scene, one search of the comparison, as tasks; both refer to what they are
+given. */
+LearningTask MakeSceneTask(const CampaignScene& scene);
+LearningTask MakeSearchTask(const ComparisonTask& search);
+/** Whether its journal holds all answers: they are given again, and nothing is simulated. */
+bool IsSearchFinished(const ComparisonTask& search);
+
+/** Makes the folder of a campaign and of its scenes, or finds them; nothing runs.
+@returns the number of scenes. @throws as RunCampaign. */
+int PlanCampaign(const std::filesystem::path& folder, const CampaignConfig& config);
+
+/** Plans the benchmark of a campaign as soon as all of its scenes are finished.
+@returns how many are not. @throws as RunCampaign. */
+int PlanBenchmark(const std::filesystem::path& folder);
 
 /** Starts or continues the campaign in `folder`. Stages: "optimisation", "benchmark", "judge" and,
 when searches are compared, "comparison".

@@ -1,16 +1,17 @@
 #include "workbench/experiments/run_shard.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <memory>
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/text.h"
+#include "datasets/campaign/campaign_store.h"
 #include "datasets/session/judgement_store.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/machine.h"
+#include "workbench/experiments/campaign_shard.h"
+#include "workbench/experiments/scene_runner.h"
 #include "workbench/experiments/session_worker.h"
 #include "workbench/experiments/worker_pool.h"
 
@@ -19,70 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** Passes on what happens and asks to stop when somebody else does or when the time is over. */
-class Budget : public Observer {
- public:
-  Budget(double seconds, Observer& observer, const std::atomic<bool>& stop)
-      : seconds_(seconds), observer_(observer), others_stop_(stop) {
-    Look();
-  }
-
-  const std::atomic<bool>& stop() const { return stop_; }
-  int num_done() const { return num_done_; }  ///< of the last stage
-
-  void BeginStage(const Stage& stage) override {
-    num_done_ = 0;
-    observer_.BeginStage(stage);
-  }
-  void ShowStatus(const BatchStatus& status, int num_trials) override {
-    num_done_ = status.num_done;
-    Look();
-    observer_.ShowStatus(status, num_trials);
-  }
-  void EndStage() override { observer_.EndStage(); }
-
-  /** To be called now and then. */
-  void Look() {
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
-    if (others_stop_ || time.count() >= seconds_) stop_ = true;
-  }
-
- private:
-  const double seconds_;
-  Observer& observer_;
-  const std::atomic<bool>& others_stop_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::atomic<bool> stop_{false};
-  int num_done_ = 0;
-};
-
-void CheckPhysics(const fs::path& folder) {
-  const int physics =
-      IntFrom(Json::parse(ReadFile(folder / kSessionStore.file)).at("physics_version"));
-  if (physics == kPhysicsVersion) return;
-  throw Error(ErrorKind::kVersion, "the session in \"" + folder.string() +
-                                       "\" was planned with physics version " +
-                                       std::to_string(physics) + ", this program has " +
-                                       std::to_string(kPhysicsVersion) +
-                                       "; work on it with the program that planned it");
-}
-
-void CheckBuild(const fs::path& folder) {
-  const std::vector<std::string> builds = ListBuilds(folder);
-  if (builds.empty() || std::find(builds.begin(), builds.end(), FindBuild()) != builds.end()) {
-    return;
-  }
-  throw Error(ErrorKind::kVersion,
-              "the session in \"" + folder.string() + "\" belongs to build " + builds.back() +
-                  " of graspbench, this is build " + FindBuild() +
-                  "; use that one on every machine, or --allow-build if their results are known to "
-                  "be the same");
-}
-
-/** The inputs of a few trials: objects of the catalogue that none of them needs are not loaded.
-@throws Error(kVersion) when the trials are no longer what they were planned to be. */
-SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfig config,
-                           const fs::path& folder) {
+/** Leaves out the objects of the catalogue that no trial needs. */
+void DropIdleObjects(const std::vector<PlannedTrial>& trials, SessionConfig& config) {
   std::set<std::string> needed;
   for (const PlannedTrial& planned : trials) needed.insert(planned.object);
   const std::vector<std::string> catalogue = ListObjects();
@@ -93,7 +32,11 @@ SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfi
   };
   config.objects.erase(std::remove_if(config.objects.begin(), config.objects.end(), is_idle),
                        config.objects.end());
-  SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater, folder);
+}
+
+/** @throws Error(kVersion) when the trials are no longer what they were planned to be. */
+void CheckSameTrials(const std::vector<PlannedTrial>& trials, const SessionConfig& config,
+                     const SessionInputs& inputs) {
   std::map<std::string, std::string> ids;
   for (const PlannedTrial& planned : MakePlan(config, inputs))
     ids[DescribeTrial(planned)] = planned.id;
@@ -106,7 +49,6 @@ SessionInputs LoadInputsOf(const std::vector<PlannedTrial>& trials, SessionConfi
                     " to this program: a hand, an object or a grasp differs from those of the "
                     "machine that planned the session");
   }
-  return inputs;
 }
 
 /** Those of `trials` that are among `some`, in their order. */
@@ -121,35 +63,34 @@ std::vector<PlannedTrial> Intersect(const std::vector<PlannedTrial>& trials,
   return common;
 }
 
-class ShardWorker {
+class SessionShard {
  public:
-  ShardWorker(const ShardRequest& request, Observer& observer, const std::atomic<bool>& stop)
+  SessionShard(const ShardRequest& request, Observer& observer, const std::atomic<bool>& stop)
       : request_(request),
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
         budget_(request.time_budget, observer, stop),
         session_(request.judge ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
                                : LoadShardOfSession(folder_, label_)) {
-    CheckPhysics(folder_);
-    if (!request.allow_build) CheckBuild(folder_);
+    CheckProgram(kSessionStore, request);
   }
 
-  ShardResult Work() {
+  ShardResult Work(const std::optional<SessionInputs>& inputs) {
     const std::vector<PlannedTrial> own = DealPlan(session_.plan, request_.shard);
     const std::vector<PlannedTrial> trials =
         Intersect(request_.judge ? FindUnjudged(session_) : FindUnfinished(session_), own);
+    if (request_.judge) CheckSomeFinished(own);
     ShardResult result;
-    result.num_trials = static_cast<int>(request_.judge ? trials.size() : own.size());
+    result.num_all = static_cast<int>(request_.judge ? trials.size() : own.size());
     result.num_left = static_cast<int>(trials.size());
     if (trials.empty()) return result;
-    WorkerLog log(folder_, label_);
-    std::vector<PlannedTrial> sentinels;
-    if (!HasWorkedHere()) sentinels = ListSentinels(session_.plan);
-    std::vector<PlannedTrial> all = trials;
-    all.insert(all.end(), sentinels.begin(), sentinels.end());
-    inputs_ = LoadInputsOf(all, session_.config, folder_);
+    ShardPresence presence(folder_, label_, result.num_left);
+    const std::vector<PlannedTrial> sentinels = presence.ListMissingSentinels(session_.plan);
+    LoadInputs(inputs, trials, sentinels);
     budget_.Look();  // loading takes time, too
-    if (!sentinels.empty() && !RunSentinels(sentinels, log)) return result;
+    if (!presence.Begin(sentinels, session_.config, inputs_, budget_, request_.trial_time_limit)) {
+      return result;
+    }
     RunBatchStage(MakeStage(trials), trials, request_.num_workers,
                   request_.judge ? MakeJudgeWorkers(session_, inputs_, folder_, label_)
                                  : MakeSessionWorkers(session_.config, inputs_, folder_, label_),
@@ -159,28 +100,23 @@ class ShardWorker {
   }
 
  private:
-  bool HasWorkedHere() const {
-    Diagnostics ignored;  // reported by LoadSession
-    const std::vector<WorkerStart> starts = LoadWorkers(folder_, ignored, label_);
-    return std::any_of(starts.begin(), starts.end(),
-                       [&](const WorkerStart& start) { return start.machine == machine_; });
+  void CheckSomeFinished(const std::vector<PlannedTrial>& own) const {
+    if (own.empty() || Intersect(FindUnfinished(session_), own).size() < own.size()) return;
+    throw Error(ErrorKind::kUsage, "none of the shard's " +
+                                       FormatCount(static_cast<int64_t>(own.size()), "trial") +
+                                       " has run, so that there is nothing to judge; work on it "
+                                       "without --judge first, then merge");
   }
 
-  /** False: stopped before they were through, and nothing is kept. */
-  bool RunSentinels(const std::vector<PlannedTrial>& sentinels, WorkerLog& log) {
-    WorkerStart start{label_, FormatUtcNow(), machine_, {}};
-    const auto runner = std::make_shared<PlannedTrialRunner>(session_.config, inputs_);
-    const auto make_worker = [&start, runner](int) {
-      return BatchWorker{
-          [runner](const PlannedTrial& planned) { return runner->Run(planned); },
-          [&start](const TrialRecord& record) { start.sentinels.push_back(record); }};
-    };
-    const auto show = [this](const BatchStatus&) { budget_.Look(); };
-    if (!RunBatch(sentinels, 1, make_worker, show, budget_.stop(), request_.trial_time_limit)) {
-      return false;
-    }
-    log.Append(start);
-    return true;
+  void LoadInputs(const std::optional<SessionInputs>& inputs,
+                  const std::vector<PlannedTrial>& trials,
+                  const std::vector<PlannedTrial>& sentinels) {
+    std::vector<PlannedTrial> all = trials;
+    all.insert(all.end(), sentinels.begin(), sentinels.end());
+    SessionConfig config = session_.config;
+    if (!inputs) DropIdleObjects(all, config);
+    inputs_ = inputs ? *inputs : LoadSessionInputs(config, FieldUse::kLater, folder_);
+    CheckSameTrials(all, config, inputs_);
   }
 
   Stage MakeStage(const std::vector<PlannedTrial>& trials) const {
@@ -193,20 +129,74 @@ class ShardWorker {
   const ShardRequest request_;
   const fs::path folder_;
   const std::string label_;
-  const Machine machine_ = FindMachine();
-  Budget budget_;
+  TimeBudget budget_;
   const Session session_;
   SessionInputs inputs_;
 };
 
+/** An optimisation asks one question after the other, so one machine works on it. */
+ShardResult WorkOnScene(const ShardRequest& request, Observer& observer,
+                        const std::atomic<bool>& stop) {
+  CheckProgram(kSceneStore, request);
+  SceneConfig config = LoadScene(request.folder).config;
+  const SceneInputs inputs = LoadSceneInputs(config);
+  ShardResult result;
+  result.unit = "scene";
+  result.num_all = 1;
+  if (IsSceneFinished(request.folder, inputs)) return result;
+  TimeBudget budget(request.time_budget, observer, stop);
+  try {
+    RunSceneStage(request.folder, config, inputs, request.num_workers, budget, budget.stop());
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInterrupted) throw;
+    result.num_left = 1;
+  }
+  return result;
+}
+
 }  // namespace
+
+int CountCards(const fs::path& folder) {
+  const StoreKind* kind = FindStoreKind(folder);
+  if (kind == &kSceneStore) return 1;
+  if (kind == &kCampaignStore) return CountCampaignCards(folder);
+  return static_cast<int>(LoadPlannedSession(folder).plan.size());
+}
+
+void CheckRequest(const ShardRequest& request) {
+  const StoreKind* kind = FindStoreKind(request.folder);
+  const bool is_campaign = kind == &kCampaignStore, is_scene = kind == &kSceneStore;
+  if (request.judge && (is_campaign || is_scene)) {
+    throw Error(ErrorKind::kUsage,
+                "--judge is for sessions, and \"" + request.folder.string() + "\" holds " +
+                    (is_campaign ? "a campaign; its benchmark is judged without being asked"
+                                 : "an optimisation"));
+  }
+  const int num_cards = CountCards(request.folder);
+  if (request.shard.count <= num_cards) return;
+  const std::string unit = is_scene ? "scene" : is_campaign ? "benchmark trial" : "trial";
+  throw Error(ErrorKind::kUsage, FormatCount(request.shard.count, "shard") + " of " +
+                                     FormatCount(num_cards, unit) +
+                                     ": expected at most as many shards as " + unit + "s");
+}
+
+ShardResult WorkOnSession(const ShardRequest& request, const std::optional<SessionInputs>& inputs,
+                          Observer& observer, const std::atomic<bool>& stop) {
+  auto worker = std::make_unique<SessionShard>(request, observer, stop);
+  const ShardResult result = worker->Work(inputs);
+  if (HasAbandonedTasks()) static_cast<void>(worker.release());  // their threads still use it
+  return result;
+}
 
 ShardResult WorkOnShard(const ShardRequest& request, Observer& observer,
                         const std::atomic<bool>& stop) {
-  auto worker = std::make_unique<ShardWorker>(request, observer, stop);
-  const ShardResult result = worker->Work();
-  if (HasAbandonedTasks()) static_cast<void>(worker.release());  // their threads still use it
-  return result;
+  const StoreKind* kind = FindStoreKind(request.folder);
+  if (kind != &kCampaignStore && kind != &kSceneStore) {
+    return WorkOnSession(request, std::nullopt, observer, stop);
+  }
+  CheckRequest(request);
+  return kind == &kCampaignStore ? WorkOnCampaign(request, observer, stop)
+                                 : WorkOnScene(request, observer, stop);
 }
 
 }  // namespace graspbench

@@ -1,41 +1,32 @@
 #pragma once
 /** @file
-One machine's part of a session that several work on. A worker reads configuration and plan, writes
-journals of its own and nothing else; which trials are its own follows from the plan
-(datasets/session/shard.h). The parts are put together by datasets/session/merge_sessions.h. */
+One machine's part of what several work on. A worker reads configuration and plan, writes journals
+of its own and nothing else; which trials are its own follows from the plan
+(datasets/session/shard.h). */
 
-#include <atomic>
-#include <filesystem>
-#include <limits>
-#include <string>
-#include <vector>
+#include <optional>
 
-#include "datasets/session/shard.h"
-#include "datasets/session/worker_log.h"
-#include "workbench/experiments/observer.h"
-#include "workbench/experiments/run_session.h"
+#include "workbench/experiments/shard_work.h"
 
 namespace graspbench {
 
-struct ShardRequest {
-  std::filesystem::path folder;
-  Shard shard;
-  bool judge = false;        ///< break what its trials held, instead of running them
-  bool allow_build = false;  ///< go on although another build made or began the session
-  int num_workers = 1;
-  double time_budget = std::numeric_limits<double>::infinity();  ///< of the clock [s]
-  double trial_time_limit = kTrialTimeLimit;                     ///< [s]
-};
-
-struct ShardResult {
-  int num_trials = 0;  ///< of the shard; with `judge` those that were not judged before
-  int num_left = 0;    ///< not 0: `stop` was set or the time is over; the same request goes on
-};
-
-/** Runs the sentinel trials, once a machine, and then what is left of the shard; see worker_log.h.
+/** Runs the sentinel trials, unless its machine has, and then what is left of the shard; see
+worker_log.h. The folder holds a session, a campaign (campaign_shard.h) or an optimisation, which is
+one chain and has one shard only.
 @throws Error(kVersion) for another physics, build or plan, naming both; Error(kIo) when another
-process works on the shard; Error(kUsage) for more shards than trials; as LoadSession. */
+process works on the shard; Error(kUsage) for more shards than trials, and for what has no shards;
+as LoadSession. */
 ShardResult WorkOnShard(const ShardRequest& request, Observer& observer,
                         const std::atomic<bool>& stop);
+
+/** The same for a session. @param inputs  its hands, objects and grasps; none: those that its
+configuration names, as far as the shard needs them. */
+ShardResult WorkOnSession(const ShardRequest& request, const std::optional<SessionInputs>& inputs,
+                          Observer& observer, const std::atomic<bool>& stop);
+
+/** The most shards that a folder can be dealt to. @throws as WorkOnShard. */
+int CountCards(const std::filesystem::path& folder);
+/** @throws Error(kUsage) when the request has more, or asks for what the folder does not need. */
+void CheckRequest(const ShardRequest& request);
 
 }  // namespace graspbench

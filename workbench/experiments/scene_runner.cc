@@ -124,14 +124,17 @@ OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& 
   }
 }
 
+void PlanScene(const std::filesystem::path& folder, const SceneConfig& config) {
+  if (HasScene(folder)) return CreateScene(folder, config);  // the same one, or an error
+  StagedFolder staged({folder, "", false, {}});
+  CreateScene(staged.path(), config);
+  staged.Commit();
+}
+
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
                              const std::atomic<bool>& stop) {
-  if (!HasScene(folder)) {
-    StagedFolder staged({folder, "", false, {}});
-    CreateScene(staged.path(), config);
-    staged.Commit();
-  }
+  if (!HasScene(folder)) PlanScene(folder, config);
   Stage stage;
   stage.name = "optimisation";
   stage.num_all = stage.num_left = 1;

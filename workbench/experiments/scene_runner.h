@@ -30,7 +30,10 @@ SceneInputs LoadSceneInputs(SceneConfig& config);
 OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& config,
                         const SceneInputs& inputs, TrialPool& pool, const ObserveLearning& observe);
 
-/** The same as a stage that an observer sees, its trials dealt to several workers. */
+/** Creates the folder, or finds the same scene there; nothing runs. */
+void PlanScene(const std::filesystem::path& folder, const SceneConfig& config);
+
+/** RunScene as a stage that an observer sees, its trials dealt to several workers. */
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
                              const std::atomic<bool>& stop);

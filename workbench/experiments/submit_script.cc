@@ -77,23 +77,57 @@ std::string MakeHead(const SubmitRequest& request, const Words& words, const std
          " || exit 5\nmkdir -p logs\n";
 }
 
+std::string FormatBeginning(const SubmitRequest& request) {
+  return request.num_rounds > 1
+             ? "for round in $(seq " + std::to_string(request.num_rounds) + "); do\n"
+             : "";
+}
+
+/** Behind the work of a round. */
+std::string FormatEnd(const SubmitRequest& request, const Words& words) {
+  return request.num_rounds > 1 ? words.program + " merge .\ndone\n"
+                                : "exec " + words.program + " merge .\n";
+}
+
 std::string MakeLocal(const SubmitRequest& request) {
   const Words words = MakeWords(request);
-  const std::string log = words.log + "-{}.log";
-  return MakeHead(request, words, "on this machine's processors") + FormatSetting({}) + "seq " +
-         words.count + " | xargs -P \"$(nproc)\" -I{} bash -c \\\n  " +
-         QuoteForShell("exec " + words.work + "{}/" + words.count + " >>" + log + " 2>&1") +
-         "\nexec " + words.program + " merge .\n";
+  const std::string log = words.log + "-\"$shard\".log";
+  return MakeHead(request, words, "on this machine's processors") + FormatSetting({}) +
+         FormatBeginning(request) +
+         "stopped=\n"
+         "trap 'stopped=1; kill $(jobs -pr) 2>/dev/null' TERM\n"
+         "trap 'stopped=1' INT HUP  # a terminal tells the workers, too\n"
+         "for shard in $(seq " +
+         words.count +
+         "); do\n"
+         "  while [[ $(jobs -pr | wc -l) -ge $(nproc) ]]; do wait -n; done\n"
+         "  [[ $stopped ]] && break\n"
+         "  " +
+         words.work + "\"$shard/" + words.count + "\" >>" + log +
+         " 2>&1 &\n"
+         "  [[ $stopped ]] && kill $!\n"
+         "done\n"
+         "while [[ $(jobs -pr) ]]; do wait; done\n"
+         "[[ $stopped ]] && exit 75\n" +
+         FormatEnd(request, words);
 }
 
 /** The list of jobs is a record only: a shard that has lost a line since is worked on again, and one
 that is finished leaves at once. The command is one word, as parallel's shell reads it once more. */
 std::string MakeParallel(const SubmitRequest& request) {
   const Words words = MakeWords(request);
-  return MakeHead(request, words, "with GNU parallel") + FormatSetting({}) + "parallel --joblog " +
+  return MakeHead(request, words, "with GNU parallel") + FormatSetting({}) +
+         FormatBeginning(request) +
+         "stopped=\n"
+         "# Once: start no more; twice: terminate what runs.\n"
+         "trap 'stopped=1; kill $!; sleep 1; kill $!' TERM INT HUP\n"
+         "parallel --joblog " +
          words.log + "-" + words.count + ".joblog --termseq TERM,60000,KILL,25 \\\n  " +
          QuoteForShell(words.work + "{}/" + words.count) + " ::: $(seq " + words.count +
-         ")\nexec " + words.program + " merge .\n";
+         ") &\n"
+         "while [[ $(jobs -pr) ]]; do wait; done\n"
+         "[[ $stopped ]] && exit 75\n" +
+         FormatEnd(request, words);
 }
 
 /** The signal goes to the shell of a batch job, not to its children: so the program takes the
@@ -101,24 +135,23 @@ shell's place. */
 std::string MakeSlurm(const SubmitRequest& request) {
   const Words words = MakeWords(request);
   const std::string site = FormatSite(request.cluster), setting = FormatSetting(request.cluster);
-  return MakeHead(request, words, "as a job array of Slurm") +
-         "array=$(sbatch --parsable <<'END'\n#!/bin/bash\n"
-         "#SBATCH --job-name=graspbench-work\n"
-         "#SBATCH --array=1-" +
+  const bool has_rounds = request.num_rounds > 1;
+  return MakeHead(request, words, "as a job array of Slurm") + (has_rounds ? "after=\n" : "") +
+         FormatBeginning(request) + "array=$(sbatch --parsable" + (has_rounds ? " $after" : "") +
+         " <<'END'\n#!/bin/bash\n"
+         "#SBATCH --job-name=graspbench-work --array=1-" +
          words.count +
          "\n"
-         "#SBATCH --requeue\n"
-         "#SBATCH --signal=B:TERM@60\n"
-         "#SBATCH --open-mode=append\n"
-         "#SBATCH --output=" +
+         "#SBATCH --requeue --signal=B:TERM@60\n"
+         "#SBATCH --open-mode=append --output=" +
          words.log + "-%a.log\n" + site + setting + "exec " + words.work +
-         "\"$SLURM_ARRAY_TASK_ID\"/" + words.count +
-         "\nEND\n) || exit\n"
-         "sbatch --dependency=afterany:\"$array\" <<'END'\n#!/bin/bash\n"
+         "\"$SLURM_ARRAY_TASK_ID\"/" + words.count + "\nEND\n) || exit\n" +
+         (has_rounds ? "merge=$(" : "") + "sbatch" + (has_rounds ? " --parsable" : "") +
+         " --dependency=afterany:\"$array\" <<'END'\n#!/bin/bash\n"
          "#SBATCH --job-name=graspbench-merge\n"
-         "#SBATCH --open-mode=append\n"
-         "#SBATCH --output=logs/merge.log\n" +
-         site + setting + "exec " + words.program + " merge .\nEND\n";
+         "#SBATCH --open-mode=append --output=logs/merge.log\n" +
+         site + setting + "exec " + words.program + " merge .\nEND\n" +
+         (has_rounds ? ") || exit\nafter=--dependency=afterany:$merge\ndone\n" : "");
 }
 
 }  // namespace

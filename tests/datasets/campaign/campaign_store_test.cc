@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "tests/datasets/campaign/fake_scene.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -16,25 +17,6 @@ CampaignConfig MakeConfig() {
   config.comparison.methods = {"es", "grid"};
   config.comparison.seeds = 2;
   return config;
-}
-
-/** An evaluation journal whose sigma are as given. */
-void WriteSearch(const fs::path& path, const std::vector<double>& fitness) {
-  MakeFolder(path.parent_path());
-  EvaluationJournal journal(path);
-  for (size_t i = 0; i < fitness.size(); ++i) {
-    EvaluationRecord record;
-    record.request = static_cast<int>(i);
-    record.stage = LearningStage::kSearch;
-    record.individual.number = static_cast<int>(i);
-    record.trial_ids = {"0123456789abcdef"};
-    record.trials.resize(1);
-    record.trials[0].outcome = Outcome::kSuccess;
-    record.trials[0].sigma = fitness[i];
-    record.trials[0].contacts = {{"TH", true, 0.4}};
-    record.trials[0].closings = {0.4};
-    journal.Append({record});
-  }
 }
 
 TEST(CampaignConfig, TellsAllProblems) {
@@ -79,6 +61,22 @@ TEST(CampaignStore, PlansOneSceneForEachHandAndObject) {
   EXPECT_EQ(scenes[0].folder, fs::path("c/scenes/tum-mug"));
   EXPECT_EQ(scenes[0].config.grasp, "g2");
   EXPECT_EQ(scenes[3].folder, fs::path("c/scenes/shadow-pencil"));
+}
+
+// Machines that load other hands or objects than the one that planned are told.
+TEST(CampaignStore, KnowsWhetherScenesAreThosePlanned) {
+  const TemporaryFolder folder;
+  const CampaignConfig config = MakeConfig();
+  CreateCampaign(folder.path(), config);
+  auto scenes = PlanScenes(config, MakeFakeInputs(), folder.path());
+  CheckSameScenes(folder.path(), scenes);  // nothing is said of them yet
+  SealScenes(folder.path(), scenes);
+  CheckSameScenes(folder.path(), scenes);
+  scenes[0].inputs.grasp.tilt += 1e-9;
+  EXPECT_THROW(CheckSameScenes(folder.path(), scenes), Error);
+  EXPECT_EQ(LoadCampaignConfig(folder.path()).comparison.seeds, 2);
+  EXPECT_EQ(FindSceneNumber(scenes, scenes[0]), 2u);  // shadow-mug, shadow-pencil, tum-mug, ..
+  EXPECT_TRUE(ListScenes(folder.path()).empty());
 }
 
 TEST(CampaignStore, CountsTheEvaluationsToNinetyPercentOfTheBestOfTheScene) {

@@ -48,6 +48,36 @@ class MergeSessionsTest : public testing::Test {
   std::vector<PlannedTrial> plan_;
 };
 
+// Without an editor: the file of one of two machines is left out and stays beside.
+TEST_F(MergeSessionsTest, OneOfTwoResultsCanBeSetAside) {
+  const fs::path here = Make("1of2", {0, 1}), there = Make("2of2", {2});
+  TrialRecord other = MakeFakeRecord(plan_[1]);
+  other.result.lift_height += 1.0;
+  JournalWriter(there, 0, "1of2").Append(other);
+  SealStore(kSessionStore, there);
+  const std::string said = Refuse(here, {there}, ErrorKind::kFormat);
+  EXPECT_NE(said.find("has another result than in journal/1of2-0.jsonl"), std::string::npos)
+      << said;
+  fs::copy(there / "journal" / "1of2-0.jsonl", here / "journal" / "3of3-0.jsonl");
+  try {
+    LoadSession(here);
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("journal/3of3-0.jsonl:1: "), std::string::npos) << text;
+    EXPECT_NE(text.find("journal/1of2-0.jsonl:2"), std::string::npos) << text;
+    EXPECT_NE(text.find("--set-aside"), std::string::npos) << text;
+  }
+  SetJournalAside(here, "journal/3of3-0.jsonl");
+  EXPECT_TRUE(fs::exists(here / "journal" / "3of3-0.jsonl.set-aside"));
+  SetJournalAside(there, "journal/1of2-0.jsonl");  // sealed before
+  EXPECT_TRUE(CheckStore(there).damages.empty());
+  EXPECT_EQ(MergeSessions(here, {there}), 1);
+  EXPECT_EQ(LoadSession(here).records.size(), 3u);
+  EXPECT_THROW(SetJournalAside(here, "plan.jsonl"), Error);
+  EXPECT_THROW(SetJournalAside(here, "../1of2/journal/1of2-0.jsonl"), Error);
+}
+
 TEST_F(MergeSessionsTest, IsCommutativeAndIdempotent) {
   const fs::path ab = Make("ab", {0, 1}), ba = Make("ba", {0, 1});
   const fs::path a = Make("a", {1, 2, 5}), b = Make("b", {0, 4, 3, 5});
@@ -69,9 +99,9 @@ TEST_F(MergeSessionsTest, BringsJudgementsAndWorkers) {
   EXPECT_EQ(MergeSessions(here, {there}), 1);
   EXPECT_TRUE(LoadSession(here).records[0].judgement);
   Diagnostics findings;
-  EXPECT_EQ(LoadWorkers(here, findings).size(), 1u);
+  EXPECT_EQ(LoadWorkers(here, findings).starts.size(), 1u);
   EXPECT_EQ(MergeSessions(here, {there}), 0);
-  EXPECT_EQ(LoadWorkers(here, findings).size(), 1u);
+  EXPECT_EQ(LoadWorkers(here, findings).starts.size(), 1u);
 }
 
 TEST_F(MergeSessionsTest, NamesTrialsWithTwoResultsAndWritesNothing) {

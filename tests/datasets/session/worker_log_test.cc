@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "datasets/session/session_store.h"
+#include "datasets/session/shard.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -36,14 +37,64 @@ TEST_F(WorkerLogTest, ReadsWhatItWrote) {
   WorkerLog(folder_.path(), "1of2").Append(MakeStart("node1"));
   WorkerLog(folder_.path(), "2of2").Append(MakeStart("node2"));
   Diagnostics findings;
-  const std::vector<WorkerStart> starts = LoadWorkers(folder_.path(), findings);
+  const std::vector<WorkerStart> starts = LoadWorkers(folder_.path(), findings).starts;
   EXPECT_TRUE(findings.entries().empty());
   ASSERT_EQ(starts.size(), 2u);
   EXPECT_TRUE(starts[1].machine == MakeMachine("node2"));
   EXPECT_FALSE(starts[1].machine == MakeMachine("node1"));
   EXPECT_EQ(FormatWorkerLine(starts[0]), FormatWorkerLine(MakeStart("node1")));
-  EXPECT_EQ(LoadWorkers(folder_.path(), findings, "2of2").size(), 1u);
   EXPECT_TRUE(LoadSession(folder_.path()).machine_differences.empty());
+}
+
+TEST_F(WorkerLogTest, RemembersWhoIsAtRest) {
+  WorkerLog first(folder_.path(), "1of2"), second(folder_.path(), "2of2");
+  first.Append(MakeStart("node1"));
+  first.Append(WorkerEnd{"1of2", "2026-01-31T12:00:05Z", 7});
+  second.Append(MakeStart("node2"));
+  Diagnostics findings;
+  EXPECT_EQ(LoadWorkers(folder_.path(), findings).at_rest, std::set<std::string>{"1of2"});
+  WorkerStart again = MakeStart("node1");
+  again.started_utc = "2026-01-31T12:00:05Z";
+  first.Append(again);
+  const Workers workers = LoadWorkers(folder_.path(), findings);
+  EXPECT_TRUE(workers.at_rest.empty());
+  EXPECT_EQ(workers.starts.size(), 3u);
+  EXPECT_TRUE(findings.entries().empty());
+}
+
+TEST_F(WorkerLogTest, KnowsOfWhichMachinesNoSentinelsAreKept) {
+  WorkerStart bare = MakeStart("node1");
+  bare.shard = "2of2";
+  bare.sentinels.clear();
+  std::vector<WorkerStart> starts = {MakeStart("node1"), bare};
+  EXPECT_TRUE(FindUnchecked(folder_.path(), starts).empty());
+  EXPECT_TRUE(DescribeUnchecked({}).empty());
+  bare.machine.processor_flags = "another";
+  starts[1] = bare;
+  EXPECT_EQ(FindUnchecked(folder_.path(), starts), std::set<std::string>{"2of2"});
+  JournalWriter(folder_.path(), 0, "3of7").Append(MakeFakeRecord(plan_[0]));
+  JournalWriter(folder_.path(), 0).Append(MakeFakeRecord(plan_[1]));  // of a run
+  const std::set<std::string> unchecked = {"2of2", "3of7"};
+  EXPECT_EQ(FindUnchecked(folder_.path(), starts), unchecked);
+  const std::vector<std::string> said = LoadSession(folder_.path()).machine_differences;
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("1 shard (3of7)"), std::string::npos) << said[0];
+}
+
+TEST_F(WorkerLogTest, FindsTheSentinelsOfAMachine) {
+  const auto has = [&](const WorkerStart& start, const std::string& host) {
+    return HasSentinels({start}, MakeMachine(host), plan_);
+  };
+  WorkerStart start = MakeStart("node1");
+  start.sentinels.clear();
+  EXPECT_FALSE(has(start, "node1"));
+  for (const PlannedTrial& planned : ListSentinels(plan_)) {
+    start.sentinels.push_back(MakeFakeRecord(planned));
+  }
+  EXPECT_TRUE(has(start, "node1"));
+  EXPECT_FALSE(has(start, "node2"));
+  start.sentinels.pop_back();
+  EXPECT_FALSE(has(start, "node1"));
 }
 
 TEST_F(WorkerLogTest, OneWorkerAShard) {
@@ -71,7 +122,7 @@ TEST_F(WorkerLogTest, TornLinesStayAndAreNotContinued) {
   EXPECT_TRUE(fs::exists(folder_.path() / "workers" / "1of2-0-2.jsonl"));
   EXPECT_TRUE(CheckStore(folder_.path()).damages.empty());
   Diagnostics findings;
-  EXPECT_EQ(LoadWorkers(folder_.path(), findings).size(), 2u);
+  EXPECT_EQ(LoadWorkers(folder_.path(), findings).starts.size(), 2u);
   WriteFile(torn, whole.substr(0, 30));
   EXPECT_FALSE(CheckStore(folder_.path()).damages.empty());
 }

@@ -6,8 +6,10 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "datasets/campaign/campaign_progress.h"
+#include "datasets/campaign/merge_campaigns.h"
 #include "datasets/session/merge_sessions.h"
-#include "workbench/experiments/run_record.h"
+#include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
 namespace {
@@ -67,7 +69,7 @@ class WorkOnShardTest : public testing::Test {
 TEST_F(WorkOnShardTest, WritesFilesOfItsOwnOnly) {
   const std::string manifest = ReadFile(folder_ / "manifest.json");
   const ShardResult result = Work();
-  EXPECT_EQ(result.num_trials, 2);
+  EXPECT_EQ(result.num_all, 2);
   EXPECT_EQ(result.num_left, 0);
   EXPECT_EQ(ListJournals(folder_).size(), 1u);
   EXPECT_EQ(ListJournals(folder_, "workers").size(), 1u);
@@ -75,7 +77,7 @@ TEST_F(WorkOnShardTest, WritesFilesOfItsOwnOnly) {
   EXPECT_TRUE(CheckStore(folder_).damages.empty());
   EXPECT_EQ(Work().num_left, 0);  // nothing more to do
   Diagnostics findings;
-  const std::vector<WorkerStart> starts = LoadWorkers(folder_, findings);
+  const std::vector<WorkerStart> starts = LoadWorkers(folder_, findings).starts;
   ASSERT_EQ(starts.size(), 1u);
   EXPECT_EQ(starts[0].sentinels.size(), 3u);
 }
@@ -94,6 +96,80 @@ TEST_F(WorkOnShardTest, ReadsNoOtherShard) {
   EXPECT_THROW(LoadSession(folder_), Error);  // and so a merge
   WriteFile(folder_ / "journal" / "1of2-0.jsonl", "damaged\n");
   EXPECT_THROW(Work(), Error);
+}
+
+// The machine has run them for the first shard; another machine or build runs its own.
+TEST_F(WorkOnShardTest, RunsSentinelsOnceAMachine) {
+  const auto load = [&] {
+    Diagnostics findings;
+    return LoadWorkers(folder_, findings).starts;
+  };
+  Work();
+  request_.shard = {2, 2};
+  Work();
+  ASSERT_EQ(load().size(), 2u);
+  EXPECT_EQ(load()[0].sentinels.size(), 3u);
+  EXPECT_TRUE(load()[1].sentinels.empty());
+  EXPECT_TRUE(FindUnchecked(folder_, load()).empty());
+  fs::remove(folder_ / "workers" / "1of2-0.jsonl");
+  fs::remove(folder_ / "journal" / "2of2-0.jsonl");
+  Work();
+  EXPECT_EQ(load().back().sentinels.size(), 3u);
+}
+
+TEST_F(WorkOnShardTest, SaysThatItStopped) {
+  const auto is_at_rest = [&] {
+    Diagnostics findings;
+    return LoadWorkers(folder_, findings).at_rest.count("1of2") > 0;
+  };
+  request_.time_budget = 1e-9;
+  EXPECT_EQ(Work().num_left, 2);
+  EXPECT_TRUE(is_at_rest());
+  request_.time_budget = 3600.0;
+  EXPECT_EQ(Work().num_left, 0);
+  EXPECT_TRUE(is_at_rest());
+}
+
+TEST_F(WorkOnShardTest, JudgesNothingBeforeAnythingHasRun) {
+  request_.judge = true;
+  Refuse(ErrorKind::kUsage);
+}
+
+// The whole optimisation is one shard, and can be merged from another disk.
+TEST(WorkOnScene, GivesTheSameResultElsewhere) {
+  const fs::path top = fs::path(testing::TempDir()) / ("scene_" + std::to_string(::getpid()));
+  fs::remove_all(top);
+  SceneConfig config;
+  config.hand = "tum";
+  config.object = "golf_ball";
+  config.grasp = "best";
+  config.optimise.step = "1";
+  config.optimise.check_trials = 1;
+  config.sim.step = 0.004;
+  config.strategy.hold_time = 0.2;
+  LoadSceneInputs(config);
+  PlanScene(top / "here", config);
+  fs::copy(top / "here", top / "there", fs::copy_options::recursive);
+  Observer observer;
+  const std::atomic<bool> stop{false};
+  ShardRequest request;
+  request.folder = top / "here";
+  request.time_budget = 0.2;
+  EXPECT_EQ(WorkOnShard(request, observer, stop).num_left, 1);
+  EXPECT_EQ(ReadSceneProgress(top / "here", 60.0).state, ShardState::kRunning);
+  request.folder = top / "there";
+  request.time_budget = 3600.0;
+  EXPECT_EQ(WorkOnShard(request, observer, stop).num_left, 0);
+  EXPECT_EQ(ReadSceneProgress(top / "there", 60.0).state, ShardState::kFinished);
+  EXPECT_GT(MergeScenes(top / "here", {top / "there"}), 0);
+  EXPECT_EQ(MergeScenes(top / "here", {top / "there"}), 0);
+  for (const char* file : {"result.json", "journal.jsonl", "manifest.json", "new-pregrasp.yaml"}) {
+    EXPECT_TRUE(ReadFile(top / "here" / file) == ReadFile(top / "there" / file)) << file;
+  }
+  EXPECT_TRUE(CheckStore(top / "here").damages.empty());
+  request.shard = {2, 2};
+  EXPECT_THROW(WorkOnShard(request, observer, stop), Error);
+  fs::remove_all(top);
 }
 
 TEST_F(WorkOnShardTest, RefusesAnotherBuildUnlessAllowed) {

@@ -36,12 +36,14 @@ TEST(MakeSubmitScript, IsShortAndHasShellAndFolderRight) {
         "partition: long\naccount: me\ntime: 1:00:00\nmemory: 2G\n"
         "modules: [gcc/12, x]\noptions: [--qos=low]\n",
         "");
-    for (const bool judge : {false, true}) {
+    for (const int num_rounds : {1, 1, 2}) {
+      const bool judge = num_rounds == 1 && !request.judge;
       request.judge = judge;
+      request.num_rounds = num_rounds;
       const std::string script = MakeSubmitScript(request);
       EXPECT_LE(std::count(script.begin(), script.end(), '\n'), 30) << script;
       EXPECT_NE(script.find("\ncd '/data/my pilot' || exit"), std::string::npos) << script;
-      EXPECT_NE(script.find("exec /opt/graspbench merge ."), std::string::npos) << script;
+      EXPECT_NE(script.find("/opt/graspbench merge ."), std::string::npos) << script;
       EXPECT_NE(script.find("OPENBLAS_NUM_THREADS=1 LP_NUM_THREADS=0"), std::string::npos);
       EXPECT_EQ(script.find("work . --judge --shard") != std::string::npos, judge) << script;
     }
@@ -56,8 +58,9 @@ TEST(MakeSubmitScript, TellsSlurmWhatASignalNeeds) {
   request.cluster.modules = {"gcc/12"};
   const std::string script = MakeSubmitScript(request);
   for (const char* line :
-       {"\n#SBATCH --array=1-7\n", "\n#SBATCH --requeue\n", "\n#SBATCH --signal=B:TERM@60\n",
-        "\n#SBATCH --open-mode=append\n", "\n#SBATCH --partition=long\n", "\nmodule load gcc/12\n",
+       {"\n#SBATCH --job-name=graspbench-work --array=1-7\n",
+        "\n#SBATCH --requeue --signal=B:TERM@60\n", "\n#SBATCH --open-mode=append ",
+        "\n#SBATCH --partition=long\n", "\nmodule load gcc/12\n",
         "\nexec /opt/graspbench work . --shard \"$SLURM_ARRAY_TASK_ID\"/7\n",
         "--dependency=afterany:"}) {
     EXPECT_NE(script.find(line), std::string::npos) << line << script;

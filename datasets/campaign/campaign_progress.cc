@@ -1,0 +1,82 @@
+#include "datasets/campaign/campaign_progress.h"
+
+#include <algorithm>
+#include <map>
+
+#include "datasets/campaign/campaign_store.h"
+#include "datasets/session/worker_log.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+/** @param ages  of the workers' files of one deal, by shard [s]. */
+void AddShards(const std::vector<fs::path>& scenes, int num_shards,
+               const std::map<int, double>& ages, const std::set<std::string>& at_rest,
+               double stale_after, std::vector<ShardProgress>& shards) {
+  for (int number = 1; number <= num_shards; ++number) {
+    ShardProgress progress;
+    progress.shard = {number, num_shards};
+    const auto age = ages.find(number);
+    if (age != ages.end()) progress.age = age->second;
+    for (size_t i = 0; i < scenes.size(); ++i) {
+      if (!IsCardOf(i, progress.shard)) continue;
+      ++progress.num_trials;
+      progress.num_finished += HasSceneResult(scenes[i]);
+      const fs::path journal = scenes[i] / "journal.jsonl";
+      if (progress.age && fs::exists(journal)) {
+        progress.age = std::min(*progress.age, CalcAge(journal));
+      }
+    }
+    const bool is_at_rest = at_rest.count(FormatLabel(progress.shard)) > 0;
+    progress.state = FindState(progress, is_at_rest, stale_after);
+    shards.push_back(progress);
+  }
+}
+
+}  // namespace
+
+CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after) {
+  LoadCampaignConfig(folder);
+  const std::vector<fs::path> scenes = ListScenes(folder);
+  CampaignProgress progress;
+  progress.num_scenes = static_cast<int>(scenes.size());
+  progress.num_finished =
+      static_cast<int>(std::count_if(scenes.begin(), scenes.end(), HasSceneResult));
+  progress.num_searches = static_cast<int>(ListMatches(folder, {"comparison/*/*.jsonl"}).size());
+  Diagnostics ignored;  // a merge tells of them
+  const Workers workers = LoadWorkers(folder, ignored);
+  progress.unchecked = FindUnchecked(folder, workers.starts);
+  std::map<int, std::map<int, double>> ages;  // by number of shards, by shard
+  for (const fs::path& path : ListJournals(folder, "workers")) {
+    const Shard shard = FindShardOfFile(path.filename().string());
+    constexpr int kMostShards = 100000;  // a file of another origin must not fill the memory
+    if (shard.count == 0 || shard.count > kMostShards) continue;
+    double& age = ages[shard.count].try_emplace(shard.number, CalcAge(path)).first->second;
+    age = std::min(age, CalcAge(path));
+  }
+  for (const auto& [num_shards, of_deal] : ages) {
+    AddShards(scenes, num_shards, of_deal, workers.at_rest, stale_after, progress.shards);
+  }
+  if (HasSession(folder / "benchmark")) {
+    progress.benchmark = ReadProgress(folder / "benchmark", stale_after);
+  }
+  return progress;
+}
+
+SceneProgress ReadSceneProgress(const fs::path& folder, double stale_after) {
+  SceneProgress progress;
+  const fs::path journal = folder / "journal.jsonl";
+  Diagnostics ignored;  // verify tells of them
+  progress.num_answers = static_cast<int>(LoadEvaluations(journal, ignored).size());
+  if (fs::exists(journal)) progress.age = CalcAge(journal);
+  ShardProgress one;
+  one.num_trials = 1;
+  one.num_finished = HasSceneResult(folder);
+  one.age = progress.age;
+  progress.state = FindState(one, false, stale_after);
+  return progress;
+}
+
+}  // namespace graspbench

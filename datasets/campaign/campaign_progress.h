@@ -1,0 +1,36 @@
+#pragma once
+/** @file
+How far a campaign or an optimisation is, from its folders and journals alone; no hand or object is
+loaded. */
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "datasets/session/session_progress.h"
+
+namespace graspbench {
+
+struct CampaignProgress {
+  int num_scenes = 0;
+  int num_finished = 0;
+  std::vector<ShardProgress> shards;  ///< of the scenes; of every number of shards with a worker
+  std::set<std::string> unchecked;    ///< see SessionProgress
+  int num_searches = 0;               ///< of the comparison that are begun
+  std::optional<SessionProgress> benchmark;  ///< none: it is not planned yet
+};
+
+/** @param stale_after  as in ReadProgress. @throws as LoadCampaignConfig; Error(kIo). */
+CampaignProgress ReadCampaignProgress(const std::filesystem::path& folder, double stale_after);
+
+/** An optimisation: one scene, one shard; its number of answers. */
+struct SceneProgress {
+  ShardState state = ShardState::kWaiting;
+  int num_answers = 0;
+  std::optional<double> age;  ///< since its journal was written [s]
+};
+SceneProgress ReadSceneProgress(const std::filesystem::path& folder, double stale_after);
+
+}  // namespace graspbench
