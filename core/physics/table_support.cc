@@ -23,6 +23,9 @@ const double kSmoothCosine = std::cos(RadFromDeg(25.0));
 /** Longest edge on a ball over its radius; 16 segments: 0.39, and 0.55 across. The corners of a long
 cylinder lie on a sphere too, but not its faces. */
 constexpr double kLongestEdge = 0.6;
+/** How far a ball may stand out of the faces that it stands for, over its radius and that of the
+object; 16 segments: 0.038 across. A rounded edge beside a long flat face lies on a sphere, too. */
+constexpr double kDeepestFace = 0.04;
 /** A fit's largest miss over the height of the cap it covers. */
 constexpr double kFitShare = 0.05;
 /** Triangles whose normals and planes differ by less than these are one face. */
@@ -201,6 +204,12 @@ void TableSupport::FindBalls(const TriMesh& mesh, const std::vector<size_t>& ver
         (ring[0] - ball->centre).dot(outwards) < 0.0) {
       continue;
     }
+    const bool stands_out =
+        std::any_of(faces[vertex].begin(), faces[vertex].end(), [&](size_t face) {
+          const double height = normals[face].dot(ring[0] - ball->centre);  // of its plane
+          return ball->radius - height > kDeepestFace * std::min(ball->radius, radius_);
+        });
+    if (stands_out) continue;
     const auto same = std::find_if(balls_.begin(), balls_.end(), [&](const Ball& other) {
       return (other.p_OCentre - ball->centre).norm() < kSameBall * other.radius &&
              std::abs(other.radius - ball->radius) < kSameBall * other.radius;
