@@ -15,7 +15,9 @@ std::string Generalise(std::string column) {
     if (at != column.npos) column.replace(at, what.size(), with);
   };
   for (const char* digit : {"_TH", "_FF", "_MF", "_RF", "_LF"}) replace(digit, "_X");
-  for (const VerdictRule& rule : ListVerdictRules()) replace(std::string("_") + rule.id, "_R");
+  for (const VerdictRule& rule : ListVerdictRules()) {
+    for (const std::string of : {"verdict", "score"}) replace(of + "_" + rule.id, of + "_R");
+  }
   return column;
 }
 
