@@ -5,6 +5,8 @@
 
 #include "core/base/text.h"
 #include "core/statistics/proportion.h"
+#include "datasets/session/judgement_store.h"
+#include "workbench/experiments/shell_quote.h"
 #include "workbench/plain_text.h"
 #include "workbench/text_table.h"
 
@@ -55,6 +57,21 @@ Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path&
                      {"outcomes", outcomes}});
   }
   return {{"session", folder.string()}, {"report", report.string()}, {"hands", hands}};
+}
+
+std::vector<std::string> ListMergeWarnings(const Session& session,
+                                           const std::filesystem::path& folder) {
+  std::vector<std::string> warnings = session.machine_differences;
+  const bool is_begun =
+      std::any_of(session.records.begin(), session.records.end(),
+                  [](const TrialRecord& record) { return record.judgement.has_value(); });
+  const size_t num_left = is_begun ? FindUnjudged(session).size() : 0;
+  if (num_left == 0) return warnings;
+  warnings.push_back(
+      FormatCount(static_cast<int64_t>(num_left), "held grasp is", "held grasps are") +
+      " not judged yet: graspbench work " + QuoteForShell(folder.string()) +
+      " --judge --shard K/N");
+  return warnings;
 }
 
 }  // namespace graspbench

@@ -17,4 +17,9 @@ std::string FormatSummaryTable(const SessionSummary& summary);
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,
                      const std::filesystem::path& report);
 
+/** What a person should know of merged shards: machines that disagree, a judge of which a shard is
+missing. A session that nobody judges is complete without. */
+std::vector<std::string> ListMergeWarnings(const Session& session,
+                                           const std::filesystem::path& folder);
+
 }  // namespace graspbench

@@ -117,8 +117,8 @@ ExitCode Merge(const MergeOptions& options) {
     PrintMessage("note: " + std::to_string(num_builds) +
                  " builds of graspbench have worked on this session");
   }
-  for (const std::string& difference : session.machine_differences) {
-    PrintMessage("warning: " + difference);
+  for (const std::string& warning : ListMergeWarnings(session, options.folder)) {
+    PrintMessage("warning: " + warning);
   }
   const auto num_left = static_cast<int64_t>(session.plan.size() - session.records.size());
   if (num_left > 0) FailOnRest(options, FormatCount(num_left, "trial is", "trials are"));
