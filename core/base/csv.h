@@ -33,7 +33,7 @@ std::string UnguardCell(const std::string& cell);
 /** One line of a table: the cells with commas between them, and a line feed. */
 std::string FormatCsvLine(const std::vector<Json>& cells);
 
-/** RFC 4180 with line feeds: a heading and one line a row. The one writer of such tables. */
+/** The parts of a table that is written piece by piece. */
 template <class Row>
 std::string FormatCsvHeading(const std::vector<CsvColumn<Row>>& columns) {
   std::vector<Json> cells;
@@ -53,6 +53,7 @@ std::string FormatCsvLines(const std::vector<CsvColumn<Row>>& columns,
   for (const Row& row : rows) lines += FormatCsvLine(MakeCsvCells(columns, row));
   return lines;
 }
+/** RFC 4180 with line feeds: a heading and one line a row. The one writer of such tables. */
 template <class Row>
 std::string FormatCsv(const std::vector<CsvColumn<Row>>& columns, const std::vector<Row>& rows) {
   return FormatCsvHeading(columns) + FormatCsvLines(columns, rows);

@@ -62,10 +62,7 @@ void ReadLearningDigits(const Json& json, LearningTrial& trial) {
     trial.closings.push_back(NumberFrom(digit.at("closing")));
     if (digit.contains("q_rad")) trial.touch_postures.push_back(AnglesFrom(digit.at("q_rad")));
   }
-  if (std::count_if(trial.contacts.begin(), trial.contacts.end(),
-                    [](const DigitContact& contact) { return contact.is_opposing; }) > 1) {
-    throw Error(ErrorKind::kFormat, "digits: more than one thumb");
-  }
+  CheckOneThumb(trial.contacts, "digits");
 }
 
 Json ToJson(const LearningTrial& trial) { return RecordToJson(trial); }

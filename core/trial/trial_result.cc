@@ -14,6 +14,13 @@ ContactOrder FindContactOrder(const TrialResult& result) {
                           std::vector<double>(result.contacts.size(), uncertainty));
 }
 
+void CheckOneThumb(const std::vector<DigitContact>& contacts, const char* where) {
+  if (std::count_if(contacts.begin(), contacts.end(),
+                    [](const DigitContact& contact) { return contact.is_opposing; }) > 1) {
+    throw Error(ErrorKind::kFormat, std::string(where) + ": more than one thumb");
+  }
+}
+
 Json DigitsToJson(const TrialResult& result) {
   Json digits = Json::array();
   for (size_t i = 0; i < result.contacts.size(); ++i) {
@@ -28,10 +35,7 @@ void ReadDigits(const Json& json, TrialResult& result) {
     ReadRecord(digit, result.contacts.emplace_back());
     ReadRecord(digit, result.touches.emplace_back());
   }
-  if (std::count_if(result.contacts.begin(), result.contacts.end(),
-                    [](const DigitContact& contact) { return contact.is_opposing; }) > 1) {
-    throw Error(ErrorKind::kFormat, "contacts: more than one thumb");
-  }
+  CheckOneThumb(result.contacts, "contacts");
 }
 
 Json ToJson(const TrialResult& result) { return RecordToJson(result); }

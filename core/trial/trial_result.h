@@ -62,6 +62,10 @@ struct PhaseStart {
   }
 };
 
+/** @param where  the record's field, for the message.
+@throws Error(kFormat) when several digits oppose the others. */
+void CheckOneThumb(const std::vector<DigitContact>& contacts, const char* where);
+
 struct TrialResult;
 /** Contacts and touches of the grasping digits, one object each. */
 Json DigitsToJson(const TrialResult& result);

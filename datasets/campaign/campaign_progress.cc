@@ -45,7 +45,7 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
   progress.num_finished =
       static_cast<int>(std::count_if(scenes.begin(), scenes.end(), HasSceneResult));
   progress.num_searches = static_cast<int>(ListMatches(folder, {"comparison/*/*.jsonl"}).size());
-  Diagnostics ignored;  // a merge tells of them
+  Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);
   std::map<int, std::map<int, double>> ages;  // by number of shards, by shard
@@ -53,8 +53,7 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
     const Shard shard = FindShardOfFile(path.filename().string());
     constexpr int kMostShards = 100000;  // a file of another origin must not fill the memory
     if (shard.count == 0 || shard.count > kMostShards) continue;
-    double& age = ages[shard.count].try_emplace(shard.number, CalcAge(path)).first->second;
-    age = std::min(age, CalcAge(path));
+    KeepYoungest(shard.number, CalcAge(path), ages[shard.count]);
   }
   for (const auto& [num_shards, of_deal] : ages) {
     AddShards(scenes, num_shards, of_deal, workers.at_rest, stale_after, progress.shards);
@@ -68,7 +67,7 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
 SceneProgress ReadSceneProgress(const fs::path& folder, double stale_after) {
   SceneProgress progress;
   const fs::path journal = folder / "journal.jsonl";
-  Diagnostics ignored;  // verify tells of them
+  Diagnostics ignored;  // verify reports them
   progress.num_answers = static_cast<int>(LoadEvaluations(journal, ignored).size());
   if (fs::exists(journal)) progress.age = CalcAge(journal);
   ShardProgress one;

@@ -7,7 +7,7 @@ the last seal is good line by line. A store of a schema older than manifests can
 so; from its next run on it is sealed too.
 
 Tables and pages that are made from a store have a manifest each, in their own folder inside it.
-Nothing is read from them again, so that they stop no reader; CheckStore tells when one is not what
+Nothing is read from them again, so that they stop no reader; CheckStore reports when one is not what
 was written. */
 
 #include <filesystem>

@@ -100,8 +100,7 @@ std::map<int, Deal> FindDeals(const fs::path& folder, const Workers& workers, in
       const Shard shard = FindShardOfFile(path.filename().string());
       if (shard.count == 0 || shard.count > num_trials) continue;
       Deal& deal = deals[shard.count];
-      double& age = deal.ages.try_emplace(shard.number, CalcAge(path)).first->second;
-      age = std::min(age, CalcAge(path));
+      KeepYoungest(shard.number, CalcAge(path), deal.ages);
       if (workers.at_rest.count(FormatLabel(shard)) > 0) deal.at_rest.insert(shard.number);
     }
   }
@@ -114,6 +113,11 @@ double CalcAge(const fs::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return 0.0;
   return std::max(0.0, std::difftime(std::time(nullptr), status.st_mtime));
+}
+
+void KeepYoungest(int shard, double age, std::map<int, double>& ages) {
+  double& youngest = ages.try_emplace(shard, age).first->second;
+  youngest = std::min(youngest, age);
 }
 
 ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stale_after) {
@@ -141,7 +145,7 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
     });
   }
   progress.num_finished = static_cast<int>(std::count(finished.begin(), finished.end(), true));
-  Diagnostics ignored;  // a merge tells of them
+  Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);
   for (const auto& [num_shards, deal] : FindDeals(folder, workers, progress.num_trials)) {

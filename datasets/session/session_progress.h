@@ -5,6 +5,7 @@ record is read whose trial an index names (journal_index.h), so that it takes a 
 trials. */
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -49,6 +50,8 @@ struct SessionProgress {
 ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stale_after);
 /** Since the file was written [s]; 0: it cannot be asked. */
 double CalcAge(const std::filesystem::path& path);
+/** @param ages  of the youngest file of each shard, by its number [s] */
+void KeepYoungest(int shard, double age, std::map<int, double>& ages);
 
 /** A worker that ended with trials left has stopped. One that was killed counts as running until it
 is stale. @param stale_after  an unfinished shard whose files are older is stale [s].

@@ -89,6 +89,8 @@ TEST_F(MovedSession, NeedsNothingButItsFolder) {
   const fs::path table = top_ / "table", page = top_ / "page";
   EXPECT_EQ(Call({"export", moved.string(), "--out", table.string()}), 0);
   EXPECT_EQ(Call({"report", moved.string(), "--out", page.string()}), 0);
+  EXPECT_EQ(Call({"export", moved.string(), "--mjcf", "all", "--out", (top_ / "scenes").string()}),
+            0);
   fs::permissions(moved, fs::perms::owner_write, fs::perm_options::add);
   EXPECT_TRUE(ReadAll(moved) == before);
   ExpectSameFile(table / "export" / "trials.csv", moved / "export" / "trials.csv");

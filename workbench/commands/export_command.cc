@@ -43,7 +43,7 @@ std::vector<PlannedTrial> FindTrials(const Session& session, const std::vector<s
 /** A folder a trial, named by its id; the path of each scene is printed. */
 void ExportMjcf(const ExportOptions& options, const Session& session) {
   const std::vector<PlannedTrial> trials = FindTrials(session, options.mjcf);
-  const SessionInputs inputs = LoadSessionInputs(session.config);
+  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kNow, session.folder);
   CheckSameSession(session, session.config, MakePlan(session.config, inputs));
   const bool is_own = options.out.empty();  // below export/, which is written anew
   const std::filesystem::path folder =

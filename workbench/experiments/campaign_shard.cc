@@ -83,7 +83,7 @@ class CampaignShard {
     if (tasks.empty()) return;
     result.num_left = static_cast<int>(tasks.size());
     ShardPresence presence(folder_, FormatLabel(request_.shard), result.num_left);
-    SessionConfig config = config_.session;
+    const SessionConfig& config = config_.session;
     const std::vector<PlannedTrial> sentinels =
         presence.ListMissingSentinels(MakePlan(config, inputs_));
     budget_.Look();

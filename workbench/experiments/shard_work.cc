@@ -42,7 +42,7 @@ ShardPresence::~ShardPresence() {
 
 std::vector<PlannedTrial> ShardPresence::ListMissingSentinels(
     const std::vector<PlannedTrial>& plan) const {
-  Diagnostics ignored;  // another reader tells of them
+  Diagnostics ignored;  // another reader reports them
   const std::vector<WorkerStart> starts = LoadWorkers(folder_, ignored).starts;
   return HasSentinels(starts, FindMachine(), plan) ? std::vector<PlannedTrial>()
                                                    : ListSentinels(plan);

@@ -77,7 +77,7 @@ class TimeBudget : public Observer {
 program than the one that made or began what is in the folder, naming both. */
 void CheckProgram(const StoreKind& kind, const ShardRequest& request);
 
-/** A worker at work on a shard: while it lives no other process is, and its file tells of it. */
+/** A worker at work on a shard: while it lives no other process is, and its file says so. */
 class ShardPresence {
  public:
   /** @param num_left  read when the worker ends; must outlive this.

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/base/enum_table.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/yaml.h"
@@ -154,6 +155,13 @@ std::string MakeSlurm(const SubmitRequest& request) {
          (has_rounds ? ") || exit\nafter=--dependency=afterany:$merge\ndone\n" : "");
 }
 
+struct EngineRow {
+  const char* name;
+  std::string (*make)(const SubmitRequest& request);
+};
+constexpr EngineRow kEngines[] = {
+    {"local", MakeLocal}, {"parallel", MakeParallel}, {"slurm", MakeSlurm}};
+
 }  // namespace
 
 fs::path FindClusterFile() {
@@ -193,12 +201,10 @@ ClusterConfig ParseClusterConfig(const std::string& text, const std::string& fil
   return cluster;
 }
 
-std::vector<std::string> ListEngines() { return {"local", "parallel", "slurm"}; }
+std::vector<std::string> ListEngines() { return ListNames(kEngines); }
 
 std::string MakeSubmitScript(const SubmitRequest& request) {
-  if (request.engine == "local") return MakeLocal(request);
-  if (request.engine == "parallel") return MakeParallel(request);
-  if (request.engine == "slurm") return MakeSlurm(request);
+  if (const EngineRow* engine = FindRow(kEngines, request.engine)) return engine->make(request);
   throw Error(ErrorKind::kUsage,
               "no engine \"" + request.engine + "\"" + SuggestNames(request.engine, ListEngines()));
 }

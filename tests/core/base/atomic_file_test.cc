@@ -15,10 +15,13 @@ namespace fs = std::filesystem;
 class AtomicFiles : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "atomic_files";
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("atomic_files_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
+  void TearDown() override { fs::remove_all(folder_); }
   size_t CountFiles() const {
     return static_cast<size_t>(
         std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
