@@ -59,19 +59,13 @@ Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path&
   return {{"session", folder.string()}, {"report", report.string()}, {"hands", hands}};
 }
 
-std::vector<std::string> ListMergeWarnings(const Session& session,
-                                           const std::filesystem::path& folder) {
-  std::vector<std::string> warnings = session.machine_differences;
-  const bool is_begun =
-      std::any_of(session.records.begin(), session.records.end(),
-                  [](const TrialRecord& record) { return record.judgement.has_value(); });
-  const size_t num_left = is_begun ? FindUnjudged(session).size() : 0;
-  if (num_left == 0) return warnings;
-  warnings.push_back(
-      FormatCount(static_cast<int64_t>(num_left), "held grasp is", "held grasps are") +
-      " not judged yet: graspbench work " + QuoteForShell(folder.string()) +
-      " --judge --shard K/N");
-  return warnings;
+std::string DescribeRest(const Session& session) {
+  const size_t num_left = session.plan.size() - session.records.size();
+  if (num_left > 0) return FormatCount(static_cast<int64_t>(num_left), "trial is", "trials are");
+  const size_t num_unjudged = HasBegunJudge(session.folder) ? FindUnjudged(session).size() : 0;
+  if (num_unjudged == 0) return "";
+  return FormatCount(static_cast<int64_t>(num_unjudged), "held grasp to judge is",
+                     "held grasps to judge are");
 }
 
 }  // namespace graspbench

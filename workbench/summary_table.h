@@ -17,9 +17,7 @@ std::string FormatSummaryTable(const SessionSummary& summary);
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,
                      const std::filesystem::path& report);
 
-/** What a person should know of merged shards: machines that disagree, a judge of which a shard is
-missing. A session that nobody judges is complete without. */
-std::vector<std::string> ListMergeWarnings(const Session& session,
-                                           const std::filesystem::path& folder);
+/** "3 trials are": not run, or else not judged where somebody has begun to judge; empty: none. */
+std::string DescribeRest(const Session& session);
 
 }  // namespace graspbench

@@ -37,8 +37,9 @@ uintmax_t FindEnd(std::string_view line) {
   return end;
 }
 
-/** Whether the index's last record is where the index says. */
-bool IsTrue(const Index& index, const fs::path& journal) {
+/** Whether nobody has written to the journal since, and the last record is where the index says. */
+bool IsTrue(const Index& index, const fs::path& path, const fs::path& journal) {
+  if (fs::last_write_time(path) < fs::last_write_time(journal)) return false;
   std::ifstream file(journal, std::ios::binary);
   std::string head(64, '\0');
   char last = '\0';
@@ -65,7 +66,7 @@ Index LoadIndex(const fs::path& journal) {
     index.start = std::exchange(index.end, end);
     index.ids.push_back(id);
   });
-  return index.ids.empty() || IsTrue(index, journal) ? std::move(index) : Index();
+  return index.ids.empty() || IsTrue(index, path, journal) ? std::move(index) : Index();
 }
 
 }  // namespace

@@ -7,9 +7,9 @@ without reading gigabytes of records:
                             line ends in the journal [bytes], as a checked line
 
 Made from the journal, never sealed, not synced, and may be deleted at any time: what it lacks is
-read in the journal. It is believed as far as its last line is true of the journal. A byte that
-changes inside a record without moving the others is therefore not noticed here; `graspbench verify`
-looks at every byte. */
+read in the journal. It is believed as far as its last line is true of the journal, and while the
+journal was not written to after it. A byte that a disk changes inside a record is therefore not
+noticed here; `graspbench verify` looks at every byte. */
 
 #include <filesystem>
 #include <fstream>

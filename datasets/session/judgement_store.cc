@@ -113,6 +113,10 @@ void LoadJudgements(const std::filesystem::path& folder, Session& session) {
       "beside, then judge again");
 }
 
+bool HasBegunJudge(const std::filesystem::path& folder) {
+  return !ListJournals(folder, kFolder).empty();
+}
+
 std::vector<PlannedTrial> FindUnjudged(const Session& session) {
   std::vector<PlannedTrial> trials;
   for (const TrialRecord& record : session.records) {

@@ -37,6 +37,9 @@ class JudgementWriter {
 findings. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
 
+/** Whether somebody has begun to judge the session in the folder. */
+bool HasBegunJudge(const std::filesystem::path& folder);
+
 /** Trials that the judge can say something about and has not yet: those whose object was in the
 hand when the hold ended, in the plan's order. */
 std::vector<PlannedTrial> FindUnjudged(const Session& session);

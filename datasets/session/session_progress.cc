@@ -15,6 +15,7 @@
 #include "datasets/journal/checked_line.h"
 #include "datasets/session/frozen_folder.h"
 #include "datasets/session/journal_index.h"
+#include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "datasets/session/worker_log.h"
 
@@ -73,15 +74,20 @@ struct Deal {
   std::set<int> at_rest;
 };
 
-void AddShards(const Outline& outline, const std::vector<bool>& finished, int num_shards,
-               const Deal& known, double stale_after, std::vector<ShardProgress>& shards) {
+/** What is to be done and what is, by place in the plan. */
+struct Tasks {
+  std::vector<bool> planned, finished;
+};
+
+void AddShards(const Outline& outline, const Tasks& tasks, int num_shards, const Deal& known,
+               double stale_after, std::vector<ShardProgress>& shards) {
   std::vector<ShardProgress> of_deal(static_cast<size_t>(num_shards));
   for (int i = 0; i < num_shards; ++i) of_deal[static_cast<size_t>(i)].shard = {i + 1, num_shards};
   const std::vector<int> deal = DealGroups(outline.group_sizes, num_shards);
   for (size_t place = 0; place < deal.size(); ++place) {
     ShardProgress& progress = of_deal[static_cast<size_t>(deal[place] - 1)];
-    ++progress.num_trials;
-    progress.num_finished += finished[place];
+    progress.num_trials += tasks.planned[place];
+    progress.num_finished += tasks.finished[place];
   }
   for (ShardProgress& progress : of_deal) {
     const int number = progress.shard.number;
@@ -92,19 +98,51 @@ void AddShards(const Outline& outline, const std::vector<bool>& finished, int nu
   }
 }
 
-/** @returns by number of shards; @param num_trials  there are no more shards. */
-std::map<int, Deal> FindDeals(const fs::path& folder, const Workers& workers, int num_trials) {
+/** @param subfolder  of the results; @param prefix  of the label of a worker;
+@param num_trials  there are no more shards. @returns by number of shards. */
+std::map<int, Deal> FindDeals(const fs::path& folder, const char* subfolder,
+                              const std::string& prefix, const Workers& workers, int num_trials) {
   std::map<int, Deal> deals;
-  for (const char* subfolder : {"journal", "workers"}) {
-    for (const fs::path& path : ListJournals(folder, subfolder)) {
-      const Shard shard = FindShardOfFile(path.filename().string());
-      if (shard.count == 0 || shard.count > num_trials) continue;
-      Deal& deal = deals[shard.count];
-      KeepYoungest(shard.number, CalcAge(path), deal.ages);
-      if (workers.at_rest.count(FormatLabel(shard)) > 0) deal.at_rest.insert(shard.number);
-    }
+  const auto look_at = [&](const fs::path& path, const std::string& name) {
+    const Shard shard = FindShardOfFile(name);
+    if (shard.count == 0 || shard.count > num_trials) return;
+    Deal& deal = deals[shard.count];
+    KeepYoungest(shard.number, CalcAge(path), deal.ages);
+    if (workers.at_rest.count(prefix + FormatLabel(shard)) > 0) deal.at_rest.insert(shard.number);
+  };
+  for (const fs::path& path : ListJournals(folder, subfolder)) {
+    look_at(path, path.filename().string());
+  }
+  for (const fs::path& path : ListJournals(folder, "workers")) {
+    const std::string name = path.filename().string();
+    if (name.compare(0, prefix.size(), prefix) == 0) look_at(path, name.substr(prefix.size()));
   }
   return deals;
+}
+
+JudgeProgress ReadJudgeProgress(const fs::path& folder, const Outline& outline,
+                                const Workers& workers, double stale_after) {
+  const Session session = LoadSession(folder, OnDamage::kAccept, RecordParts::kBrief);
+  const size_t num_trials = outline.hashes.size();
+  Tasks tasks{std::vector<bool>(num_trials, false), std::vector<bool>(num_trials, false)};
+  JudgeProgress progress;
+  const auto count = [&](const PlannedTrial& planned, bool is_judged) {
+    const int place = outline.FindPlace(planned.id, 0);
+    if (place < 0) return;
+    tasks.planned[static_cast<size_t>(place)] = true;
+    tasks.finished[static_cast<size_t>(place)] = is_judged;
+    ++progress.num_held;
+    progress.num_judged += is_judged;
+  };
+  for (const PlannedTrial& planned : FindUnjudged(session)) count(planned, false);
+  for (const TrialRecord& record : session.records) {
+    if (record.judgement) count(record.plan, true);
+  }
+  for (const auto& [num_shards, deal] :
+       FindDeals(folder, "judge", kJudgeLabel, workers, static_cast<int>(num_trials))) {
+    AddShards(outline, tasks, num_shards, deal, stale_after, progress.shards);
+  }
+  return progress;
 }
 
 }  // namespace
@@ -130,9 +168,10 @@ ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stal
 SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   LoadFrozen(kSessionStore, folder, OnDamage::kRefuse, {kSessionStore.file});
   const Outline outline = LoadOutline(folder / "plan.jsonl");
-  std::vector<bool> finished(outline.places.size(), false);
+  const size_t num_trials = outline.hashes.size();
+  Tasks tasks{std::vector<bool>(num_trials, true), std::vector<bool>(num_trials, false)};
   SessionProgress progress;
-  progress.num_trials = static_cast<int>(finished.size());
+  progress.num_trials = static_cast<int>(num_trials);
   for (const fs::path& path : ListJournals(folder)) {
     int place = -1;
     progress.num_bad_lines += ForEachTrialOf(path, [&](std::string_view id) {
@@ -140,16 +179,21 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
       if (place < 0) {
         ++progress.num_bad_lines;
       } else {
-        finished[static_cast<size_t>(place)] = true;
+        tasks.finished[static_cast<size_t>(place)] = true;
       }
     });
   }
-  progress.num_finished = static_cast<int>(std::count(finished.begin(), finished.end(), true));
+  progress.num_finished =
+      static_cast<int>(std::count(tasks.finished.begin(), tasks.finished.end(), true));
   Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);
-  for (const auto& [num_shards, deal] : FindDeals(folder, workers, progress.num_trials)) {
-    AddShards(outline, finished, num_shards, deal, stale_after, progress.shards);
+  for (const auto& [num_shards, deal] :
+       FindDeals(folder, "journal", "", workers, progress.num_trials)) {
+    AddShards(outline, tasks, num_shards, deal, stale_after, progress.shards);
+  }
+  if (HasBegunJudge(folder)) {
+    progress.judge = ReadJudgeProgress(folder, outline, workers, stale_after);
   }
   return progress;
 }

@@ -2,7 +2,7 @@
 /** @file
 How far the shards of a session are, from plan and journals alone: no machine is asked, and no
 record is read whose trial an index names (journal_index.h), so that it takes a moment for a million
-trials. */
+trials, unless they are being judged. */
 
 #include <filesystem>
 #include <map>
@@ -37,6 +37,13 @@ struct ShardProgress {
   ShardState state = ShardState::kWaiting;
 };
 
+/** Of the grasps that were held when their trial's hold ended; a shard's are its "trials". */
+struct JudgeProgress {
+  int num_held = 0;
+  int num_judged = 0;
+  std::vector<ShardProgress> shards;  ///< of every number of shards that has a file of judgements
+};
+
 struct SessionProgress {
   int num_trials = 0;
   int num_finished = 0;
@@ -44,6 +51,7 @@ struct SessionProgress {
   std::vector<ShardProgress> shards;  ///< of every number of shards that has a journal
   /** Labels of shards of whose machine no sentinel trials are kept, see worker_log.h. */
   std::set<std::string> unchecked;
+  std::optional<JudgeProgress> judge;  ///< none: nobody has begun to judge
 };
 
 /** From what is finished and how old its files are. @param is_at_rest  its worker has ended. */
@@ -54,7 +62,8 @@ double CalcAge(const std::filesystem::path& path);
 void KeepYoungest(int shard, double age, std::map<int, double>& ages);
 
 /** A worker that ended with trials left has stopped. One that was killed counts as running until it
-is stale. @param stale_after  an unfinished shard whose files are older is stale [s].
+is stale. Of a judge the records are read, too, because they say what was held.
+@param stale_after  an unfinished shard whose files are older is stale [s].
 @throws as LoadFrozen, without a look at other files; Error(kIo). */
 SessionProgress ReadProgress(const std::filesystem::path& folder, double stale_after);
 

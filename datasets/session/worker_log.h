@@ -5,6 +5,7 @@ On which machines a session's shards were worked on, beside its results and neve
     workers/<shard>-0.jsonl   append-only, synced; a line when a worker begins on the shard: the
                               machine, the program, and what the sentinel trials gave there; and
                               one when it ends, unless it is killed
+    workers/judge-<shard>-0.jsonl   the same of a worker that breaks what the trials held
 
 The sentinels (shard.h) are trials of the plan that every machine runs before its own. Machines
 whose processor or libraries round differently are found by them, before their trials are believed
@@ -95,6 +96,10 @@ std::set<std::string> ListStartLines(const std::filesystem::path& folder);
 std::string CollectStarts(const std::filesystem::path& other, std::set<std::string>& known);
 void AppendStarts(const std::filesystem::path& folder, const std::string& lines);
 ///@}
+
+/** What stands before a shard's label where its held grasps are broken, so that neither of run and
+judge takes the other's worker for its own. */
+inline constexpr char kJudgeLabel[] = "judge-";
 
 /** How the files begin that a merge writes, in the place of a shard's label. */
 inline constexpr char kMergedLabel[] = "merged";

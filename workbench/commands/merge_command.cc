@@ -117,11 +117,11 @@ ExitCode Merge(const MergeOptions& options) {
     PrintMessage("note: " + std::to_string(num_builds) +
                  " builds of graspbench have worked on this session");
   }
-  for (const std::string& warning : ListMergeWarnings(session, options.folder)) {
-    PrintMessage("warning: " + warning);
+  for (const std::string& difference : session.machine_differences) {
+    PrintMessage("warning: " + difference);
   }
-  const auto num_left = static_cast<int64_t>(session.plan.size() - session.records.size());
-  if (num_left > 0) FailOnRest(options, FormatCount(num_left, "trial is", "trials are"));
+  const std::string rest = DescribeRest(session);
+  if (!rest.empty()) FailOnRest(options, rest);
   return summary.total.CountOf(Outcome::kNumericalFailure) > 0 ? kExitNumericalFailures : kExitOk;
 }
 

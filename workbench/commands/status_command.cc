@@ -33,11 +33,18 @@ Json MakeShardsJson(const std::vector<ShardProgress>& shards, const char* unit) 
 }
 
 Json MakeStatusJson(const SessionProgress& progress) {
+  Json judge = nullptr;
+  if (progress.judge) {
+    judge = {{"held_grasps", progress.judge->num_held},
+             {"finished", progress.judge->num_judged},
+             {"shards", MakeShardsJson(progress.judge->shards, "held_grasps")}};
+  }
   return {{"trials", progress.num_trials},
           {"finished", progress.num_finished},
           {"damaged_lines", progress.num_bad_lines},
           {"without_sentinels", progress.unchecked},
-          {"shards", MakeShardsJson(progress.shards, "trials")}};
+          {"shards", MakeShardsJson(progress.shards, "trials")},
+          {"judge", judge}};
 }
 
 Json MakeStatusJson(const CampaignProgress& progress) {
@@ -67,18 +74,31 @@ void PrintStatus(const std::filesystem::path& folder, const SessionProgress& pro
   PrintResult(folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
               FormatCount(progress.num_trials, "trial") + " finished\n" +
               FormatShards(progress.shards, "trials"));
-  PrintUnchecked(progress.unchecked);
-  if (progress.num_bad_lines > 0) {
-    PrintMessage(FormatCount(progress.num_bad_lines, "damaged line is", "damaged lines are") +
-                 " left out; see graspbench verify " + QuoteForShell(folder.string()));
+  if (progress.judge) {
+    PrintResult("\n" + std::to_string(progress.judge->num_judged) + " of " +
+                FormatCount(progress.judge->num_held, "held grasp") + " judged\n" +
+                FormatShards(progress.judge->shards, "held grasps"));
   }
+  PrintUnchecked(progress.unchecked);
+}
+
+void FailOnDamage(const std::filesystem::path& folder, const SessionProgress& progress) {
+  if (progress.num_bad_lines == 0) return;
+  throw Error(ErrorKind::kFormat,
+              FormatCount(progress.num_bad_lines, "damaged line is", "damaged lines are") +
+                  " left out; see graspbench verify " + QuoteForShell(folder.string()));
+}
+void FailOnDamage(const std::filesystem::path& folder, const CampaignProgress& progress) {
+  if (progress.benchmark) FailOnDamage(folder / "benchmark", *progress.benchmark);
 }
 
 void PrintStatus(const std::filesystem::path& folder, const CampaignProgress& progress) {
   PrintResult(folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
-              FormatCount(progress.num_scenes, "scene") + " finished; " +
-              FormatCount(progress.num_searches, "search", "searches") + " begun\n" +
-              FormatShards(progress.shards, "scenes"));
+              FormatCount(progress.num_scenes, "scene") + " finished" +
+              (progress.num_searches > 0
+                   ? "; " + FormatCount(progress.num_searches, "search", "searches") + " begun"
+                   : "") +
+              "\n" + FormatShards(progress.shards, "scenes"));
   PrintUnchecked(progress.unchecked);
   if (progress.benchmark) PrintStatus(folder / "benchmark", *progress.benchmark);
 }
@@ -91,6 +111,7 @@ void ShowStatus(const StatusOptions& options) {
     } else {
       PrintStatus(options.folder, progress);
     }
+    FailOnDamage(options.folder, progress);
   };
   if (kind == &kCampaignStore)
     return show(ReadCampaignProgress(options.folder, options.stale_after));

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "core/base/files.h"
 #include "datasets/session/shard.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/run_shard.h"
@@ -40,6 +41,8 @@ void Submit(const SubmitOptions& options) {
     PrintResult(script);
     return;
   }
+  MakeFolder(request.folder /
+             "logs");  // the script's own words for a full or foreign disk are short
   FlushResults();
   ::execl("/bin/bash", "bash", "-c", script.c_str(), static_cast<char*>(nullptr));
   throw Error(ErrorKind::kEnvironment,

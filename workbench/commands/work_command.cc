@@ -32,8 +32,8 @@ double ParseTime(const std::string& text) {
       return number * seconds;
     }
   }
-  throw Error(ErrorKind::kUsage,
-              "--time-budget \"" + text + "\": expected a number and its unit, as 90s, 25m or 2h");
+  throw Error(ErrorKind::kUsage, "--time-budget \"" + text +
+                                     "\": expected a time above 0 in s, m or h, as 90s, 25m or 2h");
 }
 
 std::string DescribeStage(const Stage& stage) {

@@ -84,7 +84,8 @@ class SessionShard {
     result.num_all = static_cast<int>(request_.judge ? trials.size() : own.size());
     result.num_left = static_cast<int>(trials.size());
     if (trials.empty()) return result;
-    ShardPresence presence(folder_, label_, result.num_left);
+    ShardPresence presence(folder_, request_.judge ? kJudgeLabel + label_ : label_,
+                           result.num_left);
     const std::vector<PlannedTrial> sentinels = presence.ListMissingSentinels(session_.plan);
     LoadInputs(inputs, trials, sentinels);
     budget_.Look();  // loading takes time, too

@@ -36,7 +36,8 @@ struct ShardResult {
   bool goes_on = false;
 };
 
-/** Passes on what happens and asks to stop when somebody else does or when the time is over. */
+/** Passes on what happens and asks to stop when somebody else does, or when the time is over and at
+least one trial is finished: so the same request gets there in the end, however short its time. */
 class TimeBudget : public Observer {
  public:
   TimeBudget(double seconds, Observer& observer, const std::atomic<bool>& stop)
@@ -53,6 +54,7 @@ class TimeBudget : public Observer {
   }
   void ShowStatus(const BatchStatus& status, int num_trials) override {
     num_done_ = status.num_done;
+    has_progress_ = has_progress_ || num_done_ > 0;
     Look();
     observer_.ShowStatus(status, num_trials);
   }
@@ -61,7 +63,7 @@ class TimeBudget : public Observer {
   /** To be called now and then. */
   void Look() {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
-    if (others_stop_ || time.count() >= seconds_) stop_ = true;
+    if (others_stop_ || (has_progress_ && time.count() >= seconds_)) stop_ = true;
   }
 
  private:
@@ -71,6 +73,7 @@ class TimeBudget : public Observer {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<bool> stop_{false};
   int num_done_ = 0;
+  bool has_progress_ = false;  // in any stage
 };
 
 /** @throws Error(kVersion) for another physics or, unless it is allowed, another build of the

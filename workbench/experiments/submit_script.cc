@@ -146,13 +146,14 @@ std::string MakeSlurm(const SubmitRequest& request) {
          "#SBATCH --requeue --signal=B:TERM@60\n"
          "#SBATCH --open-mode=append --output=" +
          words.log + "-%a.log\n" + site + setting + "exec " + words.work +
-         "\"$SLURM_ARRAY_TASK_ID\"/" + words.count + "\nEND\n) || exit\n" +
+         "\"$SLURM_ARRAY_TASK_ID\"/" + words.count + "\nEND\n) || exit 5\n" +
          (has_rounds ? "merge=$(" : "") + "sbatch" + (has_rounds ? " --parsable" : "") +
-         " --dependency=afterany:\"$array\" <<'END'\n#!/bin/bash\n"
+         " --dependency=afterany:\"$array\" <<'END'" + (has_rounds ? "" : " || exit 5") +
+         "\n#!/bin/bash\n"
          "#SBATCH --job-name=graspbench-merge\n"
          "#SBATCH --open-mode=append --output=logs/merge.log\n" +
          site + setting + "exec " + words.program + " merge .\nEND\n" +
-         (has_rounds ? ") || exit\nafter=--dependency=afterany:$merge\ndone\n" : "");
+         (has_rounds ? ") || exit 5\nafter=--dependency=afterany:$merge\ndone\n" : "");
 }
 
 struct EngineRow {

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "datasets/session/worker_log.h"
 #include "tests/datasets/session/fake_session.h"
@@ -90,6 +91,54 @@ TEST_F(ReadProgressTest, LeavesOutDamagedAndTornLines) {
   const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
   EXPECT_EQ(progress.num_finished, 1);
   EXPECT_EQ(progress.num_bad_lines, 1);
+}
+
+// Somebody has edited the journal since: it is read, whatever its index says.
+TEST_F(ReadProgressTest, BelievesNoIndexThatIsOlderThanItsJournal) {
+  Finish({1, 1}, 3);
+  const fs::path journal = folder_.path() / "journal" / "1of1-0.jsonl";
+  std::string text = ReadFile(journal);
+  text[text.find("lift_height") + 16] ^= 1;
+  WriteFile(journal, text);
+  const fs::path index = folder_.path() / "progress" / "1of1-0.jsonl";
+  fs::last_write_time(index, fs::last_write_time(journal) - std::chrono::seconds(1));
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  EXPECT_EQ(progress.num_finished, 2);
+  EXPECT_EQ(progress.num_bad_lines, 1);
+}
+
+// Judged by two, run by one; a worker of the judge says nothing of the trials.
+TEST_F(ReadProgressTest, CountsHeldGraspsOfAJudge) {
+  Finish({1, 1}, 100);
+  EXPECT_FALSE(ReadProgress(folder_.path(), 60.0).judge);
+  const Session session = LoadSession(folder_.path());
+  std::set<std::string> held;
+  for (const PlannedTrial& planned : FindUnjudged(session)) held.insert(planned.id);
+  ASSERT_GE(held.size(), 2u);
+  int num_first = 0;
+  {
+    JudgementWriter first(folder_.path(), 0, "1of2");
+    for (const PlannedTrial& planned : DealPlan(plan_, {1, 2})) {
+      if (held.count(planned.id) == 0) continue;
+      first.Append(planned.id, Judgement());
+      ++num_first;
+    }
+  }
+  WorkerLog worker(folder_.path(), "judge-2of2");
+  worker.Append(WorkerStart{"judge-2of2", "2026-01-31T12:00:00Z", {}, {}});
+  worker.Append(WorkerEnd{"judge-2of2", "2026-01-31T12:00:09Z", 1});
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  ASSERT_EQ(progress.shards.size(), 1u);
+  EXPECT_EQ(progress.shards[0].state, ShardState::kFinished);
+  ASSERT_TRUE(progress.judge);
+  EXPECT_EQ(progress.judge->num_held, static_cast<int>(held.size()));
+  EXPECT_EQ(progress.judge->num_judged, num_first);
+  ASSERT_EQ(progress.judge->shards.size(), 2u);
+  EXPECT_EQ(progress.judge->shards[0].num_trials, num_first);
+  EXPECT_EQ(progress.judge->shards[0].state, ShardState::kFinished);
+  EXPECT_EQ(progress.judge->shards[1].num_finished, 0);
+  EXPECT_EQ(progress.judge->shards[1].num_trials, static_cast<int>(held.size()) - num_first);
+  EXPECT_EQ(progress.judge->shards[1].state, ShardState::kStopped);
 }
 
 TEST_F(ReadProgressTest, NeedsASession) {

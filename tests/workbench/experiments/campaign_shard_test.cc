@@ -35,13 +35,14 @@ class WorkOnCampaignTest : public testing::Test {
 
 TEST_F(WorkOnCampaignTest, StopsAndLeavesItsSceneForLater) {
   EXPECT_EQ(CountCampaignCards(folder_), 12);
-  request_.time_budget = 1e-9;
+  stop_ = true;
   const ShardResult result = Work();
   EXPECT_EQ(result.num_all, 1);
   EXPECT_EQ(result.num_left, 1);
   EXPECT_TRUE(result.goes_on);
   Diagnostics findings;
   EXPECT_EQ(LoadWorkers(folder_, findings).at_rest, std::set<std::string>{"1of3"});
+  stop_ = false;
   request_.shard = {3, 3};  // two scenes only
   EXPECT_EQ(Work().num_all, 0);
   EXPECT_TRUE(CheckStore(folder_).damages.empty());

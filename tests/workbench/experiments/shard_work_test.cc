@@ -13,12 +13,14 @@ TEST(TimeBudget, StopsWhenTheTimeIsOverOrSomebodyAsks) {
   Observer observer;
   std::atomic<bool> stop{false};
   TimeBudget none(1e-9, observer, stop), enough(3600.0, observer, stop);
-  none.Look();
-  enough.Look();
+  BatchStatus status;
+  none.ShowStatus(status, 9);
+  EXPECT_FALSE(none.stop());  // nothing is finished
+  status.num_done = 7;
+  none.ShowStatus(status, 9);
+  enough.ShowStatus(status, 9);
   EXPECT_TRUE(none.stop());
   EXPECT_FALSE(enough.stop());
-  BatchStatus status;
-  status.num_done = 7;
   stop = true;
   enough.ShowStatus(status, 9);
   EXPECT_TRUE(enough.stop());
