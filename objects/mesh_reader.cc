@@ -17,11 +17,19 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "objects/mesh_reader_protocol.h"
+
+#ifdef GRASPBENCH_SANITIZED  // their shadow memory takes terabytes of addresses, so RLIMIT_AS cannot
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options() {
+  return "max_allocation_size_mb=1024:hard_rss_limit_mb=1536";
+}
+#endif
 
 namespace graspbench {
 namespace {
@@ -35,7 +43,7 @@ void LimitResources() {
   };
   limit(RLIMIT_CPU, kMeshReaderSeconds);
   limit(RLIMIT_CORE, 0);
-#ifndef GRASPBENCH_SANITIZED  // their shadow memory takes terabytes of addresses
+#ifndef GRASPBENCH_SANITIZED
   limit(RLIMIT_AS, kMeshReaderMemory);
 #endif
   ::alarm(kMeshReaderWallSeconds);
@@ -163,7 +171,11 @@ Soup ReadMesh(const std::string& format, const std::string& folder) {
     CheckFaces(*scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   }
-  if (!scene || !scene->mRootNode) throw std::runtime_error(importer.GetErrorString());
+  if (!scene || !scene->mRootNode) {
+    const std::string fault = importer.GetErrorString();
+    if (fault.find("bad_alloc") != fault.npos) throw std::bad_alloc();
+    throw std::runtime_error(fault);
+  }
   Soup soup;
   AppendNode(*scene, *scene->mRootNode, aiMatrix4x4(), soup);
   return soup;

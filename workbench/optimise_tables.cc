@@ -75,4 +75,23 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   return text + "\n" + decisions.Format() + "\n" + angles.Format();
 }
 
+std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations) {
+  constexpr int kMaxNamed = 10;
+  std::string text;
+  int count = 0;
+  for (const EvaluationRecord& evaluation : evaluations) {
+    for (size_t i = 0; i < evaluation.trials.size(); ++i) {
+      const LearningTrial& trial = evaluation.trials[i];
+      if (trial.outcome != Outcome::kNumericalFailure || ++count > kMaxNamed) continue;
+      text += "\n  " + evaluation.trial_ids[i] + ": question " +
+              std::to_string(evaluation.request) + ", " + NameOf(evaluation.stage) +
+              ", individual " + std::to_string(evaluation.individual.number) + ", draw " +
+              std::to_string(trial.draw);
+    }
+  }
+  if (count == 0) return "";
+  if (count > kMaxNamed) text += "\n  and " + std::to_string(count - kMaxNamed) + " more";
+  return FormatCount(count, "trial") + " failed numerically or did not end in time" + text;
+}
+
 }  // namespace graspbench

@@ -3,8 +3,10 @@
 What an optimisation decided, for the terminal. */
 
 #include <string>
+#include <vector>
 
 #include "core/optimise/grasp_optimiser.h"
+#include "datasets/scene/evaluation_journal.h"
 #include "datasets/scene/learning_plan.h"
 
 namespace graspbench {
@@ -13,5 +15,8 @@ namespace graspbench {
 angles. */
 std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& config,
                                const OptimisedGrasp& result);
+
+/** Which trials failed numerically, in a sentence each; endless ones are among them. Empty: none. */
+std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations);
 
 }  // namespace graspbench

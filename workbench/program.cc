@@ -179,6 +179,23 @@ void PrintPlan(const std::filesystem::path& folder, int count, const std::string
   }
 }
 
+void AddResumeOption(CLI::App& command, bool& resume) {
+  command.add_flag("--resume", resume,
+                   "continue what is in the folder of --out, with its own settings");
+}
+
+void CheckResume(const CLI::App& command, const std::vector<std::string>& settings) {
+  if (command.count("--out") == 0) {
+    throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder to be continued");
+  }
+  for (const std::string& name : settings) {
+    if (command.count(name) == 0) continue;
+    throw Error(ErrorKind::kUsage, name +
+                                       " does not go with --resume: what is continued keeps its "
+                                       "own settings; leave it out");
+  }
+}
+
 void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage) {
   command.add_flag_callback(
       "--accept-damage", [&on_damage] { on_damage = OnDamage::kAccept; },

@@ -19,7 +19,7 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_p
   trial.sigma = std::isfinite(result.stability.sigma) ? result.stability.sigma : 0.0;
   trial.stability = result.stability.hold;
   trial.contacts = result.contacts;
-  trial.timing = result.timing;
+  trial.timing = CalcContactTiming(result.contacts, 0.0);  // NaN when the simulation gave up
   trial.opposing_gap = kFarAway;
   for (size_t d = 0; d < result.touches.size(); ++d) {
     trial.closings.push_back(result.touches[d].closing);

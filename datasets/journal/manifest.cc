@@ -60,6 +60,7 @@ ManifestFile ManifestFileFromJson(const Json& json) {
 Json MakeBody(const Manifest& manifest) {
   Json json = {{"kind", manifest.kind}, {"versions", manifest.versions}};
   if (!manifest.inputs.empty()) json["inputs"] = manifest.inputs;
+  if (manifest.is_made_anew) json["made_anew"] = true;
   json["files"] = Json::array();
   for (const ManifestFile& file : manifest.files) json["files"].push_back(ToJson(file));
   return json;
@@ -168,6 +169,7 @@ Manifest LoadManifest(const fs::path& folder) {
     manifest.kind = json.at("kind").get<std::string>();
     manifest.versions = json.at("versions");
     if (json.contains("inputs")) manifest.inputs = json.at("inputs").get<std::string>();
+    manifest.is_made_anew = json.value("made_anew", false);
     for (const Json& file : json.at("files")) manifest.files.push_back(ManifestFileFromJson(file));
     // The text is compared, so that no byte of it can change, not even a blank.
     if (FormatManifest(manifest) == text) return manifest;

@@ -34,6 +34,7 @@ struct Manifest {
   std::string kind;  ///< "session", "optimisation", "campaign", "study", "basin"
   Json versions = Json::object();
   std::string inputs;               ///< hash of what the results depend on besides; empty: not kept
+  bool is_made_anew = false;        ///< by a repair, because the first one was lost
   std::vector<ManifestFile> files;  ///< by path
 };
 

@@ -105,6 +105,7 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
   } else {
     try {
       manifest = LoadManifest(folder);
+      state.is_made_anew = manifest.is_made_anew;
       Manifest asked_for = manifest;
       asked_for.files.erase(
           std::remove_if(asked_for.files.begin(), asked_for.files.end(),
@@ -204,6 +205,7 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
   Manifest before = FindManifest(folder).value_or(Manifest());
   if (before.files.empty()) {
     before.versions = LoadVersions(kind, folder);
+    before.is_made_anew = true;
     repair.actions.push_back(std::string(kManifestFile) +
                              ": made anew from the files as they are now");
   }
@@ -212,6 +214,7 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
   Manifest after = MakeManifest(kind, folder);
   after.versions = before.versions;
   after.inputs = before.inputs;
+  after.is_made_anew = before.is_made_anew;
   if (are_derived_damaged) Remove(after.files, kind.derived);
   KeepFirstSeals(kind, before, after);
   WriteManifest(folder, after);
@@ -282,6 +285,7 @@ void SealStore(const StoreKind& kind, const fs::path& folder, const std::string&
   KeepFirstSeals(kind, before, manifest);
   manifest.versions = before.files.empty() ? LoadVersions(kind, folder) : before.versions;
   manifest.inputs = inputs.empty() ? before.inputs : inputs;
+  manifest.is_made_anew = before.is_made_anew;
   WriteManifest(folder, manifest);
 }
 
@@ -323,6 +327,7 @@ StoreState Check(const fs::path& folder, OutputUse outputs) {
   StoreState state = CheckOwnFiles(*kind, folder);
   for (const std::string& store : ListStores(*kind, folder)) {
     const StoreState inner = Check(folder / store, outputs);
+    state.is_made_anew = state.is_made_anew || inner.is_made_anew;
     for (const Damage& damage : inner.damages) {
       state.damages.push_back({store + "/" + damage.path, damage.line, damage.text});
     }

@@ -24,6 +24,7 @@ enum class OnDamage { kRefuse, kAccept };
 struct StoreState {
   std::string kind;             ///< as in Manifest
   bool is_sealed = true;        ///< false: older than manifests
+  bool is_made_anew = false;    ///< a manifest was: what had changed before is not noticed
   std::vector<Damage> damages;  ///< names from the folder, those of stores inside it too
 };
 

@@ -64,6 +64,10 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
   StoreState state = VerifyStore(folder, on_damage, only);
   frozen.is_sealed = state.is_sealed;
   frozen.damage = std::move(state.damages);
+  if (state.is_made_anew) {
+    frozen.damage.push_back(
+        {kManifestFile, 0, "was lost and made anew: what had changed before is not noticed"});
+  }
   return frozen;
 }
 

@@ -17,7 +17,7 @@ bool HasFrozen(const StoreKind& kind, const std::filesystem::path& folder);
 struct Frozen {
   Json config;                 ///< as it was written
   bool is_sealed = true;       ///< false: older than manifests
-  std::vector<Damage> damage;  ///< of the whole store, when it is accepted
+  std::vector<Damage> damage;  ///< of the whole store: when it is accepted, and a lost manifest
 };
 /** The door through which a store is read: it is verified first.
 @param only  as in VerifyStore.

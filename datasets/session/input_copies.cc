@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/base/json.h"
 #include "core/hand/load_hand.h"
+#include "datasets/journal/store_kind.h"
 #include "objects/catalogue.h"
 #include "objects/object_file.h"
 
@@ -30,8 +31,24 @@ fs::path FindOriginal(const std::string& name) {
   return path;
 }
 
-fs::path FindCopy(const fs::path& folder, const char* kind, const std::string& name) {
-  return folder / kInputs / kind / FindOriginal(name).filename();
+fs::path FindCopy(const fs::path& inputs, const char* kind, const std::string& name) {
+  return inputs / kind / FindOriginal(name).filename();
+}
+
+/** Of the store itself or of the campaign that it is part of. */
+fs::path FindInputs(const fs::path& folder) {
+  std::error_code status;
+  if (fs::exists(folder / kInputs, status)) return folder / kInputs;
+  for (const fs::path& above : {folder / "..", folder / ".." / ".."}) {
+    if (FindStoreKind(above) == &kCampaignStore) return above / kInputs;
+  }
+  return folder / kInputs;
+}
+
+/** The copy, or the name when there is none. */
+std::string ChooseInput(const std::string& name, const fs::path& copy) {
+  std::error_code status;
+  return fs::exists(copy, status) ? copy.string() : name;
 }
 
 void CopyFiles(const fs::path& from, const fs::path& to, const std::vector<std::string>& files) {
@@ -88,41 +105,38 @@ bool IsGraspFile(const std::string& name) {
 }
 
 void CopyInputs(const SessionConfig& config, const fs::path& folder) {
+  const fs::path inputs = folder / kInputs;
   std::vector<std::string> own = ListHands();
   own.push_back("all");
   for (const std::string& name : config.hands) {
-    if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), FindCopy(folder, "hands", name));
+    if (!IsOneOf(name, own)) CopyHand(FindOriginal(name), FindCopy(inputs, "hands", name));
   }
   own = ListObjects();
   own.push_back("all");
   for (const std::string& name : config.objects) {
-    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), FindCopy(folder, "objects", name));
+    if (!IsOneOf(name, own)) CopyObject(FindOriginal(name), FindCopy(inputs, "objects", name));
   }
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     if (!IsGraspFile(config.grasps[i])) continue;
-    MakeFolder(folder / kInputs / "grasps");
-    WriteFile(folder / kInputs / "grasps" / (std::to_string(i) + ".yaml"),
-              ReadFile(config.grasps[i]));
+    MakeFolder(inputs / "grasps");
+    WriteFile(inputs / "grasps" / (std::to_string(i) + ".yaml"), ReadFile(config.grasps[i]));
   }
-  if (fs::exists(folder / kInputs)) SyncFileSystem(folder);  // once for thousands of files
+  if (fs::exists(inputs)) SyncFileSystem(folder);  // once for thousands of files
 }
 
 std::string FindHandInput(const std::string& name, const fs::path& folder) {
   if (folder.empty()) return name;
-  const fs::path copy = FindCopy(folder, "hands", name);
-  return fs::exists(copy) ? copy.string() : name;
+  return ChooseInput(name, FindCopy(FindInputs(folder), "hands", name));
 }
 
 std::string FindObjectInput(const std::string& name, const fs::path& folder) {
   if (folder.empty()) return name;
-  const fs::path copy = FindCopy(folder, "objects", name);
-  return fs::exists(copy) ? copy.string() : name;
+  return ChooseInput(name, FindCopy(FindInputs(folder), "objects", name));
 }
 
 std::string FindGraspInput(const std::string& name, size_t number, const fs::path& folder) {
   if (folder.empty()) return name;
-  const fs::path copy = folder / kInputs / "grasps" / (std::to_string(number) + ".yaml");
-  return fs::exists(copy) ? copy.string() : name;
+  return ChooseInput(name, FindInputs(folder) / "grasps" / (std::to_string(number) + ".yaml"));
 }
 
 }  // namespace graspbench

@@ -1,13 +1,15 @@
 #pragma once
 /** @file
-The user's own hands, objects and grasp files, copied into the folder of a session when it is made:
+The user's own hands, objects and grasp files, copied into the folder of a session, an optimisation
+or a campaign when it is made:
 
     inputs/hands/<id>/     hand.urdf, hand.yaml and the meshes that hand.urdf names
     inputs/objects/<id>/   object.yaml, its mesh and the files that a .gltf names
     inputs/grasps/<n>.yaml the n-th of the configuration's grasps, from 0
 
-What comes with the program is not copied. The copies are sealed with the session; whoever continues
-or reads it takes them, wherever it was moved to and whatever became of the originals. */
+What comes with the program is not copied. The copies are sealed with the store; whoever continues
+or reads it takes them, wherever it was moved to and whatever became of the originals. The scenes
+and the benchmark of a campaign have no copies of their own: theirs are the campaign's. */
 
 #include <filesystem>
 #include <string>
@@ -23,8 +25,8 @@ bool IsGraspFile(const std::string& name);
 named from outside its hand's or object's folder; Error(kIo). */
 void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
 
-/** Where to load an input from: its copy in the session's folder, else the name itself.
-@param folder  empty: there is no session yet. */
+/** Where to load an input from: its copy in the store's folder, else the name itself.
+@param folder  empty: there is no store yet. */
 std::string FindHandInput(const std::string& name, const std::filesystem::path& folder);
 std::string FindObjectInput(const std::string& name, const std::filesystem::path& folder);
 /** @param number  in the configuration's list of grasps. */

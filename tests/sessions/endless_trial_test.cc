@@ -76,5 +76,41 @@ TEST_F(EndlessTrial, AGraspWhoseTestDoesNotEndStaysUnjudgedUntilItDoes) {
   ExpectSameFile(whole / "export" / "trials.csv", hurried / "export" / "trials.csv");
 }
 
+// None of its trials ends in time, and still the search comes to its end and names some.
+TEST_F(EndlessTrial, AnOptimisationGoesOnAfterEveryOneOfThem) {
+  const fs::path out = top_ / "out";
+  const std::vector<std::string> line = {"optimise", "--hand",    "tum",
+                                         "--object", "golf_ball", "--evaluations",
+                                         "4",        "--out",     out.string()};
+  std::vector<std::string> hurried = line;
+  hurried.insert(hurried.end(), {"--trial-timeout", "0.001"});
+  EXPECT_EQ(Call(hurried), 4);
+  const std::vector<std::string> answers = ReadLines(out / "journal.jsonl");
+  ASSERT_GE(answers.size(), 4u);
+  for (const std::string& answer : answers) {
+    EXPECT_NE(answer.find("\"outcome\":\"numerical failure\""), std::string::npos) << answer;
+  }
+  EXPECT_EQ(Call(line), 4) << "what was answered once stays answered";
+  EXPECT_EQ(ReadLines(out / "journal.jsonl"), answers);
+  EXPECT_EQ(Call({"verify", out.string()}), 0);
+}
+
+TEST_F(EndlessTrial, StoppingDoesNotWaitForIt) {
+  const fs::path out = top_ / "out";
+  const pid_t child = Start({"campaign", "--hand", "tum", "--object", "golf_ball", "--evaluations",
+                             "4", "--set", "session.sim.step_s=0.0001", "--set",
+                             "session.strategy.hold_time_s=60", "--out", out.string()});
+  while (!fs::exists(out / "scenes" / "tum-golf_ball" / "journal.jsonl") && !HasEnded(child)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const auto start = std::chrono::steady_clock::now();
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(WaitFor(child), 75);
+  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(duration.count(), 10.0);
+  EXPECT_EQ(Call({"verify", out.string()}), 0);
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -1,6 +1,7 @@
 /** @file
-A session of the user's own hand, object and grasp file is complete: moved elsewhere and with the
-originals gone it is continued, judged, exported and reported from any working directory. */
+A session, an optimisation or a campaign of the user's own hand, object and grasp file is complete:
+moved elsewhere and with the originals gone it is continued, judged, exported and reported from any
+working directory. */
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,23 @@ class MovedSession : public testing::Test {
     return files;
   }
 
+  /** The originals go, the folder moves, and so does the working directory. */
+  fs::path Move(const char* folder) const {
+    fs::remove_all(top_ / "mine");
+    fs::create_directories(top_ / "elsewhere");
+    fs::rename(top_ / folder, top_ / "elsewhere" / "moved");
+    fs::current_path("/");
+    return top_ / "elsewhere" / "moved";
+  }
+
+  /** A copy is as precious as what never changes. */
+  static void ExpectRefusalOfAChangedCopy(const fs::path& folder) {
+    const fs::path mesh = folder / "inputs" / "objects" / "block" / "block.obj";
+    WriteFile(mesh, ReadFile(mesh) + "\n");
+    EXPECT_EQ(Call({"report", folder.string()}), 3);
+    EXPECT_EQ(Call({"verify", folder.string()}), 3);
+  }
+
   fs::path top_;
 };
 
@@ -70,12 +88,7 @@ TEST_F(MovedSession, NeedsNothingButItsFolder) {
   ASSERT_EQ(run("whole", ""), 0);
   ASSERT_EQ(Call({"judge", "whole"}), 0);
   ASSERT_EQ(run("planned", "--plan-only"), 0);
-  fs::remove_all("mine");
-  fs::create_directories("elsewhere");
-  fs::rename("planned", "elsewhere/moved");
-  fs::current_path("/");
-
-  const fs::path whole = top_ / "whole", moved = top_ / "elsewhere" / "moved";
+  const fs::path whole = top_ / "whole", moved = Move("planned");
   ASSERT_EQ(Call({"run", "--resume", "--out", moved.string()}), 0);
   ASSERT_EQ(Call({"judge", moved.string()}), 0);
   EXPECT_EQ(Call({"verify", moved.string()}), 0);
@@ -96,12 +109,76 @@ TEST_F(MovedSession, NeedsNothingButItsFolder) {
   ExpectSameFile(table / "export" / "trials.csv", moved / "export" / "trials.csv");
   ExpectSameFile(page / "report" / "index.html", moved / "report" / "index.html");
 
-  // A copy is as precious as the plan.
+  ExpectRefusalOfAChangedCopy(moved);
+}
+
+TEST_F(MovedSession, AnOptimisationNeedsNothingButItsFolder) {
+  fs::current_path(top_);
+  const auto optimise = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"optimise", "--hand",        "mine/my_hand",
+                                          "--object", "mine/block",    "--step",
+                                          "2",        "--evaluations", "3"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Call(arguments);
+  };
+  EXPECT_EQ(optimise({"--grasp", "mine/my.yaml", "--out", "whole"}), 2) << "no standard grasp";
+  ASSERT_EQ(optimise({"--out", "whole"}), 0);
+  ASSERT_EQ(optimise({"--out", "planned", "--plan-only"}), 0);
+  const fs::path whole = top_ / "whole", moved = Move("planned");
+  EXPECT_EQ(Call({"optimise", "--resume"}), 2) << "of which folder?";
+  EXPECT_EQ(Call({"optimise", "--resume", "--seed", "2", "--out", moved.string()}), 2);
+  ASSERT_EQ(Call({"optimise", "--resume", "--out", moved.string()}), 0);
+  for (const char* file : {"scene.json", "manifest.json", "journal.jsonl", "result.json",
+                           "individuals.csv", "new-target.yaml"}) {
+    ExpectSameFile(whole / file, moved / file);
+  }
+  EXPECT_EQ(Call({"optimise", "--replay", "1", "--out", moved.string()}), 0);
+  EXPECT_EQ(Call({"verify", moved.string()}), 0);
   const fs::path mesh = moved / "inputs" / "objects" / "block" / "block.obj";
-  const std::string text = ReadFile(mesh);
-  WriteFile(mesh, text + "\n");
-  EXPECT_EQ(Call({"report", moved.string()}), 3);
-  EXPECT_EQ(Call({"verify", moved.string()}), 3);
+  WriteFile(mesh, ReadFile(mesh) + "\n");
+  EXPECT_EQ(Call({"optimise", "--resume", "--out", moved.string()}), 3);
+}
+
+TEST_F(MovedSession, ACampaignNeedsNothingButItsFolder) {
+  fs::current_path(top_);
+  const auto run = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"campaign",
+                                          "--hand",
+                                          "mine/my_hand",
+                                          "--object",
+                                          "mine/block",
+                                          "--evaluations",
+                                          "3",
+                                          "--trials",
+                                          "2",
+                                          "--set",
+                                          "optimise.check_trials=2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Call(arguments);
+  };
+  ASSERT_EQ(run({"--out", "whole"}), 0);
+  ASSERT_EQ(run({"--out", "planned", "--plan-only"}), 0);
+  const fs::path whole = top_ / "whole", moved = Move("planned");
+  EXPECT_EQ(Call({"campaign", "--resume", "--trials", "3", "--out", moved.string()}), 2);
+  ASSERT_EQ(Call({"campaign", "--resume", "--out", moved.string()}), 0);
+  const std::string scene = "scenes/my_hand-block/";
+  for (const std::string& file :
+       {std::string("campaign.json"), std::string("summary.csv"), scene + "journal.jsonl",
+        scene + "result.json", std::string("benchmark/export/trials.csv"),
+        std::string("report/index.html")}) {
+    ExpectSameFile(whole / file, moved / file);
+  }
+  EXPECT_EQ(Call({"optimise", "--replay", "1", "--out", (moved / scene).string()}), 0);
+  EXPECT_EQ(Call({"verify", moved.string()}), 0);
+
+  const auto before = ReadAll(moved);
+  fs::permissions(moved, fs::perms::owner_write, fs::perm_options::remove);
+  const fs::path page = top_ / "page";
+  EXPECT_EQ(Call({"report", moved.string(), "--out", page.string()}), 0);
+  fs::permissions(moved, fs::perms::owner_write, fs::perm_options::add);
+  EXPECT_TRUE(ReadAll(moved) == before);
+  ExpectSameFile(page / "report" / "index.html", moved / "report" / "index.html");
+  ExpectRefusalOfAChangedCopy(moved);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,6 +15,8 @@
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_campaign.h"
 #include "workbench/experiments/run_record.h"
+#include "workbench/experiments/shell_quote.h"
+#include "workbench/optimise_tables.h"
 #include "workbench/terminal_observer.h"
 
 namespace graspbench {
@@ -31,7 +34,9 @@ struct CampaignOptions {
   std::vector<std::string> settings;
   bool compare = false;
   bool plan_only = false;
+  bool resume = false;
   int num_workers = 1;
+  double trial_time_limit = kTrialTimeLimit;
   std::string out;
 };
 
@@ -51,25 +56,56 @@ fs::path FindFolder(const CampaignOptions& options) {
   return fs::path("results") / ("campaign-" + hash);
 }
 
-void Run(CampaignOptions options) {
+/** What failed numerically, by scene; empty: nothing. */
+std::string DescribeNumericalFailures(const Campaign& campaign) {
+  std::string text;
+  const auto add = [&text](const std::string& where, const std::string& what) {
+    if (!what.empty()) text += (text.empty() ? "" : "\n") + where + ": " + what;
+  };
+  for (const SceneRecord& scene : campaign.scenes) {
+    add(scene.config.hand + ", " + scene.config.object,
+        DescribeNumericalFailures(scene.evaluations));
+  }
+  const auto& records = campaign.benchmark.records;
+  const auto count = std::count_if(records.begin(), records.end(), [](const TrialRecord& record) {
+    return record.result.outcome == Outcome::kNumericalFailure;
+  });
+  if (count > 0) {
+    add("benchmark", FormatCount(count, "trial") +
+                         " failed numerically; benchmark/export/trials.csv names them");
+  }
+  return text;
+}
+
+CampaignConfig MakeConfig(CampaignOptions& options) {
   for (const std::string& setting : options.settings) SetConfigValue(setting, options.config);
   if (options.compare && options.config.comparison.scenes.empty()) {
     options.config.comparison.scenes = kComparedScenes;
   }
   CheckCampaignConfig(options.config);
-  const fs::path folder = FindFolder(options);
+  return options.config;
+}
+
+ExitCode Run(CampaignOptions options) {
+  CampaignRequest request;
+  if (!options.resume) request.config = MakeConfig(options);
+  const fs::path folder = request.folder = FindFolder(options);
+  request.num_workers = options.num_workers;
+  request.trial_time_limit = options.trial_time_limit;
   if (options.plan_only) {
-    const int num_scenes = PlanCampaign(folder, options.config);
+    const int num_scenes = PlanCampaign(folder, *request.config);
     RecordPlanning(folder);
-    return PrintPlan(folder, num_scenes, "scene");
+    PrintPlan(folder, num_scenes, "scene");
+    return kExitOk;
   }
   PrintMessage(folder.string() + " on " + FormatCount(options.num_workers, "worker"));
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(DescribeStage, stop);
-  if (!RunCampaign(folder, options.config, options.num_workers, observer, stop)) {
+  if (!RunCampaign(request, observer, stop)) {
     throw Error(ErrorKind::kInterrupted,
-                "stopped; finished trials are kept, the same command with --out " +
-                    folder.string() + " continues");
+                "stopped; finished trials are kept. Continue with\n  graspbench campaign --resume "
+                "--out " +
+                    QuoteForShell(folder.string()));
   }
   const Campaign campaign = LoadCampaign(folder);
   ExportCampaign(folder, campaign);
@@ -77,11 +113,15 @@ void Run(CampaignOptions options) {
   PrintResult("\n" + FormatVariantsTable(campaign) + (comparison.empty() ? "" : "\n" + comparison) +
               "\nreport   " + WriteCampaignReport(folder, campaign).string() + "\ndata     " +
               (folder / "summary.csv").string() + "\n");
+  const std::string failures = DescribeNumericalFailures(campaign);
+  if (failures.empty()) return kExitOk;
+  PrintMessage(failures);
+  return kExitNumericalFailures;
 }
 
 }  // namespace
 
-void AddCampaignCommand(CLI::App& program, ExitCode&) {
+void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command =
       AddSubcommand(program, "campaign",
                     "Optimise every hand and object, then try all variants on the same poses.",
@@ -107,7 +147,15 @@ void AddCampaignCommand(CLI::App& program, ExitCode&) {
   command.add_option("--out", options->out, "folder")
       ->option_text("DIR")
       ->default_str("results/campaign-HASH");
-  command.callback([options] { Run(*options); });
+  AddResumeOption(command, options->resume);
+  AddTrialTimeoutOption(command, options->trial_time_limit);
+  command.callback([options, &command, &exit_code] {
+    if (options->resume) {
+      CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
+                            "--compare", "--set", "--plan-only"});
+    }
+    exit_code = Run(*options);
+  });
 }
 
 }  // namespace graspbench

@@ -48,6 +48,10 @@ void AddPlanOnlyOption(CLI::App& command, bool& plan_only);
 /** Says what was planned and how to go on. */
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
                bool as_json = false);
+/** "--resume": with the settings and the copies of the inputs that are in the folder of --out. */
+void AddResumeOption(CLI::App& command, bool& resume);
+/** When it was given. @throws Error(kUsage) when one of `settings` was too, or no folder. */
+void CheckResume(const CLI::App& command, const std::vector<std::string>& settings);
 /** "--accept-damage": go on with what is left of a damaged store. */
 void AddAcceptDamageOption(CLI::App& command, OnDamage& on_damage);
 /** A number of seconds, finite and above 0; the value is the default. */

@@ -13,6 +13,7 @@
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/scene_runner.h"
+#include "workbench/experiments/shell_quote.h"
 #include "workbench/optimise_tables.h"
 #include "workbench/terminal_observer.h"
 
@@ -25,7 +26,9 @@ struct OptimiseOptions {
   SceneConfig config;
   std::optional<int> replay;
   int num_workers = 1;
+  double trial_time_limit = kTrialTimeLimit;
   std::string out;
+  bool resume = false;
   bool plan_only = false;
 };
 
@@ -37,19 +40,37 @@ fs::path FindFolder(const OptimiseOptions& options, const SceneInputs& inputs) {
          ("optimise-" + inputs.hand->id + "-" + inputs.object->id + "-" + hash);
 }
 
-void Optimise(OptimiseOptions options) {
+/** @returns whether every trial ended. */
+ExitCode Finish(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
+                const OptimisedGrasp& result) {
+  std::string text = FormatOptimisation(inputs, config, result) + "\n";
+  for (const Variant variant : kNewVariants) {
+    const fs::path path = folder / (std::string(NameOf(variant)) + ".yaml");
+    if (fs::exists(path)) text += "grasp    " + path.string() + "\n";
+  }
+  PrintResult(text + "data     " + (folder / "result.json").string() + "\n");
+  const std::string failures = DescribeNumericalFailures(LoadScene(folder).evaluations);
+  if (failures.empty()) return kExitOk;
+  PrintMessage(failures);
+  return kExitNumericalFailures;
+}
+
+ExitCode Optimise(OptimiseOptions options) {
   SceneConfig& config = options.config;
+  if (options.resume) config = LoadScene(options.out).config;
   if (config.hand.empty() || config.object.empty()) {
     throw Error(ErrorKind::kUsage,
                 "--hand and --object say what to optimise\nsee: graspbench optimise --help");
   }
   CheckOptimiseConfig(config.optimise);
-  const SceneInputs inputs = LoadSceneInputs(config);
+  const SceneInputs inputs =
+      LoadSceneInputs(config, options.resume ? fs::path(options.out) : fs::path());
   const fs::path folder = FindFolder(options, inputs);
   if (options.plan_only) {
     PlanScene(folder, config);
     RecordPlanning(folder);
-    return PrintPlan(folder, 1, "scene");
+    PrintPlan(folder, 1, "scene");
+    return kExitOk;
   }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
@@ -60,19 +81,15 @@ void Optimise(OptimiseOptions options) {
       },
       stop);
   try {
-    const OptimisedGrasp result =
-        RunSceneStage(folder, config, inputs, options.num_workers, observer, stop);
-    std::string text = FormatOptimisation(inputs, config, result) + "\n";
-    for (const Variant variant : kNewVariants) {
-      const fs::path path = folder / (std::string(NameOf(variant)) + ".yaml");
-      if (fs::exists(path)) text += "grasp    " + path.string() + "\n";
-    }
-    PrintResult(text + "data     " + (folder / "result.json").string() + "\n");
+    const OptimisedGrasp result = RunSceneStage(folder, config, inputs, options.num_workers,
+                                                observer, stop, options.trial_time_limit);
+    return Finish(folder, config, inputs, result);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
     throw Error(ErrorKind::kInterrupted,
-                "stopped; finished evaluations are kept, the same command with --out " +
-                    folder.string() + " continues");
+                "stopped; finished evaluations are kept. Continue with\n  graspbench optimise "
+                "--resume --out " +
+                    QuoteForShell(folder.string()));
   }
 }
 
@@ -82,7 +99,7 @@ ExitCode Replay(const OptimiseOptions& options) {
   TrialPool pool(options.num_workers, CatchInterrupts());
   const ReplayedIndividual replayed = ReplayIndividual(options.out, *options.replay, pool);
   SceneConfig config = LoadScene(options.out).config;
-  const SceneInputs inputs = LoadSceneInputs(config);
+  const SceneInputs inputs = LoadSceneInputs(config, options.out);
   const fs::path path = fs::path(options.out) / (replayed.grasp.id + ".yaml");
   WriteFileAtomically(path, FormatGraspFile(*inputs.hand, replayed.grasp, config.grasp));
   PrintResult(replayed.grasp.id + ": fitness " + FormatFixed(replayed.stored_fitness, 6) +
@@ -121,6 +138,8 @@ void AddOptions(CLI::App& command, OptimiseOptions& options) {
                   "folder of the results; the same command again continues it")
       ->option_text("DIR")
       ->default_str("results/optimise-HAND-OBJECT-HASH");
+  AddResumeOption(command, options.resume);
+  AddTrialTimeoutOption(command, options.trial_time_limit);
   command
       .add_option("--replay", options.replay,
                   "simulate individual N of the finished folder again and save its grasp")
@@ -137,12 +156,12 @@ void AddOptimiseCommand(CLI::App& program, ExitCode& exit_code) {
                     "best,results/tape/new-target.yaml");
   const auto options = std::make_shared<OptimiseOptions>();
   AddOptions(command, *options);
-  command.callback([options, &exit_code] {
-    if (options->replay) {
-      exit_code = Replay(*options);
-    } else {
-      Optimise(*options);
+  command.callback([options, &command, &exit_code] {
+    if (options->resume) {
+      CheckResume(command, {"--hand", "--object", "--grasp", "--step", "--method", "--evaluations",
+                            "--fitness-trials", "--seed", "--plan-only", "--replay"});
     }
+    exit_code = options->replay ? Replay(*options) : Optimise(*options);
   });
 }
 

@@ -26,11 +26,9 @@ Json MakeVerifyJson(const VerifyOptions& options, const StoreRepair& repair) {
                       {"line", one.line > 0 ? Json(one.line) : Json(nullptr)},
                       {"text", one.text}});
   }
-  return {{"folder", options.folder},
-          {"kind", repair.state.kind},
-          {"state", NameState(repair.state)},
-          {"repaired", repair.actions},
-          {"damage", damage}};
+  return {{"folder", options.folder},         {"kind", repair.state.kind},
+          {"state", NameState(repair.state)}, {"manifest_made_anew", repair.state.is_made_anew},
+          {"repaired", repair.actions},       {"damage", damage}};
 }
 
 std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repair) {
@@ -39,6 +37,9 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   text += options.folder + ": the " + repair.state.kind + " is " + NameState(repair.state);
   if (!repair.state.is_sealed) {
     text += "; only the checksums of its journals' lines can be checked, when they are read";
+  }
+  if (repair.state.is_made_anew) {
+    text += "; its manifest was lost and made anew: what had changed before is not noticed";
   }
   return text + FormatDamage(repair.state.damages) + "\n";
 }

@@ -5,7 +5,6 @@
 #include "workbench/experiments/worker_pool.h"
 
 namespace graspbench {
-namespace {
 
 TrialResult MakeEndlessResult(double time_limit) {
   TrialResult result;
@@ -14,8 +13,6 @@ TrialResult MakeEndlessResult(double time_limit) {
   return result;
 }
 
-}  // namespace
-
 bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, const ShowBatch& show,
               const std::atomic<bool>& stop, double time_limit) {
@@ -23,6 +20,7 @@ bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
     const auto record = std::make_shared<TrialRecord>();  // of the trial that has just run
+    const RunTask prepare = [&trials, tools](size_t task) { tools->prepare(trials[task]); };
     const RunTask run = [&board, &trials, worker, tools, record](size_t task) {
       board.SetBusy(worker, trials[task]);
       record->plan = trials[task];
@@ -38,7 +36,8 @@ bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
       (tools->give_up ? tools->give_up : tools->keep)(endless);
       board.Count(endless.result.outcome);
     };
-    return {run, keep, time_limit < kNoTimeLimit ? give_up : RunTask()};
+    return {tools->prepare ? prepare : RunTask(), run, keep,
+            time_limit < kNoTimeLimit ? give_up : RunTask()};
   };
   return RunTasks(
       trials.size(), num_workers, make_runner, [&] { show(board.Read()); }, stop, time_limit);

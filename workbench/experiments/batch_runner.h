@@ -20,6 +20,8 @@ struct BatchWorker {
   std::function<void(const TrialRecord&)> keep;
   /** What to do with a trial that has not ended in time, a numerical failure; empty: keep it. */
   std::function<void(const TrialRecord&)> give_up = {};
+  /** Loads what the trial needs, outside of its time; empty: nothing is to be loaded. */
+  std::function<void(const PlannedTrial&)> prepare = {};
 };
 /** Called in the worker's own thread. */
 using MakeBatchWorker = std::function<BatchWorker(int worker)>;
@@ -27,6 +29,12 @@ using MakeBatchWorker = std::function<BatchWorker(int worker)>;
 using ShowBatch = std::function<void(const BatchStatus&)>;
 
 inline constexpr double kNoTimeLimit = std::numeric_limits<double>::infinity();
+/** After this long a trial counts as endless [s of the clock]. The longest that the ranges of a
+session allow takes some five minutes alone on a processor. */
+inline constexpr double kTrialTimeLimit = 1800.0;
+
+/** Of a trial that was given up after so long: a numerical failure that says so. */
+TrialResult MakeEndlessResult(double time_limit);
 
 /** Runs `trials` until all are done or `stop` is set; a trial that has begun is finished and kept.
 @param time_limit  [s of the clock]: a trial that has not ended by then is kept as a numerical

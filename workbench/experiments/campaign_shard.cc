@@ -19,7 +19,7 @@ class CampaignShard {
         folder_(request.folder),
         budget_(request.time_budget, observer, stop),
         config_(LoadCampaignConfig(folder_)),
-        inputs_(LoadSessionInputs(config_.session)),
+        inputs_(LoadSessionInputs(config_.session, FieldUse::kNow, folder_)),
         scenes_(PlanScenes(config_, inputs_, folder_)) {
     CheckProgram(kCampaignStore, request);
     CheckSameScenes(folder_, scenes_);
@@ -102,7 +102,8 @@ class CampaignShard {
         ++num_done;
       };
     }
-    RunLearningBatch(counted, request_.num_workers, budget_, budget_.stop());
+    RunLearningBatch(counted, request_.num_workers, budget_, budget_.stop(),
+                     request_.trial_time_limit);
     budget_.EndStage();
     result.num_left -= num_done;
   }

@@ -7,12 +7,12 @@
 namespace graspbench {
 
 bool RunLearningBatch(const std::vector<LearningTask>& tasks, int num_workers, Observer& observer,
-                      const std::atomic<bool>& stop) {
+                      const std::atomic<bool>& stop, double trial_time_limit) {
   StatusBoard board(CalcNumWorkers(num_workers, tasks.size()));
   std::atomic<int> num_planned = 0;
   for (const LearningTask& task : tasks) num_planned += task.num_trials;
   const auto make_runner = [&](int worker, const std::atomic<bool>& must_stop) -> RunTask {
-    const auto pool = std::make_shared<TrialPool>(1, must_stop);
+    const auto pool = std::make_shared<TrialPool>(1, must_stop, trial_time_limit);
     return [&, worker, pool](size_t i) {
       const LearningTask& task = tasks[i];
       int num_trials = 0;

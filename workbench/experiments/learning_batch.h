@@ -22,8 +22,9 @@ struct LearningTask {
 
 /** Runs the tasks in their order until all are done or `stop` is set. The number of trials that the
 observer is shown falls when a task needs fewer than announced.
+@param trial_time_limit  see TrialPool.
 @returns  whether all are done; @throws  as RunTasks of worker_pool.h. */
 bool RunLearningBatch(const std::vector<LearningTask>& tasks, int num_workers, Observer& observer,
-                      const std::atomic<bool>& stop);
+                      const std::atomic<bool>& stop, double trial_time_limit);
 
 }  // namespace graspbench

@@ -15,7 +15,7 @@ namespace {
 
 int CountSearchesLeft(const fs::path& folder) {
   const CampaignConfig config = LoadCampaignConfig(folder);
-  const SessionInputs inputs = LoadSessionInputs(config.session);
+  const SessionInputs inputs = LoadSessionInputs(config.session, FieldUse::kNow, folder);
   const std::vector<CampaignScene> scenes = PlanScenes(config, inputs, folder);
   const std::vector<ComparisonTask> searches = PlanComparison(config, scenes, folder);
   return static_cast<int>(searches.size() -

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "datasets/session/input_copies.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/learning_batch.h"
 #include "workbench/experiments/output_folder.h"
@@ -20,12 +21,13 @@ namespace {
 
 class CampaignRun {
  public:
-  CampaignRun(const fs::path& folder, const CampaignConfig& config, int num_workers,
-              Observer& observer, const std::atomic<bool>& stop)
-      : config_(config),
-        num_workers_(num_workers),
-        folder_(folder),
-        inputs_(LoadSessionInputs(config_.session)),
+  CampaignRun(const CampaignRequest& request, Observer& observer, const std::atomic<bool>& stop)
+      : config_(request.config ? *request.config : LoadCampaignConfig(request.folder)),
+        num_workers_(request.num_workers),
+        trial_time_limit_(request.trial_time_limit),
+        folder_(request.folder),
+        inputs_(LoadSessionInputs(config_.session, FieldUse::kNow,
+                                  request.config ? fs::path() : folder_)),
         scenes_(PlanScenes(config_, inputs_, folder_)),
         observer_(observer),
         stop_(stop) {
@@ -42,6 +44,7 @@ class CampaignRun {
       CreateCampaign(folder_, config_);  // the same one, or an error
     } else {
       StagedFolder staged({folder_, "", false, {}});
+      CopyInputs(config_.session, staged.path());
       CreateCampaign(staged.path(), config_);
       staged.Commit();
     }
@@ -91,7 +94,8 @@ class CampaignRun {
     observer_.BeginStage(stage);
     if (tasks.empty()) return true;
     RunRecorder recorder(folder_, num_workers_, observer_);
-    const bool is_complete = RunLearningBatch(tasks, num_workers_, recorder, stop_);
+    const bool is_complete =
+        RunLearningBatch(tasks, num_workers_, recorder, stop_, trial_time_limit_);
     SealStore(kCampaignStore, folder_);
     recorder.EndStage();
     recorder.Keep(is_complete);
@@ -111,7 +115,7 @@ class CampaignRun {
     const bool is_complete = Record(!trials.empty(), [&](Observer& observer) {
       return RunBatchStage(MakeSessionStage("benchmark", session, trials.size()), trials,
                            num_workers_, MakeSessionWorkers(config, inputs, folder), observer,
-                           stop_, kTrialTimeLimit);
+                           stop_, trial_time_limit_);
     });
     SealStore(kSessionStore, folder);
     if (!is_complete || !Judge(inputs)) return false;
@@ -124,7 +128,8 @@ class CampaignRun {
     const fs::path folder = folder_ / "benchmark";
     const Session session = LoadSession(folder);
     return Record(!FindUnjudged(session).empty(), [&](Observer& observer) {
-      return JudgeSession(session, inputs, folder, num_workers_, observer, stop_);
+      return JudgeSession(session, inputs, folder, num_workers_, observer, stop_,
+                          trial_time_limit_);
     });
   }
 
@@ -137,8 +142,9 @@ class CampaignRun {
     return is_complete;
   }
 
-  const CampaignConfig& config_;
-  int num_workers_;
+  const CampaignConfig config_;
+  const int num_workers_;
+  const double trial_time_limit_;
   fs::path folder_;
   SessionInputs inputs_;
   std::vector<CampaignScene> scenes_;
@@ -183,19 +189,18 @@ bool IsSearchFinished(const ComparisonTask& search) {
 int PlanCampaign(const fs::path& folder, const CampaignConfig& config) {
   Observer nobody;
   const std::atomic<bool> stop{false};
-  return CampaignRun(folder, config, 1, nobody, stop).Plan();
+  return CampaignRun({folder, config}, nobody, stop).Plan();
 }
 
 int PlanBenchmark(const fs::path& folder) {
   Observer nobody;
   const std::atomic<bool> stop{false};
-  const CampaignConfig config = LoadCampaignConfig(folder);
-  return CampaignRun(folder, config, 1, nobody, stop).PlanBenchmark();
+  return CampaignRun({folder, std::nullopt}, nobody, stop).PlanBenchmark();
 }
 
-bool RunCampaign(const fs::path& folder, const CampaignConfig& config, int num_workers,
-                 Observer& observer, const std::atomic<bool>& stop) {
-  return CampaignRun(folder, config, num_workers, observer, stop).Run();
+bool RunCampaign(const CampaignRequest& request, Observer& observer,
+                 const std::atomic<bool>& stop) {
+  return CampaignRun(request, observer, stop).Run();
 }
 
 }  // namespace graspbench

@@ -5,6 +5,7 @@ same trial poses, judge what was held, compare search methods. */
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 
 #include "datasets/campaign/campaign_store.h"
 #include "workbench/experiments/learning_batch.h"
@@ -19,20 +20,28 @@ LearningTask MakeSearchTask(const ComparisonTask& search);
 /** Whether its journal holds all answers: they are given again, and nothing is simulated. */
 bool IsSearchFinished(const ComparisonTask& search);
 
-/** Makes the folder of a campaign and of its scenes, or finds them; nothing runs.
-@returns the number of scenes. @throws as RunCampaign. */
+struct CampaignRequest {
+  std::filesystem::path folder;
+  /** None: that of the campaign in `folder`, with its copies of hands and objects
+  (input_copies.h). Whoever names them again asks whether they are still the same. */
+  std::optional<CampaignConfig> config;
+  int num_workers = 1;
+  double trial_time_limit = kTrialTimeLimit;
+};
+
+/** Makes the folder of a campaign with copies of the user's own inputs, and those of its scenes, or
+finds them; nothing runs. @returns the number of scenes. @throws as RunCampaign. */
 int PlanCampaign(const std::filesystem::path& folder, const CampaignConfig& config);
 
 /** Plans the benchmark of a campaign as soon as all of its scenes are finished.
 @returns how many are not. @throws as RunCampaign. */
 int PlanBenchmark(const std::filesystem::path& folder);
 
-/** Starts or continues the campaign in `folder`. Stages: "optimisation", "benchmark", "judge" and,
+/** Starts or continues a campaign. Stages: "optimisation", "benchmark", "judge" and,
 when searches are compared, "comparison".
 @returns whether it is finished; else `stop` was set and all finished trials are kept.
 @throws Error(kUsage) for a folder with another campaign; what LoadSessionInputs and the stores
 throw. */
-bool RunCampaign(const std::filesystem::path& folder, const CampaignConfig& config, int num_workers,
-                 Observer& observer, const std::atomic<bool>& stop);
+bool RunCampaign(const CampaignRequest& request, Observer& observer, const std::atomic<bool>& stop);
 
 }  // namespace graspbench

@@ -11,6 +11,7 @@ A session from its configuration to the last trial in its folder. */
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_store.h"
+#include "workbench/experiments/batch_runner.h"
 #include "workbench/experiments/observer.h"
 #include "workbench/experiments/run_record.h"
 
@@ -40,11 +41,6 @@ struct PreparedSession {
 CheckOutputFolder; what LoadSessionInputs, MakePlan,
 CreateSession and LoadSession throw. */
 PreparedSession PrepareSession(const SessionRequest& request);
-
-/** After this long a trial counts as endless [s of the clock]. The longest that the ranges of a
-session allow takes some five minutes alone on a processor; the distance field of an object that is
-new to the cache, half a second. */
-inline constexpr double kTrialTimeLimit = 1800.0;
 
 /** Runs the trials that are left and adds itself to run.json. @returns that record. */
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,

@@ -140,14 +140,15 @@ ShardResult WorkOnScene(const ShardRequest& request, Observer& observer,
                         const std::atomic<bool>& stop) {
   CheckProgram(kSceneStore, request);
   SceneConfig config = LoadScene(request.folder).config;
-  const SceneInputs inputs = LoadSceneInputs(config);
+  const SceneInputs inputs = LoadSceneInputs(config, request.folder);
   ShardResult result;
   result.unit = "scene";
   result.num_all = 1;
   if (IsSceneFinished(request.folder, inputs)) return result;
   TimeBudget budget(request.time_budget, observer, stop);
   try {
-    RunSceneStage(request.folder, config, inputs, request.num_workers, budget, budget.stop());
+    RunSceneStage(request.folder, config, inputs, request.num_workers, budget, budget.stop(),
+                  request.trial_time_limit);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
     result.num_left = 1;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "datasets/session/input_copies.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_plan.h"
 #include "workbench/experiments/output_folder.h"
@@ -85,6 +86,16 @@ class JournaledTrials {
   int num_asked_ = 0;
 };
 
+/** A session of one trial of the scene. */
+SessionConfig MakeSessionConfig(const SceneConfig& config) {
+  SessionConfig session;
+  session.hands = {config.hand};
+  session.objects = {config.object};
+  session.grasps = {config.grasp};
+  session.trials = 1;
+  return session;
+}
+
 }  // namespace
 
 RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInputs& inputs,
@@ -94,13 +105,14 @@ RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInpu
   return [trials](const std::vector<LearningRequest>& requests) { return trials->Run(requests); };
 }
 
-SceneInputs LoadSceneInputs(SceneConfig& config) {
-  SessionConfig session;
-  session.hands = {config.hand};
-  session.objects = {config.object};
-  session.grasps = {config.grasp};
-  session.trials = 1;
-  const SessionInputs inputs = LoadSessionInputs(session);
+SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder) {
+  if (IsGraspFile(config.grasp)) {
+    throw Error(ErrorKind::kUsage, "\"" + config.grasp +
+                                       "\" is a grasp file; what is optimised is a standard grasp "
+                                       "of the hand, by its id, or best");
+  }
+  const SessionConfig session = MakeSessionConfig(config);
+  const SessionInputs inputs = LoadSessionInputs(session, FieldUse::kNow, folder);
   const PlannedTrial planned = MakePlan(session, inputs).front();
   config.grasp = planned.grasp;
   const TrialSetup setup = MakeTrialSetup(session, inputs, planned);
@@ -127,20 +139,21 @@ OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& 
 void PlanScene(const std::filesystem::path& folder, const SceneConfig& config) {
   if (HasScene(folder)) return CreateScene(folder, config);  // the same one, or an error
   StagedFolder staged({folder, "", false, {}});
+  CopyInputs(MakeSessionConfig(config), staged.path());
   CreateScene(staged.path(), config);
   staged.Commit();
 }
 
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
-                             const std::atomic<bool>& stop) {
+                             const std::atomic<bool>& stop, double trial_time_limit) {
   if (!HasScene(folder)) PlanScene(folder, config);
   Stage stage;
   stage.name = "optimisation";
   stage.num_all = stage.num_left = 1;
   stage.num_trials = CountLearningTrials(config.optimise);
   observer.BeginStage(stage);
-  TrialPool pool(num_workers, stop);
+  TrialPool pool(num_workers, stop, trial_time_limit);
   BatchStatus status;
   const auto observe = [&](const LearningRequest& request, const LearningTrial& trial) {
     ++status.num_done;
@@ -173,7 +186,7 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
     throw Error(ErrorKind::kUsage, "the optimisation in \"" + folder.string() +
                                        "\" is not finished; finish it, then replay");
   }
-  const SceneInputs inputs = LoadSceneInputs(scene.config);
+  const SceneInputs inputs = LoadSceneInputs(scene.config, folder);
   // The optimisation leads to the individual when it gets its stored answers again.
   std::optional<LearningRequest> request;
   int next = 0;

@@ -23,20 +23,24 @@ RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInpu
                                       const ObserveLearning& observe);
 
 /** Loads the hand, the object and the grasp; "best" is replaced by the grasp it stands for.
+@param folder  of the scene whose copies are taken (input_copies.h); empty: the originals.
 @throws Error(kNotFound, kFormat, kUsage). */
-SceneInputs LoadSceneInputs(SceneConfig& config);
+SceneInputs LoadSceneInputs(SceneConfig& config, const std::filesystem::path& folder = {});
 
 /** Starts or resumes the scene in `folder` and writes its results. @throws Error(kInterrupted). */
 OptimisedGrasp RunScene(const std::filesystem::path& folder, const SceneConfig& config,
                         const SceneInputs& inputs, TrialPool& pool, const ObserveLearning& observe);
 
-/** Creates the folder, or finds the same scene there; nothing runs. */
+/** Creates the folder with copies of the user's own inputs, or finds the same scene there; nothing
+runs. */
 void PlanScene(const std::filesystem::path& folder, const SceneConfig& config);
 
-/** RunScene as a stage that an observer sees, its trials dealt to several workers. */
+/** RunScene as a stage that an observer sees, its trials dealt to several workers.
+@param trial_time_limit  see TrialPool. */
 OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneConfig& config,
                              const SceneInputs& inputs, int num_workers, Observer& observer,
-                             const std::atomic<bool>& stop);
+                             const std::atomic<bool>& stop,
+                             double trial_time_limit = kTrialTimeLimit);
 
 /** Starts or resumes one search of a comparison, from its scene's saved new pre-grasp. */
 void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,

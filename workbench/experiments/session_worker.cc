@@ -29,7 +29,9 @@ MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInp
     const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
     const auto journal = std::make_shared<JournalWriter>(folder, worker, label);
     return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
-                       [journal](const TrialRecord& record) { journal->Append(record); }};
+                       [journal](const TrialRecord& record) { journal->Append(record); },
+                       {},
+                       [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
   };
 }
 
@@ -49,7 +51,8 @@ MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& in
       writer->Append(record.plan.id, *judgement);
     };
     // Nothing is known of a grasp whose test does not end: it stays unjudged.
-    return BatchWorker{judge, keep, [](const TrialRecord&) {}};
+    return BatchWorker{judge, keep, [](const TrialRecord&) {},
+                       [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
   };
 }
 

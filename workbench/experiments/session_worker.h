@@ -19,6 +19,9 @@ class PlannedTrialRunner {
   /** @pre both outlive the runner. */
   PlannedTrialRunner(const SessionConfig& config, const SessionInputs& inputs)
       : config_(config), inputs_(inputs) {}
+  void Prepare(const PlannedTrial& planned) {
+    runner_.Prepare(MakeTrialSetup(config_, inputs_, planned));
+  }
   TrialResult Run(const PlannedTrial& planned) {
     return runner_.Run(MakeTrialSetup(config_, inputs_, planned));
   }

@@ -14,6 +14,8 @@ namespace graspbench {
 
 class SetupRunner {
  public:
+  /** What Run and Judge would do first: it may build a distance field. */
+  void Prepare(TrialSetup setup) { Find(setup); }
   TrialResult Run(TrialSetup setup) { return Find(setup).Run(setup); }
   JudgedTrial Judge(TrialSetup setup) { return Find(setup).Judge(setup); }
 

@@ -55,7 +55,9 @@ bool ShardPresence::Begin(const std::vector<PlannedTrial>& sentinels, const Sess
   const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
   const auto make_worker = [&start, runner](int) {
     return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
-                       [&start](const TrialRecord& record) { start.sentinels.push_back(record); }};
+                       [&start](const TrialRecord& record) { start.sentinels.push_back(record); },
+                       {},
+                       [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
   };
   const auto show = [&budget](const BatchStatus&) { budget.Look(); };
   if (!sentinels.empty() &&

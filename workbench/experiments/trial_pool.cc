@@ -4,15 +4,43 @@
 #include "workbench/experiments/worker_pool.h"
 
 namespace graspbench {
+namespace {
+
+/** All that a trial which is given up may still use. */
+struct RunningTrial {
+  std::shared_ptr<SetupRunner> runner;
+  TrialSetup setup;
+  TrialResult result;
+};
+
+}  // namespace
 
 std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups) {
   std::vector<TrialResult> results(setups.size());
-  const auto make_runner = [&](int worker, const std::atomic<bool>&) -> RunTask {
-    SetupRunner& runner = workers_[static_cast<size_t>(worker)];
-    return [&](size_t task) { results[task] = runner.Run(setups[task]); };
+  std::atomic<bool> is_one_given_up{false};
+  const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
+    const auto trial = std::make_shared<RunningTrial>();
+    if (const auto number = static_cast<size_t>(worker); number < workers_.size()) {
+      if (!workers_[number]) workers_[number] = std::make_shared<SetupRunner>();
+      trial->runner = workers_[number];
+    } else {  // in the place of one that was given up
+      trial->runner = std::make_shared<SetupRunner>();
+    }
+    const RunTask prepare = [&setups, trial](size_t task) {
+      trial->setup = setups[task];
+      trial->runner->Prepare(trial->setup);
+    };
+    const RunTask run = [trial](size_t) { trial->result = trial->runner->Run(trial->setup); };
+    const RunTask keep = [&results, trial](size_t task) { results[task] = trial->result; };
+    const RunTask give_up = [&, this](size_t task) {
+      results[task] = MakeEndlessResult(time_limit_);
+      is_one_given_up = true;
+    };
+    return {prepare, run, keep, give_up};
   };
-  const bool is_complete =
-      RunTasks(setups.size(), static_cast<int>(workers_.size()), make_runner, {}, stop_);
+  const bool is_complete = RunTasks(
+      setups.size(), static_cast<int>(workers_.size()), make_runner, [] {}, stop_, time_limit_);
+  if (is_one_given_up) workers_.assign(workers_.size(), nullptr);  // its thread has one of them
   if (!is_complete || stop_) throw Error(ErrorKind::kInterrupted, "stopped");
   return results;
 }

@@ -1,28 +1,33 @@
 #pragma once
 /** @file
 Runs trials on several threads and gives their results in the order of asking. Each worker keeps the
-simulated world of the last hand and object from one call to the next. */
+simulated world of the last hand and object from one call to the next. A trial that does not end in
+time is given up; its result is a numerical failure. */
 
 #include <atomic>
+#include <memory>
 #include <vector>
 
 #include "core/trial/trial_result.h"
+#include "workbench/experiments/batch_runner.h"
 #include "workbench/experiments/setup_runner.h"
 
 namespace graspbench {
 
 class TrialPool {
  public:
-  /** @param stop  when set, Run throws Error(kInterrupted); it must outlive the pool. */
-  TrialPool(int num_workers, const std::atomic<bool>& stop)
-      : workers_(static_cast<size_t>(num_workers)), stop_(stop) {}
+  /** @param stop  when set, Run throws Error(kInterrupted); it must outlive the pool.
+  @param time_limit  of a trial [s of the clock]. */
+  TrialPool(int num_workers, const std::atomic<bool>& stop, double time_limit = kTrialTimeLimit)
+      : workers_(static_cast<size_t>(num_workers)), stop_(stop), time_limit_(time_limit) {}
 
   /** @throws Error(kInterrupted) when stopped; the first exception of a thread. */
   std::vector<TrialResult> Run(const std::vector<TrialSetup>& setups);
 
  private:
-  std::vector<SetupRunner> workers_;
+  std::vector<std::shared_ptr<SetupRunner>> workers_;  // null: made when it is needed
   const std::atomic<bool>& stop_;
+  const double time_limit_;
 };
 
 }  // namespace graspbench

@@ -101,6 +101,7 @@ class Pool : public std::enable_shared_from_this<Pool> {
       }
       size_t task = 0;
       while (Take(task)) {
+        if (runner.prepare) runner.prepare(task);
         if (runner.give_up) SetTask(seat, task);
         runner.run(task);
         if (!SetTask(seat, std::nullopt)) return;

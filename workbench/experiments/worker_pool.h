@@ -17,9 +17,14 @@ using RunTask = std::function<void(size_t task)>;
 /** What one worker does with a task. */
 struct TaskRunner {
   TaskRunner(RunTask whole) : run(std::move(whole)) {}
-  TaskRunner(RunTask work, RunTask result, RunTask none)
-      : run(std::move(work)), keep(std::move(result)), give_up(std::move(none)) {}
+  TaskRunner(RunTask tools, RunTask work, RunTask result, RunTask none)
+      : prepare(std::move(tools)),
+        run(std::move(work)),
+        keep(std::move(result)),
+        give_up(std::move(none)) {}
 
+  /** What the task needs and what takes no part of its time; may be empty. */
+  RunTask prepare;
   /** The work. A task that may be given up must from then on touch only what its thread owns. */
   RunTask run;
   /** Keeps what `run` has found, if the task has ended in time; may be empty. */

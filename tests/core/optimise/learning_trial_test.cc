@@ -56,6 +56,18 @@ TEST(LearningTrial, IsReadAsItWasWritten) {
   }
 }
 
+// Else a pre-grasp whose simulation gave up would be the one with the most simultaneous contacts.
+TEST(LearningTrial, OneThatGaveUpHasNoTiming) {
+  TrialResult result;
+  result.outcome = Outcome::kNumericalFailure;
+  const LearningTrial trial = MakeLearningTrial(0, result, false);
+  const LearningTrial read = LearningTrialFromJson(Json::parse(FormatJson(ToJson(trial))));
+  for (const LearningTrial* one : {&trial, &read}) {
+    EXPECT_TRUE(std::isnan(one->timing.gct));
+    EXPECT_TRUE(std::isnan(one->timing.gft_ratio));
+  }
+}
+
 TEST(LearningTrial, TwoThumbsAreRefused) {
   Json json = ToJson(MakeLearningTrial(0, MakeResult(0.5, 1.0), false));
   json["digits"][1]["is_thumb"] = true;

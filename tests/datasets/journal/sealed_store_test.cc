@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "datasets/campaign/campaign_store.h"
 #include "datasets/session/session_store.h"
 #include "tests/datasets/journal/store_mutations.h"
 #include "tests/datasets/session/fake_session.h"
@@ -95,6 +96,19 @@ TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
             "\n  session.json: its bytes have changed");
   SealStore(kSessionStore, session_);  // nor does a run that accepts it
   EXPECT_EQ(Look(session_), "\n  session.json: its bytes have changed");
+}
+
+TEST_F(SealedStore, ALostManifestIsSpokenOfForEver) {
+  const std::string expected =
+      "\n  manifest.json: was lost and made anew: what had changed before is not noticed";
+  for (const fs::path& store : {session_, stores_[3]}) {
+    fs::remove(store / "manifest.json");
+    EXPECT_FALSE(RepairStore(store).actions.empty());
+    EXPECT_TRUE(CheckStore(store).is_made_anew);
+  }
+  SealStore(kSessionStore, session_);
+  EXPECT_EQ(FormatDamage(LoadSession(session_).damage), expected);
+  EXPECT_EQ(FormatDamage(LoadCampaign(stores_[3]).damage), expected);
 }
 
 TEST_F(SealedStore, DerivedFilesAreMadeAnew) {

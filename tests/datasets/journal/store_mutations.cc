@@ -27,7 +27,15 @@ Judgement MakeJudgement(double force) {
   return judgement;
 }
 
+void MakeInputs(const fs::path& folder) {
+  const fs::path block = folder / "inputs" / "objects" / "block";
+  MakeFolder(block / "meshes");
+  WriteFile(block / "object.yaml", "name: block\nmesh: meshes/block.obj\n");
+  WriteFile(block / "meshes" / "block.obj", "v 0 0 0\nv 0 1 0\n");
+}
+
 void MakeSession(const fs::path& folder, int trials) {
+  if (trials > 2) MakeInputs(folder);
   const auto plan = CreateFakeSession(folder, trials);
   JournalWriter first(folder, 0), second(folder, 1);
   for (size_t i = 0; i < plan.size(); ++i) {
@@ -58,6 +66,7 @@ void MakeScene(const fs::path& folder, const std::string& object) {
   SceneConfig config;
   config.hand = "tum";
   config.object = object;
+  if (object == "mug") MakeInputs(folder);
   CreateScene(folder, config);
   FillJournal(folder / "journal.jsonl", 6);
   WriteFile(folder / "new-pregrasp.yaml", "pregrasp of: " + object + "\n");
@@ -70,6 +79,7 @@ void MakeScene(const fs::path& folder, const std::string& object) {
 void MakeCampaign(const fs::path& folder) {
   CampaignConfig config;
   config.comparison.scenes = {"tum/mug"};
+  MakeInputs(folder);
   CreateCampaign(folder, config);
   MakeScene(folder / "scenes" / "tum-mug", "mug");
   MakeScene(folder / "scenes" / "tum-pencil", "pencil");

@@ -64,5 +64,19 @@ TEST(WorkerPool, ATaskThatGivesUpIsNotDone) {
       3, 1, make_runner, [] {}, stop));
 }
 
+// What a task needs may take long to load; that is no part of its time.
+TEST(WorkerPool, PreparingIsNoPartOfATasksTime) {
+  const std::atomic<bool> never = false;
+  std::atomic<int> num_kept = 0, num_given_up = 0;
+  const auto make_runner = [&](int, const std::atomic<bool>&) -> TaskRunner {
+    const auto prepare = [](size_t) { std::this_thread::sleep_for(std::chrono::seconds(2)); };
+    return {prepare, [](size_t) {}, [&](size_t) { ++num_kept; }, [&](size_t) { ++num_given_up; }};
+  };
+  EXPECT_TRUE(RunTasks(
+      2, 2, make_runner, [] {}, never, /*time_limit=*/1.0));
+  EXPECT_EQ(num_kept, 2);
+  EXPECT_EQ(num_given_up, 0);
+}
+
 }  // namespace
 }  // namespace graspbench
