@@ -40,15 +40,21 @@ Eigen::Vector2d LineCrossings::Flatten(int vertex) const {
 }
 
 Eigen::Vector2i LineCrossings::FindCell(const Eigen::Vector2d& p) const {
-  const Eigen::Array2d cell = (p - lower_).array() / cell_.array();
-  return cell.max(0.0).min(num_cells_ - 1.0).cast<int>().matrix();
+  const auto find = [this](double offset, double size) {
+    return static_cast<int>(std::min(std::max(offset / size, 0.0), num_cells_ - 1.0));
+  };
+  return {find(p.x() - lower_.x(), cell_.x()), find(p.y() - lower_.y(), cell_.y())};
 }
 
-// Both triangles at an edge get the same answer, so that a line passes through one of them.
-bool LineCrossings::IsLeftOf(int from, int to, const Eigen::Vector2d& p) const {
-  if (from > to) return !IsLeftOf(to, from, p);
-  const Eigen::Vector2d a = Flatten(from), d = Flatten(to) - a;
-  return d.x() * (p.y() - a.y()) - d.y() * (p.x() - a.x()) >= 0.0;
+// Both triangles at an edge get the same answer, so that a line passes through one of them. Plain
+// numbers: it is asked millions of times, also where sanitizers watch every access.
+bool LineCrossings::IsLeftOf(int from, int to, double u, double v) const {
+  const double* const a = mesh_->vertices[static_cast<size_t>(std::min(from, to))].data();
+  const double* const b = mesh_->vertices[static_cast<size_t>(std::max(from, to))].data();
+  const int along = (axis_ + 1) % 3, across = (axis_ + 2) % 3;
+  const double d_u = b[along] - a[along], d_v = b[across] - a[across];
+  const bool is_left = d_u * (v - a[across]) - d_v * (u - a[along]) >= 0.0;
+  return is_left == (from <= to);
 }
 
 void LineCrossings::Find(double u, double v, std::vector<Crossing>& crossings) const {
@@ -57,9 +63,9 @@ void LineCrossings::Find(double u, double v, std::vector<Crossing>& crossings) c
   const Eigen::Vector2i at = FindCell(p);
   const int cell = at.x() + num_cells_ * at.y();
   for (int i = first_[cell]; i < first_[cell + 1]; ++i) {
-    const Eigen::Vector3i& t = mesh_->triangles[triangles_[i]];
-    const bool is_left = IsLeftOf(t[0], t[1], p);
-    if (IsLeftOf(t[1], t[2], p) != is_left || IsLeftOf(t[2], t[0], p) != is_left) continue;
+    const int* const t = mesh_->triangles[static_cast<size_t>(triangles_[i])].data();
+    const bool is_left = IsLeftOf(t[0], t[1], u, v);
+    if (IsLeftOf(t[1], t[2], u, v) != is_left || IsLeftOf(t[2], t[0], u, v) != is_left) continue;
     const Eigen::Vector3d& a = mesh_->vertices[t[0]];
     const Eigen::Vector3d normal = (mesh_->vertices[t[1]] - a).cross(mesh_->vertices[t[2]] - a);
     const Eigen::Vector2d along(normal[(axis_ + 1) % 3], normal[(axis_ + 2) % 3]);

@@ -26,7 +26,7 @@ class LineCrossings {
 
  private:
   Eigen::Vector2d Flatten(int vertex) const;
-  bool IsLeftOf(int from, int to, const Eigen::Vector2d& p) const;
+  bool IsLeftOf(int from, int to, double u, double v) const;
   Eigen::Vector2i FindCell(const Eigen::Vector2d& p) const;
 
   const TriMesh* mesh_;

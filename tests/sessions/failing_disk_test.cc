@@ -43,7 +43,8 @@ class FailingDisk : public testing::Test {
     if (::chdir(top_.c_str()) != 0) ::_exit(126);
     if (fault_seed > 0) {
       ::setenv("LD_PRELOAD", GRASPBENCH_FAIL_FILES, 1);
-      ::setenv("GRASPBENCH_FAULTS", (std::to_string(fault_seed) + " 0.03 out").c_str(), 1);
+      ::setenv("GRASPBENCH_FAULTS",
+               (std::to_string(fault_seed) + " " + fault_probability_ + " out").c_str(), 1);
     }
     ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
     ::_exit(127);
@@ -66,6 +67,7 @@ class FailingDisk : public testing::Test {
 
   fs::path top_;
   int num_failed_ = 0;
+  std::string fault_probability_ = "0.03";
 
   /** The command fails with the environment's exit code or succeeds, then is run undisturbed. */
   void RunUnderFaults(const std::string& line, const std::string& again, int first_seed,
@@ -148,12 +150,60 @@ TEST_F(FailingDisk, CampaignsAreContinuedToTheSameBytes) {
   EXPECT_GT(num_failed_, 2) << "the faults must bite";
 }
 
-// A basin and a study are there as a whole or not at all, whenever the program is killed.
-TEST_F(FailingDisk, WholeResultsAppearWholeWhenKilled) {
-  const std::vector<std::pair<std::string, std::string>> commands = {
+// These are there as a whole or not at all, whenever the program is killed or a file fails.
+const std::vector<std::pair<std::string, std::string>>& ListWholeResults() {
+  static const std::vector<std::pair<std::string, std::string>> commands = {
       {"basin --hand tum --object golf_ball --samples 6 --out ", "basin.csv"},
+      {"export base --out ", "export/trials.csv"},
+      {"export base --mjcf all --out ", "manifest.json"},
+      {"report base --out ", "report/index.html"},
       {"study demo --out ", "measures.csv"}};
-  for (const auto& [line, file] : commands) {
+  return commands;
+}
+
+TEST_F(FailingDisk, WholeResultsAreWrittenWholeOrNot) {
+  ASSERT_EQ(Run("run --hand tum --object golf_ball --trials 1 --out base"), 0) << Log();
+  fault_probability_ = "0.1";
+  for (const auto& [line, file] : ListWholeResults()) {
+    fs::remove_all(top_ / "whole");
+    ASSERT_EQ(Run(line + "whole"), 0) << Log();
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      const bool is_undisturbed = attempt == 5;
+      fs::remove_all(top_ / "out");
+      const int exit_code = Run(line + "out", is_undisturbed ? 0 : 401 + attempt);
+      EXPECT_TRUE(exit_code == 0 || (exit_code == 5 && !is_undisturbed)) << Log();
+      num_failed_ += exit_code != 0;
+      if (!fs::exists(top_ / "out")) continue;
+      EXPECT_EQ(Run("verify out"), 0) << Log();
+      ExpectSame({file, "manifest.json"});
+    }
+  }
+  EXPECT_GT(num_failed_, 6) << "the faults must bite";
+}
+
+TEST_F(FailingDisk, ARepairLosesNoLine) {
+  ASSERT_EQ(Run("run --hand tum --object golf_ball --trials 4 --jobs 1 --out whole"), 0) << Log();
+  const std::string text = ReadFile(top_ / "whole" / "journal" / "0.jsonl");
+  const size_t end = text.find('\n') + 1;
+  std::string damaged = text.substr(0, end);
+  damaged[end / 2] ^= 1;
+  fault_probability_ = "0.1";
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    fs::remove_all(top_ / "out");
+    fs::copy(top_ / "whole", top_ / "out", fs::copy_options::recursive);
+    const fs::path journal = top_ / "out" / "journal" / "0.jsonl";
+    WriteFile(journal, damaged + text.substr(end));
+    num_failed_ += Run("verify out --repair", 501 + attempt) != 0;
+    EXPECT_EQ(Run("verify out --repair"), 0) << Log();
+    EXPECT_EQ(ReadFile(journal), text.substr(end));
+    EXPECT_NE(ReadFile(journal.string() + ".damaged").find(damaged), std::string::npos);
+  }
+  EXPECT_GT(num_failed_, 3) << "the faults must bite";
+}
+
+TEST_F(FailingDisk, WholeResultsAppearWholeWhenKilled) {
+  ASSERT_EQ(Run("run --hand tum --object golf_ball --trials 1 --out base"), 0) << Log();
+  for (const auto& [line, file] : ListWholeResults()) {
     fs::remove_all(top_ / "whole");
     fs::remove_all(top_ / "out");
     const auto start = std::chrono::steady_clock::now();
