@@ -36,6 +36,8 @@ class Joiner {
     }
     if (is_brief_) {
       std::vector<BreakingLoad>().swap(judgement.loads);
+      judgement.epsilons.shrink_to_fit();
+      judgement.verdicts.shrink_to_fit();
       session_.lines.judgements[static_cast<size_t>(&record - session_.records.data())] = place;
     }
     record.judgement = std::move(judgement);
