@@ -67,6 +67,13 @@ TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
 
 TrialRunner::~TrialRunner() = default;
 
+void TrialRunner::Prepare(const SimConfig& sim) {
+  try {
+    impl_->MakeWorld(sim);
+  } catch (const std::exception&) {  // the trial will fail by it, as a result with its reason
+  }
+}
+
 TrialResult TrialRunner::Run(const TrialSetup& setup) { return impl_->Run(setup, false).result; }
 
 JudgedTrial TrialRunner::Judge(const TrialSetup& setup) { return impl_->Run(setup, true); }

@@ -24,6 +24,9 @@ class TrialRunner {
   /** @throws Error(kUnsupported) for a hand with a longer chain of joints than the solver holds. */
   TrialRunner(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object);
   ~TrialRunner();
+  /** What the first Run would do before its trial: points on the surfaces of a large object may take
+  seconds. What cannot be made, Run says. */
+  void Prepare(const SimConfig& sim);
   /** @pre setup.hand and setup.object are those of the constructor. */
   TrialResult Run(const TrialSetup& setup);
   /** The same trial, and then the judge of what it holds (judge.h); some five times the cost. */

@@ -14,8 +14,8 @@ namespace graspbench {
 
 class SetupRunner {
  public:
-  /** What Run and Judge would do first: it may build a distance field. */
-  void Prepare(TrialSetup setup) { Find(setup); }
+  /** What Run and Judge would do first: it may build a distance field and the world's points. */
+  void Prepare(TrialSetup setup) { Find(setup).Prepare(setup.sim); }
   TrialResult Run(TrialSetup setup) { return Find(setup).Run(setup); }
   JudgedTrial Judge(TrialSetup setup) { return Find(setup).Judge(setup); }
 
