@@ -2,9 +2,11 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/base/text.h"
+#include "datasets/session/session_progress.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_shard.h"
@@ -44,11 +46,27 @@ std::string DescribeStage(const Stage& stage) {
   return FormatCount(stage.num_left, "trial") + " to " + stage.name;
 }
 
+/** A worker reads no journal but its own. */
+void WarnOfOtherJournals(const ShardRequest& request) {
+  if (FindStoreKind(request.folder) != &kSessionStore || request.judge) return;
+  std::set<int> counts = FindShardCounts(request.folder);
+  counts.erase(request.shard.count);
+  if (counts.empty()) return;
+  std::string others;
+  for (const int count : counts) {
+    others += (others.empty() ? "" : ", ") +
+              (count > 0 ? "shards of " + std::to_string(count) : std::string("graspbench run"));
+  }
+  PrintMessage("note: trials that were run by others (" + others +
+               ") are run again by a shard of " + std::to_string(request.shard.count));
+}
+
 void Work(const WorkOptions& options) {
   ShardRequest request = options.request;
   request.shard = ParseShard(options.shard);
   if (!options.time_budget.empty()) request.time_budget = ParseTime(options.time_budget);
   const std::string folder = request.folder.string(), name = folder + ", shard " + options.shard;
+  WarnOfOtherJournals(request);
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeStage(stage); },
                             stop);
