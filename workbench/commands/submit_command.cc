@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "core/base/files.h"
 #include "datasets/session/shard.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/machine.h"
 #include "workbench/experiments/run_shard.h"
 #include "workbench/experiments/submit_script.h"
 
@@ -29,9 +29,8 @@ void Submit(const SubmitOptions& options) {
   request.num_rounds = FindStoreKind(request.folder) == &kCampaignStore ? 2 : 1;
   if (request.num_shards == 0) {
     constexpr int kShardsOfCluster = 10;
-    const int num_processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     request.num_shards =
-        std::min(request.engine == "slurm" ? kShardsOfCluster : num_processors, num_cards);
+        std::min(request.engine == "slurm" ? kShardsOfCluster : CountProcessors(), num_cards);
   }
   CheckRequest({request.folder, {1, request.num_shards}, request.judge});
   request.program = std::filesystem::read_symlink("/proc/self/exe");

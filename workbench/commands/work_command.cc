@@ -36,21 +36,13 @@ double ParseTime(const std::string& text) {
                                      "\": expected a time above 0 in s, m or h, as 90s, 25m or 2h");
 }
 
-std::string DescribeStage(const Stage& stage) {
-  if (stage.name == "optimisation") return FormatCount(stage.num_left, "scene") + " to optimise";
-  if (stage.name == "comparison") {
-    return FormatCount(stage.num_left, "search", "searches") + " to run";
-  }
-  return FormatCount(stage.num_left, "trial") + " to " + stage.name;
-}
-
 void Work(const WorkOptions& options) {
   ShardRequest request = options.request;
   request.shard = ParseShard(options.shard);
   if (!options.time_budget.empty()) request.time_budget = ParseTime(options.time_budget);
   const std::string folder = request.folder.string(), name = folder + ", shard " + options.shard;
   const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeStage(stage); },
+  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeTasks(stage); },
                             stop);
   const ShardResult result = WorkOnShard(request, observer, stop);
   if (result.num_left > 0) {
