@@ -8,7 +8,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
@@ -209,7 +208,7 @@ void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std:
 }
 
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
-  num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  num_workers = CountProcessors();
   command.add_option("--jobs", num_workers, what + " at a time")
       ->check(CLI::Range(1, 1024))
       ->option_text("N")
@@ -233,6 +232,7 @@ int RunProgram(int argc, const char* const* argv) {
     program.require_subcommand(1);
 #define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
+#include "workbench/experiments/machine.h"
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
     RefuseLineFeeds(argc, argv);

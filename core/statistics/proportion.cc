@@ -22,6 +22,14 @@ double CalcShare(int64_t count, int64_t num_all) {
   return num_all > 0 ? static_cast<double>(count) / static_cast<double>(num_all) : std::nan("");
 }
 
+std::string FormatRange(const Interval& interval, int decimals) {
+  return FormatFixed(interval.low, decimals) + " to " + FormatFixed(interval.high, decimals);
+}
+
+std::string FormatEstimate(double estimate, const Interval& interval, int decimals) {
+  return FormatFixed(estimate, decimals) + " (" + FormatRange(interval, decimals) + ")";
+}
+
 Interval CalcWilsonInterval(int num_successes, int num_trials) {
   DemandCounts(num_successes, num_trials);
   if (num_trials == 0) return {0.0, 1.0};
@@ -74,7 +82,7 @@ std::string FormatRate(int num_successes, int num_trials) {
 std::string FormatRateInterval(int num_successes, int num_trials) {
   if (num_trials == 0) return "n/a";
   const Interval interval = CalcWilsonInterval(num_successes, num_trials);
-  return FormatFixed(100.0 * interval.low, 1) + " to " + FormatFixed(100.0 * interval.high, 1);
+  return FormatRange({100.0 * interval.low, 100.0 * interval.high}, 1);
 }
 
 }  // namespace graspbench

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/statistics/proportion.h"
 #include "core/trial/verdicts.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "reports/layout.h"
@@ -11,11 +12,6 @@
 namespace graspbench {
 namespace {
 
-std::string FormatInterval(const BootstrapInterval& value) {
-  return FormatFixed(value.estimate, 2) + " (" + FormatFixed(value.interval.low, 2) + " to " +
-         FormatFixed(value.interval.high, 2) + ")";
-}
-
 IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterval>& answer) {
   IntervalPlot::Row row;
   row.label = label;
@@ -23,7 +19,7 @@ IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterv
     row.value = answer->estimate;
     row.low = answer->interval.low;
     row.high = answer->interval.high;
-    row.text = FormatInterval(*answer);
+    row.text = FormatEstimate(answer->estimate, answer->interval, 2);
   } else {
     row.value = row.low = row.high = kUnset;
     row.text = answer.reason();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
 #include "reports/session_report.h"
@@ -29,8 +30,7 @@ void PrintEvidence(const JudgeEvidence& evidence) {
   for (const RankEvidence& rank : evidence.ranks) {
     table.AddRow({rank.measure,
                   rank.correlation ? FormatFixed(rank.correlation->estimate, 3) : "n/a",
-                  rank.correlation ? FormatFixed(rank.correlation->interval.low, 3) + " to " +
-                                         FormatFixed(rank.correlation->interval.high, 3)
+                  rank.correlation ? FormatRange(rank.correlation->interval, 3)
                                    : rank.correlation.reason()});
   }
   PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged\n\n" + table.Format());
@@ -52,10 +52,7 @@ ExitCode Judge(const JudgeOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
-      [&](const Stage& stage) {
-        return options.folder + ": " + FormatCount(stage.num_left, "held grasp") + " to judge";
-      },
-      stop);
+      [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); }, stop);
   if (!JudgeSession(folder, options.num_workers, observer, stop, options.on_damage,
                     options.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,

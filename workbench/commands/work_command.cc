@@ -38,14 +38,6 @@ double ParseTime(const std::string& text) {
                                      "\": expected a time above 0 in s, m or h, as 90s, 25m or 2h");
 }
 
-std::string DescribeStage(const Stage& stage) {
-  if (stage.name == "optimisation") return FormatCount(stage.num_left, "scene") + " to optimise";
-  if (stage.name == "comparison") {
-    return FormatCount(stage.num_left, "search", "searches") + " to run";
-  }
-  return FormatCount(stage.num_left, "trial") + " to " + stage.name;
-}
-
 /** A worker reads no journal but its own. */
 void WarnOfOtherJournals(const ShardRequest& request) {
   if (FindStoreKind(request.folder) != &kSessionStore || request.judge) return;
@@ -68,7 +60,7 @@ void Work(const WorkOptions& options) {
   const std::string folder = request.folder.string(), name = folder + ", shard " + options.shard;
   WarnOfOtherJournals(request);
   const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeStage(stage); },
+  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeTasks(stage); },
                             stop);
   const ShardResult result = WorkOnShard(request, observer, stop);
   if (result.num_left > 0) {

@@ -133,7 +133,8 @@ std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
                        }};
   };
   Stage stage;
-  stage.name = variant.id;
+  stage.kind = StageKind::kVariant;
+  stage.variant = variant.id;
   stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(plan.size());
   if (!RunBatchStage(stage, plan, num_workers, make_worker, observer, stop)) {
     throw Error(ErrorKind::kInterrupted, "stopped; nothing was written");

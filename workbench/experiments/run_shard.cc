@@ -131,7 +131,7 @@ class SessionShard {
 
   Stage MakeStage(const std::vector<PlannedTrial>& trials) const {
     Stage stage;
-    stage.name = request_.judge ? "judge" : "run";
+    stage.kind = request_.judge ? StageKind::kJudge : StageKind::kRun;
     stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
     return stage;
   }

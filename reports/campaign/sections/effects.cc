@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {
@@ -20,9 +21,7 @@ std::string FormatMeasure(const VariantMeasure& measure, double value) {
 
 std::string FormatRatio(const StepEffect& effect) {
   if (!effect.ratio) return FormatFixed(effect.plain_ratio(), 2);
-  return FormatFixed(effect.ratio->estimate, 2) + " (" +
-         FormatFixed(effect.ratio->interval.low, 2) + " to " +
-         FormatFixed(effect.ratio->interval.high, 2) + ")";
+  return FormatEstimate(effect.ratio->estimate, effect.ratio->interval, 2);
 }
 
 Html DrawEffects(const CampaignData& data, const std::string& hand, const std::string& name) {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/statistics/proportion.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 
@@ -10,15 +11,12 @@ namespace {
 std::string FormatIcc(const OpeningReliability& row) {
   if (!row.reliability || !row.reliability->one_way) return "n/a";
   const Icc& icc = row.reliability->one_way->single;
-  return FormatFixed(icc.value, 2) + " (" + FormatFixed(icc.interval.low, 2) + " to " +
-         FormatFixed(icc.interval.high, 2) + ")";
+  return FormatEstimate(icc.value, icc.interval, 2);
 }
 
 std::string FormatAgainst(const OpeningReliability& row) {
   if (!row.against_aperture) return "n/a";
-  const BootstrapInterval& b = *row.against_aperture;
-  return FormatFixed(b.estimate, 2) + " (" + FormatFixed(b.interval.low, 2) + " to " +
-         FormatFixed(b.interval.high, 2) + ")";
+  return FormatEstimate(row.against_aperture->estimate, row.against_aperture->interval, 2);
 }
 
 std::string FormatNeeded(const OpeningReliability& row) {
