@@ -14,6 +14,7 @@
 #include "core/base/escape.h"
 #include "core/base/text.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/machine.h"
 #include "workbench/experiments/shell_quote.h"
 
 namespace graspbench {
@@ -232,7 +233,6 @@ int RunProgram(int argc, const char* const* argv) {
     program.require_subcommand(1);
 #define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
-#include "workbench/experiments/machine.h"
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
     RefuseLineFeeds(argc, argv);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 
 namespace graspbench {
@@ -20,14 +21,6 @@ void DemandCounts(int num_successes, int num_trials) {
 
 double CalcShare(int64_t count, int64_t num_all) {
   return num_all > 0 ? static_cast<double>(count) / static_cast<double>(num_all) : std::nan("");
-}
-
-std::string FormatRange(const Interval& interval, int decimals) {
-  return FormatFixed(interval.low, decimals) + " to " + FormatFixed(interval.high, decimals);
-}
-
-std::string FormatEstimate(double estimate, const Interval& interval, int decimals) {
-  return FormatFixed(estimate, decimals) + " (" + FormatRange(interval, decimals) + ")";
 }
 
 Interval CalcWilsonInterval(int num_successes, int num_trials) {
@@ -82,7 +75,7 @@ std::string FormatRate(int num_successes, int num_trials) {
 std::string FormatRateInterval(int num_successes, int num_trials) {
   if (num_trials == 0) return "n/a";
   const Interval interval = CalcWilsonInterval(num_successes, num_trials);
-  return FormatRange({100.0 * interval.low, 100.0 * interval.high}, 1);
+  return FormatRange(100.0 * interval.low, 100.0 * interval.high, 1);
 }
 
 }  // namespace graspbench

@@ -27,11 +27,6 @@ struct Interval {
   double high = 1.0;
 };
 
-/** "0.12 to 0.34". */
-std::string FormatRange(const Interval& interval, int decimals);
-/** "0.23 (0.12 to 0.34)". */
-std::string FormatEstimate(double estimate, const Interval& interval, int decimals);
-
 /** 95 % interval of the success probability; [0, 1] when there were no trials.
 @pre 0 <= num_successes <= num_trials. */
 Interval CalcWilsonInterval(int num_successes, int num_trials);

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/statistics/proportion.h"
 #include "core/trial/verdicts.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "reports/layout.h"
@@ -19,7 +19,7 @@ IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterv
     row.value = answer->estimate;
     row.low = answer->interval.low;
     row.high = answer->interval.high;
-    row.text = FormatEstimate(answer->estimate, answer->interval, 2);
+    row.text = FormatWithRange(answer->estimate, answer->interval.low, answer->interval.high, 2);
   } else {
     row.value = row.low = row.high = kUnset;
     row.text = answer.reason();

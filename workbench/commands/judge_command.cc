@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
 #include "reports/session_report.h"
@@ -28,10 +28,11 @@ struct JudgeOptions {
 void PrintEvidence(const JudgeEvidence& evidence) {
   TextTable table({"Measure", "Rank correlation with breaking force", "95 % interval"});
   for (const RankEvidence& rank : evidence.ranks) {
-    table.AddRow({rank.measure,
-                  rank.correlation ? FormatFixed(rank.correlation->estimate, 3) : "n/a",
-                  rank.correlation ? FormatRange(rank.correlation->interval, 3)
-                                   : rank.correlation.reason()});
+    table.AddRow(
+        {rank.measure, rank.correlation ? FormatFixed(rank.correlation->estimate, 3) : "n/a",
+         rank.correlation
+             ? FormatRange(rank.correlation->interval.low, rank.correlation->interval.high, 3)
+             : rank.correlation.reason()});
   }
   PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged\n\n" + table.Format());
 }

@@ -118,8 +118,8 @@ std::string MakeLocal(const SubmitRequest& request) {
          " 2>&1 &\n"
          "  [[ $stopped ]] && kill $!\n"
          "done\n"
-         "while [[ $(jobs -pr) ]]; do wait; done\n" kLeaveWhenStopped +
-         FormatEnd(request, words);
+         "while [[ $(jobs -pr) ]]; do wait; done\n" +
+         kLeaveWhenStopped + FormatEnd(request, words);
 }
 
 /** The list of jobs is a record only: a shard that has lost a line since is worked on again, and one
@@ -136,8 +136,8 @@ std::string MakeParallel(const SubmitRequest& request) {
          QuoteForShell(words.work + "{}/" + words.count + " >>" + words.log + "-{}.log 2>&1") +
          " ::: $(seq " + words.count +
          ") &\n"
-         "while [[ $(jobs -pr) ]]; do wait; done\n" kLeaveWhenStopped +
-         FormatEnd(request, words);
+         "while [[ $(jobs -pr) ]]; do wait; done\n" +
+         kLeaveWhenStopped + FormatEnd(request, words);
 }
 
 /** The signal goes to the shell of a batch job, not to its children: so the program takes the

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/line_plot.h"
 
@@ -56,7 +56,7 @@ Html DrawConvergence(const CampaignData& data) {
       table.AddRow({Text(name), Text(curve->method), Text(std::to_string(curve->num_seeds)),
                     Text(FormatFixed(curve->evaluations.back(), 0)),
                     Text(FormatFixed(curve->final_median, 3)),
-                    Text(FormatRange({curve->low.back(), curve->high.back()}, 3)),
+                    Text(FormatRange(curve->low.back(), curve->high.back(), 3)),
                     Text(std::isfinite(curve->median_evaluations_to_90)
                              ? FormatFixed(curve->median_evaluations_to_90, 0)
                              : std::string("never"))});

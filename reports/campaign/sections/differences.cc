@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/line_plot.h"
 
@@ -33,7 +33,7 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
       if (pairs.interval) {
         row.low = unit * pairs.interval->interval.low;
         row.high = unit * pairs.interval->interval.high;
-        row.text = FormatEstimate(row.value, {row.low, row.high}, measure.decimals) + ", " +
+        row.text = FormatWithRange(row.value, row.low, row.high, measure.decimals) + ", " +
                    FormatCount(pairs.num_pairs, "pair");
       } else {
         row.low = row.high = std::nan("");

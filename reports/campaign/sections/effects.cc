@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {
@@ -21,7 +21,8 @@ std::string FormatMeasure(const VariantMeasure& measure, double value) {
 
 std::string FormatRatio(const StepEffect& effect) {
   if (!effect.ratio) return FormatFixed(effect.plain_ratio(), 2);
-  return FormatEstimate(effect.ratio->estimate, effect.ratio->interval, 2);
+  const auto& interval = effect.ratio->interval;
+  return FormatWithRange(effect.ratio->estimate, interval.low, interval.high, 2);
 }
 
 Html DrawEffects(const CampaignData& data, const std::string& hand, const std::string& name) {

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
-#include "core/statistics/proportion.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 
@@ -11,12 +11,13 @@ namespace {
 std::string FormatIcc(const OpeningReliability& row) {
   if (!row.reliability || !row.reliability->one_way) return "n/a";
   const Icc& icc = row.reliability->one_way->single;
-  return FormatEstimate(icc.value, icc.interval, 2);
+  return FormatWithRange(icc.value, icc.interval.low, icc.interval.high, 2);
 }
 
 std::string FormatAgainst(const OpeningReliability& row) {
   if (!row.against_aperture) return "n/a";
-  return FormatEstimate(row.against_aperture->estimate, row.against_aperture->interval, 2);
+  const BootstrapInterval& b = *row.against_aperture;
+  return FormatWithRange(b.estimate, b.interval.low, b.interval.high, 2);
 }
 
 std::string FormatNeeded(const OpeningReliability& row) {

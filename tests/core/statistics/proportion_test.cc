@@ -24,11 +24,6 @@ TEST(WilsonInterval, AgreesWithNewcombe1998) {
   }
 }
 
-TEST(FormatEstimate, NamesTheIntervalBehindTheValue) {
-  EXPECT_EQ(FormatRange({-0.001, 0.25}, 2), "0.00 to 0.25");
-  EXPECT_EQ(FormatEstimate(0.5, {0.25, 1.0}, 1), "0.5 (0.2 to 1.0)");
-}
-
 TEST(WilsonInterval, EndsSolveTheScoreEquation) {
   // |p - theta| = z sqrt(theta (1 - theta) / n) at both ends.
   constexpr double kZ = 1.959963984540054;

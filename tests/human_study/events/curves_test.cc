@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "core/base/units.h"
 #include "core/shape/primitives.h"
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
