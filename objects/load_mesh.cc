@@ -19,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 // Single precision: seven digits of the largest coordinate are noise-free.
-constexpr double kRelativeWeldTolerance = 1e-6;
 
 [[noreturn]] void Fail(const std::string& name, const std::string& what) {
   throw Error(ErrorKind::kFormat, "mesh \"" + name + "\"" + what);

@@ -20,11 +20,11 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/shape/surface_material.h"
 #include "objects/length_unit.h"
 
@@ -32,8 +32,6 @@ namespace graspbench {
 
 /** Values that were left out are NaN. */
 struct ObjectFile {
-  static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-
   std::string name;
   std::string mesh;  ///< file name beside object.yaml
   LengthUnit mesh_unit = LengthUnit::kM;

@@ -8,13 +8,13 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/escape.h"
 #include "core/base/text.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/machine.h"
 #include "workbench/experiments/shell_quote.h"
 
 namespace graspbench {
@@ -226,7 +226,7 @@ void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std:
 }
 
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
-  num_workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  num_workers = CountProcessors();
   command.add_option("--jobs", num_workers, what + " at a time")
       ->check(CLI::Range(1, 1024))
       ->option_text("N")

@@ -1,8 +1,14 @@
 #include "workbench/terminal_observer.h"
 
+#include "core/base/text.h"
 #include "workbench/terminal.h"
 
 namespace graspbench {
+
+std::string DescribeTasks(const Stage& stage) {
+  const StageRow& row = RowOf(kStages, stage.kind);
+  return FormatCount(stage.num_left, row.task, row.tasks) + " to " + row.verb;
+}
 
 void TerminalObserver::BeginStage(const Stage& stage) {
   if (describe_) PrintMessage(describe_(stage));

@@ -12,6 +12,9 @@ Shows an experiment on the terminal: a line before each stage, then its progress
 
 namespace graspbench {
 
+/** "3 scenes to optimise". */
+std::string DescribeTasks(const Stage& stage);
+
 class TerminalObserver : public Observer {
  public:
   /** @param describe  the line before a stage; without it none is printed.

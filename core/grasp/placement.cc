@@ -14,12 +14,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kLowestGrasp = 0.009;      ///< smallest h_g [m]
-constexpr double kBelowTop = 0.008;         ///< h_g stays this far below the object's top [m]
-constexpr double kPalmGap = 0.003;          ///< palm to object, at least; power: exactly [m]
-constexpr double kLeastHold = 0.003;        ///< by which pads reach past the object's near face [m]
-constexpr double kTableClearance = 0.0005;  ///< [m]
-constexpr double kFarAway = 1.0;            ///< from where a hand comes at the latest [m]
+constexpr double kLowestGrasp = 0.009;  ///< smallest h_g [m]
+constexpr double kBelowTop = 0.008;     ///< h_g stays this far below the object's top [m]
+constexpr double kPalmGap = 0.003;      ///< palm to object, at least; power: exactly [m]
+constexpr double kLeastHold = 0.003;    ///< by which pads reach past the object's near face [m]
+constexpr double kFarAway = 1.0;        ///< from where a hand comes at the latest [m]
 constexpr int kClosingSteps = 200;
 
 struct Pads {

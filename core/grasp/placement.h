@@ -16,8 +16,8 @@ towards the fingertips) points straight down. For precision and pinch
     h_g = max(9 mm, min(height / 2, height - 8 mm)),
 
 so that the pads clear the table; a power grasp brings the palm to 3 mm from the object instead. No
-sphere of the hand comes nearer to the table than 0.5 mm while it closes to s*; what is thinner than
-9 mm is picked off the table, there it holds at s* only.
+sphere of the hand comes nearer to the table than kTableClearance while it closes to s*; what is
+thinner than 9 mm is picked off the table, there it holds at s* only.
 
 The open hand comes from afar along the approach and stops where its palm would come nearer to the
 object than 3 mm (a palm that may touch: 0), or another link would meet it. Fingertips may brush the
@@ -37,6 +37,9 @@ All of this is proposed by graspbench: the thesis gives d and alpha, and that p 
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
+
+/** What the hand keeps from the table while it closes [m]. */
+inline constexpr double kTableClearance = 0.0005;
 
 /** The posture at closing parameter s in [0, 1], coupled joints included. */
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s);

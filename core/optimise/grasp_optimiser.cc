@@ -258,9 +258,9 @@ double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
 }
 
 double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
-  double sum = 0.0;
-  for (const LearningTrial& trial : trials) sum += trial.sigma;
-  return trials.empty() ? kUnset : sum / static_cast<double>(trials.size());
+  std::vector<double> sigmas;
+  for (const LearningTrial& trial : trials) sigmas.push_back(trial.sigma);
+  return CalcMean(sigmas);
 }
 
 const OptimiseStepRow& StepsOf(const OptimiseConfig& config) {

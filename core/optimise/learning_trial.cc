@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
@@ -41,9 +42,9 @@ double CalcFitness(const LearningTrial& trial) {
 
 double CalcFitness(const std::vector<LearningTrial>& trials) {
   GRASPBENCH_DEMAND(!trials.empty(), "no trials");
-  double sum = 0.0;
-  for (const LearningTrial& trial : trials) sum += CalcFitness(trial);
-  return sum / static_cast<double>(trials.size());
+  std::vector<double> values;
+  for (const LearningTrial& trial : trials) values.push_back(CalcFitness(trial));
+  return CalcMean(values);
 }
 
 Json LearningDigitsToJson(const LearningTrial& trial) {

@@ -14,10 +14,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kFreeRoom = 0.02;          ///< the opening exceeds the width by this [m]
-constexpr double kTableClearance = 0.0005;  ///< [m]
-constexpr double kMostOpened = 3.0;         ///< largest l
-constexpr double kMostClosed = -0.9;        ///< smallest l
+constexpr double kFreeRoom = 0.02;    ///< the opening exceeds the width by this [m]
+constexpr double kMostOpened = 3.0;   ///< largest l
+constexpr double kMostClosed = -0.9;  ///< smallest l
 constexpr int kOpeningSteps = 30;
 
 const Digit& FindDigit(const Hand& hand, const std::string& id) {

@@ -110,7 +110,7 @@ void Collider::CombineMaterials(const Hand& hand, const SurfaceMaterial& object,
     link_table_.push_back(CombineSurfaces(link.surface, table, config));
   }
   SurfaceMaterial object_underside = object;  // its friction is that against a hand
-  object_underside.friction_static = object_underside.friction_dynamic = SurfaceMaterial::kUnset;
+  object_underside.friction_static = object_underside.friction_dynamic = kUnset;
   object_table_ = CombineSurfaces(object_underside, table, config);
   for (CapsulePair& pair : pairs_) {
     pair.material = CombineSurfaces(

@@ -16,7 +16,6 @@
 namespace graspbench {
 namespace {
 
-constexpr double kRelativeWeldTolerance = 1e-6;
 constexpr int kMaxFins = 256;  // looked for one by one
 
 double CalcExtent(const TriMesh& mesh) {

@@ -6,7 +6,7 @@ a contact are combined says core/physics/combine_surfaces.h.
 Stiffness is that of one contact point, f = k x, not of a material as such: a link has as many
 points as its surface has balls. */
 
-#include <limits>
+#include "core/base/units.h"
 
 namespace graspbench {
 
@@ -15,8 +15,6 @@ class YamlMap;
 
 /** Values that were left out are NaN: the other side of the contact, or the session, gives them. */
 struct SurfaceMaterial {
-  static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-
   double friction_static = kUnset;   ///< Coulomb coefficient
   double friction_dynamic = kUnset;  ///< <= friction_static
   double stiffness = kUnset;         ///< k, normal, per contact point [N/m]

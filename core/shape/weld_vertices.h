@@ -5,6 +5,9 @@
 
 namespace graspbench {
 
+/** Of a mesh's size: what two vertices of one corner are apart when a file wrote it twice. */
+inline constexpr double kRelativeWeldTolerance = 1e-6;
+
 /** Vertices within `tolerance` [m] of an earlier one become that one; triangles that lose a corner
 and vertices that no triangle uses are dropped. The order of what remains is kept.
 @pre finite vertices, valid indices, tolerance > 0. */

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 
 namespace graspbench {
@@ -74,7 +75,7 @@ std::string FormatRate(int num_successes, int num_trials) {
 std::string FormatRateInterval(int num_successes, int num_trials) {
   if (num_trials == 0) return "n/a";
   const Interval interval = CalcWilsonInterval(num_successes, num_trials);
-  return FormatFixed(100.0 * interval.low, 1) + " to " + FormatFixed(100.0 * interval.high, 1);
+  return FormatRange(100.0 * interval.low, 100.0 * interval.high, 1);
 }
 
 }  // namespace graspbench

@@ -6,6 +6,13 @@
 
 namespace graspbench {
 
+double CalcMean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : sum / static_cast<double>(values.size());
+}
+
 Moments CalcMoments(const std::vector<double>& values, double scale) {
   GRASPBENCH_DEMAND(!values.empty(), "no values");
   const double count = static_cast<double>(values.size());

@@ -39,6 +39,9 @@ struct Moments {
 from, when that is more than their own: differences inherit the rounding of what was subtracted. */
 Moments CalcMoments(const std::vector<double>& values, double scale = 0.0);
 
+/** Their plain sum over their number; NaN without values. */
+double CalcMean(const std::vector<double>& values);
+
 /** The middle of the values, half-way between the two in the middle of an even number: the type 7
 quantile at 1/2, without sorting all. Infinite values keep their place; NaN without values.
 @pre no NaN among the values. */

@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
-
-double CalcMean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (double value : values) sum += value;
-  return values.empty() ? std::nan("") : sum / static_cast<double>(values.size());
-}
 
 double FindContact(const TrialResult& result, const std::string& digit) {
   for (const DigitContact& contact : result.contacts) {

@@ -45,6 +45,9 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
   progress.num_finished =
       static_cast<int>(std::count_if(scenes.begin(), scenes.end(), HasSceneResult));
   progress.num_searches = static_cast<int>(ListMatches(folder, {"comparison/*/*.jsonl"}).size());
+  if (const std::optional<Manifest> manifest = FindManifest(folder)) {
+    progress.damages = FindLostBytes(folder, *manifest);
+  }
   Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);
@@ -64,17 +67,13 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
   return progress;
 }
 
-SceneProgress ReadSceneProgress(const fs::path& folder, double stale_after) {
+SceneProgress ReadSceneProgress(const fs::path& folder) {
   SceneProgress progress;
   const fs::path journal = folder / "journal.jsonl";
   Diagnostics ignored;  // verify reports them
   progress.num_answers = static_cast<int>(LoadEvaluations(journal, ignored).size());
   if (fs::exists(journal)) progress.age = CalcAge(journal);
-  ShardProgress one;
-  one.num_trials = 1;
-  one.num_finished = HasSceneResult(folder);
-  one.age = progress.age;
-  progress.state = FindState(one, false, stale_after);
+  progress.is_finished = HasSceneResult(folder);
   return progress;
 }
 

@@ -18,6 +18,7 @@ struct CampaignProgress {
   int num_finished = 0;
   std::vector<ShardProgress> shards;  ///< of the scenes; of every number of shards with a worker
   std::set<std::string> unchecked;    ///< see SessionProgress
+  std::vector<Damage> damages;        ///< see SessionProgress
   int num_searches = 0;               ///< of the comparison that are begun
   std::optional<SessionProgress> benchmark;  ///< none: it is not planned yet
 };
@@ -27,10 +28,10 @@ CampaignProgress ReadCampaignProgress(const std::filesystem::path& folder, doubl
 
 /** An optimisation: one scene, one shard; its number of answers. */
 struct SceneProgress {
-  ShardState state = ShardState::kWaiting;
+  bool is_finished = false;
   int num_answers = 0;
-  std::optional<double> age;  ///< since its journal was written [s]
+  std::optional<double> age;  ///< since its journal was written [s]; none: nobody has begun
 };
-SceneProgress ReadSceneProgress(const std::filesystem::path& folder, double stale_after);
+SceneProgress ReadSceneProgress(const std::filesystem::path& folder);
 
 }  // namespace graspbench

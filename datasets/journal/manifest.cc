@@ -7,6 +7,7 @@
 #include "core/base/file_pieces.h"
 #include "core/base/files.h"
 #include "core/base/sha256.h"
+#include "core/base/text.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {
@@ -195,6 +196,22 @@ void WriteManifest(const fs::path& folder, const Manifest& manifest) {
 std::vector<Damage> FindDamage(const fs::path& folder, const Manifest& manifest) {
   std::vector<Damage> damages;
   for (const ManifestFile& file : manifest.files) AddDamage(folder, file, damages);
+  return damages;
+}
+
+std::vector<Damage> FindLostBytes(const fs::path& folder, const Manifest& manifest) {
+  std::vector<Damage> damages;
+  for (const ManifestFile& file : manifest.files) {
+    std::error_code status;
+    const uintmax_t bytes = fs::file_size(folder / file.path, status);
+    if (status) {
+      damages.push_back({file.path, 0, "is missing"});
+    } else if (bytes < file.bytes) {
+      damages.push_back({file.path, 0,
+                         "has " + FormatCount(static_cast<int64_t>(bytes), "byte") + ", " +
+                             std::to_string(file.bytes) + " were committed"});
+    }
+  }
   return damages;
 }
 

@@ -54,9 +54,11 @@ class Additions {
     conflicts_.ThrowIfErrors(
         ErrorKind::kFormat,
         "one trial has different results: two builds or machines have worked on this session; "
-        "nothing was merged; leave that folder out, or merge with --set-aside FILE, which leaves "
-        "out what a journal in \"" +
-            folder_.string() + "\" holds");
+        "nothing was merged; leave one of the folders out" +
+            (ListJournals(folder_).empty()
+                 ? ""
+                 : ", or merge with --set-aside FILE, which leaves out what a journal in \"" +
+                       folder_.string() + "\" holds"));
     Append("journal", journal_);
     Append("judge", judge_);
     AppendStarts(folder_, workers_);
@@ -70,6 +72,7 @@ class Additions {
     const auto [known, is_new] = records_.emplace(record.plan.id, bare);
     if (is_new) {
       ++num_new_;
+      sources_.emplace(record.plan.id, other.string());
       journal_ += FormatJournalLine(bare) + "\n";
     }
     TrialRecord& mine = known->second;
@@ -90,14 +93,16 @@ class Additions {
         "trial " + record.plan.id + " (" + DescribeTrial(record.plan) + ") has " + what);
   }
 
-  /** The journal that holds the trial's record, or what was merged before. */
+  /** The folder or journal that has brought the trial's record. */
   std::string FindSource(const std::string& id) const {
+    const auto source = sources_.find(id);
+    if (source != sources_.end()) return "\"" + source->second + "\"";
     for (const fs::path& path : ListJournals(folder_)) {
       bool is_here = false;
       ForEachTrialOf(path, [&](std::string_view other) { is_here = is_here || other == id; });
       if (is_here) return "journal/" + path.filename().string();
     }
-    return "a folder before this one";
+    return "\"" + folder_.string() + "\"";
   }
 
   void Append(const char* subfolder, const std::string& lines) const {
@@ -111,6 +116,7 @@ class Additions {
   fs::path folder_;
   Session session_;
   std::unordered_map<std::string, TrialRecord> records_;  // looked up only, never iterated
+  std::unordered_map<std::string, std::string> sources_;  // of new ones; looked up only
   std::set<std::string> known_starts_;
   std::string journal_, judge_, workers_;
   int num_new_ = 0;

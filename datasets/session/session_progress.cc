@@ -165,6 +165,15 @@ ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stal
   return *progress.age <= stale_after ? ShardState::kRunning : ShardState::kStale;
 }
 
+std::set<int> FindShardCounts(const fs::path& folder) {
+  std::set<int> counts;
+  for (const fs::path& path : ListJournals(folder)) {
+    const std::string name = path.filename().string();
+    if (name.rfind(kMergedLabel, 0) != 0) counts.insert(FindShardOfFile(name).count);
+  }
+  return counts;
+}
+
 SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   LoadFrozen(kSessionStore, folder, OnDamage::kRefuse, {kSessionStore.file});
   const Outline outline = LoadOutline(folder / "plan.jsonl");
@@ -177,7 +186,7 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
     progress.num_bad_lines += ForEachTrialOf(path, [&](std::string_view id) {
       place = outline.FindPlace(id, place + 1);
       if (place < 0) {
-        ++progress.num_bad_lines;
+        ++progress.num_foreign_lines;
       } else {
         tasks.finished[static_cast<size_t>(place)] = true;
       }
@@ -185,6 +194,9 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   }
   progress.num_finished =
       static_cast<int>(std::count(tasks.finished.begin(), tasks.finished.end(), true));
+  if (const std::optional<Manifest> manifest = FindManifest(folder)) {
+    progress.damages = FindLostBytes(folder, *manifest);
+  }
   Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);

@@ -12,6 +12,7 @@ trials, unless they are being judged. */
 #include <vector>
 
 #include "core/base/enum_table.h"
+#include "datasets/journal/manifest.h"
 #include "datasets/session/shard.h"
 
 namespace graspbench {
@@ -48,6 +49,8 @@ struct SessionProgress {
   int num_trials = 0;
   int num_finished = 0;
   int num_bad_lines = 0;              ///< behind what the indices name; see `verify`
+  int num_foreign_lines = 0;          ///< good ones of trials that the plan does not have
+  std::vector<Damage> damages;        ///< files that are gone or have lost bytes
   std::vector<ShardProgress> shards;  ///< of every number of shards that has a journal
   /** Labels of shards of whose machine no sentinel trials are kept, see worker_log.h. */
   std::set<std::string> unchecked;
@@ -60,6 +63,9 @@ ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stal
 double CalcAge(const std::filesystem::path& path);
 /** @param ages  of the youngest file of each shard, by its number [s] */
 void KeepYoungest(int shard, double age, std::map<int, double>& ages);
+
+/** The numbers of shards that journals of the folder are of; 0: a journal of no shard. */
+std::set<int> FindShardCounts(const std::filesystem::path& folder);
 
 /** A worker that ended with trials left has stopped. One that was killed counts as running until it
 is stale. Of a judge the records are read, too, because they say what was held.

@@ -64,14 +64,14 @@ void Compare(const Json& here, const Json& there, const std::string& key, Distan
   distance.there = FormatJson(there);
 }
 
-/** One sentinel trial: the machines by what it gave them. */
-using Answers = std::map<std::string, std::set<std::string>>;
+/** One sentinel trial: the machines, and the shards they ran it for, by what it gave them. */
+using Answers = std::map<std::string, std::map<std::string, std::set<std::string>>>;
 
 /** That of most machines; among equals the one that the first machine by name gave. */
 Answers::const_iterator FindCommonAnswer(const Answers& answers) {
   return std::max_element(answers.begin(), answers.end(), [](const auto& a, const auto& b) {
     if (a.second.size() != b.second.size()) return a.second.size() < b.second.size();
-    return *a.second.begin() > *b.second.begin();
+    return a.second.begin()->first > b.second.begin()->first;
   });
 }
 
@@ -206,7 +206,7 @@ std::vector<std::string> DescribeDifferences(const std::vector<WorkerStart>& sta
   for (const WorkerStart& start : starts) {
     for (const TrialRecord& record : start.sentinels) {
       const std::string text = FormatJson(ToJson(record));
-      answers[record.plan.id][text].insert(DescribeMachine(start.machine));
+      answers[record.plan.id][text][DescribeMachine(start.machine)].insert(start.shard);
       records[text] = &record;
     }
   }
@@ -218,11 +218,12 @@ std::vector<std::string> DescribeDifferences(const std::vector<WorkerStart>& sta
       const TrialRecord& record = *records.at(answer->first);
       Distance distance;
       Compare(ToJson(record), ToJson(*records.at(common->first)), "", distance);
-      for (const std::string& machine : answer->second) {
+      for (const auto& [machine, shards] : answer->second) {
         auto& [relative, text] = worst.try_emplace(machine, -1.0, "").first->second;
         if (distance.relative <= relative) continue;
         relative = distance.relative;
-        text = machine + " disagrees with " + *common->second.begin() +
+        text = machine + ", shard " + *shards.begin() + ", disagrees with " +
+               common->second.begin()->first +
                (common->second.size() > 1
                     ? " and " + FormatCount(static_cast<int64_t>(common->second.size()) - 1,
                                             "other machine")

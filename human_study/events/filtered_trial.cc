@@ -29,7 +29,6 @@ Trajectory ExpressInObject(const Trajectory& tip, const ObjectTrack& object) {
 
 /** SD of a coordinate, from third differences: smooth motion has small ones. */
 double CalcNoise(const Trajectory& path) {
-  constexpr double kMedianPerSd = 1.5382;          // of the length of a normal vector
   const double kSdOfDifference = std::sqrt(20.0);  // 1 + 9 + 9 + 1
   std::vector<double> differences;
   for (size_t i = 3; i < path.size(); ++i) {

@@ -95,7 +95,6 @@ SmoothPath Smooth(const Trajectory& trajectory, double cutoff) {
     taken_away.push_back((trajectory.p.col(column) - smooth.path.p.col(column)).norm());
   }
   const NoiseShares shares = CalcNoiseShares(MakeLowPass(cutoff, rate), rate);
-  constexpr double kMedianPerSd = 1.5382;  // of the length of a normal vector, in any frame
   smooth.noise = taken_away.empty() ? 0.0 : CalcMedian(taken_away) / (kMedianPerSd * shares.taken);
   smooth.smooth_noise = shares.left * smooth.noise;
   smooth.speed_noise = shares.rate * smooth.noise;

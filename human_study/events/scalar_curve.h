@@ -12,6 +12,10 @@ questions that rules ask of one. */
 
 namespace graspbench {
 
+/** Median length of a normal vector over the SD of one of its three coordinates, in any frame: the
+root of the median of chi-squared with 3 degrees of freedom, 2.3660. */
+inline constexpr double kMedianPerSd = 1.5382;
+
 struct ScalarCurve {
   std::vector<double> times;  ///< [s], even
   Eigen::VectorXd values;     ///< NaN where invalid

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/trial/verdicts.h"
@@ -11,11 +12,6 @@
 namespace graspbench {
 namespace {
 
-std::string FormatInterval(const BootstrapInterval& value) {
-  return FormatFixed(value.estimate, 2) + " (" + FormatFixed(value.interval.low, 2) + " to " +
-         FormatFixed(value.interval.high, 2) + ")";
-}
-
 IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterval>& answer) {
   IntervalPlot::Row row;
   row.label = label;
@@ -23,7 +19,7 @@ IntervalPlot::Row MakeRow(const std::string& label, const Answer<BootstrapInterv
     row.value = answer->estimate;
     row.low = answer->interval.low;
     row.high = answer->interval.high;
-    row.text = FormatInterval(*answer);
+    row.text = FormatWithRange(answer->estimate, answer->interval.low, answer->interval.high, 2);
   } else {
     row.value = row.low = row.high = kUnset;
     row.text = answer.reason();

@@ -41,13 +41,9 @@ struct CampaignOptions {
 };
 
 std::string DescribeStage(const Stage& stage) {
-  if (stage.name == "judge") {
-    return "judge: " + FormatCount(stage.num_left, "held grasp") + " to break";
-  }
-  const std::string all = stage.name == "benchmark" ? FormatCount(stage.num_all, "trial")
-                                                    : std::to_string(stage.num_all);
-  return stage.name + ": " + all + " in all, " + std::to_string(stage.num_all - stage.num_left) +
-         " finished before";
+  const int num_before = stage.num_all - stage.num_left;
+  return std::string(RowOf(kStages, stage.kind).name) + ": " + DescribeTasks(stage) +
+         (num_before > 0 ? ", " + std::to_string(num_before) + " finished before" : "");
 }
 
 fs::path FindFolder(const CampaignOptions& options) {
@@ -140,7 +136,8 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("N")
       ->capture_default_str();
   command.add_flag("--compare", options->compare,
-                   "also compare search methods over several seeds, on six scenes");
+                   "also compare search methods over several seeds, on " +
+                       std::to_string(kComparedScenes.size()) + " scenes");
   AddSettingsOption(command, options->settings, "comparison.seeds=20");
   AddPlanOnlyOption(command, options->plan_only);
   AddJobsOption(command, options->num_workers);

@@ -27,7 +27,7 @@ struct CheckOptions {
 class VariantLines : public Observer {
  public:
   void BeginStage(const Stage& stage) override {
-    PrintMessage(stage.name + ": " + FormatCount(stage.num_all, "trial"));
+    PrintMessage(stage.variant + ": " + FormatCount(stage.num_all, "trial"));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
@@ -27,11 +28,11 @@ struct JudgeOptions {
 void PrintEvidence(const JudgeEvidence& evidence) {
   TextTable table({"Measure", "Rank correlation with breaking force", "95 % interval"});
   for (const RankEvidence& rank : evidence.ranks) {
-    table.AddRow({rank.measure,
-                  rank.correlation ? FormatFixed(rank.correlation->estimate, 3) : "n/a",
-                  rank.correlation ? FormatFixed(rank.correlation->interval.low, 3) + " to " +
-                                         FormatFixed(rank.correlation->interval.high, 3)
-                                   : rank.correlation.reason()});
+    table.AddRow(
+        {rank.measure, rank.correlation ? FormatFixed(rank.correlation->estimate, 3) : "n/a",
+         rank.correlation
+             ? FormatRange(rank.correlation->interval.low, rank.correlation->interval.high, 3)
+             : rank.correlation.reason()});
   }
   PrintResult(FormatCount(evidence.num_judged, "held grasp") + " judged\n\n" + table.Format());
 }
@@ -52,10 +53,7 @@ ExitCode Judge(const JudgeOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
-      [&](const Stage& stage) {
-        return options.folder + ": " + FormatCount(stage.num_left, "held grasp") + " to judge";
-      },
-      stop);
+      [&](const Stage& stage) { return options.folder + ": " + DescribeTasks(stage); }, stop);
   if (!JudgeSession(folder, options.num_workers, observer, stop, options.on_damage,
                     options.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,

@@ -91,7 +91,7 @@ ExitCode Merge(const MergeOptions& options) {
   for (const std::string& journal : options.aside) {
     SetJournalAside(options.folder, journal);
     PrintMessage(journal + " is set aside as " + journal +
-                 ".set-aside; its trials count as not run");
+                 ".set-aside; what it holds counts as not there");
   }
   const StoreKind* kind = FindStoreKind(options.folder);
   if (kind == &kCampaignStore) return MergeOfCampaign(options);

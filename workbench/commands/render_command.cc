@@ -88,7 +88,7 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("object", options->object, "object by id or folder")
       ->required()
       ->option_text("OBJECT");
-  command.add_option("grasp", options->grasp, "standard grasp: g1..g5")
+  command.add_option("grasp", options->grasp, "standard grasp of the hand, as g1")
       ->required()
       ->option_text("GRASP");
   command.add_option("--phase", options->phase, "at the end of which: " + ListNames(ListPhases()))

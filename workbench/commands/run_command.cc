@@ -105,7 +105,7 @@ ExitCode Run(const RunOptions& options) {
   RunRecord record;
   try {
     record = RunSession(work, num_workers, observer, stop, options.trial_time_limit);
-    if (record.ending == "finished") return Finish(work, options);
+    if (record.ending == RunEnding::kFinished) return Finish(work, options);
   } catch (const Error& error) {
     throw Error(error.kind(), std::string(error.what()) +
                                   "\nFinished trials are kept. Continue with\n  " +

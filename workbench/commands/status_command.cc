@@ -80,15 +80,27 @@ void PrintStatus(const std::filesystem::path& folder, const SessionProgress& pro
                 FormatShards(progress.judge->shards, "held grasps"));
   }
   PrintUnchecked(progress.unchecked);
+  if (progress.num_foreign_lines > 0) {
+    PrintMessage("note: " + FormatCount(progress.num_foreign_lines, "record is", "records are") +
+                 " of trials that the plan does not have; nobody reads them");
+  }
 }
 
+void FailOnDamage(const std::filesystem::path& folder, const std::vector<Damage>& damages,
+                  int num_bad_lines) {
+  if (damages.empty() && num_bad_lines == 0) return;
+  const std::string lines =
+      num_bad_lines > 0
+          ? FormatCount(num_bad_lines, "damaged line is", "damaged lines are") + " left out"
+          : "\"" + folder.string() + "\" is damaged";
+  throw Error(ErrorKind::kFormat, lines + "; see graspbench verify " +
+                                      QuoteForShell(folder.string()) + FormatDamage(damages));
+}
 void FailOnDamage(const std::filesystem::path& folder, const SessionProgress& progress) {
-  if (progress.num_bad_lines == 0) return;
-  throw Error(ErrorKind::kFormat,
-              FormatCount(progress.num_bad_lines, "damaged line is", "damaged lines are") +
-                  " left out; see graspbench verify " + QuoteForShell(folder.string()));
+  FailOnDamage(folder, progress.damages, progress.num_bad_lines);
 }
 void FailOnDamage(const std::filesystem::path& folder, const CampaignProgress& progress) {
+  FailOnDamage(folder, progress.damages, 0);
   if (progress.benchmark) FailOnDamage(folder / "benchmark", *progress.benchmark);
 }
 
@@ -116,14 +128,15 @@ void ShowStatus(const StatusOptions& options) {
   if (kind == &kCampaignStore)
     return show(ReadCampaignProgress(options.folder, options.stale_after));
   if (kind != &kSceneStore) return show(ReadProgress(options.folder, options.stale_after));
-  const SceneProgress scene = ReadSceneProgress(options.folder, options.stale_after);
+  const SceneProgress scene = ReadSceneProgress(options.folder);
   if (options.json) {
     PrintJson({{"answers", scene.num_answers},
-               {"state", NameOf(scene.state)},
+               {"finished", scene.is_finished},
                {"age_s", scene.age ? Json(*scene.age) : Json(nullptr)}});
   } else {
-    PrintResult(options.folder.string() + ": " + NameOf(scene.state) + ", " +
-                FormatCount(scene.num_answers, "evaluation") + " kept\n");
+    PrintResult(options.folder.string() + ": " + (scene.is_finished ? "" : "not ") + "finished, " +
+                FormatCount(scene.num_answers, "evaluation") + " kept" +
+                (scene.age ? ", the last " + FormatFixed(*scene.age, 0) + " s ago" : "") + "\n");
   }
 }
 

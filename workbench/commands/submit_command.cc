@@ -6,12 +6,13 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
-#include <thread>
 
 #include "core/base/files.h"
-#include "datasets/session/shard.h"
+#include "datasets/session/session_progress.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/machine.h"
 #include "workbench/experiments/run_shard.h"
 #include "workbench/experiments/submit_script.h"
 
@@ -23,17 +24,33 @@ struct SubmitOptions {
   bool dry_run = false;
 };
 
+/** The number of shards that workers have begun with, which go on where they stopped. */
+int FindShards(const SubmitRequest& request, int num_cards) {
+  if (FindStoreKind(request.folder) == &kSessionStore) {
+    std::set<int> counts = FindShardCounts(request.folder);
+    counts.erase(0);
+    if (counts.size() == 1) return *counts.begin();
+  }
+  constexpr int kShardsOfCluster = 10;
+  return std::min(request.engine == "slurm" ? kShardsOfCluster : CountProcessors(), num_cards);
+}
+
+void CheckSomethingToJudge(const std::filesystem::path& folder) {
+  if (ReadProgress(folder, 1.0).num_finished > 0) return;
+  throw Error(ErrorKind::kUsage, "no trial of \"" + folder.string() +
+                                     "\" has run, so that there is nothing to judge; submit it "
+                                     "without --judge first");
+}
+
 void Submit(const SubmitOptions& options) {
   SubmitRequest request = options.request;
   const int num_cards = CountCards(request.folder);
   request.num_rounds = FindStoreKind(request.folder) == &kCampaignStore ? 2 : 1;
-  if (request.num_shards == 0) {
-    constexpr int kShardsOfCluster = 10;
-    const int num_processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    request.num_shards =
-        std::min(request.engine == "slurm" ? kShardsOfCluster : num_processors, num_cards);
-  }
-  CheckRequest({request.folder, {1, request.num_shards}, request.judge});
+  if (request.num_shards == 0) request.num_shards = FindShards(request, num_cards);
+  const ShardRequest shard = {request.folder, {1, request.num_shards}, request.judge};
+  CheckRequest(shard);
+  CheckProgram(*FindStoreKind(request.folder), shard);
+  if (request.judge) CheckSomethingToJudge(request.folder);
   request.program = std::filesystem::read_symlink("/proc/self/exe");
   if (request.engine == "slurm") request.cluster = LoadClusterConfig(FindClusterFile());
   const std::string script = MakeSubmitScript(request);
@@ -68,7 +85,7 @@ void AddSubmitCommand(CLI::App& program, ExitCode&) {
   command.add_option("--array", request.num_shards, "number of shards")
       ->check(CLI::Range(1, 1000000))
       ->option_text("N")
-      ->default_str("processors; slurm: 10");
+      ->default_str("as begun; or else processors, slurm: 10");
   command.add_flag("--judge", request.judge, "break what was held, after a merge");
   command.add_flag("--dry-run", options->dry_run, "print the script and start nothing");
   command.callback([options] { Submit(*options); });

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "datasets/journal/sealed_store.h"
+#include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
@@ -44,9 +45,22 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   return text + FormatDamage(repair.state.damages) + "\n";
 }
 
+/** Lines that are all as they were written may still contradict each other. */
+void CheckRecords(const VerifyOptions& options, StoreState& state) {
+  if (!state.damages.empty() || FindStoreKind(options.folder) != &kSessionStore) return;
+  try {
+    const Session session = LoadSession(options.folder, OnDamage::kAccept, RecordParts::kBrief);
+    if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kFormat) throw;
+    state.damages.push_back({"journal", 0, error.what()});
+  }
+}
+
 ExitCode Verify(const VerifyOptions& options) {
-  const StoreRepair repair =
+  StoreRepair repair =
       options.repair ? RepairStore(options.folder) : StoreRepair{{}, CheckStore(options.folder)};
+  CheckRecords(options, repair.state);
   if (options.json) {
     PrintJson(MakeVerifyJson(options, repair));
   } else {

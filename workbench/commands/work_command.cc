@@ -2,9 +2,11 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/base/text.h"
+#include "datasets/session/session_progress.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_shard.h"
@@ -36,12 +38,19 @@ double ParseTime(const std::string& text) {
                                      "\": expected a time above 0 in s, m or h, as 90s, 25m or 2h");
 }
 
-std::string DescribeStage(const Stage& stage) {
-  if (stage.name == "optimisation") return FormatCount(stage.num_left, "scene") + " to optimise";
-  if (stage.name == "comparison") {
-    return FormatCount(stage.num_left, "search", "searches") + " to run";
+/** A worker reads no journal but its own. */
+void WarnOfOtherJournals(const ShardRequest& request) {
+  if (FindStoreKind(request.folder) != &kSessionStore || request.judge) return;
+  std::set<int> counts = FindShardCounts(request.folder);
+  counts.erase(request.shard.count);
+  if (counts.empty()) return;
+  std::string others;
+  for (const int count : counts) {
+    others += (others.empty() ? "" : ", ") +
+              (count > 0 ? "shards of " + std::to_string(count) : std::string("graspbench run"));
   }
-  return FormatCount(stage.num_left, "trial") + " to " + stage.name;
+  PrintMessage("note: trials that were run by others (" + others +
+               ") are run again by a shard of " + std::to_string(request.shard.count));
 }
 
 void Work(const WorkOptions& options) {
@@ -49,8 +58,9 @@ void Work(const WorkOptions& options) {
   request.shard = ParseShard(options.shard);
   if (!options.time_budget.empty()) request.time_budget = ParseTime(options.time_budget);
   const std::string folder = request.folder.string(), name = folder + ", shard " + options.shard;
+  WarnOfOtherJournals(request);
   const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeStage(stage); },
+  TerminalObserver observer([&](const Stage& stage) { return name + ": " + DescribeTasks(stage); },
                             stop);
   const ShardResult result = WorkOnShard(request, observer, stop);
   if (result.num_left > 0) {

@@ -53,7 +53,7 @@ class CampaignShard {
       ++result.num_all;
       if (!IsSceneFinished(scene.folder, scene.inputs)) tasks.push_back(MakeSceneTask(scene));
     }
-    Run("optimisation", tasks, result);
+    Run(StageKind::kOptimisation, tasks, result);
     return result;
   }
 
@@ -74,12 +74,12 @@ class CampaignShard {
       ++result.num_all;
       if (!IsSearchFinished(searches[i])) tasks.push_back(MakeSearchTask(searches[i]));
     }
-    Run("comparison", tasks, result);
+    Run(StageKind::kComparison, tasks, result);
     return result;
   }
 
   /** Adds what is left when it ends. */
-  void Run(const char* name, const std::vector<LearningTask>& tasks, ShardResult& result) {
+  void Run(StageKind kind, const std::vector<LearningTask>& tasks, ShardResult& result) {
     if (tasks.empty()) return;
     result.num_left = static_cast<int>(tasks.size());
     ShardPresence presence(folder_, FormatLabel(request_.shard), result.num_left);
@@ -89,7 +89,7 @@ class CampaignShard {
     budget_.Look();
     if (!presence.Begin(sentinels, config, inputs_, budget_, request_.trial_time_limit)) return;
     Stage stage;
-    stage.name = name;
+    stage.kind = kind;
     stage.num_all = result.num_all;
     stage.num_left = result.num_left;
     for (const LearningTask& task : tasks) stage.num_trials += task.num_trials;

@@ -3,6 +3,9 @@
 #include <gnu/libc-version.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/base/version.h"
@@ -45,5 +48,7 @@ Machine FindMachine() {
           CalcHashHex(flags), std::string("glibc ") + ::gnu_get_libc_version(),
           FindBuild(),        program_version()};
 }
+
+int CountProcessors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 }  // namespace graspbench

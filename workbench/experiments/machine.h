@@ -14,4 +14,7 @@ const std::string& FindBuild();
 
 Machine FindMachine();
 
+/** At least 1. */
+int CountProcessors();
+
 }  // namespace graspbench

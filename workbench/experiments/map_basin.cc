@@ -65,7 +65,7 @@ BasinMap MapBasin(const BasinRequest& request, int num_workers, Observer& observ
                        }};
   };
   Stage stage;
-  stage.name = "basin";
+  stage.kind = StageKind::kBasin;
   stage.num_all = stage.num_left = stage.num_trials = request.num_samples;
   if (!RunBatchStage(stage, PlanSamples(nominal, map.samples.size()), num_workers, make_worker,
                      observer, stop, request.trial_time_limit)) {

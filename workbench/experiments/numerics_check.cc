@@ -135,7 +135,8 @@ std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
                        [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
   };
   Stage stage;
-  stage.name = variant.id;
+  stage.kind = StageKind::kVariant;
+  stage.variant = variant.id;
   stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(plan.size());
   if (!RunBatchStage(stage, plan, num_workers, make_worker, observer, stop, kTrialTimeLimit)) {
     throw Error(ErrorKind::kInterrupted, "stopped; nothing was written");

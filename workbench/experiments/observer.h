@@ -10,15 +10,33 @@ starts one passes an observer. */
 #include <utility>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/trial/outcome.h"
 #include "datasets/session/session_plan.h"
 
 namespace graspbench {
 
+enum class StageKind { kRun, kJudge, kOptimisation, kBenchmark, kComparison, kBasin, kVariant };
+struct StageRow {
+  StageKind value;
+  const char* name;
+  const char *task, *tasks;  // one and several of what is counted
+  const char* verb;          // what is done to them
+};
+inline constexpr StageRow kStages[] = {
+    {StageKind::kRun, "run", "trial", "trials", "run"},
+    {StageKind::kJudge, "judge", "held grasp", "held grasps", "judge"},
+    {StageKind::kOptimisation, "optimisation", "scene", "scenes", "optimise"},
+    {StageKind::kBenchmark, "benchmark", "trial", "trials", "run"},
+    {StageKind::kComparison, "comparison", "search", "searches", "run"},
+    {StageKind::kBasin, "basin", "sample", "samples", "run"},
+    {StageKind::kVariant, "variant", "trial", "trials", "run"}};
+
 /** A part of an experiment with a progress of its own. */
 struct Stage {
-  std::string name;               ///< "run", "optimisation", "benchmark", "judge", ...
-  int num_all = 0;                ///< trials, scenes or searches, as the stage's name says
+  StageKind kind = StageKind::kRun;
+  std::string variant;            ///< of kVariant: which of an experiment's variants
+  int num_all = 0;                ///< tasks, as the kind's row says
   int num_left = 0;               ///< of those; 0: finished before, nothing runs
   int num_trials = 0;             ///< at most, with those of earlier runs
   std::map<Outcome, int> before;  ///< of trials that earlier runs finished

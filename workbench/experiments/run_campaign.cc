@@ -73,7 +73,7 @@ class CampaignRun {
     for (const CampaignScene& scene : scenes_) {
       if (!IsSceneFinished(scene.folder, scene.inputs)) tasks.push_back(MakeSceneTask(scene));
     }
-    return RunTasks("optimisation", tasks, scenes_.size());
+    return RunTasks(StageKind::kOptimisation, tasks, scenes_.size());
   }
 
   bool Compare() {
@@ -82,12 +82,12 @@ class CampaignRun {
     for (const ComparisonTask& search : searches) {
       tasks.push_back(MakeSearchTask(search));
     }
-    return tasks.empty() || RunTasks("comparison", tasks, searches.size());
+    return tasks.empty() || RunTasks(StageKind::kComparison, tasks, searches.size());
   }
 
-  bool RunTasks(const char* name, const std::vector<LearningTask>& tasks, size_t num_all) {
+  bool RunTasks(StageKind kind, const std::vector<LearningTask>& tasks, size_t num_all) {
     Stage stage;
-    stage.name = name;
+    stage.kind = kind;
     stage.num_all = static_cast<int>(num_all);
     stage.num_left = static_cast<int>(tasks.size());
     for (const LearningTask& task : tasks) stage.num_trials += task.num_trials;
@@ -113,7 +113,7 @@ class CampaignRun {
     const std::vector<PlannedTrial> trials = FindUnfinished(session);
     SealStore(kSessionStore, folder);
     const bool is_complete = Record(!trials.empty(), [&](Observer& observer) {
-      return RunBatchStage(MakeSessionStage("benchmark", session, trials.size()), trials,
+      return RunBatchStage(MakeSessionStage(StageKind::kBenchmark, session, trials.size()), trials,
                            num_workers_, MakeSessionWorkers(config, inputs, folder), observer,
                            stop_, trial_time_limit_);
     });

@@ -37,8 +37,8 @@ int PlanCampaign(const std::filesystem::path& folder, const CampaignConfig& conf
 @returns how many are not. @throws as RunCampaign. */
 int PlanBenchmark(const std::filesystem::path& folder);
 
-/** Starts or continues a campaign. Stages: "optimisation", "benchmark", "judge" and,
-when searches are compared, "comparison".
+/** Starts or continues a campaign. Stages: optimisation, benchmark, judge and, when searches are
+compared, comparison.
 @returns whether it is finished; else `stop` was set and all finished trials are kept.
 @throws Error(kUsage) for a folder with another campaign; what LoadSessionInputs and the stores
 throw. */

@@ -44,7 +44,7 @@ void AppendRunRecord(const fs::path& folder, const RunRecord& record) {
                   {"build", FindBuild()},
                   {"workers", record.num_workers},
                   {"trials", record.num_trials},
-                  {"ending", record.ending}});
+                  {"ending", RowOf(kRunEndings, record.ending).name}});
   WriteFileAtomically(folder / "run.json", FormatJson(Json{{"runs", runs}}, 2) + "\n");
 }
 
@@ -57,7 +57,7 @@ RunRecorder::RunRecorder(fs::path folder, int num_workers, Observer& observer)
 RunRecord RunRecorder::Keep(bool is_complete) {
   record_.duration =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  record_.ending = is_complete ? "finished" : "interrupted";
+  record_.ending = is_complete ? RunEnding::kFinished : RunEnding::kInterrupted;
   AppendRunRecord(folder_, record_);
   return record_;
 }
@@ -65,7 +65,7 @@ RunRecord RunRecorder::Keep(bool is_complete) {
 void RecordPlanning(const fs::path& folder) {
   RunRecord record;
   record.started_utc = FormatUtcNow();
-  record.ending = "planned";
+  record.ending = RunEnding::kPlanned;
   AppendRunRecord(folder, record);
 }
 

@@ -12,12 +12,21 @@ in the folder holds a clock or a host, so the results of two runs can be compare
 
 namespace graspbench {
 
+enum class RunEnding { kFinished, kInterrupted, kPlanned };
+struct RunEndingRow {
+  RunEnding value;
+  const char* name;  // in run.json
+};
+inline constexpr RunEndingRow kRunEndings[] = {{RunEnding::kFinished, "finished"},
+                                               {RunEnding::kInterrupted, "interrupted"},
+                                               {RunEnding::kPlanned, "planned"}};
+
 struct RunRecord {
   std::string started_utc;  ///< "2026-01-31T12:00:00Z"
   double duration = 0.0;    ///< [s]
   int num_workers = 0;
   int num_trials = 0;  ///< finished in this run
-  std::string ending;  ///< "finished", "interrupted" or, without a trial, "planned"
+  RunEnding ending = RunEnding::kInterrupted;
 };
 
 std::string FormatUtcNow();

@@ -50,9 +50,9 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   return prepared;
 }
 
-Stage MakeSessionStage(const std::string& name, const Session& session, size_t num_unfinished) {
+Stage MakeSessionStage(StageKind kind, const Session& session, size_t num_unfinished) {
   Stage stage;
-  stage.name = name;
+  stage.kind = kind;
   stage.num_all = stage.num_trials = static_cast<int>(session.plan.size());
   stage.num_left = static_cast<int>(num_unfinished);
   for (const TrialRecord& finished : session.records) ++stage.before[finished.result.outcome];
@@ -62,7 +62,7 @@ Stage MakeSessionStage(const std::string& name, const Session& session, size_t n
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
                      const std::atomic<bool>& stop, double trial_time_limit) {
   const std::vector<PlannedTrial> trials = FindUnfinished(prepared.session);
-  const Stage stage = MakeSessionStage("run", prepared.session, trials.size());
+  const Stage stage = MakeSessionStage(StageKind::kRun, prepared.session, trials.size());
   RunRecorder recorder(prepared.folder, num_workers, observer);
   SealStore(kSessionStore, prepared.folder);
   const bool is_complete =
@@ -86,7 +86,7 @@ bool JudgeSession(const Session& session, const SessionInputs& inputs, const fs:
                   double trial_time_limit) {
   const std::vector<PlannedTrial> trials = FindUnjudged(session);
   Stage stage;
-  stage.name = "judge";
+  stage.kind = StageKind::kJudge;
   stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
   SealStore(kSessionStore, folder);
   const bool is_complete =

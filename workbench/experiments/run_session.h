@@ -61,6 +61,6 @@ bool JudgeSession(const Session& session, const SessionInputs& inputs,
                   const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
 
 /** A stage of trials that continues what `session` holds. */
-Stage MakeSessionStage(const std::string& name, const Session& session, size_t num_unfinished);
+Stage MakeSessionStage(StageKind kind, const Session& session, size_t num_unfinished);
 
 }  // namespace graspbench

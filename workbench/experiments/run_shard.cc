@@ -83,15 +83,17 @@ class SessionShard {
     ShardResult result;
     result.num_all = static_cast<int>(request_.judge ? trials.size() : own.size());
     result.num_left = static_cast<int>(trials.size());
-    if (trials.empty()) return result;
-    ShardPresence presence(folder_, request_.judge ? kJudgeLabel + label_ : label_,
-                           result.num_left);
+    if (request_.judge) result.unit = "held grasp";
+    const std::string label = request_.judge ? kJudgeLabel + label_ : label_;
+    if (trials.empty() && !IsUnchecked(label)) return result;
+    ShardPresence presence(folder_, label, result.num_left);
     const std::vector<PlannedTrial> sentinels = presence.ListMissingSentinels(session_.plan);
     LoadInputs(inputs, trials, sentinels);
     budget_.Look();  // loading takes time, too
     if (!presence.Begin(sentinels, session_.config, inputs_, budget_, request_.trial_time_limit)) {
       return result;
     }
+    if (trials.empty()) return result;
     RunBatchStage(MakeStage(trials), trials, request_.num_workers,
                   request_.judge ? MakeJudgeWorkers(session_, inputs_, folder_, label_)
                                  : MakeSessionWorkers(session_.config, inputs_, folder_, label_),
@@ -101,6 +103,13 @@ class SessionShard {
   }
 
  private:
+  /** A finished shard whose machine's sentinels are lost makes them up. */
+  bool IsUnchecked(const std::string& label) const {
+    Diagnostics ignored;  // a merge reports them
+    const std::vector<WorkerStart> starts = LoadWorkers(folder_, ignored).starts;
+    return FindUnchecked(folder_, starts).count(label) > 0;
+  }
+
   void CheckSomeFinished(const std::vector<PlannedTrial>& own) const {
     if (own.empty() || Intersect(FindUnfinished(session_), own).size() < own.size()) return;
     throw Error(ErrorKind::kUsage, "none of the shard's " +
@@ -122,7 +131,7 @@ class SessionShard {
 
   Stage MakeStage(const std::vector<PlannedTrial>& trials) const {
     Stage stage;
-    stage.name = request_.judge ? "judge" : "run";
+    stage.kind = request_.judge ? StageKind::kJudge : StageKind::kRun;
     stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
     return stage;
   }

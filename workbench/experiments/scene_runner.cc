@@ -149,7 +149,7 @@ OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneCon
                              const std::atomic<bool>& stop, double trial_time_limit) {
   if (!HasScene(folder)) PlanScene(folder, config);
   Stage stage;
-  stage.name = "optimisation";
+  stage.kind = StageKind::kOptimisation;
   stage.num_all = stage.num_left = 1;
   stage.num_trials = CountLearningTrials(config.optimise);
   observer.BeginStage(stage);

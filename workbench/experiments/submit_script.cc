@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
 #include <string_view>
 
 #include "core/base/enum_table.h"
@@ -36,6 +37,12 @@ void ReadWords(YamlMap& map, const char* key, std::vector<std::string>& words) {
 void ReadWord(YamlMap& map, const char* key, std::string& word) {
   map.Read(key, word, Needed::kNo);
   if (!IsPlainWord(word)) FailWord(map, key, word);
+}
+
+void Check(YamlMap& map, const char* key, const std::string& value, const char* pattern,
+           const std::string& expected) {
+  if (value.empty() || std::regex_match(value, std::regex(pattern))) return;
+  map.Fail(key, "\"" + value + "\": expected " + expected);
 }
 
 /** "#SBATCH --partition=a --time=b" with a line feed, or nothing. */
@@ -90,6 +97,9 @@ std::string FormatEnd(const SubmitRequest& request, const Words& words) {
                                 : "exec " + words.program + " merge .\n";
 }
 
+constexpr char kLeaveWhenStopped[] =
+    "[[ $stopped ]] && { echo 'stopped; the same command goes on' >&2; exit 75; }\n";
+
 std::string MakeLocal(const SubmitRequest& request) {
   const Words words = MakeWords(request);
   const std::string log = words.log + "-\"$shard\".log";
@@ -108,9 +118,8 @@ std::string MakeLocal(const SubmitRequest& request) {
          " 2>&1 &\n"
          "  [[ $stopped ]] && kill $!\n"
          "done\n"
-         "while [[ $(jobs -pr) ]]; do wait; done\n"
-         "[[ $stopped ]] && exit 75\n" +
-         FormatEnd(request, words);
+         "while [[ $(jobs -pr) ]]; do wait; done\n" +
+         kLeaveWhenStopped + FormatEnd(request, words);
 }
 
 /** The list of jobs is a record only: a shard that has lost a line since is worked on again, and one
@@ -121,14 +130,14 @@ std::string MakeParallel(const SubmitRequest& request) {
          FormatBeginning(request) +
          "stopped=\n"
          "# Once: start no more; twice: terminate what runs.\n"
-         "trap 'stopped=1; kill $!; sleep 1; kill $!' TERM INT HUP\n"
+         "trap 'stopped=1; kill $!; sleep 1; kill $! 2>/dev/null' TERM INT HUP\n"
          "parallel --joblog " +
          words.log + "-" + words.count + ".joblog --termseq TERM,60000,KILL,25 \\\n  " +
-         QuoteForShell(words.work + "{}/" + words.count) + " ::: $(seq " + words.count +
+         QuoteForShell(words.work + "{}/" + words.count + " >>" + words.log + "-{}.log 2>&1") +
+         " ::: $(seq " + words.count +
          ") &\n"
-         "while [[ $(jobs -pr) ]]; do wait; done\n"
-         "[[ $stopped ]] && exit 75\n" +
-         FormatEnd(request, words);
+         "while [[ $(jobs -pr) ]]; do wait; done\n" +
+         kLeaveWhenStopped + FormatEnd(request, words);
 }
 
 /** The signal goes to the shell of a batch job, not to its children: so the program takes the
@@ -188,7 +197,11 @@ ClusterConfig ParseClusterConfig(const std::string& text, const std::string& fil
     ReadWord(map, "partition", cluster.partition);
     ReadWord(map, "account", cluster.account);
     ReadWord(map, "time", cluster.time);
+    Check(map, "time", cluster.time, R"((\d+-)?\d+(:\d+){0,2})",
+          "minutes or days-hours:minutes:seconds, as 2:00:00");
     ReadWord(map, "memory", cluster.memory);
+    Check(map, "memory", cluster.memory, R"(\d+[KMGT]?)",
+          "megabytes or a number with K, M, G or T, as 2G");
     ReadWords(map, "modules", cluster.modules);
     ReadWords(map, "options", cluster.options);
     for (const std::string& option : cluster.options) {

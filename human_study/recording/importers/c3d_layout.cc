@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMaxFrames = 2147483647.0;
 
-std::string FormatCount(double value) { return std::to_string(static_cast<int64_t>(value)); }
+std::string FormatWhole(double value) { return std::to_string(static_cast<int64_t>(value)); }
 
 /** A whole number in [0, max] from a parameter, or NaN. */
 double FindCount(const C3dParameters& parameters, const char* group, const char* name,
@@ -37,10 +37,10 @@ void FindPointCount(const C3dHead& head, const C3dParameters& parameters, C3dLay
   const double used = FindCount(parameters, "POINT", "USED");
   if (std::isnan(used)) {
     recording.Note("missing_parameter", "POINT:USED",
-                   "absent; the header's " + FormatCount(in_header) + " points are taken");
+                   "absent; the header's " + FormatWhole(in_header) + " points are taken");
   } else if (used != in_header) {
     recording.Note("point_count_disputed", "POINT:USED",
-                   "says " + FormatCount(used) + " points, the header " + FormatCount(in_header) +
+                   "says " + FormatWhole(used) + " points, the header " + FormatWhole(in_header) +
                        "; the parameter is taken");
   }
   layout.num_points = static_cast<size_t>(std::isnan(used) ? in_header : used);
@@ -56,8 +56,8 @@ void FindAnalogCount(const C3dHead& head, const C3dParameters& parameters, C3dLa
     layout.num_channels = per_frame / layout.samples_per_frame;
     if (per_frame > 0) {
       recording.Note("missing_parameter", "ANALOG:USED",
-                     "absent or 0 although the header counts " + FormatCount(per_frame) +
-                         " analog values a frame; " + FormatCount(layout.num_channels) +
+                     "absent or 0 although the header counts " + FormatWhole(per_frame) +
+                         " analog values a frame; " + FormatWhole(layout.num_channels) +
                          " channels are taken");
     }
   } else {
@@ -68,9 +68,9 @@ void FindAnalogCount(const C3dHead& head, const C3dParameters& parameters, C3dLa
       const bool fits = layout.num_channels > 0 && per_frame % layout.num_channels == 0;
       const size_t taken = fits ? per_frame / layout.num_channels : samples;
       recording.Note("analog_count_disputed", "byte 5",
-                     "the header counts " + FormatCount(per_frame) +
-                         " analog values a frame, but " + FormatCount(used) + " channels of " +
-                         FormatCount(samples) + " samples; " + FormatCount(taken) +
+                     "the header counts " + FormatWhole(per_frame) +
+                         " analog values a frame, but " + FormatWhole(used) + " channels of " +
+                         FormatWhole(samples) + " samples; " + FormatWhole(taken) +
                          " samples a channel are taken");
       layout.samples_per_frame = taken;
     }
@@ -141,13 +141,13 @@ void FindDataPosition(const C3dHead& head, const C3dParameters& parameters, cons
         file, c3d_header::kDataStart,
         "the data are said to start at block " + std::to_string(in_header) +
             ", which the file of " + std::to_string(head.file_size) + " bytes does not hold" +
-            (std::isnan(parameter) ? "" : "; POINT:DATA_START says " + FormatCount(parameter)));
+            (std::isnan(parameter) ? "" : "; POINT:DATA_START says " + FormatWhole(parameter)));
   }
   const double taken = is_block(in_header) ? in_header : parameter;
   if (in_header != parameter && !std::isnan(parameter)) {
     recording.Note("data_start_disputed", "POINT:DATA_START",
-                   "says block " + FormatCount(parameter) + ", the header " +
-                       FormatCount(in_header) + "; " + FormatCount(taken) + " is taken");
+                   "says block " + FormatWhole(parameter) + ", the header " +
+                       FormatWhole(in_header) + "; " + FormatWhole(taken) + " is taken");
   }
   layout.data_position = (static_cast<uint64_t>(taken) - 1) * kC3dBlock;
 }
@@ -210,9 +210,9 @@ void FindFrames(const C3dHead& head, const C3dParameters& parameters, const Impo
   });
   if (taken == counts.end()) taken = counts.begin();
   if (taken->count > capacity) {
-    const std::string text = taken->where + std::string(" promises ") + FormatCount(taken->count) +
+    const std::string text = taken->where + std::string(" promises ") + FormatWhole(taken->count) +
                              " frames of " + std::to_string(layout.frame_size()) +
-                             " bytes, the file holds " + FormatCount(capacity);
+                             " bytes, the file holds " + FormatWhole(capacity);
     if (!options.accept_truncated || capacity < 1) {
       FailAtByte(file, head.file_size,
                  text +
@@ -224,16 +224,16 @@ void FindFrames(const C3dHead& head, const C3dParameters& parameters, const Impo
     taken->count = capacity;
   } else if (left_over(*taken) >= static_cast<double>(kC3dBlock)) {
     recording.Note("data_left_over",
-                   "byte " + FormatCount(static_cast<double>(head.file_size) - left_over(*taken)),
-                   FormatCount(left_over(*taken)) + " bytes follow the " +
-                       FormatCount(taken->count) + " frames of " + taken->where +
+                   "byte " + FormatWhole(static_cast<double>(head.file_size) - left_over(*taken)),
+                   FormatWhole(left_over(*taken)) + " bytes follow the " +
+                       FormatWhole(taken->count) + " frames of " + taken->where +
                        "; they are not read");
   }
   for (const FrameCount& c : counts) {
     if (c.count == taken->count) continue;
     recording.Note("frame_count_disputed", c.where,
-                   "says " + FormatCount(c.count) + " frames, " + taken->where + " " +
-                       FormatCount(taken->count) + ", which is taken by the size of the file");
+                   "says " + FormatWhole(c.count) + " frames, " + taken->where + " " +
+                       FormatWhole(taken->count) + ", which is taken by the size of the file");
   }
   layout.num_frames = static_cast<size_t>(taken->count);
   layout.first_frame = static_cast<int>(taken->first);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/line_plot.h"
@@ -52,14 +53,13 @@ Html DrawConvergence(const CampaignData& data) {
                              data.models.NameOfObject(curves[first].object);
     for (const MethodCurve* curve : scene) {
       if (curve->evaluations.empty()) continue;
-      table.AddRow(
-          {Text(name), Text(curve->method), Text(std::to_string(curve->num_seeds)),
-           Text(FormatFixed(curve->evaluations.back(), 0)),
-           Text(FormatFixed(curve->final_median, 3)),
-           Text(FormatFixed(curve->low.back(), 3) + " to " + FormatFixed(curve->high.back(), 3)),
-           Text(std::isfinite(curve->median_evaluations_to_90)
-                    ? FormatFixed(curve->median_evaluations_to_90, 0)
-                    : std::string("never"))});
+      table.AddRow({Text(name), Text(curve->method), Text(std::to_string(curve->num_seeds)),
+                    Text(FormatFixed(curve->evaluations.back(), 0)),
+                    Text(FormatFixed(curve->final_median, 3)),
+                    Text(FormatRange(curve->low.back(), curve->high.back(), 3)),
+                    Text(std::isfinite(curve->median_evaluations_to_90)
+                             ? FormatFixed(curve->median_evaluations_to_90, 0)
+                             : std::string("never"))});
     }
     figures += DrawScene(scene, name);
   }

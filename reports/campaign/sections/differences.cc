@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/line_plot.h"
@@ -32,9 +33,7 @@ Html DrawDifferences(const CampaignData& data, const VariantMeasure& measure, Va
       if (pairs.interval) {
         row.low = unit * pairs.interval->interval.low;
         row.high = unit * pairs.interval->interval.high;
-        row.text = FormatFixed(row.value, measure.decimals) + " (" +
-                   FormatFixed(row.low, measure.decimals) + " to " +
-                   FormatFixed(row.high, measure.decimals) + "), " +
+        row.text = FormatWithRange(row.value, row.low, row.high, measure.decimals) + ", " +
                    FormatCount(pairs.num_pairs, "pair");
       } else {
         row.low = row.high = std::nan("");

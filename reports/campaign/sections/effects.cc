@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "reports/campaign/campaign_section.h"
 
@@ -20,9 +21,8 @@ std::string FormatMeasure(const VariantMeasure& measure, double value) {
 
 std::string FormatRatio(const StepEffect& effect) {
   if (!effect.ratio) return FormatFixed(effect.plain_ratio(), 2);
-  return FormatFixed(effect.ratio->estimate, 2) + " (" +
-         FormatFixed(effect.ratio->interval.low, 2) + " to " +
-         FormatFixed(effect.ratio->interval.high, 2) + ")";
+  const auto& interval = effect.ratio->interval;
+  return FormatWithRange(effect.ratio->estimate, interval.low, interval.high, 2);
 }
 
 Html DrawEffects(const CampaignData& data, const std::string& hand, const std::string& name) {

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "reports/campaign/campaign_section.h"
@@ -44,8 +45,7 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
     const double before = angle("start_rad", i), after = angle("found_rad", i);
     table.AddRow({Text(step.at("joints").at(i).get<std::string>()), Text(FormatFixed(before, 1)),
                   Text(FormatFixed(after, 1)), Text(FormatFixed(after - before, 1)),
-                  Text(FormatFixed(angle("lower_rad", i), 1) + " to " +
-                       FormatFixed(angle("upper_rad", i), 1))});
+                  Text(FormatRange(angle("lower_rad", i), angle("upper_rad", i), 1))});
   }
   return MakeScroll("Thumb of " + data.NameOfScene(scene), table.ToHtml());
 }

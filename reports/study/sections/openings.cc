@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
@@ -10,15 +11,13 @@ namespace {
 std::string FormatIcc(const OpeningReliability& row) {
   if (!row.reliability || !row.reliability->one_way) return "n/a";
   const Icc& icc = row.reliability->one_way->single;
-  return FormatFixed(icc.value, 2) + " (" + FormatFixed(icc.interval.low, 2) + " to " +
-         FormatFixed(icc.interval.high, 2) + ")";
+  return FormatWithRange(icc.value, icc.interval.low, icc.interval.high, 2);
 }
 
 std::string FormatAgainst(const OpeningReliability& row) {
   if (!row.against_aperture) return "n/a";
   const BootstrapInterval& b = *row.against_aperture;
-  return FormatFixed(b.estimate, 2) + " (" + FormatFixed(b.interval.low, 2) + " to " +
-         FormatFixed(b.interval.high, 2) + ")";
+  return FormatWithRange(b.estimate, b.interval.low, b.interval.high, 2);
 }
 
 std::string FormatNeeded(const OpeningReliability& row) {

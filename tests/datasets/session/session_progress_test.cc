@@ -107,6 +107,36 @@ TEST_F(ReadProgressTest, BelievesNoIndexThatIsOlderThanItsJournal) {
   EXPECT_EQ(progress.num_bad_lines, 1);
 }
 
+// By their lengths: a file that is gone, and one that has lost committed bytes.
+TEST_F(ReadProgressTest, NamesLostBytes) {
+  Finish({1, 2}, 3);
+  Finish({2, 2}, 3);
+  SealStore(kSessionStore, folder_.path());
+  EXPECT_TRUE(ReadProgress(folder_.path(), 60.0).damages.empty());
+  const fs::path cut = folder_.path() / "journal" / "1of2-0.jsonl";
+  fs::resize_file(cut, fs::file_size(cut) - 1);
+  fs::remove(folder_.path() / "journal" / "2of2-0.jsonl");
+  const std::vector<Damage> damages = ReadProgress(folder_.path(), 60.0).damages;
+  ASSERT_EQ(damages.size(), 2u);
+  EXPECT_EQ(damages[0].path, "journal/1of2-0.jsonl");
+  EXPECT_EQ(damages[1].path + " " + damages[1].text, "journal/2of2-0.jsonl is missing");
+}
+
+TEST_F(ReadProgressTest, CountsRecordsOfOtherPlansApart) {
+  const TemporaryFolder other;
+  const std::vector<PlannedTrial> plan = CreateFakeSession(other.path(), 4);
+  {
+    JournalWriter journal(folder_.path(), 0, "1of1");
+    journal.Append(MakeFakeRecord(plan.back()));
+    journal.Append(MakeFakeRecord(plan_[0]));
+  }
+  const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
+  EXPECT_EQ(progress.num_finished, 1);
+  EXPECT_EQ(progress.num_foreign_lines, 1);
+  EXPECT_EQ(progress.num_bad_lines, 0);
+  EXPECT_EQ(FindShardCounts(folder_.path()), std::set<int>{1});
+}
+
 // Judged by two, run by one; a worker of the judge says nothing of the trials.
 TEST_F(ReadProgressTest, CountsHeldGraspsOfAJudge) {
   Finish({1, 1}, 100);

@@ -138,7 +138,7 @@ TEST_F(WorkerLogTest, NamesTheMachineThatDisagreesAndByHowMuch) {
   const std::vector<std::string> said = DescribeDifferences(starts);
   ASSERT_EQ(said.size(), 1u);
   EXPECT_EQ(said[0].rfind("node1 (a processor, flags 0123456789abcdef, glibc 2.36, build "
-                          "fedcba9876543210) disagrees with node2 (",
+                          "fedcba9876543210), shard 1of2, disagrees with node2 (",
                           0),
             0u)
       << said[0];

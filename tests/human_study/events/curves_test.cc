@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "core/base/units.h"
 #include "core/shape/primitives.h"
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
@@ -252,6 +253,14 @@ TEST(PeakOpening, TheLastMaximumIsToldFromTheLargest) {
   // Between the bumps the hand nearly closes: a bump of 50 mm rises by less than that.
   EXPECT_TRUE(FindPeakOpening(MakeBumps(0.05), 0.0, 1.0, 1.2, 0.003).is_ambiguous);
   EXPECT_FALSE(FindPeakOpening(MakeBumps(0.05), 0.0, 1.0, 1.2, 0.05).is_ambiguous);
+}
+
+// Half of the vectors are shorter: P(r < x) = erf(x / sqrt 2) - sqrt(2 / pi) x exp(-x^2 / 2).
+TEST(MedianPerSd, HalfOfNormalVectorsAreShorter) {
+  const double x = kMedianPerSd;
+  const double share =
+      std::erf(x / std::sqrt(2.0)) - std::sqrt(2.0 / kPi) * x * std::exp(-0.5 * x * x);
+  EXPECT_NEAR(share, 0.5, 2e-5);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ class RunRecordTest : public testing::Test {
 };
 
 TEST_F(RunRecordTest, RunsAreAppended) {
-  AppendRunRecord(folder_, {"2026-01-31T12:00:00Z", 1.5, 2, 7, "interrupted"});
-  AppendRunRecord(folder_, {"2026-01-31T13:00:00Z", 2.5, 4, 3, "finished"});
+  AppendRunRecord(folder_, {"2026-01-31T12:00:00Z", 1.5, 2, 7, RunEnding::kInterrupted});
+  AppendRunRecord(folder_, {"2026-01-31T13:00:00Z", 2.5, 4, 3, RunEnding::kFinished});
   const Json runs = LoadRuns();
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[0]["ending"], "interrupted");
@@ -35,7 +35,7 @@ TEST_F(RunRecordTest, ADamagedRecordIsReplaced) {
   for (const char* damaged : {"", "{", "[1]", "{\"runs\": 3}"}) {
     WriteFileAtomically(folder_ / "run.json", damaged);
     EXPECT_FALSE(HasRunOfAnotherBuild(folder_));
-    AppendRunRecord(folder_, {"2026-01-31T12:00:00Z", 1.5, 2, 7, "finished"});
+    AppendRunRecord(folder_, {"2026-01-31T12:00:00Z", 1.5, 2, 7, RunEnding::kFinished});
     EXPECT_EQ(LoadRuns().size(), 1u) << damaged;
   }
 }

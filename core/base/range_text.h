@@ -1,0 +1,14 @@
+#pragma once
+/** @file The one way in which tables and sentences write a range. */
+
+#include <string>
+
+namespace graspbench {
+
+/** "0.12 to 0.34". */
+std::string FormatRange(double low, double high, int decimals);
+
+/** "0.23 (0.12 to 0.34)". */
+std::string FormatWithRange(double estimate, double low, double high, int decimals);
+
+}  // namespace graspbench
