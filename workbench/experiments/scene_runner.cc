@@ -96,6 +96,7 @@ RunLearningTrials MakeJournaledTrials(const SceneConfig& config, const SceneInpu
 
 SceneInputs LoadSceneInputs(SceneConfig& config) {
   SessionConfig session;
+  static_cast<TrialConditions&>(session) = config;
   session.hands = {config.hand};
   session.objects = {config.object};
   session.grasps = {config.grasp};
