@@ -27,8 +27,7 @@ void Run(SensitivityOptions& options) {
   options.request.folder = options.folder;
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
-      [](const Stage& stage) { return stage.name + ": " + FormatCount(stage.num_left, "trial"); },
-      stop);
+      [](const Stage& stage) { return stage.variant + ": " + DescribeTasks(stage); }, stop);
   if (!RunSensitivity(options.request, options.num_workers, observer, stop)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped; what has run is kept. Continue with the same command");

@@ -130,7 +130,8 @@ bool RunSensitivity(const SensitivityRequest& request, int num_workers, Observer
     }
     if (unfinished.empty()) continue;
     Stage stage;
-    stage.name = setting;
+    stage.kind = StageKind::kVariant;
+    stage.variant = setting;
     stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(unfinished.size());
     is_complete =
         RunBatchStage(stage, unfinished, num_workers, variation.MakeWorkers(request.folder),
