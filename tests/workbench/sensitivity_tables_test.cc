@@ -22,8 +22,8 @@ TEST(SensitivityTables, ShowChangesWithTheirIntervals) {
   SensitivitySummary summary;
   summary.changes = {change};
   EXPECT_EQ(FormatSensitivityTables(summary),
-            "setting               was  hand  pairs  success [%]          GFT [ms]         "
-            "GFT% [%]           sigma [N]\n"
+            "setting               was  hand  pairs  success [%]           GFT [ms]         "
+            "GFT% [%]            sigma [N]\n"
             "model.mass_scale=2.0  1.0  tum      10  -30.0 (-60.0 to 5.0)  100 (50 to 250)  "
             "10.0 (5.0 to 25.0)        n/a\n"
             "changes of the success rate and of medians, with 95 % intervals, on the same "
