@@ -8,8 +8,9 @@
 namespace graspbench {
 
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
-                              const SessionModels& models, const CellPictures& pictures) {
-  const ReportData data = {session, summary, models, pictures};
+                              const SessionModels& models, const CellPictures& pictures,
+                              const SensitivitySummary& sensitivity) {
+  const ReportData data = {session, summary, models, pictures, sensitivity};
   const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
                                FormatCount(static_cast<int>(summary.objects.size()), "object") +
                                ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
@@ -25,7 +26,11 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
   const SessionSummary summary = SummariseSession(session);
   const SessionModels models = LoadSessionModels(session);
   const CellPictures pictures = RenderCellPictures(session, summary, models);
-  return WriteReportPage(folder, MakeSessionReport(session, summary, models, pictures));
+  Diagnostics findings;  // whoever ran the sensitivity was told
+  const SensitivitySummary sensitivity =
+      SummariseSensitivity(session, LoadSensitivity(session, findings));
+  return WriteReportPage(folder,
+                         MakeSessionReport(session, summary, models, pictures, sensitivity));
 }
 
 }  // namespace graspbench

@@ -6,6 +6,7 @@ needs no script and no network; the pictures are drawn from the trials' snapshot
 #include <filesystem>
 #include <string>
 
+#include "datasets/analysis/sensitivity_summary.h"
 #include "datasets/session/session_store.h"
 #include "reports/cell_pictures.h"
 #include "reports/models.h"
@@ -21,6 +22,7 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
 
 /** The page from its parts, for those who bring their own pictures. */
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
-                              const SessionModels& models, const CellPictures& pictures);
+                              const SessionModels& models, const CellPictures& pictures,
+                              const SensitivitySummary& sensitivity = {});
 
 }  // namespace graspbench

@@ -6,7 +6,7 @@ namespace graspbench {
 
 /** Counts changes of the physics that change results. Part of every trial id, so that records of
 different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 7;
+inline constexpr int kPhysicsVersion = 8;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {

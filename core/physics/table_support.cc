@@ -23,10 +23,8 @@ const double kSmoothCosine = std::cos(RadFromDeg(25.0));
 /** Longest edge on a ball over its radius; 16 segments: 0.39, and 0.55 across. The corners of a long
 cylinder lie on a sphere too, but not its faces. */
 constexpr double kLongestEdge = 0.6;
-/** How far a ball may stand out of the faces that it stands for, over its radius and that of the
-object; 16 segments: 0.038 across. A rounded edge beside a long flat face lies on a sphere, too. */
-constexpr double kDeepestFace = 0.04;
-/** A fit's largest miss over the height of the cap it covers. */
+/** How far each point may lie off a fitted ball, over the height of the ball's cap that ends there:
+the surface must bend alike in all directions. */
 constexpr double kFitShare = 0.05;
 /** Triangles whose normals and planes differ by less than these are one face. */
 constexpr double kFlatCosine = 1.0 - 1e-6;
@@ -86,10 +84,14 @@ std::optional<FittedBall> FitBall(const std::vector<Vector3d>& points) {
   const Vector3d centre = solution.head<3>();
   const double radius = std::sqrt(centre.squaredNorm() + solution[3]);
   if (!std::isfinite(radius)) return std::nullopt;
-  const double cap_height = 0.5 / radius;  // of points at distance 1 in units of `size`
+  double nearest = 1.0;
+  for (size_t i = 1; i < points.size(); ++i) {
+    nearest = std::min(nearest, (points[i] - points[0]).norm() / size);
+  }
   for (const Vector3d& p : points) {
-    const double miss = std::abs(((p - points[0]) / size - centre).norm() - radius);
-    if (miss > kFitShare * cap_height) return std::nullopt;
+    const Vector3d scaled = (p - points[0]) / size;
+    const double cap_height = 0.5 * std::max(scaled.squaredNorm(), nearest * nearest) / radius;
+    if (std::abs((scaled - centre).norm() - radius) > kFitShare * cap_height) return std::nullopt;
   }
   return FittedBall{points[0] + size * centre, size * radius};
 }
@@ -204,12 +206,6 @@ void TableSupport::FindBalls(const TriMesh& mesh, const std::vector<size_t>& ver
         (ring[0] - ball->centre).dot(outwards) < 0.0) {
       continue;
     }
-    const bool stands_out =
-        std::any_of(faces[vertex].begin(), faces[vertex].end(), [&](size_t face) {
-          const double height = normals[face].dot(ring[0] - ball->centre);  // of its plane
-          return ball->radius - height > kDeepestFace * std::min(ball->radius, radius_);
-        });
-    if (stands_out) continue;
     const auto same = std::find_if(balls_.begin(), balls_.end(), [&](const Ball& other) {
       return (other.p_OCentre - ball->centre).norm() < kSameBall * other.radius &&
              std::abs(other.radius - ball->radius) < kSameBall * other.radius;

@@ -5,8 +5,8 @@ the lowest point of their ball.
 
 A mesh that stands for a smooth surface must not roll on its vertices: each would be an impact.
 Where a vertex and the vertices around it lie on a sphere and no edge there is sharper than a smooth
-mesh of 16 segments has, that ball carries the object, and not the vertices; unless it stands out of
-the faces by more than such a mesh makes it, as beside a long flat one. Round in one direction
+mesh of 16 segments has, that ball carries the object, and not the vertices. Every neighbour must
+lie on it: where a flat begins, the surface bends in some directions only. Round in one direction
 only (a can on its side, an egg) stays a polyhedron and rolls as one; that is not modelled.
 
 A face presses evenly: at most eight points at its outline hold the object against tipping, each for

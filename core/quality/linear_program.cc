@@ -15,10 +15,11 @@ constexpr double kTie = 1e-12;             // ratios that differ by less are equ
 constexpr Eigen::Index kStableSteps = 20;  // per row and column, before Bland's rule
 constexpr double kRoundingGain = 1e-7;     // relative to the largest objective coefficient
 
-/** Columns: variables, slacks, right-hand side. The last row holds minus the gains. */
+/** Columns: variables, slacks, right-hand side. The last row holds minus the gains. A pivot works on
+whole rows, so they lie in one piece. */
 struct Tableau {
   Eigen::Index num_rows, num_columns;  // without the last ones
-  Eigen::MatrixXd values;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values;
   std::vector<Eigen::Index> basis;  // the variable each row stands for
 };
 
@@ -59,10 +60,11 @@ Eigen::Index FindLeavingRow(const Tableau& tableau, Eigen::Index enter, bool is_
 }
 
 void Pivot(Eigen::Index enter, Eigen::Index leave, Tableau& tableau) {
-  Eigen::MatrixXd& values = tableau.values;
+  auto& values = tableau.values;
   values.row(leave) /= values(leave, enter);
   for (Eigen::Index row = 0; row <= tableau.num_rows; ++row) {
-    if (row != leave) values.row(row) -= values(row, enter) * values.row(leave);
+    const double factor = values(row, enter);
+    if (row != leave && factor != 0.0) values.row(row) -= factor * values.row(leave);
   }
   tableau.basis[leave] = enter;
 }

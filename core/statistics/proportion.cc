@@ -37,6 +37,24 @@ Interval CalcWilsonInterval(int num_successes, int num_trials) {
           num_successes == num_trials ? 1.0 : (centre + half_width) / scale};
 }
 
+Interval CalcPairedDifferenceInterval(const PairedCounts& counts) {
+  const int num_pairs = counts.num_pairs();
+  if (num_pairs == 0) return {-1.0, 1.0};
+  const double a = counts.both, b = counts.first_only, c = counts.second_only, d = counts.neither;
+  const Interval first = CalcWilsonInterval(counts.both + counts.first_only, num_pairs);
+  const Interval second = CalcWilsonInterval(counts.both + counts.second_only, num_pairs);
+  const double p1 = (a + b) / num_pairs, p2 = (a + c) / num_pairs;
+  const double margins = (a + b) * (c + d) * (a + c) * (b + d);
+  double numerator = a * d - b * c;
+  if (numerator > 0.0) numerator = std::max(numerator - 0.5 * num_pairs, 0.0);
+  const double phi = margins > 0.0 ? numerator / std::sqrt(margins) : 0.0;
+  const auto combine = [phi](double x, double y) {
+    return std::sqrt(std::max(0.0, x * x - 2.0 * phi * x * y + y * y));
+  };
+  return {p2 - p1 - combine(p2 - second.low, first.high - p1),
+          p2 - p1 + combine(second.high - p2, p1 - first.low)};
+}
+
 double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_successes_b,
                                int num_trials_b) {
   DemandCounts(num_successes_a, num_trials_a);

@@ -10,6 +10,17 @@ Sources: E. B. Wilson, "Probable inference, the law of succession, and statistic
 Am. Stat. Assoc. 22 (1927); R. G. Newcombe, "Two-sided confidence intervals for the single
 proportion", Stat. Med. 17 (1998), method 3, without continuity correction.
 
+Difference of two proportions over the same n trials, of which a succeeded both times, b the first
+time only, c the second only, d never; with the Wilson limits l, u of p1 = (a + b)/n, p2 = (a + c)/n:
+
+    p2 - p1 - sqrt((p2 - l2)^2 - 2 phi (p2 - l2)(u1 - p1) + (u1 - p1)^2)      lower limit
+    p2 - p1 + sqrt((u2 - p2)^2 - 2 phi (u2 - p2)(p1 - l1) + (p1 - l1)^2)      upper limit
+
+phi is the correlation (a d - b c) / sqrt((a + b)(c + d)(a + c)(b + d)) with n/2 taken off a positive
+numerator, but not below 0; 0 where a margin is empty. R. G. Newcombe, "Improved confidence
+intervals for the difference between binomial proportions based on paired data", Stat. Med. 17
+(1998), method 10.
+
 Fisher's exact test, two-sided: the sum of the hypergeometric probabilities, margins fixed, of all
 tables that are at most as probable as the observed one (R. A. Fisher, "The design of experiments",
 1935). */
@@ -30,6 +41,19 @@ struct Interval {
 /** 95 % interval of the success probability; [0, 1] when there were no trials.
 @pre 0 <= num_successes <= num_trials. */
 Interval CalcWilsonInterval(int num_successes, int num_trials);
+
+/** How often the same trials succeeded under two conditions. */
+struct PairedCounts {
+  int both = 0;
+  int first_only = 0;
+  int second_only = 0;
+  int neither = 0;
+
+  int num_pairs() const { return both + first_only + second_only + neither; }
+};
+/** 95 % interval of the second success probability less the first; [-1, 1] without pairs.
+@pre no count is negative. */
+Interval CalcPairedDifferenceInterval(const PairedCounts& counts);
 
 /** p value of "both have the same success probability"; 1 when either had no trials.
 @pre as above, for both. Cost grows with the sum of the trials. */

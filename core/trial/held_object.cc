@@ -30,7 +30,7 @@ void HeldObject::Step() {
   const StepReport report = world_->Step(command_);
   time_ += step_;
   if (report.grip_force > 0.0) last_touch_ = time_;
-  if (CalcSpeed() + radius_ * world_->state().w_WO.norm() > kRestSpeed) last_motion_ = time_;
+  if (CalcSlipSpeed(world_->state(), radius_) > kRestSpeed) last_motion_ = time_;
   converged_ = converged_ && report.converged && report.is_finite;
 }
 

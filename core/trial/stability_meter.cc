@@ -23,6 +23,10 @@ double CalcObjectRadius(const GraspObject& object) {
   return radius;
 }
 
+double CalcSlipSpeed(const WorldState& state, double object_radius) {
+  return (state.v_WOcm - state.v_WH).norm() + object_radius * state.w_WO.norm();
+}
+
 StabilityMeter::StabilityMeter(const TrialSetup& setup)
     : hand_(setup.hand.get()),
       opposing_digit_(FindOpposingDigit(*setup.hand, setup.grasp)),
@@ -64,7 +68,7 @@ GraspInstant StabilityMeter::MakeInstant(const World& world) const {
   grasp.weight = world.mass_properties().mass * (R_OW * state.gravity_W);
   grasp.radius = object_radius_;
   instant.R_OPalm = R_OW * CalcPalmPose(*hand_, state).linear();
-  instant.slip_speed = (state.v_WOcm - state.v_WH).norm() + object_radius_ * state.w_WO.norm();
+  instant.slip_speed = CalcSlipSpeed(state, object_radius_);
   bool opposing_touches = false, other_touches = false;
   std::vector<HandContact> contacts;
   world.FindHandContacts(contacts);

@@ -15,6 +15,10 @@ namespace graspbench {
 /** Largest distance of the object's surface from its centre of mass [m]. */
 double CalcObjectRadius(const GraspObject& object);
 
+/** Speed of the object against the hand, |v_WOcm - v_WH| + radius |w_WO| [m/s]: no point of it is
+faster. A ball that spins on the spot moves, too. */
+double CalcSlipSpeed(const WorldState& state, double object_radius);
+
 class StabilityMeter {
  public:
   explicit StabilityMeter(const TrialSetup& setup);

@@ -27,6 +27,7 @@ TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup)
     : world_(std::move(world)),
       setup_(setup),
       hand_(*setup.hand),
+      object_radius_(CalcObjectRadius(*setup.object)),
       placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
              ContactEventRecorder(hand_, setup.sim.step)} {
@@ -235,7 +236,7 @@ TrialFacts TrialCourse::MakeFacts() const {
   facts.last_touch = notes_.last_touch;
   facts.displacement = (world_->state().p_WOcm - notes_.rest_position).head<2>().norm();
   facts.rise = CalcRise();
-  facts.relative_speed = (world_->state().v_WOcm - world_->state().v_WH).norm();
+  facts.relative_speed = CalcSlipSpeed(world_->state(), object_radius_);
   facts.arm_force = notes_.report.arm_force;
   facts.arm_moment = notes_.report.arm_moment;
   facts.arm_force_limit = setup_.sim.arm_force_limit;
@@ -245,8 +246,7 @@ TrialFacts TrialCourse::MakeFacts() const {
 
 double TrialCourse::CalcCreep() const {
   const Pose moved = notes_.settled_at->inverse() * CalcObjectInPalm();
-  return moved.translation().norm() +
-         CalcObjectRadius(*setup_.object) * Eigen::AngleAxisd(moved.linear()).angle();
+  return moved.translation().norm() + object_radius_ * Eigen::AngleAxisd(moved.linear()).angle();
 }
 
 TrialResult TrialCourse::End() {

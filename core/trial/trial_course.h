@@ -112,6 +112,7 @@ class TrialCourse {
   std::unique_ptr<World> world_;
   const TrialSetup& setup_;
   const Hand& hand_;
+  double object_radius_;  // about its centre of mass [m]
   Placement placement_;
   std::vector<int> digits_;                 // grasping digits, indices into hand_.digits
   std::vector<HandContact> hand_contacts_;  // of the last step; kept for its memory

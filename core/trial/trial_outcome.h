@@ -31,7 +31,7 @@ struct TrialFacts {
   double last_touch = 0.0;         ///< time of the last touch by the hand [s]
   double displacement = 0.0;       ///< of the object along the table, from its start [m]
   double rise = 0.0;               ///< of the object's centre above its start [m]
-  double relative_speed = 0.0;     ///< of the object against the palm [m/s]
+  double relative_speed = 0.0;     ///< CalcSlipSpeed: of the object against the hand [m/s]
 
   double arm_force = 0.0;         ///< of object and table on the hand, now [N]
   double arm_moment = 0.0;        ///< the same about H's origin [N m]

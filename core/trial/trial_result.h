@@ -83,7 +83,7 @@ struct TrialResult {
   /** Motion in the palm's frame in the second half of the hold: of the centre of mass, plus the
   turn times the object's radius [m]; NaN: not held to the end. */
   double hold_creep = kUnset;
-  double end_speed = 0.0;              ///< relative to the palm at the end [m/s]
+  double end_speed = 0.0;              ///< against the hand at the end, turning too [m/s]
   double grip_force = 0.0;             ///< sum of normal forces on the object before lift-off [N]
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
   double steady_penetration = kUnset;  ///< deepest finger contact at the end of the hold [m]
@@ -110,7 +110,7 @@ struct TrialResult {
           FieldColumn{"m",
                       "motion of the object in the palm's frame in the second half of the hold"});
     field("end_speed_m_per_s", &R::end_speed,
-          FieldColumn{"m/s", "speed of the object relative to the palm at the end"});
+          FieldColumn{"m/s", "speed of the object against the hand at the end, turning included"});
     field("grip_force_n", &R::grip_force,
           FieldColumn{"N", "sum of the normal forces on the object before lift-off"});
     field("worst_penetration_m", &R::worst_penetration,

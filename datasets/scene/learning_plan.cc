@@ -79,6 +79,7 @@ std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& in
                         {"strategy", ConfigToJson(config.strategy)},
                         {"full_hold", request.full_hold},
                         {"sim", ConfigToJson(config.sim)},
+                        {"model", ConfigToJson(config.model)},
                         {"seed", config.optimise.seed},
                         {"learning_draw", draw}};
   return CalcHashHex(FormatJson(content));

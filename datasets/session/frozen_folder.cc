@@ -1,8 +1,10 @@
 #include "datasets/session/frozen_folder.h"
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/version.h"
+#include "datasets/session/model_config.h"
 #include "datasets/session/trial_record.h"
 
 namespace graspbench {
@@ -19,6 +21,14 @@ std::string FormatSchemas(const StoreKind& kind) {
 bool HasManifestOf(const StoreKind& kind, const fs::path& folder) {
   const std::optional<Manifest> manifest = FindManifest(folder);
   return manifest && manifest->kind == kind.name;
+}
+
+/** Before there was a `model`, hands and objects were as in their files. */
+void AddModel(Json& config) {
+  Json& conditions = config.contains("session") ? config["session"] : config;
+  if (conditions.contains("sim") && !conditions.contains("model")) {
+    conditions["model"] = ConfigToJson(ModelConfig());
+  }
 }
 
 }  // namespace
@@ -56,6 +66,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
                       " for it, or " + kind.remedy);
     }
     frozen.config = json.value("config", Json::object());
+    AddModel(frozen.config);
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
                 "\"" + path.string() + "\" is damaged: " + e.what() +

@@ -44,6 +44,11 @@ constexpr Range kRanges[] = {
     {"sim.arm_damping_time_s", 0, 1},
     {"sim.arm_force_limit_n", 1, 1e6},
     {"sim.arm_moment_limit_nm", 0.1, 1e6},
+    {"model.mass_scale", 0.01, 100},
+    {"model.friction_scale", 0, 10},
+    {"model.pad_torsion_scale", 0, 10},
+    {"model.drive_torque_scale", 0.01, 100},
+    {"model.joint_error_scale", 0, 10},
 };
 
 Json FindValue(const Json& config, const std::string& full_key) {
@@ -101,6 +106,12 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   if (config.sim.hand_friction_dynamic > config.sim.hand_friction_static) {
     problems.push_back(
         {"sim.hand_friction_dynamic", "must not be higher than sim.hand_friction_static"});
+  }
+  const std::vector<std::string> couplings = ListModelCouplings();
+  const std::string& coupling = config.model.coupling_rule;
+  if (std::find(couplings.begin(), couplings.end(), coupling) == couplings.end()) {
+    problems.push_back({"model.coupling_rule",
+                        "no rule \"" + coupling + "\"" + SuggestNames(coupling, couplings)});
   }
   return problems;
 }

@@ -9,6 +9,7 @@ frozen in full into the session's folder. */
 #include "core/base/json.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/sim_config.h"
+#include "datasets/session/model_config.h"
 
 namespace graspbench {
 
@@ -30,12 +31,14 @@ struct TrialConditions {
   VariationConfig variation;
   StrategyConfig strategy;
   SimConfig sim;
+  ModelConfig model;
 
   template <class V>
   void Visit(V&& v) {
     v("variation", variation);
     v("strategy", strategy);
     v("sim", sim);
+    v("model", model);
   }
 };
 

@@ -26,12 +26,16 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
                                 const std::filesystem::path& folder) {
   SessionInputs inputs;
   for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
-    auto hand = std::make_shared<const Hand>(LoadHand(FindHandInput(name, folder)));
+    auto hand = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder)));
+    ApplyModel(config.model, *hand);
     std::vector<StandardGrasp> grasps = LoadStandardGrasps(*hand);
     inputs.hands.push_back({std::move(hand), std::move(grasps)});
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {
-    inputs.objects.push_back(LoadObject(FindObjectInput(name, folder), field_use));
+    auto object =
+        std::make_shared<GraspObject>(*LoadObject(FindObjectInput(name, folder), field_use));
+    ApplyModel(config.model, *object);
+    inputs.objects.push_back(std::move(object));
   }
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     const std::string& name = config.grasps[i];

@@ -27,8 +27,9 @@ struct SessionInputs {
   std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
 };
 
-/** Loads what the configuration names; "all" is every hand and object that comes with the program.
-A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and goes to its hand.
+/** Loads what the configuration names, with its `model` applied; "all" is every hand and object that
+comes with the program. A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and
+goes to its hand.
 @param folder  of the session whose copies are taken (input_copies.h); empty: the originals.
 @param field_use  kLater where thousands of objects must fit: whoever simulates one completes it
 (CompleteObject).

@@ -21,6 +21,7 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
                         {"variation", ConfigToJson(config.variation)},
                         {"strategy", ConfigToJson(config.strategy)},
                         {"sim", ConfigToJson(config.sim)},
+                        {"model", ConfigToJson(config.model)},
                         {"seed", config.seed},
                         {"trial", trial}};
   return CalcHashHex(FormatJson(content));

@@ -9,6 +9,7 @@ A session's folder:
     inputs/               the user's own hands, objects and grasps, see input_copies.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
+    sensitivity/<n>.jsonl trials under changed settings, see sensitivity_store.h
     progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time

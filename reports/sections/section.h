@@ -5,6 +5,7 @@ line in section_list.inc, which fixes the order of the page. */
 
 #include <vector>
 
+#include "datasets/analysis/sensitivity_summary.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/cell_pictures.h"
 #include "reports/models.h"
@@ -17,6 +18,7 @@ struct ReportData {
   const SessionSummary& summary;
   const SessionModels& models;
   const CellPictures& pictures;
+  const SensitivitySummary& sensitivity;  ///< of this session; without changes: was not run
 };
 
 /** Must bear a session without a plan or without records. */

@@ -241,6 +241,38 @@ TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
   ExpectSoundPage(page);
 }
 
+TEST(SessionReport, ShowsWhatSettingsChange) {
+  const Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
+  SensitivityData data;
+  for (const TrialRecord& record : session.records) {
+    TrialMeasures& measures = data["model.mass_scale=2.0"][record.plan.id];
+    measures = MakeTrialMeasures(record.result);
+    measures.outcome = Outcome::kKnockedOver;
+    measures.gft += 0.123;
+  }
+  const std::string page = MakeSessionReport(session, SummariseSession(session), SessionModels(),
+                                             CellPictures(), SummariseSensitivity(session, data));
+  ExpectSoundPage(page);
+  const std::string section = TextOfSection(page, "sensitivity");
+  ExpectContains(section, "model.mass_scale=2.0");
+  ExpectContains(section, "-100.0 (");
+  ExpectContains(section, "123");
+  EXPECT_EQ(section.find("has not been run so"), std::string::npos);
+}
+
+// Who has not run it sees what the benchmark depends on, named as that.
+TEST(SessionReport, ShowsTheBenchmarksSensitivityInTheMeantime) {
+  const std::string section =
+      TextOfSection(MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 2)), "sensitivity");
+  ExpectContains(section, "This session has not been run so");
+  ExpectContains(section, "Measured on the benchmark session");
+  ExpectContains(section, "model.friction_scale=0.8");
+  const std::string foreign =
+      TextOfSection(MakePageOf(MakeSession({"my_hand"}, {"can"}, "g3", 2)), "sensitivity");
+  ExpectContains(foreign, "This session has not been run so");
+  EXPECT_EQ(foreign.find("Measured on the benchmark session"), std::string::npos);
+}
+
 TEST(SessionReport, ShowsWhatTheJudgeFound) {
   const std::string page = MakePageOf(MakeJudgedSession());
   EXPECT_NE(page.find("24 judged grasps"), std::string::npos);

@@ -76,6 +76,9 @@ INSTANTIATE_TEST_SUITE_P(
     Commands, GRASPBENCH_SUITE,
     testing::Values(
         Command{"judge", {}, {"export/trials.csv", "index.sqlite", "report/index.html"}},
+        Command{"sensitivity",
+                {"--set", "model.mass_scale=2", "--set", "model.joint_error_scale=0"},
+                {"report/index.html"}},
         Command{"export",
                 {"--records"},
                 {"export/trials.csv", "export/events.csv", "export/records.jsonl",

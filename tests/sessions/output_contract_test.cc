@@ -53,6 +53,7 @@ const WritingCommand kCommands[] = {
     {"merge", "merge OUT", Kind::kOwnFolder},
     {"submit", "submit OUT --engine local --array 1", Kind::kOwnFolder},
     {"judge", "judge OUT", Kind::kOwnFolder},
+    {"sensitivity", "sensitivity OUT --set model.mass_scale=2", Kind::kOwnFolder},
     {"report", "report OUT", Kind::kOwnFolder},
     {"export", "export OUT", Kind::kOwnFolder},
     {"optimise_replay", "optimise --replay 0 --out OUT", Kind::kOwnFolder},

@@ -89,6 +89,7 @@ class JournaledTrials {
 /** A session of one trial of the scene. */
 SessionConfig MakeSessionConfig(const SceneConfig& config) {
   SessionConfig session;
+  static_cast<TrialConditions&>(session) = config;
   session.hands = {config.hand};
   session.objects = {config.object};
   session.grasps = {config.grasp};

@@ -50,6 +50,24 @@ TEST(TableSupport, ABoxStandsOnItsCorners) {
   EXPECT_EQ(Laid(box, MakeRotationRpy(kPi / 4.0, 0.0, 0.0)).contacts.size(), 2u);
 }
 
+// A cylinder that ends in a half ball of its radius, as a light bulb, lies on its line: the ball of
+// its end reaches no deeper, and there is none where the flat begins.
+TEST(TableSupport, ACylinderThatEndsInABallLiesOnItsLine) {
+  for (const double length : {0.002, 0.008, 0.015, 0.06}) {
+    std::vector<Eigen::Vector2d> profile = {{0.0, -length}, {0.03, -length}};
+    for (int i = 0; i <= 12; ++i) {
+      const double angle = kPi / 24.0 * i;
+      profile.emplace_back(i == 12 ? 0.0 : 0.03 * std::cos(angle), 0.03 * std::sin(angle));
+    }
+    const TriMesh mesh = MakeRevolution(profile, 48);
+    double lowest = 0.0;
+    const Eigen::Matrix3d R_WO = MakeRotationRpy(kPi / 2.0, 0.0, 0.0);
+    for (const Vector3d& p : mesh.vertices) lowest = std::min(lowest, (R_WO * p).z());
+    const double carried = TableSupport(mesh).CalcLowestPoint(MakePose(R_WO, Vector3d::Zero()));
+    EXPECT_NEAR(carried, lowest, 1e-6) << length;
+  }
+}
+
 // Mean distance from the middle under uniform pressure over that of the contacts: a disc 2/3; a
 // square of side s (sqrt(2) + asinh(1)) s / 6 over s / sqrt(2); an edge 1/2; a thin ring 1.
 TEST(TableSupport, FacesPressEvenly) {

@@ -61,6 +61,73 @@ TEST(FisherExact, TheConvictionsOfTwins) {
   EXPECT_NEAR(CalcFisherExactTwoSided(10, 13, 2, 17), 0.0005367, 5e-8);
 }
 
+// R. G. Newcombe 1998, method 10: 36 pairs positive twice, 12 and 2 once: 0.0569 to 0.3404.
+TEST(PairedDifference, AgreesWithNewcombe) {
+  const Interval interval = CalcPairedDifferenceInterval({36, 2, 12, 0});
+  EXPECT_NEAR(interval.low, 0.0569, 5e-5);
+  EXPECT_NEAR(interval.high, 0.3404, 5e-5);
+}
+
+double CalcChoose(int n, int k);
+
+// Every outcome of n pairs with its probability: the interval holds the true difference in 95 % of
+// them, or nearly so; Newcombe's own check of the method.
+TEST(PairedDifference, CoversTheTruthOverAllOutcomes) {
+  constexpr int kPairs = 24;
+  double mean = 0.0;
+  int num_truths = 0;
+  for (const double both : {0.2, 0.5, 0.7, 0.85}) {
+    for (const double first_only : {0.01, 0.05, 0.1}) {
+      for (const double second_only : {0.02, 0.04}) {
+        const double neither = 1.0 - both - first_only - second_only;
+        double covered = 0.0, all = 0.0;
+        for (int a = 0; a <= kPairs; ++a) {
+          for (int b = 0; a + b <= kPairs; ++b) {
+            for (int c = 0; a + b + c <= kPairs; ++c) {
+              const int d = kPairs - a - b - c;
+              const double probability = CalcChoose(kPairs, a) * CalcChoose(kPairs - a, b) *
+                                         CalcChoose(kPairs - a - b, c) * std::pow(both, a) *
+                                         std::pow(first_only, b) * std::pow(second_only, c) *
+                                         std::pow(neither, d);
+              const Interval interval = CalcPairedDifferenceInterval({a, b, c, d});
+              const double truth = second_only - first_only;
+              all += probability;
+              if (interval.low <= truth && truth <= interval.high) covered += probability;
+            }
+          }
+        }
+        EXPECT_NEAR(all, 1.0, 1e-9);
+        EXPECT_GT(covered, 0.93) << both << ' ' << first_only << ' ' << second_only;
+        mean += covered;
+        ++num_truths;
+      }
+    }
+  }
+  EXPECT_GT(mean / num_truths, 0.95);
+  EXPECT_LT(mean / num_truths, 0.995);  // few differing pairs: it errs on the wide side
+}
+
+TEST(PairedDifference, TurnsWithItsSidesAndNarrowsWithPairs) {
+  for (const PairedCounts& counts : {PairedCounts{5, 2, 1, 2}, PairedCounts{10, 0, 0, 0},
+                                     PairedCounts{0, 7, 0, 3}, PairedCounts{0, 0, 0, 4}}) {
+    const Interval there = CalcPairedDifferenceInterval(counts);
+    const Interval back = CalcPairedDifferenceInterval(
+        {counts.both, counts.second_only, counts.first_only, counts.neither});
+    EXPECT_NEAR(there.low, -back.high, 1e-12);
+    EXPECT_NEAR(there.high, -back.low, 1e-12);
+    EXPECT_GE(there.low, -1.0 - 1e-12);
+    EXPECT_LE(there.high, 1.0 + 1e-12);
+  }
+  // Nothing changed: the interval is around 0, and a tenth as wide for a hundred times the pairs.
+  const Interval few = CalcPairedDifferenceInterval({10, 0, 0, 10});
+  const Interval many = CalcPairedDifferenceInterval({1000, 0, 0, 1000});
+  EXPECT_EQ(few.low, -few.high);
+  EXPECT_GT(few.high, 0.0);
+  EXPECT_LT(many.high, 0.1 * few.high);
+  EXPECT_EQ(CalcPairedDifferenceInterval({}).low, -1.0);
+  EXPECT_EQ(CalcPairedDifferenceInterval({}).high, 1.0);
+}
+
 double CalcChoose(int n, int k) {
   double value = 1.0;
   for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;

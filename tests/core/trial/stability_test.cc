@@ -6,11 +6,23 @@
 
 #include "core/base/pose.h"
 #include "core/base/units.h"
+#include "core/trial/stability_meter.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
+
+// A ball that turns on the spot is no steadier than one that moves as fast as its surface.
+TEST(SlipSpeed, CountsTurning) {
+  WorldState state;
+  EXPECT_EQ(CalcSlipSpeed(state, 0.05), 0.0);
+  state.v_WOcm = Vector3d(0.3, 0.0, 0.4);
+  EXPECT_DOUBLE_EQ(CalcSlipSpeed(state, 0.05), 0.5);
+  state.v_WH = state.v_WOcm;
+  state.w_WO = Vector3d(0.0, 2.0, 0.0);
+  EXPECT_DOUBLE_EQ(CalcSlipSpeed(state, 0.05), 0.1);
+}
 
 // Two opposed soft fingers at +-a on the x axis; friction mu, torsion mu a, moments divided by a.
 constexpr double kRadius = 0.05;

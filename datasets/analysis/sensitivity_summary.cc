@@ -1,0 +1,181 @@
+#include "datasets/analysis/sensitivity_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/statistics/bootstrap.h"
+#include "core/statistics/summary.h"
+#include "datasets/session/session_config.h"
+
+namespace graspbench {
+namespace {
+
+/** Limits are steady in the second digit; all settings together take some seconds. */
+constexpr int kNumPairResamples = 999;
+
+struct Measure {
+  const char* key;
+  double TrialMeasures::*member;
+};
+constexpr Measure kMeasures[] = {
+    {"gct_s", &TrialMeasures::gct},           {"gft_s", &TrialMeasures::gft},
+    {"gft_ratio", &TrialMeasures::gft_ratio}, {"got_ratio", &TrialMeasures::got_ratio},
+    {"sigma_n", &TrialMeasures::sigma},
+};
+
+/** Two trials of the same draws. */
+struct Pair {
+  TrialMeasures before, after;
+};
+/** The pairs of one hand, one object and one grasp. */
+using CellPairs = std::vector<Pair>;
+
+/** The values of both sides of the pairs that have both, by cell. */
+struct PairedValues {
+  std::vector<std::vector<double>> before, after;
+  int num_pairs = 0;
+
+  PairedValues(const std::vector<CellPairs>& cells, double TrialMeasures::*member) {
+    for (const CellPairs& cell : cells) {
+      std::vector<double> cell_before, cell_after;
+      for (const Pair& pair : cell) {
+        const double x = pair.before.*member, y = pair.after.*member;
+        if (!std::isfinite(x) || !std::isfinite(y)) continue;
+        cell_before.push_back(x);
+        cell_after.push_back(y);
+      }
+      num_pairs += static_cast<int>(cell_before.size());
+      if (cell_before.empty()) continue;
+      before.push_back(std::move(cell_before));
+      after.push_back(std::move(cell_after));
+    }
+  }
+};
+
+double CalcMedianOf(const std::vector<std::vector<double>>& cells,
+                    const std::vector<size_t>& members) {
+  std::vector<double> values;
+  for (const size_t member : members) {
+    values.insert(values.end(), cells[member].begin(), cells[member].end());
+  }
+  return CalcMedian(std::move(values));
+}
+
+MeasureChange CompareMeasure(const std::vector<CellPairs>& cells, const Measure& measure,
+                             const std::string& id) {
+  const PairedValues values(cells, measure.member);
+  MeasureChange change;
+  change.measure = measure.key;
+  change.num_pairs = values.num_pairs;
+  if (values.num_pairs == 0) {
+    change.no_interval = "no pair has it twice";
+    return change;
+  }
+  std::vector<size_t> all(values.before.size());
+  for (size_t i = 0; i < all.size(); ++i) all[i] = i;
+  change.before = CalcMedianOf(values.before, all);
+  change.after = CalcMedianOf(values.after, all);
+  if (values.before == values.after) {
+    change.no_interval = "no trial changes";
+    return change;
+  }
+  const Answer<BootstrapInterval> interval = CalcBootstrap(
+      values.before.size(),
+      [&](const std::vector<size_t>& members) {
+        return CalcMedianOf(values.after, members) - CalcMedianOf(values.before, members);
+      },
+      id + " " + measure.key, kNumPairResamples);
+  if (interval) {
+    change.low = interval->interval.low;
+    change.high = interval->interval.high;
+  } else {
+    change.no_interval = interval.reason();
+  }
+  return change;
+}
+
+SettingChange Compare(const std::string& setting, const std::string& hand,
+                      const std::vector<CellPairs>& cells) {
+  SettingChange change;
+  change.setting = setting;
+  change.hand = hand;
+  PairedCounts counts;
+  for (const CellPairs& cell : cells) {
+    for (const Pair& pair : cell) {
+      const bool before = IsSuccess(pair.before.outcome), after = IsSuccess(pair.after.outcome);
+      ++(before  ? after ? counts.both : counts.first_only
+         : after ? counts.second_only
+                 : counts.neither);
+    }
+  }
+  change.num_both = counts.both;
+  change.num_before_only = counts.first_only;
+  change.num_after_only = counts.second_only;
+  change.num_neither = counts.neither;
+  const Interval interval = CalcPairedDifferenceInterval(counts);
+  change.rate_change_low = interval.low;
+  change.rate_change_high = interval.high;
+  for (const Measure& measure : kMeasures) {
+    change.measures.push_back(CompareMeasure(cells, measure, setting + " " + hand));
+  }
+  return change;
+}
+
+/** The pairs of each hand, by cell; hands and cells in the plan's order. */
+std::vector<std::pair<std::string, std::vector<CellPairs>>> ListPairs(const Session& session,
+                                                                      const VariedTrials& trials) {
+  std::vector<std::pair<std::string, std::vector<CellPairs>>> hands;
+  std::tuple<std::string, std::string, std::string> cell_before;
+  for (const TrialRecord& record : session.records) {
+    const auto varied = trials.find(record.plan.id);
+    if (varied == trials.end()) continue;
+    const PlannedTrial& plan = record.plan;
+    if (hands.empty() || hands.back().first != plan.hand) hands.push_back({plan.hand, {}});
+    const std::tuple cell(plan.hand, plan.object, plan.grasp);
+    if (cell != cell_before) hands.back().second.emplace_back();
+    cell_before = cell;
+    hands.back().second.back().push_back({MakeTrialMeasures(record.result), varied->second});
+  }
+  return hands;
+}
+
+/** What the session has for the key of a setting. */
+std::string FindSessionValue(const std::string& setting, const Json& config) {
+  const Json* value = &config;
+  const std::string key = setting.substr(0, setting.find('='));
+  for (size_t start = 0; start <= key.size();) {
+    const size_t dot = std::min(key.find('.', start), key.size());
+    const auto child = value->find(key.substr(start, dot - start));
+    if (child == value->end()) return "";
+    value = &*child;
+    start = dot + 1;
+  }
+  return value->is_string() ? value->get<std::string>() : FormatJson(*value);
+}
+
+}  // namespace
+
+const MeasureChange& SettingChange::Find(const std::string& measure) const {
+  const auto found =
+      std::find_if(measures.begin(), measures.end(),
+                   [&](const MeasureChange& change) { return change.measure == measure; });
+  GRASPBENCH_DEMAND(found != measures.end(), measure);
+  return *found;
+}
+
+SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data) {
+  SensitivitySummary summary;
+  const Json config = ToJson(session.config);
+  for (const auto& [setting, trials] : data) {
+    for (const auto& [hand, cells] : ListPairs(session, trials)) {
+      SettingChange change = Compare(setting, hand, cells);
+      change.value = FindSessionValue(setting, config);
+      summary.changes.push_back(std::move(change));
+    }
+  }
+  return summary;
+}
+
+}  // namespace graspbench

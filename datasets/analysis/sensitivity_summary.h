@@ -1,0 +1,88 @@
+#pragma once
+/** @file
+How far a session's numbers depend on single settings: its trials beside the same trials under one
+changed setting (datasets/session/sensitivity_store.h), pair by pair.
+
+Success is compared over all pairs: the difference of the rates with Newcombe's interval for pairs
+(core/statistics/proportion.h). A measure is compared over the pairs in which both trials have it:
+the difference of the two medians, with an interval from drawing cells (hand, object, grasp) with
+replacement, because trials of one cell are alike. Both at 95 %; with tens of settings some
+intervals miss 0 by chance. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/record_fields.h"
+#include "core/statistics/proportion.h"
+#include "datasets/session/sensitivity_store.h"
+
+namespace graspbench {
+
+/** The change of one measure. */
+struct MeasureChange {
+  std::string measure;     ///< "gft_s"
+  int num_pairs = 0;       ///< in which both trials have it
+  double before = kUnset;  ///< median over these pairs; so is
+  double after = kUnset;
+  double low = kUnset, high = kUnset;  ///< 95 % interval of after - before; NaN: none, and
+  std::string no_interval;             ///< why
+
+  double change() const { return after - before; }
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using C = MeasureChange;
+    field("measure", &C::measure);
+    field("pairs", &C::num_pairs);
+    field("before", &C::before);
+    field("after", &C::after);
+    field("change_low", &C::low);
+    field("change_high", &C::high);
+    field("no_interval", &C::no_interval);
+  }
+};
+
+/** One setting and one hand. */
+struct SettingChange {
+  std::string setting;  ///< "model.mass_scale=0.5"
+  std::string value;    ///< of the same key in the session: "1.0"
+  std::string hand;
+  int num_both = 0, num_before_only = 0, num_after_only = 0, num_neither = 0;  ///< successes
+  double rate_change_low = kUnset, rate_change_high = kUnset;  ///< of the rate after - before
+  std::vector<MeasureChange> measures;  ///< gct_s, gft_s, gft_ratio, got_ratio, sigma_n
+
+  int num_pairs() const { return num_both + num_before_only + num_after_only + num_neither; }
+  double rate_change() const { return CalcShare(num_after_only - num_before_only, num_pairs()); }
+  /** @pre there is a change of this measure. */
+  const MeasureChange& Find(const std::string& measure) const;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using C = SettingChange;
+    field("setting", &C::setting);
+    field("session_value", &C::value);
+    field("hand", &C::hand);
+    field("success_both", &C::num_both);
+    field("success_before_only", &C::num_before_only);
+    field("success_after_only", &C::num_after_only);
+    field("success_neither", &C::num_neither);
+    field("rate_change_low", &C::rate_change_low);
+    field("rate_change_high", &C::rate_change_high);
+    field("measures", &C::measures);
+  }
+};
+
+struct SensitivitySummary {
+  int physics_version = kPhysicsVersion;
+  std::vector<SettingChange> changes;  ///< by setting, then in the order of the session's hands
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("physics_version", &SensitivitySummary::physics_version);
+    field("changes", &SensitivitySummary::changes);
+  }
+};
+
+SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data);
+
+}  // namespace graspbench

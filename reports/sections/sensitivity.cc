@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "datasets/analysis/sensitivity_summary.h"
+#include "reports/assets.h"
+#include "reports/layout.h"
+#include "reports/line_plot.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+namespace {
+
+/** That of the benchmark session, for sessions that have not run theirs. */
+SensitivitySummary ReadBenchmarkSensitivity() {
+  SensitivitySummary summary;
+  ReadRecord(Json::parse(assets::kBenchmarkSensitivity), summary);
+  return summary;
+}
+
+std::string FormatChange(double change, double low, double high, int decimals) {
+  const std::string text = FormatFixed(change, decimals);
+  if (!std::isfinite(low)) return text;
+  return text + " (" + FormatFixed(low, decimals) + " to " + FormatFixed(high, decimals) + ")";
+}
+
+std::string FormatChange(const SettingChange& change, const char* measure, double scale,
+                         int decimals) {
+  const MeasureChange& part = change.Find(measure);
+  return FormatChange(scale * part.change(), scale * part.low, scale * part.high, decimals);
+}
+
+Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
+  IntervalPlot plot;
+  plot.text.title = "What single settings change of the success rate of the " + hand;
+  plot.text.description = "Changes with 95 % intervals, one row per setting.";
+  plot.axis = "change of the success rate [percentage points]";
+  for (const SettingChange& change : summary.changes) {
+    IntervalPlot::Row row;
+    row.label = change.setting;
+    row.value = 100.0 * change.rate_change();
+    row.low = 100.0 * change.rate_change_low;
+    row.high = 100.0 * change.rate_change_high;
+    row.text = FormatChange(row.value, row.low, row.high, 1);
+    plot.rows.push_back(row);
+  }
+  return MakeFigure(plot.text.title + ", on the same draws.",
+                    "rows whose interval does not hold 0: what this rate depends on. The number "
+                    "behind = is the changed value.",
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
+  const Align number = Align::kNumber;
+  Table table(
+      "What single settings change of medians of the " + hand +
+          ", with 95 % intervals from drawing cells; trials in which both have the measure.",
+      {{"Setting"},
+       {"Was", number, "the session's value"},
+       {"Pairs", number, "trials of the same draws"},
+       {"Lost", number, "successes that fail under the setting"},
+       {"Won", number, "failures that succeed under the setting"},
+       {"GCT [ms]", number},
+       {"GFT [ms]", number},
+       {"GFT% [%]", number},
+       {"GOT% [%]", number},
+       {"sigma [N]", number}});
+  for (const SettingChange& change : summary.changes) {
+    table.AddRow({Element("code", {}, change.setting), Text(change.value),
+                  Text(std::to_string(change.num_pairs())),
+                  Text(std::to_string(change.num_before_only)),
+                  Text(std::to_string(change.num_after_only)),
+                  Text(FormatChange(change, "gct_s", MsFromS(1.0), 0)),
+                  Text(FormatChange(change, "gft_s", MsFromS(1.0), 0)),
+                  Text(FormatChange(change, "gft_ratio", 100.0, 1)),
+                  Text(FormatChange(change, "got_ratio", 100.0, 1)),
+                  Text(FormatChange(change, "sigma_n", 1.0, 2))});
+  }
+  return MakeDetails("Times, ratios and sigma", table.ToHtml());
+}
+
+Html DrawHands(const ReportData& data, const SensitivitySummary& summary) {
+  Html html;
+  for (const std::string& hand : data.summary.hands) {
+    SensitivitySummary part;
+    std::copy_if(summary.changes.begin(), summary.changes.end(), std::back_inserter(part.changes),
+                 [&](const SettingChange& change) { return change.hand == hand; });
+    if (part.changes.empty()) continue;
+    const std::string name = data.models.NameOfHand(hand);
+    html += DrawRates(name, part) + DrawMeasures(name, part);
+  }
+  return html;
+}
+
+Html DrawSensitivity(const ReportData& data) {
+  Html html = MakeParagraph(
+      "Placement noise, friction, pads, drives, coupling and the arm are partly proposals: no data "
+      "sheet gives them. Here one of them at a time has another value, and the same trials run "
+      "again with the same draws.");
+  if (!data.sensitivity.changes.empty()) return html + DrawHands(data, data.sensitivity);
+  html += Element("p", {},
+                  Text("This session has not been run so; ") +
+                      Element("code", {}, "graspbench sensitivity") +
+                      Text(" with its folder does it and shows the changes here."));
+  const SensitivitySummary benchmark = ReadBenchmarkSensitivity();
+  const Html hands = DrawHands(data, benchmark);
+  if (hands.empty()) return html;
+  return html +
+         MakeNote("info",
+                  "Measured on the benchmark session: both hands, 21 objects, best-suited grasp, "
+                  "seed 1, physics version " +
+                      std::to_string(benchmark.physics_version),
+                  MakeParagraph("Other objects, grasps and settings depend on other things.")) +
+         hands;
+}
+
+}  // namespace
+
+Section sensitivity_section() {
+  return {"sensitivity", "How far these numbers depend on what nobody measured", DrawSensitivity};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,110 @@
+#include "workbench/experiments/run_sensitivity.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "datasets/session/sensitivity_store.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+class RunSensitivityTest : public testing::Test {
+ protected:
+  /** Two trials of a session with one setting changed. */
+  Session RunWith(const std::string& name, const std::string& setting) {
+    SessionRequest request;
+    request.config = SessionConfig();
+    request.config->hands = {"tum"};
+    request.config->objects = {"golf_ball"};
+    request.config->trials = 2;
+    if (!setting.empty()) ApplySetting(setting, *request.config);
+    request.out = temporary_.path() / name;
+    RunSession(PrepareSession(request), 1, observer_, stop_);
+    return LoadSession(request.out);
+  }
+  SensitivityData Load(const Session& session) {
+    Diagnostics findings;
+    SensitivityData data = LoadSensitivity(session, findings);
+    EXPECT_TRUE(findings.entries().empty()) << findings.Format();
+    return data;
+  }
+
+  TemporaryFolder temporary_;
+  Observer observer_;
+  std::atomic<bool> stop_ = false;
+};
+
+// What a session of this setting finds from the start is what the same trials find here.
+TEST_F(RunSensitivityTest, FindsWhatASessionOfThatSettingFinds) {
+  const Session session = RunWith("plain", "");
+  const std::vector<std::string> settings = {"model.mass_scale=3.0", "variation.offset_m=0.01",
+                                             "model.mass_scale=1.0"};
+  SensitivityRequest request;
+  request.folder = session.folder;
+  request.settings = settings;
+  ASSERT_TRUE(RunSensitivity(request, 2, observer_, stop_));
+  const SensitivityData data = Load(session);
+  ASSERT_EQ(data.size(), settings.size());
+  for (const std::string& setting : settings) {
+    const Session other = RunWith("with " + setting, setting);
+    for (size_t i = 0; i < other.records.size(); ++i) {
+      EXPECT_EQ(RecordToJson(data.at(setting).at(session.records[i].plan.id)),
+                RecordToJson(MakeTrialMeasures(other.records[i].result)))
+          << setting;
+    }
+  }
+  for (const TrialRecord& record : session.records) {
+    const Json plain = RecordToJson(MakeTrialMeasures(record.result));
+    EXPECT_EQ(RecordToJson(data.at("model.mass_scale=1.0").at(record.plan.id)), plain);
+    EXPECT_NE(RecordToJson(data.at("variation.offset_m=0.01").at(record.plan.id)), plain);
+  }
+}
+
+TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
+  const Session session = RunWith("plain", "");
+  SensitivityRequest request;
+  request.folder = session.folder;
+  request.settings = {"model.mass_scale=3", "model.mass_scale=2"};
+  stop_ = true;
+  EXPECT_FALSE(RunSensitivity(request, 1, observer_, stop_));
+  stop_ = false;
+  request.trials_per_cell = 1;
+  ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
+  EXPECT_EQ(Load(session).at("model.mass_scale=2.0").size(), 1u);
+  request.trials_per_cell = 0;
+  ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
+  const SensitivityData data = Load(session);
+  EXPECT_EQ(data.at("model.mass_scale=2.0").size(), 2u);
+  EXPECT_EQ(data.at("model.mass_scale=3.0").size(), 2u);
+  // Nothing is left: nothing is written.
+  const auto size = std::filesystem::file_size(session.folder / "sensitivity" / "0.jsonl");
+  ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
+  EXPECT_EQ(std::filesystem::file_size(session.folder / "sensitivity" / "0.jsonl"), size);
+}
+
+TEST_F(RunSensitivityTest, RefusesASettingNamedTwiceBeforeAnythingRuns) {
+  const Session session = RunWith("plain", "");
+  SensitivityRequest request;
+  request.folder = session.folder;
+  request.settings = {"model.mass_scale=2", "model.mass_scale=2.0"};
+  EXPECT_THROW(RunSensitivity(request, 1, observer_, stop_), Error);
+  EXPECT_TRUE(Load(session).empty());
+}
+
+TEST(DefaultVariations, AreUsableAndDifferFromTheSession) {
+  SessionConfig config;
+  const std::vector<std::string> settings = ListDefaultVariations(config);
+  EXPECT_EQ(settings.size(), 23u);
+  for (const std::string& setting : settings) {
+    EXPECT_EQ(NormaliseSetting(setting, config), setting);
+  }
+  // Twice the largest offset is out of range, and no offset cannot be halved or doubled.
+  config.variation.offset = 0.1;
+  EXPECT_EQ(ListDefaultVariations(config).size(), 22u);
+  config.variation.offset = 0.0;
+  EXPECT_EQ(ListDefaultVariations(config).size(), 21u);
+}
+
+}  // namespace
+}  // namespace graspbench

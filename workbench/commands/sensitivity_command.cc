@@ -1,0 +1,80 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/text.h"
+#include "datasets/analysis/sensitivity_summary.h"
+#include "reports/session_report.h"
+#include "workbench/commands/command.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/run_sensitivity.h"
+#include "workbench/sensitivity_tables.h"
+#include "workbench/terminal_observer.h"
+
+namespace graspbench {
+namespace {
+
+struct SensitivityOptions {
+  SensitivityRequest request;
+  std::string folder;
+  int num_workers = 1;
+  bool json = false;
+};
+
+void Run(SensitivityOptions& options) {
+  options.request.folder = options.folder;
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer(
+      [](const Stage& stage) { return stage.variant + ": " + DescribeTasks(stage); }, stop);
+  if (!RunSensitivity(options.request, options.num_workers, observer, stop)) {
+    throw Error(ErrorKind::kInterrupted,
+                "stopped; what has run is kept. Continue with the same command");
+  }
+  const Session session =
+      LoadSession(options.folder, options.request.on_damage, RecordParts::kBrief);
+  Diagnostics findings;
+  const SensitivityData data = LoadSensitivity(session, findings);
+  if (!findings.entries().empty()) PrintMessage(findings.Format());
+  const std::filesystem::path report = WriteSessionReport(options.folder, session);
+  const SensitivitySummary summary = SummariseSensitivity(session, data);
+  if (options.json) {
+    PrintJson(RecordToJson(summary));
+  } else {
+    PrintResult(FormatSensitivityTables(summary) + "\nreport   " + report.string() + "\n");
+  }
+}
+
+}  // namespace
+
+void AddSensitivityCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command = AddSubcommand(
+      program, "sensitivity",
+      "Run a session's trials again under one changed setting each and show what that changes.",
+      "  graspbench sensitivity results/pilot       what nobody measured, half and twice\n"
+      "  graspbench sensitivity results/pilot --set model.mass_scale=1.1 --trials 3");
+  const auto options = std::make_shared<SensitivityOptions>();
+  SensitivityRequest& request = options->request;
+  command.add_option("folder", options->folder, "folder of the session")
+      ->required()
+      ->option_text("DIR");
+  command
+      .add_option("--set", request.settings,
+                  "a setting to try instead of the usual ones; again and again")
+      ->allow_extra_args(false)
+      ->option_text("KEY=VALUE");
+  command
+      .add_option("--trials", request.trials_per_cell,
+                  "finished trials of each hand, object, grasp to take")
+      ->check(CLI::Range(1, 100000))
+      ->option_text("N")
+      ->default_str("all");
+  AddJobsOption(command, options->num_workers);
+  AddTrialTimeoutOption(command, request.trial_time_limit);
+  AddAcceptDamageOption(command, request.on_damage);
+  command.add_flag("--json", options->json, "print the summary as one JSON object");
+  command.callback([options] { Run(*options); });
+}
+
+}  // namespace graspbench
