@@ -1,10 +1,12 @@
 #include "workbench/campaign_tables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text.h"
 #include "core/statistics/proportion.h"
 #include "datasets/analysis/campaign_summary.h"
+#include "workbench/optimise_tables.h"
 #include "workbench/text_table.h"
 
 namespace graspbench {
@@ -41,6 +43,26 @@ std::string FormatComparisonTable(const Campaign& campaign) {
                   std::isfinite(median) ? FormatFixed(median, 0) : "n/a"});
   }
   return table.Format();
+}
+
+std::string DescribeNumericalFailures(const Campaign& campaign) {
+  std::string text;
+  const auto add = [&text](const std::string& where, const std::string& what) {
+    if (!what.empty()) text += (text.empty() ? "" : "\n") + where + ": " + what;
+  };
+  for (const SceneRecord& scene : campaign.scenes) {
+    add(scene.config.hand + ", " + scene.config.object,
+        DescribeNumericalFailures(scene.evaluations));
+  }
+  const auto& records = campaign.benchmark.records;
+  const auto count = std::count_if(records.begin(), records.end(), [](const TrialRecord& record) {
+    return record.result.outcome == Outcome::kNumericalFailure;
+  });
+  if (count > 0) {
+    add("benchmark", FormatCount(count, "trial") +
+                         " failed numerically; benchmark/export/trials.csv names them");
+  }
+  return text;
 }
 
 }  // namespace graspbench

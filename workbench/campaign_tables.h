@@ -14,4 +14,7 @@ std::string FormatVariantsTable(const Campaign& campaign);
 /** One row for each search method; empty when none were compared. */
 std::string FormatComparisonTable(const Campaign& campaign);
 
+/** What failed numerically, by scene; empty: nothing. */
+std::string DescribeNumericalFailures(const Campaign& campaign);
+
 }  // namespace graspbench

@@ -94,4 +94,10 @@ std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evalu
   return FormatCount(count, "trial") + " failed numerically or did not end in time" + text;
 }
 
+std::string FormatReplay(const ReplayedIndividual& replayed) {
+  return replayed.grasp.id + ": fitness " + FormatFixed(replayed.stored_fitness, 6) + " stored, " +
+         FormatFixed(replayed.fitness, 6) + " now; " +
+         (replayed.is_same ? "every number is the same" : "not the same numbers") + "\n";
+}
+
 }  // namespace graspbench

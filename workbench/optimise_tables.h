@@ -8,6 +8,7 @@ What an optimisation decided, for the terminal. */
 #include "core/optimise/grasp_optimiser.h"
 #include "datasets/scene/evaluation_journal.h"
 #include "datasets/scene/learning_plan.h"
+#include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
 
@@ -18,5 +19,8 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
 
 /** Which trials failed numerically, in a sentence each; endless ones are among them. Empty: none. */
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations);
+
+/** Whether a search's individual gave its stored numbers again, with a line feed. */
+std::string FormatReplay(const ReplayedIndividual& replayed);
 
 }  // namespace graspbench

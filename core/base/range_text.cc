@@ -1,5 +1,7 @@
 #include "core/base/range_text.h"
 
+#include <cmath>
+
 #include "core/base/text.h"
 
 namespace graspbench {
@@ -9,7 +11,8 @@ std::string FormatRange(double low, double high, int decimals) {
 }
 
 std::string FormatWithRange(double estimate, double low, double high, int decimals) {
-  return FormatFixed(estimate, decimals) + " (" + FormatRange(low, high, decimals) + ")";
+  const std::string text = FormatFixed(estimate, decimals);
+  return std::isfinite(low) ? text + " (" + FormatRange(low, high, decimals) + ")" : text;
 }
 
 }  // namespace graspbench

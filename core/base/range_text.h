@@ -8,7 +8,7 @@ namespace graspbench {
 /** "0.12 to 0.34". */
 std::string FormatRange(double low, double high, int decimals);
 
-/** "0.23 (0.12 to 0.34)". */
+/** "0.23 (0.12 to 0.34)"; the value alone where the range is NaN. */
 std::string FormatWithRange(double estimate, double low, double high, int decimals);
 
 }  // namespace graspbench

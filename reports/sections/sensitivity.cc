@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
-#include "core/base/text.h"
+#include "core/base/range_text.h"
 #include "core/base/units.h"
 #include "datasets/analysis/sensitivity_summary.h"
 #include "reports/assets.h"
@@ -20,16 +19,10 @@ SensitivitySummary ReadBenchmarkSensitivity() {
   return summary;
 }
 
-std::string FormatChange(double change, double low, double high, int decimals) {
-  const std::string text = FormatFixed(change, decimals);
-  if (!std::isfinite(low)) return text;
-  return text + " (" + FormatFixed(low, decimals) + " to " + FormatFixed(high, decimals) + ")";
-}
-
 std::string FormatChange(const SettingChange& change, const char* measure, double scale,
                          int decimals) {
   const MeasureChange& part = change.Find(measure);
-  return FormatChange(scale * part.change(), scale * part.low, scale * part.high, decimals);
+  return FormatWithRange(scale * part.change(), scale * part.low, scale * part.high, decimals);
 }
 
 Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
@@ -43,7 +36,7 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
     row.value = 100.0 * change.rate_change();
     row.low = 100.0 * change.rate_change_low;
     row.high = 100.0 * change.rate_change_high;
-    row.text = FormatChange(row.value, row.low, row.high, 1);
+    row.text = FormatWithRange(row.value, row.low, row.high, 1);
     plot.rows.push_back(row);
   }
   return MakeFigure(plot.text.title + ", on the same draws.",

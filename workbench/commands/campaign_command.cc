@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,7 +15,6 @@
 #include "workbench/experiments/run_campaign.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/shell_quote.h"
-#include "workbench/optimise_tables.h"
 #include "workbench/terminal_observer.h"
 
 namespace graspbench {
@@ -50,27 +48,6 @@ fs::path FindFolder(const CampaignOptions& options) {
   if (!options.out.empty()) return options.out;
   const std::string hash = CalcHashHex(FormatJson(ConfigToJson(options.config))).substr(0, 8);
   return fs::path("results") / ("campaign-" + hash);
-}
-
-/** What failed numerically, by scene; empty: nothing. */
-std::string DescribeNumericalFailures(const Campaign& campaign) {
-  std::string text;
-  const auto add = [&text](const std::string& where, const std::string& what) {
-    if (!what.empty()) text += (text.empty() ? "" : "\n") + where + ": " + what;
-  };
-  for (const SceneRecord& scene : campaign.scenes) {
-    add(scene.config.hand + ", " + scene.config.object,
-        DescribeNumericalFailures(scene.evaluations));
-  }
-  const auto& records = campaign.benchmark.records;
-  const auto count = std::count_if(records.begin(), records.end(), [](const TrialRecord& record) {
-    return record.result.outcome == Outcome::kNumericalFailure;
-  });
-  if (count > 0) {
-    add("benchmark", FormatCount(count, "trial") +
-                         " failed numerically; benchmark/export/trials.csv names them");
-  }
-  return text;
 }
 
 CampaignConfig MakeConfig(CampaignOptions& options) {

@@ -4,11 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/config.h"
-#include "core/base/files.h"
-#include "core/base/hash.h"
 #include "core/base/text.h"
-#include "core/grasp/grasp_file.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_record.h"
@@ -31,14 +27,6 @@ struct OptimiseOptions {
   bool resume = false;
   bool plan_only = false;
 };
-
-/** Without --out the folder is named by its configuration: the same command continues it. */
-fs::path FindFolder(const OptimiseOptions& options, const SceneInputs& inputs) {
-  if (!options.out.empty()) return options.out;
-  const std::string hash = CalcHashHex(FormatJson(ConfigToJson(options.config))).substr(0, 8);
-  return fs::path("results") /
-         ("optimise-" + inputs.hand->id + "-" + inputs.object->id + "-" + hash);
-}
 
 /** @returns whether every trial ended. */
 ExitCode Finish(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
@@ -65,7 +53,8 @@ ExitCode Optimise(OptimiseOptions options) {
   CheckOptimiseConfig(config.optimise);
   const SceneInputs inputs =
       LoadSceneInputs(config, options.resume ? fs::path(options.out) : fs::path());
-  const fs::path folder = FindFolder(options, inputs);
+  const fs::path folder =
+      options.out.empty() ? NameSceneFolder(config, inputs) : fs::path(options.out);
   if (options.plan_only) {
     PlanScene(folder, config);
     RecordPlanning(folder);
@@ -93,19 +82,12 @@ ExitCode Optimise(OptimiseOptions options) {
   }
 }
 
-/** Simulates one individual of a finished search again and saves its grasp. */
 ExitCode Replay(const OptimiseOptions& options) {
   if (options.out.empty()) throw Error(ErrorKind::kUsage, "--replay needs the folder, --out DIR");
   TrialPool pool(options.num_workers, CatchInterrupts());
   const ReplayedIndividual replayed = ReplayIndividual(options.out, *options.replay, pool);
-  SceneConfig config = LoadScene(options.out).config;
-  const SceneInputs inputs = LoadSceneInputs(config, options.out);
-  const fs::path path = fs::path(options.out) / (replayed.grasp.id + ".yaml");
-  WriteFileAtomically(path, FormatGraspFile(*inputs.hand, replayed.grasp, config.grasp));
-  PrintResult(replayed.grasp.id + ": fitness " + FormatFixed(replayed.stored_fitness, 6) +
-              " stored, " + FormatFixed(replayed.fitness, 6) + " now; " +
-              (replayed.is_same ? "every number is the same" : "not the same numbers") +
-              "\ngrasp    " + path.string() + "\n");
+  PrintResult(FormatReplay(replayed) + "grasp    " + SaveReplayed(options.out, replayed).string() +
+              "\n");
   return replayed.is_same ? kExitOk : kExitFailed;
 }
 

@@ -2,6 +2,10 @@
 
 #include <optional>
 
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
+#include "core/grasp/grasp_file.h"
 #include "datasets/session/input_copies.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_plan.h"
@@ -232,6 +236,21 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
   replayed.fitness = CalcFitness(again.trials);
   replayed.is_same = FormatEvaluationLine(stored) == FormatEvaluationLine(again);
   return replayed;
+}
+
+std::filesystem::path SaveReplayed(const std::filesystem::path& folder,
+                                   const ReplayedIndividual& replayed) {
+  SceneConfig config = LoadScene(folder).config;
+  const SceneInputs inputs = LoadSceneInputs(config, folder);
+  const std::filesystem::path path = folder / (replayed.grasp.id + ".yaml");
+  WriteFileAtomically(path, FormatGraspFile(*inputs.hand, replayed.grasp, config.grasp));
+  return path;
+}
+
+std::filesystem::path NameSceneFolder(const SceneConfig& config, const SceneInputs& inputs) {
+  const std::string hash = CalcHashHex(FormatJson(ConfigToJson(config))).substr(0, 8);
+  return std::filesystem::path("results") /
+         ("optimise-" + inputs.hand->id + "-" + inputs.object->id + "-" + hash);
 }
 
 }  // namespace graspbench

@@ -58,4 +58,12 @@ finished. */
 ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int number,
                                     TrialPool& pool);
 
+/** Writes its grasp into the optimisation's folder. @returns the file. @throws Error(kIo). */
+std::filesystem::path SaveReplayed(const std::filesystem::path& folder,
+                                   const ReplayedIndividual& replayed);
+
+/** Where an optimisation goes that is not told where: named by its configuration, so that the same
+one is continued. */
+std::filesystem::path NameSceneFolder(const SceneConfig& config, const SceneInputs& inputs);
+
 }  // namespace graspbench
