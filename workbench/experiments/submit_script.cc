@@ -205,7 +205,7 @@ ClusterConfig ParseClusterConfig(const std::string& text, const std::string& fil
     ReadWords(map, "modules", cluster.modules);
     ReadWords(map, "options", cluster.options);
     for (const std::string& option : cluster.options) {
-      if (option.rfind("-", 0) != 0) {
+      if (option.compare(0, 1, "-") != 0) {
         map.Fail("options", "\"" + option + "\": expected an option of sbatch, as --qos=long");
       }
     }
