@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kLock[] = ".lock";  // in a folder that is being filled
+constexpr char kAside[] = ".old";  // the older result while it changes places with the new one
 
 [[noreturn]] void Refuse(const fs::path& path, const std::string& text) {
   throw Error(ErrorKind::kUsage, "\"" + path.string() + "\" " + text);
@@ -149,26 +150,58 @@ void CheckContent(const OutputRequest& request, const fs::path& place) {
 /** In one step where the file system can. */
 void Exchange(const fs::path& a, const fs::path& b) {
   if (::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0) return;
-  const fs::path aside = a.string() + ".old";
+  const fs::path aside = a.string() + kAside;
   if (::rename(b.c_str(), aside.c_str()) != 0 || ::rename(a.c_str(), b.c_str()) != 0 ||
       ::rename(aside.c_str(), a.c_str()) != 0) {
     FailOnSystem("cannot move the results to", b);
   }
 }
 
+/** The lock goes last: a program that is killed on the way leaves what the next one removes. */
+void RemoveStaged(const fs::path& folder) {
+  std::error_code status;
+  for (const auto& entry : fs::directory_iterator(folder, status)) {
+    if (entry.path().filename() != kLock) fs::remove_all(entry.path(), status);
+  }
+  fs::remove(folder / kLock, status);
+  fs::remove(folder, status);
+}
+
 /** Removes what killed programs left beside the target: nobody holds its lock any more. */
 void RemoveAbandoned(const fs::path& target) {
   const std::string head = "." + target.filename().string() + ".part-";
   std::error_code status;
-  std::vector<fs::path> abandoned;
+  std::vector<fs::path> staged;
   for (const auto& entry : fs::directory_iterator(target.parent_path(), status)) {
-    if (entry.path().filename().string().rfind(head, 0) != 0) continue;
-    const int lock = ::open((entry.path() / kLock).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-    if (lock < 0) continue;
-    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) abandoned.push_back(entry.path());
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(head, 0) == 0 && entry.path().extension() != kAside) {
+      staged.push_back(entry.path());
+    }
+  }
+  for (const fs::path& folder : staged) {
+    const int lock = ::open((folder / kLock).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (lock < 0) {
+      fs::remove(folder, status);  // where it is empty; any other without a lock is not ours
+      continue;
+    }
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) RemoveStaged(folder);
     ::close(lock);
   }
-  for (const fs::path& folder : abandoned) fs::remove_all(folder, status);
+}
+
+/** Makes the folder and returns its lock, or -1 where another program took it for abandoned before
+the lock was there. */
+int TryStage(const fs::path& folder) {
+  if (::mkdir(folder.c_str(), 0777) != 0) FailOnSystem("cannot create", folder);
+  const int lock = ::open((folder / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock < 0 && errno == ENOENT) return -1;
+  if (lock < 0) FailOnSystem("cannot lock", folder);
+  const bool is_taken = ::flock(lock, LOCK_EX | LOCK_NB) != 0;
+  if (is_taken && errno != EWOULDBLOCK) FailOnSystem("cannot lock", folder);
+  if (!is_taken && fs::exists(folder / kLock)) return lock;
+  ::close(lock);
+  RemoveStaged(folder);
+  return -1;
 }
 
 }  // namespace
@@ -205,15 +238,12 @@ StagedFolder::StagedFolder(OutputRequest request) : request_(std::move(request))
   RemoveAbandoned(target_);
   staged_ = target_.parent_path() /
             ("." + target_.filename().string() + ".part-" + std::to_string(::getpid()));
-  if (::mkdir(staged_.c_str(), 0777) != 0) FailOnSystem("cannot create", staged_);
-  lock_ = ::open((staged_ / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) FailOnSystem("cannot lock", staged_);
+  while (lock_ < 0) lock_ = TryStage(staged_);
 }
 
 StagedFolder::~StagedFolder() {
+  if (!staged_.empty()) RemoveStaged(staged_);
   if (lock_ >= 0) ::close(lock_);
-  std::error_code status;
-  if (!staged_.empty()) fs::remove_all(staged_, status);
 }
 
 void StagedFolder::Commit() {
@@ -230,6 +260,7 @@ void StagedFolder::Commit() {
   CheckOutputFolder(request_);
   const bool is_swap = fs::exists(target_) && !fs::is_empty(target_);
   if (is_swap) {
+    WriteFileAtomically(target_ / kLock, "");  // of the older result, should its removal be killed
     Exchange(staged_, target_);
   } else if (::rename(staged_.c_str(), target_.c_str()) != 0) {
     FailOnSystem("cannot move the results to", target_);
@@ -237,7 +268,7 @@ void StagedFolder::Commit() {
   // Not before: without its lock, what a killed program leaves beside the target would stay there.
   fs::remove(target_ / kLock);
   SyncFolder(target_.parent_path());
-  if (is_swap) fs::remove_all(staged_);  // the older result
+  if (is_swap) RemoveStaged(staged_);  // the older result
   staged_.clear();
 }
 

@@ -105,9 +105,15 @@ TEST_F(OutputFolderTest, RemovesOnlyWhatIsAbandoned) {
   fs::create_directory(top_ / ".out.part-1");
   WriteFileAtomically(top_ / ".out.part-1" / ".lock", "");
   fs::create_directory(top_ / ".out.part-2");  // no lock in it: nobody's business
+  WriteFileAtomically(top_ / ".out.part-2" / "notes.txt", "");
+  fs::create_directory(top_ / ".out.part-3");  // killed before its lock or after it
+  fs::create_directory(top_ / ".out.part-4.old");
+  WriteFileAtomically(top_ / ".out.part-4.old" / ".lock", "");
   StagedFolder first({top_ / "out", "basin", false, {}});
   EXPECT_FALSE(fs::exists(top_ / ".out.part-1"));
   EXPECT_TRUE(fs::exists(top_ / ".out.part-2"));
+  EXPECT_FALSE(fs::exists(top_ / ".out.part-3"));
+  EXPECT_TRUE(fs::exists(top_ / ".out.part-4.old")) << "the only copy of an older result";
   EXPECT_THROW(StagedFolder({top_ / "out", "basin", false, {}}), Error);  // the same process
   EXPECT_TRUE(fs::exists(first.path()));
 }
