@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Single precision: seven digits of the largest coordinate are noise-free.
-
 [[noreturn]] void Fail(const std::string& name, const std::string& what) {
   throw Error(ErrorKind::kFormat, "mesh \"" + name + "\"" + what);
 }

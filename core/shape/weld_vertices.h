@@ -5,7 +5,8 @@
 
 namespace graspbench {
 
-/** Of a mesh's size: what two vertices of one corner are apart when a file wrote it twice. */
+/** Of a mesh's largest coordinate or extent: what two vertices of one corner are apart when a file
+wrote it twice. Single precision keeps seven digits. */
 inline constexpr double kRelativeWeldTolerance = 1e-6;
 
 /** Vertices within `tolerance` [m] of an earlier one become that one; triangles that lose a corner

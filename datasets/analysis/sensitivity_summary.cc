@@ -101,7 +101,7 @@ SettingChange Compare(const std::string& setting, const std::string& hand,
   SettingChange change;
   change.setting = setting;
   change.hand = hand;
-  PairedCounts counts;
+  PairedCounts& counts = change.successes;
   for (const CellPairs& cell : cells) {
     for (const Pair& pair : cell) {
       const bool before = IsSuccess(pair.before.outcome), after = IsSuccess(pair.after.outcome);
@@ -110,10 +110,6 @@ SettingChange Compare(const std::string& setting, const std::string& hand,
                  : counts.neither);
     }
   }
-  change.num_both = counts.both;
-  change.num_before_only = counts.first_only;
-  change.num_after_only = counts.second_only;
-  change.num_neither = counts.neither;
   const Interval interval = CalcPairedDifferenceInterval(counts);
   change.rate_change_low = interval.low;
   change.rate_change_high = interval.high;

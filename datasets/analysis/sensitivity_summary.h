@@ -47,12 +47,13 @@ struct SettingChange {
   std::string setting;  ///< "model.mass_scale=0.5"
   std::string value;    ///< of the same key in the session: "1.0"
   std::string hand;
-  int num_both = 0, num_before_only = 0, num_after_only = 0, num_neither = 0;  ///< successes
+  PairedCounts successes;  ///< first: as the session has it, second: under the setting
   double rate_change_low = kUnset, rate_change_high = kUnset;  ///< of the rate after - before
   std::vector<MeasureChange> measures;  ///< gct_s, gft_s, gft_ratio, got_ratio, sigma_n
 
-  int num_pairs() const { return num_both + num_before_only + num_after_only + num_neither; }
-  double rate_change() const { return CalcShare(num_after_only - num_before_only, num_pairs()); }
+  double rate_change() const {
+    return CalcShare(successes.second_only - successes.first_only, successes.num_pairs());
+  }
   /** @pre there is a change of this measure. */
   const MeasureChange& Find(const std::string& measure) const;
 
@@ -62,10 +63,10 @@ struct SettingChange {
     field("setting", &C::setting);
     field("session_value", &C::value);
     field("hand", &C::hand);
-    field("success_both", &C::num_both);
-    field("success_before_only", &C::num_before_only);
-    field("success_after_only", &C::num_after_only);
-    field("success_neither", &C::num_neither);
+    field("success_both", &C::successes, &PairedCounts::both);
+    field("success_before_only", &C::successes, &PairedCounts::first_only);
+    field("success_after_only", &C::successes, &PairedCounts::second_only);
+    field("success_neither", &C::successes, &PairedCounts::neither);
     field("rate_change_low", &C::rate_change_low);
     field("rate_change_high", &C::rate_change_high);
     field("measures", &C::measures);

@@ -45,9 +45,7 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
   progress.num_finished =
       static_cast<int>(std::count_if(scenes.begin(), scenes.end(), HasSceneResult));
   progress.num_searches = static_cast<int>(ListMatches(folder, {"comparison/*/*.jsonl"}).size());
-  if (const std::optional<Manifest> manifest = FindManifest(folder)) {
-    progress.damages = FindLostBytes(folder, *manifest);
-  }
+  progress.damages = FindLostBytes(folder);
   Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);

@@ -199,9 +199,9 @@ std::vector<Damage> FindDamage(const fs::path& folder, const Manifest& manifest)
   return damages;
 }
 
-std::vector<Damage> FindLostBytes(const fs::path& folder, const Manifest& manifest) {
+std::vector<Damage> FindLostBytes(const fs::path& folder) {
   std::vector<Damage> damages;
-  for (const ManifestFile& file : manifest.files) {
+  for (const ManifestFile& file : FindManifest(folder).value_or(Manifest()).files) {
     std::error_code status;
     const uintmax_t bytes = fs::file_size(folder / file.path, status);
     if (status) {

@@ -72,8 +72,9 @@ void WriteManifest(const std::filesystem::path& folder, const Manifest& manifest
 it does not name are not looked at. */
 std::vector<Damage> FindDamage(const std::filesystem::path& folder, const Manifest& manifest);
 
-/** The same of lengths alone, which takes a moment: a file that is gone or has lost bytes. */
-std::vector<Damage> FindLostBytes(const std::filesystem::path& folder, const Manifest& manifest);
+/** By the folder's manifest and lengths alone, which takes a moment: files that are gone or have
+lost bytes. None without a manifest that can be read. */
+std::vector<Damage> FindLostBytes(const std::filesystem::path& folder);
 
 /** Whole lines of a journal behind its first `committed` bytes that are no checked lines. */
 std::vector<Damage> FindBadLines(const std::filesystem::path& folder, const std::string& path,

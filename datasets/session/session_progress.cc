@@ -194,9 +194,7 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   }
   progress.num_finished =
       static_cast<int>(std::count(tasks.finished.begin(), tasks.finished.end(), true));
-  if (const std::optional<Manifest> manifest = FindManifest(folder)) {
-    progress.damages = FindLostBytes(folder, *manifest);
-  }
+  progress.damages = FindLostBytes(folder);
   Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);

@@ -62,9 +62,9 @@ Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
        {"sigma [N]", number}});
   for (const SettingChange& change : summary.changes) {
     table.AddRow({Element("code", {}, change.setting), Text(change.value),
-                  Text(std::to_string(change.num_pairs())),
-                  Text(std::to_string(change.num_before_only)),
-                  Text(std::to_string(change.num_after_only)),
+                  Text(std::to_string(change.successes.num_pairs())),
+                  Text(std::to_string(change.successes.first_only)),
+                  Text(std::to_string(change.successes.second_only)),
                   Text(FormatChange(change, "gct_s", MsFromS(1.0), 0)),
                   Text(FormatChange(change, "gft_s", MsFromS(1.0), 0)),
                   Text(FormatChange(change, "gft_ratio", 100.0, 1)),

@@ -10,9 +10,9 @@ TEST(SensitivityTables, ShowChangesWithTheirIntervals) {
   change.setting = "model.mass_scale=2.0";
   change.value = "1.0";
   change.hand = "tum";
-  change.num_both = 6;
-  change.num_before_only = 3;
-  change.num_neither = 1;
+  change.successes.both = 6;
+  change.successes.first_only = 3;
+  change.successes.neither = 1;
   change.rate_change_low = -0.6;
   change.rate_change_high = 0.05;
   for (const char* measure : {"gct_s", "gft_s", "gft_ratio", "got_ratio", "sigma_n"}) {

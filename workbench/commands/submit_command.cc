@@ -58,8 +58,8 @@ void Submit(const SubmitOptions& options) {
     PrintResult(script);
     return;
   }
-  MakeFolder(request.folder /
-             "logs");  // the script's own words for a full or foreign disk are short
+  // Here and not in the script, whose words for a full or foreign disk would be the shell's.
+  MakeFolder(request.folder / "logs");
   FlushResults();
   ::execl("/bin/bash", "bash", "-c", script.c_str(), static_cast<char*>(nullptr));
   throw Error(ErrorKind::kEnvironment,

@@ -62,7 +62,9 @@ BasinMap MapBasin(const BasinRequest& request, int num_workers, Observer& observ
                          BasinSample& sample = map.samples[static_cast<size_t>(record.plan.trial)];
                          sample.outcome = record.result.outcome;
                          sample.sigma = record.result.stability.sigma;
-                       }};
+                       },
+                       {},
+                       [&, runner](const PlannedTrial&) { runner->Prepare(nominal.sim); }};
   };
   Stage stage;
   stage.kind = StageKind::kBasin;

@@ -72,7 +72,9 @@ class Variation {
                          [this, writer](const TrialRecord& record) {
                            writer->Append(setting_, original_.at(record.plan.id),
                                           MakeTrialMeasures(record.result));
-                         }};
+                         },
+                         {},
+                         [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
     };
   }
 

@@ -49,7 +49,7 @@ TEST(SensitivitySummary, ASettingThatChangesNothingChangesNothing) {
   for (const SettingChange& change : summary.changes) {
     EXPECT_EQ(change.setting, kSetting);
     EXPECT_EQ(change.value, "1.0");
-    EXPECT_EQ(change.num_pairs(), 30);
+    EXPECT_EQ(change.successes.num_pairs(), 30);
     EXPECT_EQ(change.rate_change(), 0.0);
     EXPECT_LT(change.rate_change_low, 0.0);
     EXPECT_GT(change.rate_change_high, 0.0);
@@ -88,9 +88,9 @@ TEST(SensitivitySummary, AgreesWithALoopOverAllPairs) {
       before.push_back(record.result.timing.gft);
       after.push_back(found->second.gft);
     }
-    EXPECT_EQ(change.num_pairs(), pairs);
-    EXPECT_EQ(change.num_before_only, lost);
-    EXPECT_EQ(change.num_after_only, won);
+    EXPECT_EQ(change.successes.num_pairs(), pairs);
+    EXPECT_EQ(change.successes.first_only, lost);
+    EXPECT_EQ(change.successes.second_only, won);
     EXPECT_DOUBLE_EQ(change.rate_change(), static_cast<double>(won - lost) / pairs);
     const MeasureChange& gft = change.Find("gft_s");
     EXPECT_EQ(gft.num_pairs, static_cast<int>(before.size()));
