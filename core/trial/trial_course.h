@@ -82,6 +82,8 @@ class TrialCourse {
   World& world() { return *world_; }
   double time() const { return notes_.time; }  ///< since the start [s]
   Phase phase() const { return notes_.phase; }
+  /** What it knows so far. */
+  const TrialNotes& notes() const { return notes_; }
   /** Once it is over: the object hangs in the hand, so that there is something to judge. */
   bool is_held() const;
   /** @pre is_held() */

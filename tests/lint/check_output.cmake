@@ -5,6 +5,7 @@ set(allowed
   workbench/terminal.cc
   workbench/terminal.h
   workbench/progress.cc                       # moves the cursor; escapes the names in its block
+  workbench/shell/look_commands.cc            # a picture's own colours
   workbench/experiments/interrupt.cc          # a constant, from a signal handler
   core/base/error.cc                          # ends the program; escapes what it shows
   core/hand/generate/generate_hand_visuals.cc # tools of the build, not of the program

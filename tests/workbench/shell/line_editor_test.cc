@@ -1,0 +1,81 @@
+#include "workbench/shell/line_editor.h"
+
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace graspbench {
+namespace {
+
+void IgnoreInterrupt(int) {}
+
+/** Reads what is shown until it holds so many prompts; keys that come earlier are the terminal's. */
+void WaitForPrompts(int terminal, size_t count, std::string& shown) {
+  const auto count_prompts = [&shown] {
+    size_t found = 0;
+    for (size_t at = shown.find("> "); at != shown.npos; at = shown.find("> ", at + 1)) ++found;
+    return found;
+  };
+  char bytes[256];
+  while (count_prompts() < count) {
+    const ssize_t size = ::read(terminal, bytes, sizeof bytes);
+    if (size <= 0) return;
+    shown.append(bytes, static_cast<size_t>(size));
+  }
+}
+
+/** What the editor reads on a terminal of its own on which `keys` are typed, a line in brackets. */
+std::string Type(const std::vector<std::string>& keys) {
+  int answers[2];
+  if (::pipe(answers) != 0) return "no pipe";
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    struct sigaction action {};
+    action.sa_handler = &IgnoreInterrupt;
+    ::sigaction(SIGINT, &action, nullptr);
+    ::setenv("TERM", "xterm", 1);
+    LineEditor editor("> ", [](const std::string& line) {
+      return line == "co" ? std::vector<std::string>{"contacts"} : std::vector<std::string>();
+    });
+    std::string lines;
+    while (const std::optional<std::string> line = editor.Read()) lines += "[" + *line + "]";
+    if (::write(answers[1], lines.data(), lines.size()) < 0) ::_exit(1);
+    ::_exit(0);
+  }
+  ::close(answers[1]);
+  size_t num_prompts = 1;
+  std::string shown;
+  for (const std::string& key : keys) {
+    WaitForPrompts(terminal, num_prompts, shown);
+    if (key.back() == '\n' || key == "\x03") ++num_prompts;
+    EXPECT_EQ(::write(terminal, key.data(), key.size()), static_cast<ssize_t>(key.size()));
+  }
+  std::string lines(1000, ' ');
+  lines.resize(static_cast<size_t>(::read(answers[0], lines.data(), lines.size())));
+  ::close(answers[0]);
+  ::waitpid(child, nullptr, 0);
+  ::close(terminal);
+  return lines;
+}
+
+TEST(LineEditor, ReadsEditedLinesUntilTheEnd) {
+  EXPECT_EQ(Type({"run\n", "bxack\x02\x02\x02\x08\n", "\x04"}), "[run][back]");
+}
+
+TEST(LineEditor, KeepsLettersBeyondAscii) {
+  EXPECT_EQ(Type({"note gr\xc3\xbc\xc3\x9f\n", "\x04"}), "[note gr\xc3\xbc\xc3\x9f]");
+}
+
+TEST(LineEditor, CompletesAndRemembers) {
+  EXPECT_EQ(Type({"co\t\n", "\x10\n", "\x04"}), "[contacts ][contacts]");
+}
+
+TEST(LineEditor, CtrlCGivesTheLineUp) {
+  EXPECT_EQ(Type({"abc", "\x03", "run\n", "\x04"}), "[][run]");
+}
+
+}  // namespace
+}  // namespace graspbench

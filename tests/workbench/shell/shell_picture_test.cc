@@ -1,0 +1,47 @@
+#include "workbench/shell/shell_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+TEST(ShellPicture, InAPipeIsPlainTextOfTheTerminalsSize) {
+  ShellScene scene;
+  scene.Choose(SceneChoice::MakeDefault());
+  ScenePainter painter;
+  testing::internal::CaptureStdout();  // no terminal, however the tests are run
+  const std::string front = painter.DrawForTerminal(scene, FindSceneView("front"));
+  testing::internal::GetCapturedStdout();
+  EXPECT_EQ(front.find('\033'), std::string::npos);
+  EXPECT_TRUE(std::all_of(front.begin(), front.end(),
+                          [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  std::istringstream lines(front);
+  size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u);
+  EXPECT_EQ(count, 22u);
+  EXPECT_GT(std::count_if(front.begin(), front.end(), [](char c) { return c > ' '; }), 100);
+}
+
+TEST(ShellPicture, ViewsDiffer) {
+  ShellScene scene;
+  scene.Choose(SceneChoice::MakeDefault());
+  ScenePainter painter;
+  std::vector<std::vector<uint8_t>> pictures;
+  for (const std::string& name : ListSceneViews()) {
+    if (name == "free") continue;
+    const std::vector<uint8_t> picture = painter.Draw(scene, FindSceneView(name), 64, 48).rgb;
+    EXPECT_EQ(picture, painter.Draw(scene, FindSceneView(name), 64, 48).rgb) << name;
+    for (const auto& other : pictures) EXPECT_NE(picture, other) << name;
+    pictures.push_back(picture);
+  }
+}
+
+TEST(ShellPicture, UnknownViewsAreRefused) { EXPECT_THROW(FindSceneView("inside"), Error); }
+
+}  // namespace
+}  // namespace graspbench

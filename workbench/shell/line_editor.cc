@@ -1,0 +1,118 @@
+#include "workbench/shell/line_editor.h"
+
+#include <errno.h>
+#include <histedit.h>
+#include <locale.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "workbench/terminal.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kHistorySize = 1000;
+constexpr size_t kListWidth = 78;
+
+/** What all candidates begin with. */
+std::string FindCommonHead(const std::vector<std::string>& names) {
+  std::string head = names.front();
+  for (const std::string& name : names) {
+    const auto mismatch = std::mismatch(head.begin(), head.end(), name.begin(), name.end());
+    head.erase(mismatch.first, head.end());
+  }
+  return head;
+}
+
+/** In lines, with one before and one behind. */
+std::string FormatNames(const std::vector<std::string>& names) {
+  std::string text = "\n";
+  size_t width = 0;
+  for (const std::string& name : names) {
+    if (width > 0 && width + name.size() > kListWidth) {
+      text += "\n";
+      width = 0;
+    }
+    text += name + "  ";
+    width += name.size() + 2;
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+struct LineEditor::Impl {
+  EditLine* editor = nullptr;
+  History* history = nullptr;
+  std::string prompt;
+  Completer completer;
+
+  static Impl& Of(EditLine* editor) {
+    void* self = nullptr;
+    el_get(editor, EL_CLIENTDATA, &self);
+    return *static_cast<Impl*>(self);
+  }
+  static char* Prompt(EditLine* editor) { return Of(editor).prompt.data(); }
+  static unsigned char Complete(EditLine* editor, int) {
+    Impl& self = Of(editor);
+    const LineInfo* info = el_line(editor);
+    const std::string line(info->buffer, info->cursor);
+    const std::vector<std::string> names = self.completer(line);
+    if (names.empty()) return CC_ERROR;
+    const std::string word = line.substr(line.find_last_of(" \t") + 1);
+    std::string rest = FindCommonHead(names).substr(word.size());
+    if (names.size() == 1) rest += ' ';
+    if (!rest.empty()) {
+      el_insertstr(editor, rest.c_str());
+      return CC_REFRESH;
+    }
+    PrintResult(FormatNames(names));
+    return CC_REDISPLAY;
+  }
+};
+
+LineEditor::LineEditor(const std::string& prompt, Completer completer)
+    : impl_(std::make_unique<Impl>()) {
+  // Its characters alone: numbers stay as they are. Without it every letter beyond ASCII is dropped.
+  if (!::setlocale(LC_CTYPE, "C.UTF-8")) ::setlocale(LC_CTYPE, "");
+  impl_->prompt = prompt;
+  impl_->completer = std::move(completer);
+  impl_->editor = el_init("graspbench", stdin, stdout, stderr);
+  impl_->history = history_init();
+  HistEvent event;
+  history(impl_->history, &event, H_SETSIZE, kHistorySize);
+  history(impl_->history, &event, H_SETUNIQUE, 1);
+  EditLine* editor = impl_->editor;
+  el_set(editor, EL_CLIENTDATA, impl_.get());
+  el_set(editor, EL_PROMPT, &Impl::Prompt);
+  el_set(editor, EL_EDITOR, "emacs");
+  el_set(editor, EL_HIST, &history, impl_->history);
+  el_set(editor, EL_ADDFN, "complete", "complete a name", &Impl::Complete);
+  el_set(editor, EL_BIND, "^I", "complete", nullptr);
+  el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+}
+
+LineEditor::~LineEditor() {
+  history_end(impl_->history);
+  el_end(impl_->editor);
+}
+
+std::optional<std::string> LineEditor::Read() {
+  int length = 0;
+  errno = 0;
+  const char* text = el_gets(impl_->editor, &length);
+  if (text == nullptr || length <= 0) {
+    if (errno != EINTR) return std::nullopt;
+    el_reset(impl_->editor);
+    PrintResult("^C\n");
+    return "";
+  }
+  std::string line(text, static_cast<size_t>(length));
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
+  HistEvent event;
+  if (!line.empty()) history(impl_->history, &event, H_ENTER, line.c_str());
+  return line;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,235 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/grasp/grasp_file.h"
+#include "core/hand/load_hand.h"
+#include "datasets/session/session_plan.h"
+#include "datasets/session/session_store.h"
+#include "objects/catalogue.h"
+#include "workbench/experiments/output_folder.h"
+#include "workbench/shell/shell.h"
+#include "workbench/shell/shell_commands.h"
+#include "workbench/shell/shell_words.h"
+#include "workbench/terminal.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kMaxOffset_mm = 200.0;
+
+/** "light bulb" given as two words is one name. */
+std::string JoinName(const ShellArguments& words) {
+  std::string name;
+  for (const std::string& word : words) name += (name.empty() ? "" : " ") + word;
+  return name;
+}
+
+/** A known id by its id or name, in any case; what is none of them, a path perhaps, as it is. */
+std::string FindId(const std::string& given, const std::vector<std::string>& ids,
+                   std::string (*find_name)(const std::string& id)) {
+  const std::string wanted = MakeComparable(given);
+  for (const std::string& id : ids) {
+    if (wanted == id) return id;
+  }
+  if (given.find('/') != given.npos || fs::exists(given)) return given;
+  for (const std::string& id : ids) {
+    if (wanted == MakeComparable(find_name(id))) return id;
+  }
+  return given;
+}
+
+std::string FindGraspId(const std::string& given) {
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (MakeComparable(given) == MakeComparable(taxon.name)) return taxon.id;
+    if (MakeComparable(given) == taxon.id) return taxon.id;
+  }
+  return given;
+}
+
+void Take(Shell& shell, const SceneChoice& choice) {
+  shell.Change(choice);
+  ShowScene(shell, {});
+}
+
+}  // namespace
+
+void ChooseHand(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  choice.config.hands = {FindId(JoinName(arguments), ListHands(),
+                                [](const std::string& id) { return LoadHand(id).name; })};
+  choice.joints.clear();
+  choice.folder.clear();
+  Take(shell, choice);
+}
+
+void ChooseObject(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  choice.config.objects = {FindId(JoinName(arguments), ListObjects(), [](const std::string& id) {
+    return LoadObject(id, FieldUse::kLater)->name;
+  })};
+  choice.place.reset();
+  choice.folder.clear();
+  Take(shell, choice);
+}
+
+void ChooseGrasp(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  choice.config.grasps = {FindGraspId(JoinName(arguments))};
+  choice.joints.clear();
+  Take(shell, choice);
+}
+
+void ChooseDraw(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  choice.place.reset();
+  choice.draw.reset();
+  if (arguments.front() != "none") {
+    choice.draw = ParseCount(arguments.front(), "the draw", 0, 999999);
+  }
+  Take(shell, choice);
+}
+
+namespace {
+
+/** Where the object stands at the start, as a place to change. */
+ObjectPlace FindPlace(Shell& shell) {
+  const TrialDraw& draw = shell.scene().setup().draw;
+  return {draw.offset_x, draw.offset_y, draw.offset_yaw};
+}
+
+}  // namespace
+
+void MoveObject(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  ObjectPlace place = FindPlace(shell);
+  place.x = MFromMm(ParseNumber(arguments[0], "x", "mm", -kMaxOffset_mm, kMaxOffset_mm));
+  place.y = MFromMm(ParseNumber(arguments[1], "y", "mm", -kMaxOffset_mm, kMaxOffset_mm));
+  choice.place = place;
+  Take(shell, choice);
+}
+
+void TurnObject(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  ObjectPlace place = FindPlace(shell);
+  place.yaw = RadFromDeg(ParseNumber(arguments[0], "the angle", "deg", -180.0, 180.0));
+  choice.place = place;
+  Take(shell, choice);
+}
+
+void SetJoint(Shell& shell, const ShellArguments& arguments) {
+  const Hand& hand = *shell.scene().setup().hand;
+  JointEdit edit;
+  std::vector<std::string> known;
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to < 0) known.push_back(joint.name);
+    if (MakeComparable(joint.name) != MakeComparable(arguments[0])) continue;
+    edit.joint = joint.name;
+    if (joint.coupled_to >= 0) {
+      throw Error(ErrorKind::kUsage, "joint " + joint.name + " follows " +
+                                         hand.joints[joint.coupled_to].name + "; set that one");
+    }
+    edit.angle = RadFromDeg(ParseNumber(arguments[1], "the angle of " + joint.name, "deg",
+                                        DegFromRad(joint.lower), DegFromRad(joint.upper)));
+  }
+  if (edit.joint.empty()) {
+    throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no joint \"" + arguments[0] +
+                                          "\"" + SuggestNames(arguments[0], known));
+  }
+  const std::string posture = arguments.size() > 2 ? arguments[2] : "target";
+  if (posture != "target" && posture != "pre") {
+    throw Error(ErrorKind::kUsage, "the posture is \"" + posture + "\"; expected pre or target");
+  }
+  edit.is_target = posture == "target";
+  SceneChoice choice = shell.scene().choice();
+  choice.joints.push_back(edit);
+  Take(shell, choice);
+}
+
+void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  const std::string& key = arguments[0];
+  for (const char* own : {"hands", "objects", "grasps", "trials"}) {
+    if (key == own) {
+      throw Error(ErrorKind::kUsage, "\"" + key + "\" is no setting of one trial; see: help");
+    }
+  }
+  ApplySetting(key + "=" + arguments[1], choice.config);
+  Take(shell, choice);
+}
+
+void OpenTrial(Shell& shell, const ShellArguments& arguments) {
+  const Session session = LoadSession(arguments[0], OnDamage::kRefuse, RecordParts::kBrief);
+  std::vector<std::string> ids;
+  for (const PlannedTrial& planned : session.plan) {
+    ids.push_back(planned.id);
+    if (planned.id != arguments[1]) continue;
+    SceneChoice choice;
+    choice.config = session.config;
+    choice.config.hands = {planned.hand};
+    choice.config.objects = {planned.object};
+    choice.config.grasps = {planned.grasp};
+    choice.folder = session.folder.string();
+    choice.draw = planned.trial;
+    return Take(shell, choice);
+  }
+  throw Error(ErrorKind::kNotFound, "the session has no trial \"" + arguments[1] + "\"" +
+                                        SuggestNames(arguments[1], ids) +
+                                        "; the column trial_id of trials.csv has them");
+}
+
+void UndoChange(Shell& shell, const ShellArguments&) {
+  shell.Undo();
+  ShowScene(shell, {});
+}
+
+void ShowChanges(Shell& shell, const ShellArguments&) {
+  const SceneChoice& choice = shell.scene().choice();
+  std::string text;
+  if (choice.place) {
+    text += fmt::format(
+        "place    x {} mm, y {} mm, yaw {} deg\n", FormatFixed(MmFromM(choice.place->x), 1),
+        FormatFixed(MmFromM(choice.place->y), 1), FormatFixed(DegFromRad(choice.place->yaw), 1));
+  }
+  for (const JointEdit& edit : choice.joints) {
+    text += fmt::format("joint    {} {} deg {}\n", edit.joint,
+                        FormatFixed(DegFromRad(edit.angle), 1), edit.is_target ? "target" : "pre");
+  }
+  const Json now = ToJson(choice.config).flatten(), before = ToJson(SessionConfig()).flatten();
+  for (const auto& [key, value] : now.items()) {
+    const std::string name = key.substr(1);
+    const bool is_setting = name.find('/') != name.npos || name == "seed";
+    const bool is_scene =
+        name.find("hands/") == 0 || name.find("objects/") == 0 || name.find("grasps/") == 0;
+    if (!is_setting || is_scene || (before.contains(key) && before[key] == value)) continue;
+    std::string setting = name;
+    std::replace(setting.begin(), setting.end(), '/', '.');
+    text += "set      " + setting + " " + value.dump() + ", default " +
+            (before.contains(key) ? before[key].dump() : "none") + "\n";
+  }
+  PrintResult(text.empty() ? "nothing differs from the grasp and the session's defaults\n" : text);
+}
+
+void SaveGrasp(Shell& shell, const ShellArguments& arguments) {
+  const std::string& file = arguments[0];
+  if (fs::path(file).extension() != ".yaml") {
+    throw Error(ErrorKind::kUsage, "\"" + file + "\" does not end in .yaml, as grasp files do");
+  }
+  CheckOutputFile(file);
+  const TrialSetup& setup = shell.scene().setup();
+  StandardGrasp grasp = setup.grasp;
+  const std::string made_from = grasp.id;
+  grasp.id = MakePlainKey({fs::path(file).stem().string()});
+  WriteFileAtomically(file, FormatGraspFile(*setup.hand, grasp, made_from));
+  PrintResult(file + "\nnext     graspbench run --hand " + setup.hand->id + " --object " +
+              setup.object->id + " --grasp best," + file + "\n");
+}
+
+}  // namespace graspbench

@@ -1,0 +1,168 @@
+#include "workbench/shell/shell_cards.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/quality/holding_force.h"
+#include "core/trial/stability_meter.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kBarWidth = 20;
+constexpr double kAtLimit = 1e-3;  // from it [rad]
+
+std::vector<HandContact> FindContacts(ShellScene& scene) {
+  std::vector<HandContact> contacts;
+  scene.course().world().FindHandContacts(contacts);
+  return contacts;
+}
+
+std::string NameDigit(const Hand& hand, int link) {
+  const int digit = hand.FindDigitOfLink(link);
+  return digit < 0 ? "palm" : hand.digits[static_cast<size_t>(digit)].id;
+}
+
+/** "[....#....]": where a value is between its limits. */
+std::string DrawBar(double value, double low, double high) {
+  const double share = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
+  std::string bar(kBarWidth, '.');
+  bar[static_cast<size_t>(std::lround(share * (kBarWidth - 1)))] = '#';
+  return "[" + bar + "]";
+}
+
+std::string FormatPlace(const TrialDraw& draw) {
+  return fmt::format("x {} mm, y {} mm, yaw {} deg", FormatFixed(MmFromM(draw.offset_x), 1),
+                     FormatFixed(MmFromM(draw.offset_y), 1),
+                     FormatFixed(DegFromRad(draw.offset_yaw), 1));
+}
+
+/** Share of the friction cone in use, 1 at its limit. */
+double CalcConeShare(const HandContact& contact) {
+  const double limit = contact.mu * contact.normal_force;
+  return limit > 0.0 ? contact.friction_W.norm() / limit : kUnset;
+}
+
+}  // namespace
+
+std::string FormatStatus(ShellScene& scene) {
+  const TrialNotes& notes = scene.notes();
+  std::string text = fmt::format(
+      "{} s  {}  grip {} N  table {} N  {}\n", FormatFixed(notes.time, 3), NameOf(notes.phase),
+      FormatFixed(notes.report.grip_force, 2), FormatFixed(notes.report.table_force, 2),
+      FormatCount(static_cast<int64_t>(FindContacts(scene).size()), "contact"));
+  if (!scene.is_over()) return text;
+  const TrialResult result = scene.course().End();
+  text += "outcome  " + std::string(NameOf(result.outcome));
+  return text + (result.reason.empty() ? "\n" : ": " + result.reason + "\n");
+}
+
+std::string FormatScene(ShellScene& scene) {
+  const TrialSetup& setup = scene.setup();
+  const SceneChoice& choice = scene.choice();
+  const std::string draw = choice.draw ? std::to_string(*choice.draw) : "none";
+  std::string text = "hand     " + setup.hand->name + " (" + setup.hand->id + ")\n";
+  text += "object   " + setup.object->name + " (" + setup.object->id + "), " +
+          FormatFixed(GFromKg(setup.object->mass_properties.mass), 0) + " g\n";
+  text += "grasp    " + setup.grasp.id;
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == setup.grasp.id) text += ", " + taxon.name;
+  }
+  text += choice.joints.empty()
+              ? "\n"
+              : ", " + FormatCount(static_cast<int64_t>(choice.joints.size()), "joint") +
+                    " set by hand\n";
+  text += "draw     " + draw + (choice.place ? ", moved by hand" : "") + ": " +
+          FormatPlace(setup.draw) + "\n";
+  return text + FormatStatus(scene);
+}
+
+std::string FormatJoints(ShellScene& scene) {
+  const Hand& hand = *scene.setup().hand;
+  const Eigen::VectorXd& q = scene.course().world().state().q;
+  const Eigen::VectorXd& asked = scene.notes().command.q;
+  TextTable table({"joint", "angle [deg]", "from", "to", "", "asked [deg]", ""});
+  for (size_t j = 0; j < hand.joints.size(); ++j) {
+    const HandJoint& joint = hand.joints[j];
+    const double angle = q[static_cast<Eigen::Index>(j)];
+    const bool is_at_limit = angle < joint.lower + kAtLimit || angle > joint.upper - kAtLimit;
+    std::string command = "n/a";
+    if (joint.coupled_to >= 0) {
+      command = "with " + hand.joints[static_cast<size_t>(joint.coupled_to)].name;
+    } else if (asked.size() > 0) {
+      command = FormatFixed(DegFromRad(asked[static_cast<Eigen::Index>(j)]), 1);
+    }
+    table.AddRow({joint.name, FormatFixed(DegFromRad(angle), 1),
+                  FormatFixed(DegFromRad(joint.lower), 0), FormatFixed(DegFromRad(joint.upper), 0),
+                  DrawBar(angle, joint.lower, joint.upper), command,
+                  is_at_limit ? "at its limit" : ""});
+  }
+  return table.Format();
+}
+
+std::string FormatContacts(ShellScene& scene) {
+  const Hand& hand = *scene.setup().hand;
+  const std::vector<HandContact> contacts = FindContacts(scene);
+  if (contacts.empty()) return "the hand does not touch the object\n";
+  TextTable table(
+      {"digit", "link", "normal [N]", "friction [N]", "of its cone", "state", "slip [mm/s]"});
+  for (const HandContact& contact : contacts) {
+    table.AddRow({NameDigit(hand, contact.link), hand.links[static_cast<size_t>(contact.link)].name,
+                  FormatFixed(contact.normal_force, 3), FormatFixed(contact.friction_W.norm(), 3),
+                  FormatPercent(CalcConeShare(contact)), contact.is_sliding ? "slides" : "sticks",
+                  FormatFixed(MmFromM(contact.slip_speed), 2)});
+  }
+  return table.Format();
+}
+
+std::string FormatTiming(ShellScene& scene) {
+  const TrialNotes& notes = scene.notes();
+  if (std::isnan(notes.closure_start)) return "closure has not begun\n";
+  std::vector<DigitContact> contacts = notes.result.contacts;
+  for (DigitContact& contact : contacts) contact.time -= notes.closure_start;
+  TextTable table({"digit", "first touch [ms]"});
+  for (const DigitContact& contact : contacts) {
+    table.AddRow({contact.digit + (contact.is_opposing ? " (opposes)" : ""),
+                  FormatFixed(MsFromS(contact.time), 1)});
+  }
+  const ContactTiming timing = CalcContactTiming(contacts, 0.0);
+  return table.Format() +
+         fmt::format("GCT {} ms, GFT {} ms ({}), GOT {} ms ({}); since the start of closure\n",
+                     FormatFixed(MsFromS(timing.gct), 1), FormatFixed(MsFromS(timing.gft), 1),
+                     FormatPercent(timing.gft_ratio), FormatFixed(MsFromS(timing.got), 1),
+                     FormatPercent(timing.got_ratio));
+}
+
+std::string FormatStability(ShellScene& scene) {
+  const GraspInstant instant = StabilityMeter(scene.setup()).MakeInstant(scene.course().world());
+  if (instant.grasp.contacts.empty()) return "the hand does not touch the object\n";
+  const StabilityPart now = CalcStabilityPart({instant});
+  std::string text = fmt::format(
+      "now      sigma {} N, epsilon {}, normal force {} N, slip {} mm/s, {}\n",
+      FormatFixed(now.sigma, 2), FormatFixed(now.quality, 4), FormatFixed(now.normal_force, 2),
+      FormatFixed(MmFromM(now.slip_speed), 2), instant.is_opposed ? "opposed" : "not opposed");
+  std::vector<Eigen::Vector3d> directions;
+  for (int axis = 0; axis < 3; ++axis) {
+    directions.emplace_back(instant.R_OPalm.col(axis));
+    directions.emplace_back(-instant.R_OPalm.col(axis));
+  }
+  const std::vector<double> pulls = CalcHoldingForces(instant.grasp, directions);
+  TextTable table({"pull in the palm's frame", "+ [N]", "- [N]"});
+  for (size_t axis = 0; axis < 3; ++axis) {
+    table.AddRow({std::string(1, static_cast<char>('x' + axis)), FormatFixed(pulls[2 * axis], 2),
+                  FormatFixed(pulls[2 * axis + 1], 2)});
+  }
+  text += table.Format();
+  if (!scene.is_over()) return text;
+  const Stability trial = scene.course().End().stability;
+  return text + fmt::format("trial    sigma {} N over the hold, grip {} N before lift-off\n",
+                            FormatFixed(trial.sigma, 2),
+                            FormatFixed(scene.notes().result.grip_force, 2));
+}
+
+}  // namespace graspbench

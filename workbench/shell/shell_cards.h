@@ -1,0 +1,24 @@
+#pragma once
+/** @file
+What the shell shows of a scene, as text: one card each. */
+
+#include <string>
+
+#include "workbench/shell/shell_scene.h"
+
+namespace graspbench {
+
+/** "1.234 s  hold  grip 3.2 N  3 contacts"; with the outcome and its sentence once it is over. */
+std::string FormatStatus(ShellScene& scene);
+/** What is chosen, and where object and joints really are. */
+std::string FormatScene(ShellScene& scene);
+/** Angles within their limits as bars, and what the drives are asked for. */
+std::string FormatJoints(ShellScene& scene);
+/** Forces now, with the share of the friction cone that each contact uses. */
+std::string FormatContacts(ShellScene& scene);
+/** First touches; GCT, GFT, GOT as far as they are known. */
+std::string FormatTiming(ShellScene& scene);
+/** Sigma, epsilon and the pull that the contacts would stand along the palm's six half axes, now. */
+std::string FormatStability(ShellScene& scene);
+
+}  // namespace graspbench

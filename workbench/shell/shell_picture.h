@@ -1,0 +1,44 @@
+#pragma once
+/** @file
+The scene as a picture, in a file or in the cells of a terminal. */
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/render/scene.h"
+#include "workbench/shell/shell_scene.h"
+
+namespace graspbench {
+
+/** From where. Without angles: across thumb and fingers, which move with the hand. */
+struct SceneView {
+  std::string name = "grasp";
+  double azimuth_deg = kUnset;    ///< of the camera about z, from x
+  double elevation_deg = kUnset;  ///< above the table
+  double zoom = 1.0;              ///< 2: from half the distance
+};
+/** @throws Error(kUsage) with suggestions. */
+SceneView FindSceneView(const std::string& name);
+std::vector<std::string> ListSceneViews();
+
+/** Draws a scene again and again: meshes are uploaded once for each size of picture. */
+class ScenePainter {
+ public:
+  /** @throws Error(kEnvironment) when the machine cannot draw. */
+  Image Draw(ShellScene& scene, const SceneView& view, int width, int height);
+
+  /** In the form that the terminal on stdout shows best: pixels where it says that it can (kitty,
+  sixel), else coloured blocks; characters without colour, and without any escape sequence, in a
+  pipe, under NO_COLOR and in a dumb terminal. @throws as Draw. */
+  std::string DrawForTerminal(ShellScene& scene, const SceneView& view);
+
+ private:
+  std::unique_ptr<Renderer> renderer_;
+  int width_ = 0, height_ = 0;  // of its pictures
+};
+
+/** One line of what is to be seen. */
+std::string DescribeView(ShellScene& scene, const SceneView& view);
+
+}  // namespace graspbench

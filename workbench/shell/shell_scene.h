@@ -1,0 +1,84 @@
+#pragma once
+/** @file
+The scene under a person's hand: one trial of one hand, object and grasp, moved step by step, back
+and forth.
+
+What decides it is plain data (SceneChoice): equal choices give the bytes of the same trial of a
+session. Going back restores the nearest saved instant and simulates on from there. */
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/trial/trial_course.h"
+#include "core/trial/trial_runner.h"
+#include "datasets/session/session_config.h"
+#include "datasets/session/session_inputs.h"
+
+namespace graspbench {
+
+/** A joint of the grasp's pre-grasp or target posture, set by hand. */
+struct JointEdit {
+  bool is_target = true;
+  std::string joint;
+  double angle = 0.0;  ///< [rad]
+};
+
+/** Where the object stands instead of where the draw puts it. */
+struct ObjectPlace {
+  double x = 0.0;  ///< from the nominal place [m]
+  double y = 0.0;
+  double yaw = 0.0;  ///< [rad]
+};
+
+struct SceneChoice {
+  SessionConfig config;     ///< with one hand, one object and one grasp
+  std::string folder;       ///< of the session it was opened from; empty: of its own
+  std::optional<int> draw;  ///< the session's number of the trial, from 0; unset: no variation
+  std::optional<ObjectPlace> place;
+  std::vector<JointEdit> joints;
+
+  /** TUM Hand, golf ball, its best grasp, no variation. */
+  static SceneChoice MakeDefault();
+};
+
+class ShellScene {
+ public:
+  /** Loads what is chosen and stands at the start of its trial.
+  @throws Error when that cannot be; the scene is then as it was. */
+  void Choose(const SceneChoice& choice);
+  const SceneChoice& choice() const { return choice_; }
+  /** @pre of all below: Choose was called. */
+  const TrialSetup& setup() const { return *setup_; }
+  /** What another draw of the same choice would be. */
+  TrialSetup MakeSetup(std::optional<int> draw) const;
+  /** All that the hand can do. */
+  const std::vector<StandardGrasp>& grasps() const { return inputs_.hands.front().grasps; }
+  TrialRunner& runner() { return *runner_; }
+
+  TrialCourse& course() { return *course_; }
+  const TrialNotes& notes() const { return course_->notes(); }
+  double time() const { return course_->time(); }
+  bool is_over() const { return notes().is_over; }
+
+  /** One step of the physics; false when the trial is over. */
+  bool Advance();
+  /** To the first step at or behind `time` [s], or the trial's end, until `stops`; back too. */
+  void GoTo(double time, const std::function<bool()>& stops);
+  void Reset();
+
+ private:
+  void KeepInstant();
+
+  SceneChoice choice_;
+  SessionInputs inputs_;
+  std::unique_ptr<TrialSetup> setup_;  // the course refers to it
+  std::unique_ptr<TrialRunner> runner_;
+  std::unique_ptr<TrialCourse> course_;
+  std::vector<TrialInstant> instants_;  // by time; the first is the start
+  double spacing_ = 0.0;                // of the instants [s]
+};
+
+}  // namespace graspbench

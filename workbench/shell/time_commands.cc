@@ -1,0 +1,142 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "workbench/shell/shell.h"
+#include "workbench/shell/shell_cards.h"
+#include "workbench/shell/shell_commands.h"
+#include "workbench/shell/shell_words.h"
+#include "workbench/terminal.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kMaxTime = 3600.0;  // [s]
+constexpr int kMaxSteps = 1000000;
+
+/** Says what happens while a trial goes on: phases, first touches, the outcome. */
+class Narrator {
+ public:
+  explicit Narrator(Shell& shell) : scene_(shell.scene()) { Catch(); }
+
+  void Tell() {
+    const TrialNotes& notes = scene_.notes();
+    for (; num_phases_ < notes.result.phases.size(); ++num_phases_) {
+      const PhaseStart& phase = notes.result.phases[num_phases_];
+      Print(phase.time, phase.name);
+    }
+    for (size_t d = 0; d < has_touched_.size(); ++d) {
+      const DigitContact& contact = notes.result.contacts[d];
+      if (has_touched_[d] || std::isnan(contact.time)) continue;
+      has_touched_[d] = true;
+      Print(contact.time, "first touch of " + contact.digit);
+    }
+  }
+
+ private:
+  void Catch() {
+    num_phases_ = scene_.notes().result.phases.size();
+    for (const DigitContact& contact : scene_.notes().result.contacts) {
+      has_touched_.push_back(!std::isnan(contact.time));
+    }
+  }
+  static void Print(double time, const std::string& what) {
+    PrintResult(fmt::format("{:>8} s  {}\n", FormatFixed(time, 3), what));
+  }
+
+  ShellScene& scene_;
+  size_t num_phases_ = 0;
+  std::vector<bool> has_touched_;
+};
+
+/** Until `ends`, the trial's end, or Ctrl-C. */
+void Advance(Shell& shell, const std::function<bool()>& ends) {
+  ShellScene& scene = shell.scene();
+  Narrator narrator(shell);
+  bool goes_on = true;
+  while (goes_on && !shell.IsStopped()) {
+    goes_on = scene.Advance();
+    narrator.Tell();
+    if (ends()) break;
+  }
+  PrintResult(FormatStatus(scene));
+}
+
+void DemandTimeLeft(Shell& shell) {
+  if (!shell.scene().is_over()) return;
+  throw Error(ErrorKind::kUsage, "the trial is over; reset, back or goto stand at an earlier time");
+}
+
+bool IsSlipping(const ShellScene& scene) {
+  for (const ContactEvent& event : scene.notes().events.MakeEvents()) {
+    if (event.kind == ContactEventKind::kSlip || event.kind == ContactEventKind::kLost) return true;
+  }
+  return false;
+}
+
+bool HasTouched(const ShellScene& scene) {
+  for (const DigitContact& contact : scene.notes().result.contacts) {
+    if (!std::isnan(contact.time)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void StepTrial(Shell& shell, const ShellArguments& arguments) {
+  DemandTimeLeft(shell);
+  int left = arguments.empty() ? 1 : ParseCount(arguments[0], "the number of steps", 1, kMaxSteps);
+  Advance(shell, [&left] { return --left == 0; });
+}
+
+std::vector<std::string> ListRunTargets() {
+  std::vector<std::string> targets = {"end", "slip", "first-contact"};
+  for (const PhaseRow& row : kPhases) targets.emplace_back(row.name);
+  return targets;
+}
+
+void RunTrial(Shell& shell, const ShellArguments& arguments) {
+  const std::string target = arguments.empty() ? "end" : arguments.back();
+  if (arguments.size() == 2 && arguments[0] != "to") {
+    throw Error(ErrorKind::kUsage, "\"" + arguments[0] + "\" is unknown here; see: help run");
+  }
+  DemandTimeLeft(shell);
+  const ShellScene& scene = shell.scene();
+  if (target == "end") return Advance(shell, [] { return false; });
+  if (target == "slip") return Advance(shell, [&] { return IsSlipping(scene); });
+  if (target == "first-contact") return Advance(shell, [&] { return HasTouched(scene); });
+  for (const PhaseRow& row : kPhases) {
+    if (target != row.name) continue;
+    if (scene.notes().phase >= row.value) {
+      throw Error(ErrorKind::kUsage, "the " + target + " has begun; see: goto, reset");
+    }
+    return Advance(shell, [&] { return scene.notes().phase >= row.value; });
+  }
+  throw Error(ErrorKind::kUsage,
+              "\"" + target + "\" is nothing to run to" + SuggestNames(target, ListRunTargets()));
+}
+
+void GoToTime(Shell& shell, const ShellArguments& arguments) {
+  const double time = ParseNumber(arguments[0], "the time", "s", 0.0, kMaxTime);
+  shell.scene().GoTo(time, [&shell] { return shell.IsStopped(); });
+  PrintResult(FormatStatus(shell.scene()));
+}
+
+void GoBack(Shell& shell, const ShellArguments& arguments) {
+  const double duration =
+      arguments.empty() ? 0.1 : ParseNumber(arguments[0], "the time", "s", 0.0, kMaxTime);
+  ShellScene& scene = shell.scene();
+  scene.GoTo(std::max(0.0, scene.time() - duration), [&shell] { return shell.IsStopped(); });
+  PrintResult(FormatStatus(scene));
+}
+
+void ResetTrial(Shell& shell, const ShellArguments&) {
+  shell.scene().Reset();
+  PrintResult(FormatStatus(shell.scene()));
+}
+
+}  // namespace graspbench
