@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/shape/mesh_edges.h"
 #include "core/shape/weld_vertices.h"
 
 namespace graspbench {
@@ -17,6 +18,17 @@ constexpr double kSliver = 1e-6;  // of twice the area to the longest edge squar
 
 double CalcAngle(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+bool IsClosed(const TriMesh& mesh) {
+  const std::vector<MeshEdge> edges = ListEdges(mesh);
+  double volume = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    volume += mesh.vertices[t[0]].cross(mesh.vertices[t[1]]).dot(mesh.vertices[t[2]]);
+  }
+  return volume > 0.0 && std::all_of(edges.begin(), edges.end(), [](const MeshEdge& edge) {
+           return edge.num_forward == edge.num_backward;
+         });
 }
 
 struct Corner {
@@ -46,6 +58,7 @@ DisplayMesh MakeDisplayMesh(const TriMesh& original, double crease_angle) {
   }
 
   DisplayMesh display;
+  display.is_closed = IsClosed(mesh);
   display.indices.reserve(3 * mesh.triangles.size());
   std::vector<std::vector<uint32_t>> made_at(mesh.vertices.size());  // display vertices of each
   const double cos_crease = std::cos(crease_angle);

@@ -18,6 +18,7 @@ struct DisplayVertex {
 struct DisplayMesh {
   std::vector<DisplayVertex> vertices;
   std::vector<uint32_t> indices;  ///< three per triangle
+  bool is_closed = false;  ///< around a volume, facing outwards: its back faces are never seen
 };
 
 /** At each corner the normal is the mean of the faces around that point whose own normal is within

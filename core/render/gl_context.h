@@ -32,6 +32,7 @@ namespace graspbench {
   X(CompileShader)                         \
   X(CreateProgram)                         \
   X(CreateShader)                          \
+  X(CullFace)                              \
   X(DeleteBuffers)                         \
   X(DeleteShader)                          \
   X(DeleteVertexArrays)                    \

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,8 +21,6 @@ using Eigen::Vector3f;
 
 constexpr int kSamples = 2;             // per side of a pixel
 constexpr int kMaxSize = 4096;          // of a picture's side [pixel]
-constexpr int kLightMapSize = 1024;     // [texel]
-constexpr int kTableLightSize = 256;    // [texel]
 constexpr double kNear = 0.01;          // [m]
 constexpr double kFar = 100.0;          // [m]
 constexpr double kShadowMargin = 0.06;  // the widest penumbra around a shadow on the table [m]
@@ -30,6 +29,10 @@ constexpr double kShadowMargin = 0.06;  // the widest penumbra around a shadow o
 const Vector3d kToKey = Vector3d(-0.50, -0.42, 0.95).normalized();
 const Vector3d kToFill = Vector3d(0.80, -0.55, 0.30).normalized();
 const Vector3d kToRim = Vector3d(0.35, 0.90, 0.45).normalized();
+
+// Sides of the maps [texel]: finer than the picture's samples would not be seen.
+int ChooseLightMapSize(int picture_size) { return std::clamp(2 * picture_size, 512, 1024); }
+int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 2, 128, 256); }
 
 // Everything that is no surface, and the lit table.
 const Vector3f kBackgroundSrgb = Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
@@ -57,6 +60,7 @@ struct GpuMesh {
   GLuint vertex_buffer = 0;
   GLuint index_buffer = 0;
   GLsizei num_indices = 0;
+  bool is_closed = false;
   Box box;  // in M
 };
 
@@ -224,7 +228,7 @@ struct Renderer::Impl {
   void BindTexture(const Program& program, const char* name, int unit, GLuint texture);
   void BindLights(const Program& program, const Light& key, const Light& sky);
   void DrawDepth(const Target& map, const Light& light);
-  void DrawMesh(const GpuMesh& mesh);
+  void DrawMesh(const GpuMesh& mesh, GLenum inner_side);
   void DrawTable(const View& view, const std::vector<Vector3d>& corners, const Light& key,
                  const Light& sky);
   Image ReadPicture();
@@ -255,10 +259,10 @@ Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h
   table = MakeProgram(gl, MakeTableShader());
   resolve = MakeProgram(gl, MakeResolveShader());
 
-  const auto make_light_map = [this] {
+  const auto make_light_map = [this, size = ChooseLightMapSize(std::max(w, h))] {
     const GLuint texture = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
-                                       kLightMapSize, kLightMapSize, GL_NEAREST);
-    return MakeTarget(GL_DEPTH_ATTACHMENT, texture, kLightMapSize, kLightMapSize);
+                                       size, size, GL_NEAREST);
+    return MakeTarget(GL_DEPTH_ATTACHMENT, texture, size, size);
   };
   key_map = make_light_map();
   sky_map = make_light_map();
@@ -271,9 +275,9 @@ Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 
   for (Target* target : {&rough_table_light, &smooth_table_light}) {
-    const GLuint texture =
-        MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kTableLightSize, kTableLightSize, GL_LINEAR);
-    *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, kTableLightSize, kTableLightSize);
+    const int size = ChooseTableLightSize(std::max(w, h));
+    const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, size, size, GL_LINEAR);
+    *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, size, size);
   }
   const int fine_width = kSamples * width;
   const int fine_height = kSamples * height;
@@ -338,6 +342,7 @@ const GpuMesh& Renderer::Impl::FindOrUpload(const Drawable& drawable) {
   const DisplayMesh display = MakeDisplayMesh(*drawable.mesh, drawable.crease_angle);
   mesh.source = drawable.mesh;
   mesh.num_indices = static_cast<GLsizei>(display.indices.size());
+  mesh.is_closed = display.is_closed;
   for (const DisplayVertex& vertex : display.vertices) mesh.box.Add(vertex.position.cast<double>());
   gl.GenVertexArrays(1, &mesh.vertex_array);
   gl.BindVertexArray(mesh.vertex_array);
@@ -384,7 +389,9 @@ void Renderer::Impl::BindLights(const Program& program, const Light& key, const 
   program.Set("sky_extent", sky.extent);
 }
 
-void Renderer::Impl::DrawMesh(const GpuMesh& mesh) {
+void Renderer::Impl::DrawMesh(const GpuMesh& mesh, GLenum inner_side) {
+  (mesh.is_closed ? gl.Enable : gl.Disable)(GL_CULL_FACE);
+  gl.CullFace(inner_side);
   gl.BindVertexArray(mesh.vertex_array);
   gl.DrawElements(GL_TRIANGLES, mesh.num_indices, GL_UNSIGNED_INT, nullptr);
 }
@@ -397,7 +404,7 @@ void Renderer::Impl::DrawDepth(const Target& map, const Light& light) {
   clip_from_map.topRightCorner<3, 1>().setConstant(-1.0);
   for (const Item& item : items) {
     depth.Set("clip_from_M", Matrix4d(clip_from_map * light.map_from_S * item.S_from_M));
-    DrawMesh(*item.mesh);
+    DrawMesh(*item.mesh, GL_FRONT);  // a light map is a mirrored picture
   }
 }
 
@@ -481,9 +488,10 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   for (const Item& item : items) {
     surface.Set("S_from_M", item.S_from_M);
     surface.Set("albedo", item.colour);
-    DrawMesh(*item.mesh);
+    DrawMesh(*item.mesh, GL_BACK);
   }
 
+  gl.Disable(GL_CULL_FACE);
   gl.BindVertexArray(no_vertices);
   if (scene.has_table && view.p_SEye.z() > 0.0) DrawTable(view, corners, key, sky);
 

@@ -95,9 +95,9 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy) & 3;
   float turn = 2.399963 * 2.6180340 * float(texel.x + 4 * texel.y);
   visibility.x = CalcSoftVisibility(key_map, key_depth, (key_from_S * p_S).xyz, key_extent, 0.13,
-                                    0.03, 16, turn);
+                                    0.03, 8, turn);
   visibility.y = CalcSoftVisibility(sky_map, sky_depth, (sky_from_S * p_S).xyz, sky_extent, 0.8,
-                                    0.06, 16, turn);
+                                    0.06, 8, turn);
 }
 )"};
 }
@@ -154,11 +154,11 @@ void main() {
   if (key > 0.0) {
     const float kRadius = 0.0015;
     vec4 p = vec4(p_S + 1.5 * kRadius * n + 0.5 * kRadius * to_key, 1.0);
-    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, 8, turn);
+    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, 4, turn);
   }
   const float kSkyRadius = 0.012;
   vec4 p = vec4(p_S + 1.4 * kSkyRadius * n + vec3(0.0, 0.0, 0.5 * kSkyRadius), 1.0);
-  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, 8, turn);
+  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, 4, turn);
 
   float up = 0.5 + 0.5 * n.z;
   vec3 light = mix(vec3(0.13, 0.125, 0.12), vec3(0.27, 0.29, 0.32) * mix(0.3, 1.0, sky), up);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/shape/primitives.h"
 
@@ -59,6 +60,17 @@ TEST(DisplayMeshTest, TrianglesWithoutAreaAreLeftOut) {
   for (const uint32_t index : display.indices) {
     EXPECT_TRUE(display.vertices[index].normal.isApprox(Vector3f::UnitZ()));
   }
+}
+
+TEST(DisplayMeshTest, ClosedMeansFacingOutwardsAllAround) {
+  const TriMesh cube = MakeRoundedBox(Vector3d::Constant(2.0), 0.0);
+  EXPECT_TRUE(MakeDisplayMesh(cube, 0.7).is_closed);
+  TriMesh open = cube;
+  open.triangles.pop_back();
+  EXPECT_FALSE(MakeDisplayMesh(open, 0.7).is_closed);
+  TriMesh inverted = cube;
+  for (Eigen::Vector3i& triangle : inverted.triangles) std::swap(triangle[0], triangle[1]);
+  EXPECT_FALSE(MakeDisplayMesh(inverted, 0.7).is_closed);
 }
 
 }  // namespace

@@ -209,6 +209,22 @@ TEST(RendererTest, EmptySceneIsBackground) {
   }
 }
 
+// Open things, such as the visual of a user's hand may be, have no inner side.
+TEST(RendererTest, OpenMeshIsSeenFromBothSides) {
+  TriMesh plate;
+  plate.vertices = {Vector3d(-1.0, 0.0, -1.0), Vector3d(1.0, 0.0, -1.0), Vector3d(0.0, 0.0, 1.0)};
+  plate.triangles = {Eigen::Vector3i(0, 1, 2)};
+  Scene scene;
+  scene.has_table = false;
+  scene.drawables.push_back(MakeDrawable(plate, Pose::Identity(), kRed));
+  for (const double side : {-1.0, 1.0}) {
+    Camera camera;
+    camera.p_WEye = Vector3d(0.0, side, 0.0);
+    camera.p_WTarget = Vector3d::Zero();
+    EXPECT_FALSE(IsBackground(SharedRenderer().Render(scene, camera), kWidth / 2, kHeight / 2));
+  }
+}
+
 // Off the grid's lines, which run through multiples of 50 mm.
 TEST(RendererTest, ShadowLiesAwayFromTheKeyLight) {
   Camera camera;  // looks along +y; the key light comes from the left before the scene
