@@ -19,12 +19,13 @@ std::string FormatSensitivityTables(const SensitivitySummary& summary) {
   TextTable table(
       {"setting", "was", "hand", "pairs", "success [%]", "GFT [ms]", "GFT% [%]", "sigma [N]"});
   for (const SettingChange& change : summary.changes) {
-    table.AddRow(
-        {change.setting, change.value, change.hand, std::to_string(change.successes.num_pairs()),
-         FormatWithRange(100.0 * change.rate_change(), 100.0 * change.rate_change_low,
-                         100.0 * change.rate_change_high, 1),
-         FormatChange(change, "gft_s", 1e3, 0), FormatChange(change, "gft_ratio", 100.0, 1),
-         FormatChange(change, "sigma_n", 1.0, 2)});
+    table.AddRow({FormatSetting(change.setting), FormatSetting(change.value), change.hand,
+                  std::to_string(change.successes.num_pairs()),
+                  FormatWithRange(100.0 * change.rate_change(), 100.0 * change.rate_change_low,
+                                  100.0 * change.rate_change_high, 1),
+                  FormatChange(change, "gft_s", 1e3, 0),
+                  FormatChange(change, "gft_ratio", 100.0, 1),
+                  FormatChange(change, "sigma_n", 1.0, 2)});
   }
   return table.Format() +
          "changes of the success rate and of medians, with 95 % intervals, on the same draws\n";

@@ -97,7 +97,8 @@ void Collider::FindCapsulePairs(const Hand& hand) {
       CapsulePair& pair = pairs_.emplace_back();
       pair.a = a;
       pair.b = b;
-      pair.half_lengths = 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm());
+      pair.reach = 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm()) + ca.radius +
+                   cb.radius + kMargin;
     }
   }
 }
@@ -189,11 +190,12 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       const ContactSphere& sphere = spheres_[i];
       const Vector3d p_WS = X_WL * sphere.p_LS;
       const Vector3d p_OS = R_WO.transpose() * (p_WS - p_WO);
-      const double gap = field_->CalcDistance(p_OS) - sphere.radius;
+      const SignedDistanceField::Cell cell = field_->FindCell(p_OS);
+      const double gap = field_->CalcDistance(cell) - sphere.radius;
       if (gap > kMargin) continue;
       ContactPoint& contact = contacts.emplace_back();
       contact.material = link_object_[group.link];
-      contact.nhat_BA_W = R_WO * field_->Query(p_OS).gradient;
+      contact.nhat_BA_W = R_WO * field_->CalcGradient(cell);
       contact.p_WC = p_WS - (sphere.radius + 0.5 * gap) * contact.nhat_BA_W;
       contact.depth = -gap;
       contact.link = group.link;
@@ -270,20 +272,21 @@ void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
 
 void Collider::FindSelfContacts(const HandDynamics& dynamics, int step_number,
                                 std::vector<ContactPoint>& contacts) {
-  capsule_ends_.resize(capsules_.size());
+  placed_capsules_.resize(capsules_.size());
   for (size_t i = 0; i < capsules_.size(); ++i) {
     const Pose& X_WL = dynamics.X_WL(capsules_[i].link);
-    capsule_ends_[i] = {X_WL * capsules_[i].p_LA, X_WL * capsules_[i].p_LB};
+    PlacedCapsule& placed = placed_capsules_[i];
+    placed.a = X_WL * capsules_[i].p_LA;
+    placed.b = X_WL * capsules_[i].p_LB;
+    placed.middle = 0.5 * (placed.a + placed.b);
   }
   for (size_t p = 0; p < pairs_.size(); ++p) {
     const CapsulePair& pair = pairs_[p];
+    const PlacedCapsule &placed_a = placed_capsules_[pair.a], &placed_b = placed_capsules_[pair.b];
+    if ((placed_a.middle - placed_b.middle).squaredNorm() > pair.reach * pair.reach) continue;
     const LinkCapsule &a = capsules_[pair.a], &b = capsules_[pair.b];
-    const auto& [a0, a1] = capsule_ends_[pair.a];
-    const auto& [b0, b1] = capsule_ends_[pair.b];
     const double radii = a.radius + b.radius;
-    const double reach = pair.half_lengths + radii + kMargin;
-    if ((0.5 * (a0 + a1 - b0 - b1)).squaredNorm() > reach * reach) continue;
-    const ClosestPoints nearest = FindClosestPoints(a0, a1, b0, b1);
+    const ClosestPoints nearest = FindClosestPoints(placed_a.a, placed_a.b, placed_b.a, placed_b.b);
     const Vector3d apart = nearest.on_a - nearest.on_b;
     const double distance = apart.norm();
     if (distance > radii + kMargin || distance < 1e-9) continue;

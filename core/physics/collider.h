@@ -43,8 +43,8 @@ class Collider {
 
  private:
   struct CapsulePair {
-    int a, b;             // indices into capsules_
-    double half_lengths;  // sum of both axes' half lengths
+    int a, b;      // indices into capsules_
+    double reach;  // middles farther apart belong to capsules that are no contact [m]
     ContactMaterial material;
   };
 
@@ -78,7 +78,10 @@ class Collider {
   std::vector<LinkSpheres> link_spheres_;
   std::vector<LinkCapsule> capsules_;
   std::vector<CapsulePair> pairs_;
-  std::vector<std::array<Eigen::Vector3d, 2>> capsule_ends_;  // in W, of the current step
+  struct PlacedCapsule {
+    Eigen::Vector3d a, b, middle;  // of its axis, in W
+  };
+  std::vector<PlacedCapsule> placed_capsules_;  // of the current step
   const SignedDistanceField* field_;
   TableSupport support_;
   std::vector<ContactMaterial> link_object_, link_table_;  // by link

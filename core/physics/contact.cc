@@ -23,6 +23,8 @@ Bristle CalcBristle(const ContactPoint& contact, const ContactRates& rates, doub
           r > 0.0 ? r * (kt * contact.twist + gain * rates[kSpinRow]) : 0.0};
 }
 
+double CalcNorm(const Bristle& y) { return std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]); }
+
 }  // namespace
 
 void PrepareContact(double h, int step_number, ContactPoint& contact) {
@@ -58,28 +60,43 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   const double push =
       material.stiffness * (std::max(contact.depth, 0.0) -
                             (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h));
-  if (push > 0.0) {
-    result.force[kNormalRow] = push;
-    result.normal_gain = material.stiffness * (h + kContactRelaxationTime);
+  if (push > 0.0) result.force[kNormalRow] = push;
+  if (!contact.memory) return result;
+
+  const double limit = contact.friction_limit;
+  const Bristle y = CalcBristle(contact, rates, h);
+  const double norm = CalcNorm(y);
+  result.is_at_limit = norm > limit;
+  const double share = result.is_at_limit ? limit / norm : 1.0;
+  result.force[kTangentRow1] = -share * y[0];
+  result.force[kTangentRow2] = -share * y[1];
+  result.force[kSpinRow] = -share * y[2] * material.torsion_radius;
+  return result;
+}
+
+ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& rates,
+                              const ContactForces& forces, double h) {
+  ContactGains result;
+  const ContactMaterial& material = contact.material;
+  if (forces.force[kNormalRow] > 0.0) {
+    result.normal = material.stiffness * (h + kContactRelaxationTime);
   }
   if (!contact.memory) return result;
 
-  const double limit = contact.friction_limit, r = material.torsion_radius;
-  const Bristle y = CalcBristle(contact, rates, h);
-  const double norm = std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+  const double r = material.torsion_radius;
   const double gain = material.tangential_stiffness * (h + kBristleDampingTime);
-  result.is_at_limit = norm > limit;
+  if (!forces.is_at_limit) {
+    result.friction = {gain, 0.0, gain, 0.0, 0.0, gain * r * r};
+    return result;
+  }
+  if (contact.friction_limit == 0.0) return result;
   // Clipped friction keeps its direction c: only what is across c still grows with the rates.
-  const double share = result.is_at_limit ? limit / norm : 1.0;
-  const double along = result.is_at_limit ? 1.0 : 0.0;
-  const Bristle c = norm > 0.0 ? Bristle{y[0] / norm, y[1] / norm, y[2] / norm} : Bristle{};
-  result.force[kTangentRow1] = -share * y[0];
-  result.force[kTangentRow2] = -share * y[1];
-  result.force[kSpinRow] = -share * y[2] * r;
-  const double g = gain * share;
-  result.friction_gain = {g * (1.0 - along * c[0] * c[0]), -g * along * c[0] * c[1],
-                          g * (1.0 - along * c[1] * c[1]), -g * along * c[0] * c[2] * r,
-                          -g * along * c[1] * c[2] * r,    g * (1.0 - along * c[2] * c[2]) * r * r};
+  const Bristle y = CalcBristle(contact, rates, h);
+  const double norm = CalcNorm(y), g = gain * (contact.friction_limit / norm);
+  const Bristle c = {y[0] / norm, y[1] / norm, y[2] / norm};
+  result.friction = {g * (1.0 - c[0] * c[0]), -g * c[0] * c[1],
+                     g * (1.0 - c[1] * c[1]), -g * c[0] * c[2] * r,
+                     -g * c[1] * c[2] * r,    g * (1.0 - c[2] * c[2]) * r * r};
   return result;
 }
 

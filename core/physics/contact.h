@@ -90,13 +90,17 @@ struct ContactPoint {
   }
 };
 
-/** Forces on side A along the rows, and their negative derivatives by the rates. */
+/** Forces on side A along the rows. */
 struct ContactForces {
   ContactRates force = {0.0, 0.0, 0.0, 0.0};
-  double normal_gain = 0.0;  ///< -d fn / d vn >= 0
-  /** Of the tangent rows and the spin row among each other: 11, 12, 22, 1s, 2s, ss. */
-  std::array<double, 6> friction_gain = {0, 0, 0, 0, 0, 0};
   bool is_at_limit = false;  ///< friction was clipped
+};
+
+/** Negative derivatives of the forces by the rates. */
+struct ContactGains {
+  double normal = 0.0;  ///< -d fn / d vn >= 0
+  /** Of the tangent rows and the spin row among each other: 11, 12, 22, 1s, 2s, ss. */
+  std::array<double, 6> friction = {0, 0, 0, 0, 0, 0};
 };
 
 /** Chooses tangents, turns the remembered bristle into them, and takes over the last normal force.
@@ -107,6 +111,10 @@ void PrepareContact(double h, int step_number, ContactPoint& contact);
 /** The force law with the friction limit held fixed: then every force is the gradient of a convex
 potential, which is what makes the solver robust. @param h  step [s]. */
 ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates& rates, double h);
+
+/** Of the `forces` that CalcContactForces gives at the same rates. */
+ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& rates,
+                              const ContactForces& forces, double h);
 
 /** Moves the bristles to the end of the step and remembers. */
 void FinishContact(const ContactPoint& contact, const ContactRates& rates,

@@ -8,26 +8,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** Mass, first moment and second moment about the world's origin. */
-struct SpatialInertia {
-  double mass = 0.0;
-  Vector3d moment = Vector3d::Zero();   // mass * p_Wcm
-  Matrix3d inertia = Matrix3d::Zero();  // about the world's origin
-
-  void Add(const SpatialInertia& other) {
-    mass += other.mass;
-    moment += other.moment;
-    inertia += other.inertia;
-  }
-  /** Momentum of a body with this inertia moving with V. */
-  SpatialVector operator*(const SpatialVector& V) const {
-    const Vector3d w = V.head<3>(), v = V.tail<3>();
-    SpatialVector momentum;
-    momentum << inertia * w + moment.cross(v), mass * v - moment.cross(w);
-    return momentum;
-  }
-};
-
 SpatialInertia ShiftToWorld(const Pose& X_WL, double mass, const Vector3d& p_LLcm,
                             const Matrix3d& I_LLcm) {
   const Matrix3d R = X_WL.linear();
@@ -43,14 +23,16 @@ SpatialInertia ShiftToWorld(const Pose& X_WL, double mass, const Vector3d& p_LLc
 SpatialVector CrossMotion(const SpatialVector& V, const SpatialVector& S) {
   SpatialVector result;
   const Vector3d w = V.head<3>(), v = V.tail<3>(), sw = S.head<3>(), sv = S.tail<3>();
-  result << w.cross(sw), w.cross(sv) + v.cross(sw);
+  result.head<3>() = w.cross(sw);
+  result.tail<3>() = w.cross(sv) + v.cross(sw);
   return result;
 }
 
 SpatialVector CrossForce(const SpatialVector& V, const SpatialVector& F) {
   SpatialVector result;
   const Vector3d w = V.head<3>(), v = V.tail<3>(), n = F.head<3>(), f = F.tail<3>();
-  result << w.cross(n) + v.cross(f), w.cross(f);
+  result.head<3>() = w.cross(n) + v.cross(f);
+  result.tail<3>() = w.cross(f);
   return result;
 }
 
@@ -67,6 +49,14 @@ SpatialVector CalcBaseMotion(const Vector3d& p_WH, int k) {
 }
 
 }  // namespace
+
+SpatialVector SpatialInertia::operator*(const SpatialVector& V) const {
+  const Vector3d w = V.head<3>(), v = V.tail<3>();
+  SpatialVector momentum;
+  momentum.head<3>() = inertia * w + moment.cross(v);
+  momentum.tail<3>() = mass * v - moment.cross(w);
+  return momentum;
+}
 
 HandDynamics::HandDynamics(const Hand& hand) {
   const size_t num_links = hand.links.size();
@@ -96,6 +86,7 @@ HandDynamics::HandDynamics(const Hand& hand) {
     distal_of_dof_[dof_of_joint_[j]] = static_cast<int>(j);
   }
   X_WL_.assign(num_links, Pose::Identity());
+  inertia_W_.assign(num_links, SpatialInertia());
   S_.assign(hand.joints.size(), SpatialVector::Zero());
 }
 
@@ -114,15 +105,16 @@ void HandDynamics::UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q) {
     const Vector3d a_W = R_WJ * axis_[i];
     S_[joint] << a_W, Vector3d(X_WL_[i].translation()).cross(a_W);
   }
+  for (size_t i = 0; i < parent_.size(); ++i) {
+    inertia_W_[i] =
+        ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
+  }
 }
 
 void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const {
   const size_t num_links = parent_.size();
   thread_local std::vector<SpatialInertia> composite;
-  composite.resize(num_links);
-  for (size_t i = 0; i < num_links; ++i) {
-    composite[i] = ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
-  }
+  composite = inertia_W_;
   M.setZero();
   thread_local Eigen::Matrix<double, 6, Eigen::Dynamic> joint_momentum;  // of a unit rate
   joint_momentum.setZero(6, num_dofs_);
@@ -174,8 +166,7 @@ void HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& gravity_W,
       A[i] += CrossMotion(V[i], Su);
       V[i] += Su;
     }
-    const SpatialInertia I =
-        ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);
+    const SpatialInertia& I = inertia_W_[i];
     F[i] = I * A[i] + CrossForce(V[i], I * V[i]);
   }
   bias.setZero();

@@ -28,6 +28,21 @@ namespace graspbench {
 
 using SpatialVector = Eigen::Matrix<double, 6, 1>;  ///< (angular, linear)
 
+/** Mass, first moment and second moment about the world's origin. */
+struct SpatialInertia {
+  double mass = 0.0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< mass * p_Wcm
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the world's origin
+
+  void Add(const SpatialInertia& other) {
+    mass += other.mass;
+    moment += other.moment;
+    inertia += other.inertia;
+  }
+  /** Momentum of a body with this inertia moving with V. */
+  SpatialVector operator*(const SpatialVector& V) const;
+};
+
 class HandDynamics {
  public:
   explicit HandDynamics(const Hand& hand);
@@ -43,7 +58,7 @@ class HandDynamics {
   double rate_of_joint(int joint) const { return rate_[joint]; }
   void SetRate(int joint, double rate) { rate_[joint] = rate; }
 
-  /** Poses of all links and the joints' motion vectors. @param q  (num_joints) [rad]. */
+  /** Poses and inertias of all links and the joints' motion vectors. @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
 
   const Eigen::Vector3d& p_WH() const { return p_WH_; }
@@ -81,7 +96,8 @@ class HandDynamics {
   std::vector<int> joint_of_dof_;
   std::vector<int> distal_of_dof_;
   std::vector<Pose> X_WL_;
-  std::vector<SpatialVector> S_;  // by joint
+  std::vector<SpatialInertia> inertia_W_;  // by link
+  std::vector<SpatialVector> S_;           // by joint
   Eigen::Vector3d p_WH_ = Eigen::Vector3d::Zero();
 };
 

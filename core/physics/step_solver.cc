@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+
+#include "core/physics/cholesky.h"
 
 namespace graspbench {
 namespace {
@@ -18,6 +21,73 @@ double CalcScalarForce(const ScalarForce& scalar, double v) {
   return std::clamp(scalar.offset - scalar.gain * v, scalar.lower, scalar.upper);
 }
 
+/** Calls `function` with the number of rows as a constant: what runs over rows is unrolled. */
+template <class Function>
+void WithRows(int num_rows, Function&& function) {
+  if (num_rows == 1) {
+    function(std::integral_constant<int, 1>());
+  } else if (num_rows == 3) {
+    function(std::integral_constant<int, 3>());
+  } else {
+    function(std::integral_constant<int, 4>());
+  }
+}
+
+template <int kRows>
+ContactRates CalcRatesOf(const ContactPoint& contact, const Eigen::VectorXd& v) {
+  ContactRates rates = {0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < contact.num_dofs; ++i) {
+    const double speed = v[contact.dofs[i]];
+    for (int row = 0; row < kRows; ++row) rates[row] += contact.jacobian[row][i] * speed;
+  }
+  return rates;
+}
+
+template <int kRows>
+void SubtractImpulse(const ContactPoint& contact, const ContactRates& impulse,
+                     Eigen::VectorXd& residual) {
+  for (int i = 0; i < contact.num_dofs; ++i) {
+    double value = residual[contact.dofs[i]];
+    for (int row = 0; row < kRows; ++row) value -= contact.jacobian[row][i] * impulse[row];
+    residual[contact.dofs[i]] = value;
+  }
+}
+
+/** Adds h J^T G J to the lower triangle of H; of kRows = 1 the normal row alone. */
+template <int kRows>
+void AddStiffness(const ContactPoint& contact, const ContactGains& gains, double h,
+                  Eigen::MatrixXd& H) {
+  using Row = std::array<double, ContactPoint::kMaxDofs>;
+  const std::array<Row, kNumContactRows>& J = contact.jacobian;
+  const std::array<double, 6>& g = gains.friction;
+  const int n = contact.num_dofs;
+  Row normal, tangent1, tangent2, spin, sum;  // h J^T G
+  for (int i = 0; i < n; ++i) {
+    normal[i] = h * gains.normal * J[kNormalRow][i];
+    if constexpr (kRows >= 3) {
+      tangent1[i] = h * (g[0] * J[kTangentRow1][i] + g[1] * J[kTangentRow2][i]);
+      tangent2[i] = h * (g[1] * J[kTangentRow1][i] + g[2] * J[kTangentRow2][i]);
+    }
+    if constexpr (kRows == 4) {
+      tangent1[i] += h * g[3] * J[kSpinRow][i];
+      tangent2[i] += h * g[4] * J[kSpinRow][i];
+      spin[i] = h * (g[3] * J[kTangentRow1][i] + g[4] * J[kTangentRow2][i] + g[5] * J[kSpinRow][i]);
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    const double J_n = J[kNormalRow][j], J_1 = J[kTangentRow1][j], J_2 = J[kTangentRow2][j];
+    const double J_s = J[kSpinRow][j];
+    for (int i = j; i < n; ++i) {
+      sum[i] = normal[i] * J_n;
+      if constexpr (kRows >= 3) sum[i] += tangent1[i] * J_1 + tangent2[i] * J_2;
+      if constexpr (kRows == 4) sum[i] += spin[i] * J_s;
+    }
+    // Dofs of a contact ascend, so this stays in the lower triangle.
+    double* column = H.col(contact.dofs[j]).data();
+    for (int i = j; i < n; ++i) column[contact.dofs[i]] += sum[i];
+  }
+}
+
 bool IsInsideClamp(const ScalarForce& scalar, double v) {
   const double tau = scalar.offset - scalar.gain * v;
   return tau > scalar.lower && tau < scalar.upper;
@@ -30,37 +100,31 @@ void StepSolver::CalcRates(const StepProblem& problem, const Eigen::VectorXd& v,
   rates.resize(problem.contacts.size());
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactPoint& contact = problem.contacts[c];
-    const int num_rows = contact.num_rows();
-    for (int row = 0; row < num_rows; ++row) {
-      double rate = 0.0;
-      for (int i = 0; i < contact.num_dofs; ++i) {
-        rate += contact.jacobian[row][i] * v[contact.dofs[i]];
-      }
-      rates[c][row] = rate;
-    }
+    WithRows(contact.num_rows(), [&](auto rows) { rates[c] = CalcRatesOf<rows>(contact, v); });
   }
+}
+
+void StepSolver::CalcMotion(const StepProblem& problem, const Eigen::VectorXd& v) {
+  direction_ = v - problem.u;
+  momentum_.noalias() = problem.M * direction_;
+  CalcRates(problem, v, rates_);
 }
 
 void StepSolver::CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double h = problem.h;
-  residual_.noalias() = problem.M * (v - problem.u);
-  residual_ += h * problem.bias;
+  residual_ = momentum_ + h * problem.bias;
   for (const ScalarForce& scalar : problem.scalars) {
     residual_[scalar.dof] -= h * CalcScalarForce(scalar, v[scalar.dof]);
   }
-  CalcRates(problem, v, rates_);
   forces_.resize(problem.contacts.size());
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactPoint& contact = problem.contacts[c];
     forces_[c] = CalcContactForces(contact, rates_[c], h);
-    const int num_rows = contact.num_rows();
-    for (int row = 0; row < num_rows; ++row) {
-      const double impulse = h * forces_[c].force[row];
-      if (impulse == 0.0) continue;
-      for (int i = 0; i < contact.num_dofs; ++i) {
-        residual_[contact.dofs[i]] -= contact.jacobian[row][i] * impulse;
-      }
-    }
+    ContactRates impulse;
+    for (int row = 0; row < kNumContactRows; ++row) impulse[row] = h * forces_[c].force[row];
+    if (impulse == ContactRates()) continue;
+    WithRows(contact.num_rows(),
+             [&](auto rows) { SubtractImpulse<rows>(contact, impulse, residual_); });
   }
 }
 
@@ -97,32 +161,12 @@ void StepSolver::CalcHessian(const StepProblem& problem, const Eigen::VectorXd& 
   }
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactPoint& contact = problem.contacts[c];
-    const ContactForces& f = forces_[c];
-    const auto& J = contact.jacobian;
-    const auto& g = f.friction_gain;
-    const bool has_friction = contact.memory && g[0] + g[2] + g[5] > 0.0;
-    const bool has_spin = has_friction && contact.num_rows() == kNumContactRows;
-    if (f.normal_gain == 0.0 && !has_friction) continue;
-    for (int i = 0; i < contact.num_dofs; ++i) {
-      const double normal = h * f.normal_gain * J[kNormalRow][i];
-      double tangent1 = 0.0, tangent2 = 0.0, spin = 0.0;  // h J^T G
-      if (has_friction) {
-        tangent1 = h * (g[0] * J[kTangentRow1][i] + g[1] * J[kTangentRow2][i]);
-        tangent2 = h * (g[1] * J[kTangentRow1][i] + g[2] * J[kTangentRow2][i]);
-      }
-      if (has_spin) {
-        tangent1 += h * g[3] * J[kSpinRow][i];
-        tangent2 += h * g[4] * J[kSpinRow][i];
-        spin = h * (g[3] * J[kTangentRow1][i] + g[4] * J[kTangentRow2][i] + g[5] * J[kSpinRow][i]);
-      }
-      for (int j = 0; j <= i; ++j) {
-        double value = normal * J[kNormalRow][j];
-        if (has_friction) value += tangent1 * J[kTangentRow1][j] + tangent2 * J[kTangentRow2][j];
-        if (has_spin) value += spin * J[kSpinRow][j];
-        // Dofs of a contact ascend, so this stays in the lower triangle.
-        H_(contact.dofs[i], contact.dofs[j]) += value;
-      }
-    }
+    const ContactGains gains = CalcContactGains(contact, rates_[c], forces_[c], h);
+    const auto& g = gains.friction;
+    const bool has_friction = g[0] + g[2] + g[5] > 0.0;
+    if (gains.normal == 0.0 && !has_friction) continue;
+    WithRows(has_friction ? contact.num_rows() : 1,
+             [&](auto rows) { AddStiffness<rows>(contact, gains, h, H_); });
   }
 }
 
@@ -156,14 +200,16 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
     if (!(residual_.cwiseAbs().maxCoeff() > kTolerance)) return residual_.allFinite();
 
     CalcHessian(problem, v);
-    factor_.compute(H_);
-    if (factor_.info() != Eigen::Success) return false;
-    direction_ = factor_.solve(-residual_);
+    if (!FactorCholesky(H_)) return false;
+    direction_ = -residual_;
+    H_.triangularView<Eigen::Lower>().solveInPlace(direction_);
+    H_.adjoint().triangularView<Eigen::Upper>().solveInPlace(direction_);
     if (!direction_.allFinite()) return false;
     M_direction_.noalias() = problem.M * direction_;
     CalcRates(problem, direction_, direction_rates_);
 
     v += SearchAlong(problem, v) * direction_;
+    CalcMotion(problem, v);
   }
   CalcResidual(problem, v);
   return residual_.cwiseAbs().maxCoeff() <= kTolerance;
@@ -186,8 +232,8 @@ bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {
     const double spin = contact.material.torsion_radius > 0.0
                             ? f.force[kSpinRow] / contact.material.torsion_radius
                             : 0.0;
-    const double used = std::hypot(f.force[kTangentRow1], f.force[kTangentRow2], spin);
-    const bool matters = f.is_at_limit || used > limit;
+    const bool matters =
+        f.is_at_limit || std::hypot(f.force[kTangentRow1], f.force[kTangentRow2], spin) > limit;
     if (matters && std::abs(limit - contact.friction_limit) > kLimitShare * fn + kLimitForce) {
       changed = true;
     }

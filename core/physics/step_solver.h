@@ -11,7 +11,6 @@ last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). 
 needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
 factor of at most 36 unknowns per iteration, none when the last speeds solve the step already. */
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
@@ -50,6 +49,7 @@ class StepSolver {
   template <class RefreshBias>
   bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
     limits_.clear();
+    CalcMotion(problem, v);
     for (int pass = 0; pass < kMaxPasses; ++pass) {
       const bool converged = SolvePass(problem, v);
       const bool limits_changed = RefreshFrictionLimits(problem);
@@ -72,6 +72,9 @@ class StepSolver {
   void MixLimits(StepProblem& problem) const;
   void CalcRates(const StepProblem& problem, const Eigen::VectorXd& v,
                  std::vector<ContactRates>& rates) const;
+  /** What follows from v alone, whatever limits and bias are: momentum and rates of contacts. */
+  void CalcMotion(const StepProblem& problem, const Eigen::VectorXd& v);
+  /** @pre CalcMotion at v. */
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
   double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;
 
@@ -86,9 +89,9 @@ class StepSolver {
   std::vector<ContactRates> rates_;            // at v
   std::vector<ContactRates> direction_rates_;  // J d
   std::vector<ContactForces> forces_;          // at v
+  Eigen::VectorXd momentum_;                   // M (v - u)
   Eigen::VectorXd residual_, direction_, M_direction_;
-  Eigen::MatrixXd H_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd H_;  // its lower triangle; then the factor
 };
 
 }  // namespace graspbench

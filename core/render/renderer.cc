@@ -34,6 +34,9 @@ const Vector3d kToRim = Vector3d(0.35, 0.90, 0.45).normalized();
 int ChooseLightMapSize(int picture_size) { return std::clamp(2 * picture_size, 512, 1024); }
 int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 2, 128, 256); }
 
+// Of a shadow's filter, per sample; large pictures show what few leave behind.
+int ChooseTaps(int picture_size) { return picture_size > 512 ? 8 : 4; }
+
 // Everything that is no surface, and the lit table.
 const Vector3f kBackgroundSrgb = Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
 
@@ -252,17 +255,18 @@ struct Renderer::Impl {
 };
 
 Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h) {
+  const int size = std::max(w, h), taps = ChooseTaps(size);
   depth = MakeProgram(gl, MakeDepthShader());
-  table_light = MakeProgram(gl, MakeTableLightShader());
+  table_light = MakeProgram(gl, MakeTableLightShader(2 * taps));
   smooth = MakeProgram(gl, MakeSmoothShader());
-  surface = MakeProgram(gl, MakeSurfaceShader());
+  surface = MakeProgram(gl, MakeSurfaceShader(taps));
   table = MakeProgram(gl, MakeTableShader());
   resolve = MakeProgram(gl, MakeResolveShader());
 
-  const auto make_light_map = [this, size = ChooseLightMapSize(std::max(w, h))] {
+  const auto make_light_map = [this, side = ChooseLightMapSize(size)] {
     const GLuint texture = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
-                                       size, size, GL_NEAREST);
-    return MakeTarget(GL_DEPTH_ATTACHMENT, texture, size, size);
+                                       side, side, GL_NEAREST);
+    return MakeTarget(GL_DEPTH_ATTACHMENT, texture, side, side);
   };
   key_map = make_light_map();
   sky_map = make_light_map();
@@ -275,9 +279,9 @@ Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 
   for (Target* target : {&rough_table_light, &smooth_table_light}) {
-    const int size = ChooseTableLightSize(std::max(w, h));
-    const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, size, size, GL_LINEAR);
-    *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, size, size);
+    const int side = ChooseTableLightSize(size);
+    const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, side, side, GL_LINEAR);
+    *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, side, side);
   }
   const int fine_width = kSamples * width;
   const int fine_height = kSamples * height;

@@ -71,6 +71,8 @@ float CalcSoftVisibility(sampler2DShadow map, sampler2D depth, vec3 p, vec3 exte
 }
 )";
 
+std::string FormatTaps(int taps) { return "const int kTaps = " + std::to_string(taps) + ";\n"; }
+
 }  // namespace
 
 ShaderSource MakeDepthShader() {
@@ -82,9 +84,9 @@ void main() { gl_Position = clip_from_M * vec4(p_M, 1.0); }
           std::string(kVersion) + "void main() {}\n"};
 }
 
-ShaderSource MakeTableLightShader() {
+ShaderSource MakeTableLightShader(int taps) {
   return {"table light", std::string(kVersion) + kWholePictureVertex,
-          std::string(kVersion) + kLightMaps + R"(
+          std::string(kVersion) + FormatTaps(taps) + kLightMaps + R"(
 in vec2 uv;
 uniform vec4 table_area;  // x, y of its corner, length, width in S [m]
 out vec2 visibility;      // of the key light and of the sky
@@ -95,9 +97,9 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy) & 3;
   float turn = 2.399963 * 2.6180340 * float(texel.x + 4 * texel.y);
   visibility.x = CalcSoftVisibility(key_map, key_depth, (key_from_S * p_S).xyz, key_extent, 0.13,
-                                    0.03, 8, turn);
+                                    0.03, kTaps, turn);
   visibility.y = CalcSoftVisibility(sky_map, sky_depth, (sky_from_S * p_S).xyz, sky_extent, 0.8,
-                                    0.06, 8, turn);
+                                    0.06, kTaps, turn);
 }
 )"};
 }
@@ -118,7 +120,7 @@ void main() {
 )"};
 }
 
-ShaderSource MakeSurfaceShader() {
+ShaderSource MakeSurfaceShader(int taps) {
   return {"surface", std::string(kVersion) + R"(
 layout(location = 0) in vec3 p_M;
 layout(location = 1) in vec3 n_M;
@@ -133,7 +135,7 @@ void main() {
   gl_Position = clip_from_S * p;
 }
 )",
-          std::string(kVersion) + kEncode + kLightMaps + R"(
+          std::string(kVersion) + FormatTaps(taps) + kEncode + kLightMaps + R"(
 in vec3 p_S;
 in vec3 n_S;
 uniform vec3 p_SEye;
@@ -154,11 +156,11 @@ void main() {
   if (key > 0.0) {
     const float kRadius = 0.0015;
     vec4 p = vec4(p_S + 1.5 * kRadius * n + 0.5 * kRadius * to_key, 1.0);
-    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, 4, turn);
+    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, kTaps, turn);
   }
   const float kSkyRadius = 0.012;
   vec4 p = vec4(p_S + 1.4 * kSkyRadius * n + vec3(0.0, 0.0, 0.5 * kSkyRadius), 1.0);
-  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, 4, turn);
+  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, kTaps, turn);
 
   float up = 0.5 + 0.5 * n.z;
   vec3 light = mix(vec3(0.13, 0.125, 0.12), vec3(0.27, 0.29, 0.32) * mix(0.3, 1.0, sky), up);

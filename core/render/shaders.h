@@ -19,11 +19,11 @@ struct ShaderSource {
 /** Depth of the surfaces as a light sees them. */
 ShaderSource MakeDepthShader();
 /** How much of the key light and of the sky each point of the table sees: a small texture. */
-ShaderSource MakeTableLightShader();
+ShaderSource MakeTableLightShader(int taps);
 /** Mean of 4 x 4 neighbours of that texture. */
 ShaderSource MakeSmoothShader();
 /** The drawables. */
-ShaderSource MakeSurfaceShader();
+ShaderSource MakeSurfaceShader(int taps);
 /** The table with its shadow and its 50 mm grid. */
 ShaderSource MakeTableShader();
 /** Two samples a side become one pixel; a tent of two pixels width smooths the edges. */

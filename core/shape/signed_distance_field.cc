@@ -234,14 +234,7 @@ double SignedDistanceField::CalcDistance(const Cell& cell) const {
   return cell.beyond > 0.0 ? std::hypot(distance, cell.beyond) : distance;
 }
 
-double SignedDistanceField::CalcDistance(const Eigen::Vector3d& p_O) const {
-  return CalcDistance(FindCell(p_O));
-}
-
-SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& p_O) const {
-  const Cell cell = FindCell(p_O);
-  Sample sample;
-  sample.distance = CalcDistance(cell);
+Eigen::Vector3d SignedDistanceField::CalcGradient(const Cell& cell) const {
   // The nodes' central differences, interpolated: the difference of the interpolant one cell on and
   // one cell back.
   Eigen::Vector3d gradient;
@@ -254,8 +247,12 @@ SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& p_
   }
   // It vanishes on the medial axis only; the default direction is as good as any there.
   const double norm = gradient.norm();
-  if (norm > 0.0) sample.gradient = gradient / norm;
-  return sample;
+  return norm > 0.0 ? Eigen::Vector3d(gradient / norm) : Sample().gradient;
+}
+
+SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& p_O) const {
+  const Cell cell = FindCell(p_O);
+  return {CalcDistance(cell), CalcGradient(cell)};
 }
 
 }  // namespace graspbench

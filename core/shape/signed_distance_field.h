@@ -53,18 +53,23 @@ class SignedDistanceField {
   a lower bound of the distance, gradient from the nearest grid point. */
   Sample Query(const Eigen::Vector3d& p_O) const;
   /** The distance alone: a sixth of the work. */
-  double CalcDistance(const Eigen::Vector3d& p_O) const;
+  double CalcDistance(const Eigen::Vector3d& p_O) const { return CalcDistance(FindCell(p_O)); }
+
+  /** Where a point lies in the grid, for those who want its gradient only when it is near. */
+  struct Cell {
+    Eigen::Vector3i node;   ///< its lowest corner
+    Eigen::Vector3d share;  ///< position in the cell, in [0, 1]
+    double beyond;          ///< distance from the grid [m]
+  };
+  Cell FindCell(const Eigen::Vector3d& p_O) const;
+  double CalcDistance(const Cell& cell) const;
+  Eigen::Vector3d CalcGradient(const Cell& cell) const;
 
   const Eigen::Vector3d& lower() const { return lower_; }  ///< corner of node (0,0,0), in O [m]
   double cell() const { return cell_; }                    ///< [m]
   const Eigen::Vector3i& num_nodes() const { return num_nodes_; }
 
  private:
-  struct Cell {
-    Eigen::Vector3i node;   // its lowest corner
-    Eigen::Vector3d share;  // position in the cell, in [0, 1]
-    double beyond;          // distance from the grid [m]
-  };
   size_t FindIndex(const Eigen::Vector3i& node) const {
     return node.x() + num_nodes_.x() * (node.y() + static_cast<size_t>(num_nodes_.y()) * node.z());
   }
@@ -72,9 +77,7 @@ class SignedDistanceField {
   std::string FormatCache(uint64_t mesh_hash) const;
   // False, and the field is of no use, when the bytes are not those of a whole cache file.
   bool ParseCache(const std::string& bytes, uint64_t mesh_hash);
-  Cell FindCell(const Eigen::Vector3d& p_O) const;
   double Interpolate(const Eigen::Vector3i& node, const Eigen::Vector3d& share) const;
-  double CalcDistance(const Cell& cell) const;
 
   Eigen::Vector3d lower_ = Eigen::Vector3d::Zero();
   double cell_ = 0.0;

@@ -1,7 +1,11 @@
 #include "datasets/analysis/sensitivity_summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -159,6 +163,17 @@ const MeasureChange& SettingChange::Find(const std::string& measure) const {
                    [&](const MeasureChange& change) { return change.measure == measure; });
   GRASPBENCH_DEMAND(found != measures.end(), measure);
   return *found;
+}
+
+std::string FormatSetting(const std::string& setting) {
+  constexpr size_t kLongNumber = 9;            // characters
+  const size_t start = setting.find('=') + 1;  // 0 without one
+  const std::string_view text = std::string_view(setting).substr(start);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (!is_number || text.size() < kLongNumber) return setting;
+  return setting.substr(0, start) + fmt::format("{:.4g}", value);
 }
 
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data) {

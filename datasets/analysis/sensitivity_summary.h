@@ -84,6 +84,10 @@ struct SensitivitySummary {
   }
 };
 
+/** A setting or its value as tables show it, a long number with four digits:
+"variation.yaw_rad=0.1745". */
+std::string FormatSetting(const std::string& setting);
+
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data);
 
 }  // namespace graspbench

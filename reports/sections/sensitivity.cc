@@ -32,7 +32,7 @@ Html DrawRates(const std::string& hand, const SensitivitySummary& summary) {
   plot.axis = "change of the success rate [percentage points]";
   for (const SettingChange& change : summary.changes) {
     IntervalPlot::Row row;
-    row.label = change.setting;
+    row.label = FormatSetting(change.setting);
     row.value = 100.0 * change.rate_change();
     row.low = 100.0 * change.rate_change_low;
     row.high = 100.0 * change.rate_change_high;
@@ -61,7 +61,8 @@ Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
        {"GOT% [%]", number},
        {"sigma [N]", number}});
   for (const SettingChange& change : summary.changes) {
-    table.AddRow({Element("code", {}, change.setting), Text(change.value),
+    table.AddRow({Element("code", {}, FormatSetting(change.setting)),
+                  Text(FormatSetting(change.value)),
                   Text(std::to_string(change.successes.num_pairs())),
                   Text(std::to_string(change.successes.first_only)),
                   Text(std::to_string(change.successes.second_only)),
@@ -102,8 +103,8 @@ Html DrawSensitivity(const ReportData& data) {
   if (hands.empty()) return html;
   return html +
          MakeNote("info",
-                  "Measured on the benchmark session: both hands, 21 objects, best-suited grasp, "
-                  "seed 1, physics version " +
+                  "Measured on the benchmark session, the first 2 of 10 trials of each cell: both "
+                  "hands, 21 objects, best-suited grasp, seed 1, physics version " +
                       std::to_string(benchmark.physics_version),
                   MakeParagraph("Other objects, grasps and settings depend on other things.")) +
          hands;

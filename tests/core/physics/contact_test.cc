@@ -21,10 +21,11 @@ ContactPoint MakeContact(double depth, double torsion_radius, ContactMemory& mem
 gains the header promises are the whole of -df/dv: what it leaves out must be zero. */
 void ExpectGainsAreDerivatives(const ContactPoint& contact, const ContactRates& rates) {
   const ContactForces at = CalcContactForces(contact, rates, kStep);
-  const std::array<double, 6>& g = at.friction_gain;
+  const ContactGains gains = CalcContactGains(contact, rates, at, kStep);
+  const std::array<double, 6>& g = gains.friction;
   Eigen::Matrix4d expected;
-  expected << at.normal_gain, 0.0, 0.0, 0.0, 0.0, g[0], g[1], g[3], 0.0, g[1], g[2], g[4], 0.0,
-      g[3], g[4], g[5];
+  expected << gains.normal, 0.0, 0.0, 0.0, 0.0, g[0], g[1], g[3], 0.0, g[1], g[2], g[4], 0.0, g[3],
+      g[4], g[5];
   for (int column = 0; column < contact.num_rows(); ++column) {
     const double step = column == kSpinRow ? 1e-5 : 1e-7;
     ContactRates more = rates, less = rates;

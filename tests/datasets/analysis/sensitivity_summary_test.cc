@@ -148,5 +148,14 @@ TEST(SensitivitySummary, IsReadAsItWasWritten) {
   EXPECT_EQ(RecordToJson(read), json);
 }
 
+TEST(FormatSetting, ShortensLongNumbersOnly) {
+  EXPECT_EQ(FormatSetting("variation.yaw_rad=0.17453292519943295"), "variation.yaw_rad=0.1745");
+  EXPECT_EQ(FormatSetting("0.17453292519943295"), "0.1745");
+  for (const char* kept : {"model.mass_scale=0.5", "100000.0", "model.coupling=middle_first", "",
+                           "model.coupling=0.17453292519943295x", "="}) {
+    EXPECT_EQ(FormatSetting(kept), kept);
+  }
+}
+
 }  // namespace
 }  // namespace graspbench
