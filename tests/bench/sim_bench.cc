@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
+#include "core/statistics/summary.h"
 #include "core/trial/trial_course.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
@@ -59,6 +61,38 @@ BENCHMARK_CAPTURE(BM_Trial, shadow_remote, "shadow", "remote_control", "g1")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Trial, shadow_ball, "shadow", "tennis_ball", "g3")
     ->Unit(benchmark::kMillisecond);
+
+/** One trial of every object with its best grasp: the median of the objects' processor times. A trial
+without variation lasts as long as one with it. */
+void BM_MedianTrial(benchmark::State& state, const char* hand_id) {
+  std::vector<TrialSetup> setups;
+  std::vector<std::unique_ptr<TrialRunner>> runners;
+  for (const std::string& id : ListObjects()) {
+    const std::shared_ptr<const GraspObject> object = LoadObject(id);
+    const auto best = object->best_grasp.find(hand_id);
+    if (best == object->best_grasp.end()) continue;
+    setups.push_back(MakeSetup(hand_id, id.c_str(), best->second.c_str()));
+    runners.push_back(std::make_unique<TrialRunner>(setups.back().hand, setups.back().object));
+  }
+  std::vector<std::vector<double>> times(setups.size());
+  std::vector<Outcome> outcomes(setups.size());
+  for (auto _ : state) {
+    for (size_t i = 0; i < setups.size(); ++i) {
+      const std::clock_t start = std::clock();
+      outcomes[i] = runners[i]->Run(setups[i]).outcome;
+      times[i].push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+  }
+  const auto held = std::count(outcomes.begin(), outcomes.end(), Outcome::kSuccess);
+  if (2 * held < static_cast<long>(outcomes.size())) state.SkipWithError("most were not held");
+  std::vector<double> medians;
+  for (const std::vector<double>& cell : times) medians.push_back(CalcMedian(cell));
+  state.counters["objects"] = static_cast<double>(setups.size());
+  state.counters["median_trial_ms"] = 1e3 * CalcMedian(medians);
+  state.counters["slowest_ms"] = 1e3 * *std::max_element(medians.begin(), medians.end());
+}
+BENCHMARK_CAPTURE(BM_MedianTrial, tum, "tum")->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(BM_MedianTrial, shadow, "shadow")->Unit(benchmark::kMillisecond)->Iterations(5);
 
 enum class StepPart { kWhole, kKinematics, kMassMatrix, kBias, kCollision };
 
