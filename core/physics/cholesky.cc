@@ -39,7 +39,7 @@ void ForEachStrip(int begin, int end, Strip&& strip) {
   if (i < end) strip(std::integral_constant<int, 1>(), i);
 }
 
-/** H_ic -= sum over j in [first, last) of H_ij H_cj, for rows i in [begin, end), columns c = k, .. */
+/** H_ic -= sum over j in [first, last) of H_ij H_cj, rows i in [begin, end), columns c = k, .. */
 template <int kColumns>
 void SubtractProducts(Eigen::MatrixXd& H, int first, int last, int k, int begin, int end) {
   const Eigen::Index n = H.rows();

@@ -58,7 +58,7 @@ class HandDynamics {
   double rate_of_joint(int joint) const { return rate_[joint]; }
   void SetRate(int joint, double rate) { rate_[joint] = rate; }
 
-  /** Poses and inertias of all links and the joints' motion vectors. @param q  (num_joints) [rad]. */
+  /** Poses and inertias of links, motion vectors of joints. @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
 
   const Eigen::Vector3d& p_WH() const { return p_WH_; }

@@ -62,8 +62,8 @@ BENCHMARK_CAPTURE(BM_Trial, shadow_remote, "shadow", "remote_control", "g1")
 BENCHMARK_CAPTURE(BM_Trial, shadow_ball, "shadow", "tennis_ball", "g3")
     ->Unit(benchmark::kMillisecond);
 
-/** One trial of every object with its best grasp: the median of the objects' processor times. A trial
-without variation lasts as long as one with it. */
+/** One trial of every object with its best grasp: the median of the objects' processor times. A
+trial without variation lasts as long as one with it. */
 void BM_MedianTrial(benchmark::State& state, const char* hand_id) {
   std::vector<TrialSetup> setups;
   std::vector<std::unique_ptr<TrialRunner>> runners;
