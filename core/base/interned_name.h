@@ -3,6 +3,7 @@
 A name out of a small set (digits, rules, conventions) that very many records repeat: each text is
 kept once in the process, and a name is as large as a pointer. */
 
+#include <ostream>
 #include <string>
 
 #include "core/base/json.h"
@@ -23,6 +24,9 @@ class InternedName {
   friend bool operator==(InternedName a, const std::string& b) { return *a.text_ == b; }
   friend bool operator==(const std::string& a, InternedName b) { return a == *b.text_; }
   friend bool operator==(InternedName a, const char* b) { return *a.text_ == b; }
+  friend std::ostream& operator<<(std::ostream& out, InternedName name) {
+    return out << *name.text_;
+  }
 
  private:
   const std::string* text_;  ///< lives as long as the process
