@@ -66,10 +66,10 @@ ExitCode Finish(PreparedSession& work, const RunOptions& options) {
   const std::vector<Damage> damage = work.session.damage;
   work.session = {};  // before it is loaded again: two large ones would not fit
   work.inputs = {};
-  ::malloc_trim(0);  // or tens of megabytes of a large one stay with the process as gaps
   Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   session.damage = damage;  // what was found before the run sealed what is there
   ExportSession(folder, session);
+  ::malloc_trim(0);  // or tens of megabytes of a large one stay with the process as gaps
   const SessionSummary summary = SummariseSession(session);
   const fs::path report = WriteSessionReport(folder, std::move(session));
   if (options.json) {
