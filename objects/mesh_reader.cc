@@ -24,10 +24,13 @@
 
 #include "objects/mesh_reader_protocol.h"
 
-#ifdef GRASPBENCH_SANITIZED  // their shadow memory takes terabytes of addresses, so RLIMIT_AS cannot
+#ifdef GRASPBENCH_ADDRESS_SANITIZED
+#include <sanitizer/asan_interface.h>
+#include <sanitizer/common_interface_defs.h>
+
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
-  return "max_allocation_size_mb=1024:hard_rss_limit_mb=1536";
+  return "max_allocation_size_mb=1024:soft_rss_limit_mb=1536:handle_abort=1";
 }
 #endif
 
@@ -43,11 +46,22 @@ void LimitResources() {
   };
   limit(RLIMIT_CPU, kMeshReaderSeconds);
   limit(RLIMIT_CORE, 0);
-#ifndef GRASPBENCH_SANITIZED
+#ifndef GRASPBENCH_SANITIZED  // whose shadow memory takes terabytes of addresses
   limit(RLIMIT_AS, kMeshReaderMemory);
 #endif
   ::alarm(kMeshReaderWallSeconds);
 }
+
+#ifdef GRASPBENCH_ADDRESS_SANITIZED
+// Called when a sanitizer ends the process. A lack of memory is the file's fault, as without them.
+void EndAsFault() {
+  const std::string what = __asan_report_present() != 0 ? __asan_get_report_description() : "";
+  for (const char* limit : {"out-of-memory", "allocation-size-too-big", "rss-limit-exceeded"}) {
+    if (what == limit) ::_exit(kMeshRefused);
+  }
+  ::_exit(kMeshFault);
+}
+#endif
 
 // Regular files in one folder or below it, for reading.
 class FolderFiles : public Assimp::DefaultIOSystem {
@@ -191,6 +205,9 @@ void WriteOutput(const void* data, size_t size) {
 int main(int argc, char** argv) {
   using namespace graspbench;
   LimitResources();
+#ifdef GRASPBENCH_ADDRESS_SANITIZED
+  __sanitizer_set_death_callback(&EndAsFault);
+#endif
   if (argc != 3) return kMeshRefused;
   try {
     const Soup soup = ReadMesh(argv[1], argv[2]);

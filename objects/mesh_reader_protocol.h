@@ -4,7 +4,8 @@ How load_mesh.cc and the program that reads foreign mesh files (mesh_reader.cc) 
 started as `graspbench-mesh-reader FORMAT FOLDER` with the file's bytes as its standard input; files
 that a glTF names are looked for in FOLDER (empty: nowhere). Its standard output holds, if it
 returns kMeshRead: this head, num_vertices times three doubles in the file's unit, num_triangles
-times three 32-bit indices; if it returns kMeshRefused: a sentence without full stop. */
+times three 32-bit indices; if it returns kMeshRefused: a sentence without full stop. kMeshFault is a
+fault of the reader itself that a sanitizer has found. */
 
 #include <cstdint>
 
@@ -15,7 +16,7 @@ struct MeshReaderHead {
   int64_t num_triangles = 0;
 };
 
-enum MeshReaderExit : int { kMeshRead = 0, kMeshRefused = 1 };
+enum MeshReaderExit : int { kMeshRead = 0, kMeshRefused = 1, kMeshFault = 99 };
 
 inline constexpr int kMeshReaderSeconds = 10;                     // of processor time
 inline constexpr int kMeshReaderWallSeconds = 18;                 // also when it only waits

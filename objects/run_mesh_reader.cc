@@ -108,7 +108,7 @@ std::string ReadMessage(const MemoryFile& output) {
 }
 
 std::string DescribeFailure(int status, const MemoryFile& output) {
-  if (WIFEXITED(status)) return ReadMessage(output);
+  if (WIFEXITED(status)) return ReadMessage(output);  // refused
   const int signal = WTERMSIG(status);
   if (signal == SIGXCPU || signal == SIGALRM) {
     return "reading it took longer than " + std::to_string(kMeshReaderSeconds) + " s";
@@ -144,6 +144,13 @@ TriMesh RunMeshReader(const std::string& bytes, const std::string& format, const
   const int status = RunReader(format, folder, input.number(), output.number());
   TriMesh mesh;
   if (WIFEXITED(status) && WEXITSTATUS(status) == kMeshRead && ReadSoup(output, mesh)) return mesh;
+  if (WIFEXITED(status) && WEXITSTATUS(status) != kMeshRefused) {
+    throw Error(ErrorKind::kEnvironment,
+                "the reader of meshes failed on \"" + name + "\" (exit " +
+                    std::to_string(WEXITSTATUS(status)) +
+                    "): a fault of the reader, not of the file; build or install graspbench again, "
+                    "and report the file if that does not help");
+  }
   throw Error(ErrorKind::kFormat, "mesh \"" + name + "\" cannot be read (" +
                                       DescribeFailure(status, output) +
                                       "); the file may be cut off or damaged, export it again from "

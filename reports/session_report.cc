@@ -21,16 +21,30 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
   return MakeSectionedPage("Grasp benchmark session", subtitle, ListSections(), data);
 }
 
-std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
-                                         const Session& session) {
-  const SessionSummary summary = SummariseSession(session);
-  const SessionModels models = LoadSessionModels(session);
+namespace {
+
+std::filesystem::path WriteReport(const std::filesystem::path& folder, const Session& session,
+                                  const SessionSummary& summary, const SessionModels& models) {
   const CellPictures pictures = RenderCellPictures(session, summary, models);
   Diagnostics findings;  // whoever ran the sensitivity was told
   const SensitivitySummary sensitivity =
       SummariseSensitivity(session, LoadSensitivity(session, findings));
   return WriteReportPage(folder,
                          MakeSessionReport(session, summary, models, pictures, sensitivity));
+}
+
+}  // namespace
+
+std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
+                                         const Session& session) {
+  return WriteReport(folder, session, SummariseSession(session), LoadSessionModels(session));
+}
+
+std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session) {
+  const SessionSummary summary = SummariseSession(session);
+  const SessionModels models = LoadSessionModels(session);
+  std::vector<PlannedTrial>().swap(session.plan);  // nobody asks for it any more
+  return WriteReport(folder, session, summary, models);
 }
 
 }  // namespace graspbench

@@ -19,6 +19,8 @@ says what is missing and why.
 @throws Error(kIo) when the file cannot be written. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session);
+/** The same in less memory: the session loses its plan on the way, but keeps its records. */
+std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session);
 
 /** The page from its parts, for those who bring their own pictures. */
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,

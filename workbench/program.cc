@@ -214,8 +214,9 @@ void AddSecondsOption(CLI::App& command, const std::string& name, double& second
 }
 
 void AddTrialTimeoutOption(CLI::App& command, double& seconds) {
-  AddSecondsOption(command, "--trial-timeout", seconds,
-                   "seconds after which a trial is given up as a numerical failure");
+  AddSecondsOption(
+      command, "--trial-timeout", seconds,
+      "seconds of processor time after which a trial is given up as a numerical failure");
 }
 
 void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text) {

@@ -13,13 +13,14 @@ With t_i the first contacts of the grasping digits, T the thumb and t0 the start
 Source: Roethling 2007 (names, ratios); the formulas are inferred. GCT >= GFT >= GOT whenever every
 contact comes after t0; with two digits GFT = GOT. */
 
-#include <string>
 #include <vector>
+
+#include "core/base/interned_name.h"
 
 namespace graspbench {
 
 struct DigitContact {
-  std::string digit;  ///< "TH", "FF", ...
+  InternedName digit;  ///< "TH", "FF", ...
   /** The one digit of a grasp that opposes the others: the thumb where it takes part. Records keep
   it under the name `is_thumb`. */
   bool is_opposing = false;

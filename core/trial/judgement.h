@@ -5,6 +5,7 @@ What the judge (judge.h) found about a held grasp, and its form as JSON. */
 #include <string>
 #include <vector>
 
+#include "core/base/interned_name.h"
 #include "core/base/json.h"
 #include "core/base/record_fields.h"
 #include "core/base/units.h"
@@ -27,7 +28,7 @@ Json ToJson(const BreakingLoad& load);
 void ReadJson(const Json& json, BreakingLoad& load);
 
 struct Verdict {
-  std::string rule;  ///< id, see verdicts.h
+  InternedName rule;  ///< id, see verdicts.h
   bool passed = false;
   double score = kUnset;  ///< in the rule's unit
 
@@ -41,7 +42,7 @@ struct Verdict {
 
 /** Epsilon of the contacts at the end of the hold, after one convention. */
 struct ConventionEpsilon {
-  std::string convention;  ///< id, see quality_convention.h
+  InternedName convention;  ///< id, see quality_convention.h
   double epsilon = kUnset;
 
   template <class V>

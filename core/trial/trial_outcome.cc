@@ -86,7 +86,7 @@ OutcomeReason FindLoss(const TrialFacts& facts) {
     if (!std::isnan(contact.time)) {
       ++num_touched;
     } else {
-      untouched += (untouched.empty() ? "" : ", ") + contact.digit;
+      untouched += (untouched.empty() ? "" : ", ") + contact.digit.str();
     }
   }
   if (num_touched < 2) return {Outcome::kNoContact, "never touched by " + untouched};

@@ -290,6 +290,16 @@ void SealStore(const StoreKind& kind, const fs::path& folder, const std::string&
 }
 
 void UnsealOutput(const fs::path& output) {
+  if (fs::is_symlink(output)) {
+    throw Error(ErrorKind::kUsage, "\"" + output.string() +
+                                       "\" is a link to a folder that may be somebody else's; "
+                                       "remove the link, or name another place with --out");
+  }
+  for (const Damage& changed : CheckOutput(output)) {
+    const fs::path file = output / changed.path;
+    const bool is_there = fs::exists(fs::symlink_status(file));
+    if (is_there && changed.path != kManifestFile) SetFileAside(file, kSetAside);
+  }
   std::error_code status;
   if (fs::remove(output / kManifestFile, status)) SyncFolder(output);
   if (status) {

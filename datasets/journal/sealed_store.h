@@ -41,7 +41,8 @@ void SealStore(const StoreKind& kind, const std::filesystem::path& folder,
                const std::string& inputs = "");
 
 /** Before outputs are written into their folder: from now on nothing vouches for what is there.
-@throws Error(kIo). */
+Files that somebody has changed since they were written are renamed to <file>.set-aside.
+@throws Error(kUsage) when the folder is a link; kIo. */
 void UnsealOutput(const std::filesystem::path& output);
 /** When they are written. @param files  all of them, named from the folder. @throws Error(kIo). */
 void SealOutput(const std::filesystem::path& output, const std::vector<std::string>& files);

@@ -1,5 +1,6 @@
 #include "datasets/session/judgement_store.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -25,6 +26,11 @@ class Joiner {
     if (IntFrom(json.at("judge_version")) != kJudgeVersion) return true;
     const auto id = json.at("trial_id").get<std::string>();
     const auto found = records_.find(id);
+    if (found == records_.end() && !IsPlanned(id)) {
+      const std::string& file = session_.lines.files.at(static_cast<size_t>(place.file));
+      session_.damage.push_back({file, place.number, DescribeForeign(id)});
+      return true;
+    }
     if (found == records_.end()) {
       throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
     }
@@ -45,6 +51,11 @@ class Joiner {
   }
 
  private:
+  bool IsPlanned(const std::string& id) const {
+    return std::any_of(session_.plan.begin(), session_.plan.end(),
+                       [&](const PlannedTrial& planned) { return planned.id == id; });
+  }
+
   Session& session_;
   bool is_brief_;
   std::unordered_map<std::string_view, TrialRecord*> records_;  // looked up only, never iterated

@@ -34,7 +34,8 @@ class JudgementWriter {
 };
 
 /** Joins the stored judgements to session.records, brief to brief ones; damaged lines become
-findings. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
+findings, lines of trials that are not in the plan session.damage.
+@throws Error(kFormat) for unequal duplicates, Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
 
 /** Whether somebody has begun to judge the session in the folder. */

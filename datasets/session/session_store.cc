@@ -110,6 +110,10 @@ class Merger {
     try {
       AddRecord(ParseJournalLine(line.text), line);
     } catch (const Error& e) {
+      if (IsCheckedLine(line.text)) {
+        session_.damage.push_back({file, line.number, e.what()});
+        return;
+      }
       session_.findings.Warn(file, line.number,
                              std::string("skipped: ") + e.what() + "; its trial counts as not run");
     }
@@ -119,8 +123,7 @@ class Merger {
     const std::string& file = lines_.files.back();
     const auto found = place_of_.find(record.plan.id);
     if (found == place_of_.end() || !(session_.plan[found->second] == record.plan)) {
-      session_.findings.Warn(file, line.number,
-                             "skipped: trial " + record.plan.id + " is not in the plan");
+      session_.damage.push_back({file, line.number, DescribeForeign(record.plan.id)});
       return;
     }
     LinePlace& place = places_[found->second];
@@ -184,6 +187,19 @@ std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& su
 
 namespace {
 
+/** Lines that do not belong to the session are damage, which its hashes cannot show. */
+void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage) {
+  if (session.damage.size() == num_known || on_damage == OnDamage::kAccept) return;
+  throw Error(
+      ErrorKind::kFormat,
+      "the session in \"" + session.folder.string() + "\" holds what is not its own" +
+          FormatDamage({session.damage.begin() + static_cast<std::ptrdiff_t>(num_known),
+                        session.damage.end()}) +
+          "\ngraspbench merge DIR --set-aside FILE leaves out what one of these files holds "
+          "and keeps it beside; report, export, judge and run --resume go on without these "
+          "lines with --accept-damage");
+}
+
 /** Without judgements. @param only  patterns of the files that may be read; empty: all. */
 Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                   const std::vector<std::string>& only) {
@@ -191,6 +207,7 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
   Session session;
   session.folder = folder;
   session.damage = std::move(frozen.damage);
+  const size_t num_damages = session.damage.size();
   if (!frozen.is_sealed) {
     session.findings.Warn(kSessionStore.file, 0,
                           "the session is older than manifests: changes of its configuration, its "
@@ -204,6 +221,7 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
     if (only.empty() || IsMatch(file, only)) merger.AddFile(file);
   }
   merger.TakeRecords();
+  RefuseForeign(session, num_damages, on_damage);
   return session;
 }
 
@@ -211,7 +229,9 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
 
 Session LoadSession(const fs::path& folder, OnDamage on_damage, RecordParts parts) {
   Session session = LoadFiles(folder, on_damage, parts, {});
+  const size_t num_damages = session.damage.size();
   LoadJudgements(folder, session);
+  RefuseForeign(session, num_damages, on_damage);
   const std::vector<WorkerStart> starts = LoadWorkers(folder, session.findings).starts;
   session.machine_differences = DescribeDifferences(starts);
   const std::string unchecked = DescribeUnchecked(FindUnchecked(folder, starts));
@@ -267,6 +287,10 @@ JournalWriter::JournalWriter(const fs::path& journal, bool has_index) : file_(jo
 void JournalWriter::Append(const TrialRecord& record) {
   file_.Append(FormatJournalLine(record) + "\n");
   if (index_) index_->Append(record.plan.id, file_.size());
+}
+
+std::string DescribeForeign(const std::string& trial_id) {
+  return "trial " + trial_id + " is not in the plan: the line is another session's";
 }
 
 std::vector<PlannedTrial> FindUnfinished(const Session& session) {

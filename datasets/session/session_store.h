@@ -72,7 +72,7 @@ struct Session {
   std::vector<std::string> machine_differences = {};
 };
 /** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
-before anything is read, and for unequal duplicates; kIo. */
+before anything is read, for lines of another session, and for unequal duplicates; kIo. */
 Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse,
                     RecordParts parts = RecordParts::kWhole);
 
@@ -105,6 +105,9 @@ std::vector<std::filesystem::path> ListJournals(const std::filesystem::path& fol
 
 /** What resuming has to run: the plan without the finished trials, in the plan's order. */
 std::vector<PlannedTrial> FindUnfinished(const Session& session);
+
+/** What is wrong with a whole line of a trial that is not in the plan. */
+std::string DescribeForeign(const std::string& trial_id);
 
 /** To be called before a session is resumed.
 @throws Error(kUsage) listing the settings that differ, or the cells whose hand, object, grasp or

@@ -82,6 +82,11 @@ class FailingDisk : public testing::Test {
     EXPECT_EQ(Run(is_begun ? again : line), 0) << Log();
     EXPECT_EQ(Run("verify out"), 0) << Log();
   }
+  /** Which of its files fail depends on the order in which a program's threads write: more rounds
+  than `num_rounds` where hardly a command has failed. */
+  bool IsNext(int round, int num_rounds, int num_expected) const {
+    return round < num_rounds || (num_failed_ <= num_expected && round < 10 * num_rounds);
+  }
   /** Whole records in one file, whatever the journals are called. */
   void ExportRecords() const {
     EXPECT_EQ(Run("export whole --records"), 0) << Log();
@@ -93,7 +98,7 @@ TEST_F(FailingDisk, SessionsAreContinuedAndJudgedToTheSameBytes) {
   const std::string session = "run --hand tum --object tennis_ball --trials 6 --jobs 2 --out ";
   ASSERT_EQ(Run(session + "whole"), 0) << Log();
   ASSERT_EQ(Run("judge whole"), 0) << Log();
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; IsNext(round, 2, 4); ++round) {
     fs::remove_all(top_ / "out");
     const int seed = 1 + 20 * round;
     RunUnderFaults(session + "out", "run --resume --jobs 2 --out out", seed, 5);
@@ -110,7 +115,7 @@ TEST_F(FailingDisk, SessionsAreContinuedAndJudgedToTheSameBytes) {
 TEST_F(FailingDisk, ShardsAreContinuedAndMergedToTheSameBytes) {
   const std::string session = "run --hand tum --object tennis_ball --trials 6 --out ";
   ASSERT_EQ(Run(session + "whole"), 0) << Log();
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; IsNext(round, 2, 4); ++round) {
     fs::remove_all(top_ / "out");
     ASSERT_EQ(Run(session + "out --plan-only"), 0) << Log();
     const int seed = 201 + 20 * round;
@@ -129,7 +134,7 @@ TEST_F(FailingDisk, ShardsAreContinuedAndMergedToTheSameBytes) {
 TEST_F(FailingDisk, OptimisationsAreContinuedToTheSameBytes) {
   const std::string line = "optimise --hand tum --object golf_ball --evaluations 4 --out ";
   ASSERT_EQ(Run(line + "whole"), 0) << Log();
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; IsNext(round, 2, 1); ++round) {
     fs::remove_all(top_ / "out");
     RunUnderFaults(line + "out", line + "out", 101 + 10 * round, 4);
     ExpectSame({"scene.json", "journal.jsonl", "result.json", "individuals.csv", "new-target.yaml",
@@ -143,10 +148,13 @@ TEST_F(FailingDisk, CampaignsAreContinuedToTheSameBytes) {
       "campaign --hand tum --object golf_ball --evaluations 4 --fitness-trials 1 --trials 2 "
       "--set optimise.check_trials=2 --out ";
   ASSERT_EQ(Run(line + "whole"), 0) << Log();
-  RunUnderFaults(line + "out", line + "out", 301, 6);
-  ExpectSame({"campaign.json", "summary.csv", "scenes/tum-golf_ball/result.json",
-              "scenes/tum-golf_ball/journal.jsonl", "benchmark/export/trials.csv",
-              "benchmark/index.sqlite", "report/index.html", "report/manifest.json"});
+  for (int round = 0; IsNext(round, 1, 2); ++round) {
+    fs::remove_all(top_ / "out");
+    RunUnderFaults(line + "out", line + "out", 301 + 10 * round, 6);
+    ExpectSame({"campaign.json", "summary.csv", "scenes/tum-golf_ball/result.json",
+                "scenes/tum-golf_ball/journal.jsonl", "benchmark/export/trials.csv",
+                "benchmark/index.sqlite", "report/index.html", "report/manifest.json"});
+  }
   EXPECT_GT(num_failed_, 2) << "the faults must bite";
 }
 

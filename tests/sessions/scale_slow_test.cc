@@ -1,6 +1,6 @@
 /** @file
-A session of 100,000 trials and one of many objects: how much memory and page they take. The trials
-are real ones multiplied under the ids of a plan, because to simulate them takes hours. */
+A session of 100,000 judged trials and one of many objects: how much memory and page they take. The
+trials are real ones multiplied under the ids of a plan, because to simulate them takes hours. */
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,6 +10,7 @@ are real ones multiplied under the ids of a plan, because to simulate them takes
 
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
+#include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "tests/support/run_program.h"
 
@@ -27,7 +28,7 @@ long MeasureMemory(const std::vector<std::string>& arguments) {
   return usage.ru_maxrss * 1024;
 }
 
-/** Finishes the session in `large` with the results of `small`, cell by cell. */
+/** Finishes the session in `large` with the results and judgements of `small`, cell by cell. */
 void MultiplyRecords(const fs::path& small, const fs::path& large) {
   const Session from = LoadSession(small);
   std::map<std::tuple<std::string, std::string, std::string>, std::vector<TrialRecord>> cells;
@@ -35,16 +36,22 @@ void MultiplyRecords(const fs::path& small, const fs::path& large) {
     cells[{record.plan.hand, record.plan.object, record.plan.grasp}].push_back(record);
   }
   const Session to = LoadSession(large);
-  std::string lines[2];
+  std::string lines[2], judgements[2];
   for (size_t i = 0; i < to.plan.size(); ++i) {
     const PlannedTrial& planned = to.plan[i];
     const auto& records = cells.at({planned.hand, planned.object, planned.grasp});
     TrialRecord record = records[static_cast<size_t>(planned.trial) % records.size()];
     record.plan = planned;
     lines[i % 2] += FormatJournalLine(record) + "\n";
+    if (record.judgement) {
+      judgements[i % 2] += FormatJudgementLine(planned.id, *record.judgement) + "\n";
+    }
   }
   for (const int worker : {0, 1}) {
     AppendFile(FindJournal(large / "journal", worker, "")).Append(lines[worker]);
+    if (judgements[worker].empty()) continue;
+    fs::create_directories(large / "judge");
+    AppendFile(FindJournal(large / "judge", worker, "")).Append(judgements[worker]);
   }
 }
 
@@ -61,7 +68,7 @@ class Scale : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Scale, AHundredThousandTrialsTakeThreeHundredMegabytesAndAPageOfTen) {
+TEST_F(Scale, AHundredThousandJudgedTrialsTakeThreeHundredMegabytesAndAPageOfTen) {
   const std::string small = (folder_ / "small").string(), large = (folder_ / "large").string();
   const std::vector<std::string> session = {"run", "--object", "can,golf_ball,pencil", "--out"};
   const auto run = [&](const std::string& out, const std::vector<std::string>& more) {
@@ -71,6 +78,7 @@ TEST_F(Scale, AHundredThousandTrialsTakeThreeHundredMegabytesAndAPageOfTen) {
     ASSERT_EQ(WaitFor(Start(arguments)), 0);
   };
   run(small, {"--trials", "4"});
+  ASSERT_EQ(WaitFor(Start({"judge", small})), 0);
   run(large, {"--trials", "16667", "--plan-only"});
   MultiplyRecords(small, large);
   constexpr long kMost = 300'000'000;

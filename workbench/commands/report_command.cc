@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/session/session_store.h"
@@ -31,10 +32,10 @@ std::filesystem::path WriteReport(const ReportOptions& options,
     report_damage(campaign.damage);
     return WriteCampaignReport(place, campaign).lexically_relative(place);
   }
-  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
+  Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   report_damage(session.damage);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-  return WriteSessionReport(place, session).lexically_relative(place);
+  return WriteSessionReport(place, std::move(session)).lexically_relative(place);
 }
 
 void Report(const ReportOptions& options) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "datasets/journal/sealed_store.h"
-#include "datasets/session/session_store.h"
+#include "datasets/session/check_records.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
@@ -45,24 +45,11 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   return text + FormatDamage(repair.state.damages) + "\n";
 }
 
-/** Lines that are all as they were written may still contradict each other. */
-void CheckRecords(const VerifyOptions& options, StoreState& state) {
-  if (!state.damages.empty() || FindStoreKind(options.folder) != &kSessionStore) return;
-  try {
-    const Session session = LoadSession(options.folder, OnDamage::kAccept, RecordParts::kBrief);
-    // Of an older session the verdict itself says that its files cannot be compared.
-    const bool has_news = state.is_sealed && !session.findings.entries().empty();
-    if (has_news) PrintMessage(session.findings.Format());
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kFormat) throw;
-    state.damages.push_back({"journal", 0, error.what()});
-  }
-}
-
 ExitCode Verify(const VerifyOptions& options) {
   StoreRepair repair =
       options.repair ? RepairStore(options.folder) : StoreRepair{{}, CheckStore(options.folder)};
-  CheckRecords(options, repair.state);
+  const Diagnostics findings = CheckRecords(options.folder, repair.state);
+  if (!findings.entries().empty()) PrintMessage(findings.Format());
   if (options.json) {
     PrintJson(MakeVerifyJson(options, repair));
   } else {

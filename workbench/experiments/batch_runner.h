@@ -29,7 +29,7 @@ using MakeBatchWorker = std::function<BatchWorker(int worker)>;
 using ShowBatch = std::function<void(const BatchStatus&)>;
 
 inline constexpr double kNoTimeLimit = std::numeric_limits<double>::infinity();
-/** After this long a trial counts as endless [s of the clock]. The longest that the ranges of a
+/** After this long a trial counts as endless [s of processor time]. The longest that the ranges of a
 session allow takes some five minutes alone on a processor. */
 inline constexpr double kTrialTimeLimit = 1800.0;
 
@@ -37,7 +37,7 @@ inline constexpr double kTrialTimeLimit = 1800.0;
 TrialResult MakeEndlessResult(double time_limit);
 
 /** Runs `trials` until all are done or `stop` is set; a trial that has begun is finished and kept.
-@param time_limit  [s of the clock]: a trial that has not ended by then is kept as a numerical
+@param time_limit  [s of processor time]: a trial that has not ended by then is kept as a numerical
 failure or given up, and the others go on.   @returns, @throws  as RunTasks of worker_pool.h. */
 bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
               const MakeBatchWorker& make_worker, const ShowBatch& show,

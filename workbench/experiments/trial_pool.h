@@ -17,7 +17,7 @@ namespace graspbench {
 class TrialPool {
  public:
   /** @param stop  when set, Run throws Error(kInterrupted); it must outlive the pool.
-  @param time_limit  of a trial [s of the clock]. */
+  @param time_limit  of a trial [s of processor time]. */
   TrialPool(int num_workers, const std::atomic<bool>& stop, double time_limit = kTrialTimeLimit)
       : workers_(static_cast<size_t>(num_workers)), stop_(stop), time_limit_(time_limit) {}
 

@@ -1,5 +1,8 @@
 #include "workbench/experiments/worker_pool.h"
 
+#include <pthread.h>
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -15,11 +18,26 @@
 namespace graspbench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::milliseconds kShowInterval(100);
 
 std::atomic<int> num_abandoned{0};
+
+/** Processor time of one thread, which any other may ask for: what is given up must not depend on
+how busy the machine is or whether the program was suspended. */
+class ThreadClock {
+ public:
+  /** The calling thread's. */
+  ThreadClock() { ::pthread_getcpuclockid(::pthread_self(), &id_); }
+  /** [s]; 0 when the thread has ended. */
+  double Now() const {
+    timespec time = {};
+    if (::clock_gettime(id_, &time) != 0) return 0.0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+ private:
+  clockid_t id_ = CLOCK_THREAD_CPUTIME_ID;
+};
 
 /** Shared with its threads, because one that was given up may outlive the call that started it. */
 class Pool : public std::enable_shared_from_this<Pool> {
@@ -87,7 +105,8 @@ class Pool : public std::enable_shared_from_this<Pool> {
   struct Seat {
     std::thread thread;
     std::optional<size_t> task;  ///< that it works on and that may be given up
-    Clock::time_point start;     ///< of that task
+    ThreadClock clock;           ///< of the thread that began the task
+    double start = 0.0;          ///< of that task, on this clock [s]
     bool is_abandoned = false;
   };
 
@@ -137,7 +156,8 @@ class Pool : public std::enable_shared_from_this<Pool> {
     const std::lock_guard lock(mutex_);
     if (seat.is_abandoned) return false;
     seat.task = task;
-    seat.start = Clock::now();
+    seat.clock = ThreadClock();
+    seat.start = seat.clock.Now();
     return true;
   }
 
@@ -145,8 +165,8 @@ class Pool : public std::enable_shared_from_this<Pool> {
   std::vector<size_t> AbandonOverdue() {
     std::vector<size_t> tasks;
     for (const auto& seat : seats_) {
-      const std::chrono::duration<double> time = Clock::now() - seat->start;
-      if (!seat->task || seat->is_abandoned || time.count() < time_limit_) continue;
+      if (!seat->task || seat->is_abandoned) continue;
+      if (seat->clock.Now() - seat->start < time_limit_) continue;
       seat->is_abandoned = true;
       ++num_abandoned;
       --num_running_;

@@ -45,8 +45,8 @@ finished, or gives up.
 @param show  called about ten times a second in the caller's thread, and once at the end; empty: the
 caller's thread works too.
 @returns whether all tasks are done.
-@param time_limit  of a task [s of the clock]: its worker is then given up and replaced by one with
-a new number, which calls give_up. Only where there is a `show`.
+@param time_limit  of a task [s of processor time]: its worker is then given up and replaced by one
+with a new number, which calls give_up. Only where there is a `show`.
 @throws the first exception of a worker, Error(kInterrupted) aside, when the others have finished
 their current tasks. */
 bool RunTasks(size_t num_tasks, int num_workers, const MakeTaskRunner& make_runner,

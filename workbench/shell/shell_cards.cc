@@ -127,7 +127,7 @@ std::string FormatTiming(ShellScene& scene) {
   for (DigitContact& contact : contacts) contact.time -= notes.closure_start;
   TextTable table({"digit", "first touch [ms]"});
   for (const DigitContact& contact : contacts) {
-    table.AddRow({contact.digit + (contact.is_opposing ? " (opposes)" : ""),
+    table.AddRow({contact.digit.str() + (contact.is_opposing ? " (opposes)" : ""),
                   FormatFixed(MsFromS(contact.time), 1)});
   }
   const ContactTiming timing = CalcContactTiming(contacts, 0.0);

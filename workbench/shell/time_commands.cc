@@ -33,7 +33,7 @@ class Narrator {
       const DigitContact& contact = notes.result.contacts[d];
       if (has_touched_[d] || std::isnan(contact.time)) continue;
       has_touched_[d] = true;
-      Print(contact.time, "first touch of " + contact.digit);
+      Print(contact.time, "first touch of " + contact.digit.str());
     }
   }
 

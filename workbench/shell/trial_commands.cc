@@ -97,9 +97,9 @@ std::string DescribeMissing(const TrialResult& result) {
   std::string text;
   for (size_t d = 0; d < result.contacts.size(); ++d) {
     if (!std::isnan(result.contacts[d].time)) continue;
-    text +=
-        fmt::format("missing  {} never touched; its nearest was {} mm\n", result.contacts[d].digit,
-                    FormatFixed(MmFromM(result.touches[d].smallest_gap), 1));
+    text += fmt::format("missing  {} never touched; its nearest was {} mm\n",
+                        result.contacts[d].digit.str(),
+                        FormatFixed(MmFromM(result.touches[d].smallest_gap), 1));
   }
   return text;
 }

@@ -179,6 +179,22 @@ TEST_F(SealedStore, RepairSetsAChangedExportAside) {
   EXPECT_EQ(Look(session_), "");
 }
 
+TEST_F(SealedStore, ANewExportKeepsWhatAPersonHasChangedAndFollowsNoLink) {
+  ExportSession(session_, LoadSession(session_));
+  const std::string whole = ReadFile(session_ / "export/trials.csv");
+  Edit(session_ / "export/trials.csv", "trial_id", "my notes");
+  const std::string changed = ReadFile(session_ / "export/trials.csv");
+  ExportSession(session_, LoadSession(session_));
+  EXPECT_EQ(ReadFile(session_ / "export/trials.csv"), whole);
+  EXPECT_EQ(ReadFile(session_ / "export/trials.csv.set-aside"), changed);
+  EXPECT_FALSE(fs::exists(session_ / "export/events.csv.set-aside"));
+
+  fs::rename(session_ / "export", session_ / "elsewhere");
+  fs::create_directory_symlink(session_ / "elsewhere", session_ / "export");
+  EXPECT_THROW(ExportSession(session_, LoadSession(session_)), Error);
+  EXPECT_EQ(ReadFile(session_ / "elsewhere/trials.csv"), whole);
+}
+
 // Killed between the first byte of an export and its last, nothing vouches for it.
 TEST_F(SealedStore, AnExportThatWasNotFinishedIsNoDamage) {
   ExportSession(session_, LoadSession(session_));

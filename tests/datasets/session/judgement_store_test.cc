@@ -87,5 +87,19 @@ TEST_F(JudgementStore, TwoDifferentJudgementsAreRefused) {
   }
 }
 
+TEST_F(JudgementStore, ALineOfATrialThatIsNotPlannedIsDamage) {
+  JudgementWriter(folder(), 1).Append("0123456789abcdef", MakeJudgement(2.5));
+  try {
+    LoadSession(folder());
+    FAIL() << "another session's line was read";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::kFormat);
+    EXPECT_NE(std::string(e.what()).find("judge/1.jsonl:1: trial 0123456789abcdef is not in"),
+              std::string::npos)
+        << e.what();
+  }
+  EXPECT_EQ(LoadSession(folder(), OnDamage::kAccept).damage.size(), 1u);
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -17,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/random.h"
+#include "datasets/journal/checked_line.h"
 #include "datasets/session/judgement_store.h"
 #include "tests/datasets/session/fake_session.h"
 
@@ -281,15 +282,27 @@ TEST_F(SessionStore, AFlippedByteCostsItsTrialOnly) {
   }
 }
 
-TEST_F(SessionStore, SkipsATrialThatIsNotPlanned) {
+TEST_F(SessionStore, LinesOfAnotherSessionAreDamageThatIsNamedAndMayBeAccepted) {
   const auto plan = CreateFakeSession(folder(), 1);
   PlannedTrial stranger = plan[0];
   stranger.object = "elephant";
-  AppendAll(0, {stranger});
-  const Session session = LoadSession(folder());
-  EXPECT_TRUE(session.records.empty());
-  EXPECT_EQ(session.findings.Format(),
-            "journal/0.jsonl:1: warning: skipped: trial " + plan[0].id + " is not in the plan");
+  AppendAll(0, {stranger, plan[1]});
+  const std::string place = "journal/0.jsonl:1: trial " + plan[0].id + " is not in the plan";
+  const auto [kind, text] = FindError([&] { LoadSession(folder()); });
+  EXPECT_EQ(kind, ErrorKind::kFormat);
+  ExpectHas(text, "\n  " + place);
+  ExpectHas(text, "--set-aside");
+  const Session session = LoadSession(folder(), OnDamage::kAccept);
+  EXPECT_EQ(JsonOf(session.records), JsonOfFakes({plan[1]}));
+  ASSERT_EQ(session.damage.size(), 1u);
+}
+
+TEST_F(SessionStore, AWholeLineThatIsNoTrialIsDamage) {
+  const auto plan = CreateFakeSession(folder(), 1);
+  WriteText(journal(3), FormatCheckedLine({{"elephant", 1}}) + "\n");
+  const auto [kind, text] = FindError([&] { LoadSession(folder()); });
+  EXPECT_EQ(kind, ErrorKind::kFormat);
+  ExpectHas(text, "journal/3.jsonl:1: it is no record of this version");
 }
 
 TEST_F(SessionStore, RefusesUnequalDuplicates) {

@@ -131,7 +131,6 @@ TEST_F(BatchRunnerTest, AnEndlessTrialIsANumericalFailureAndTheOthersGoOn) {
       BatchWorker worker;
       worker.run = [is_released](const PlannedTrial& planned) {
         while (planned.trial == 7 && !*is_released) {
-          std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return RunFakeTrial(planned);
       };

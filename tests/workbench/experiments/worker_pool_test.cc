@@ -1,6 +1,7 @@
 #include "workbench/experiments/worker_pool.h"
 
 #include <gtest/gtest.h>
+#include <time.h>
 
 #include <chrono>
 #include <set>
@@ -17,6 +18,17 @@ TEST(WorkerPool, StartsNoMoreThreadsThanTasks) {
   EXPECT_EQ(CalcNumWorkers(4, 3), 3);
   EXPECT_EQ(CalcNumWorkers(4, 0), 1);
   EXPECT_EQ(CalcNumWorkers(-1, 7), 1);
+}
+
+/** @param seconds  of processor time. */
+void Compute(double seconds) {
+  const auto now = [] {
+    timespec time = {};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  for (const double end = now() + seconds; now() < end;) {
+  }
 }
 
 // The caller's thread works when there is nothing to show: a pool within a pool starts no thread.
@@ -69,13 +81,35 @@ TEST(WorkerPool, PreparingIsNoPartOfATasksTime) {
   const std::atomic<bool> never = false;
   std::atomic<int> num_kept = 0, num_given_up = 0;
   const auto make_runner = [&](int, const std::atomic<bool>&) -> TaskRunner {
-    const auto prepare = [](size_t) { std::this_thread::sleep_for(std::chrono::seconds(2)); };
+    const auto prepare = [](size_t) { Compute(0.5); };
     return {prepare, [](size_t) {}, [&](size_t) { ++num_kept; }, [&](size_t) { ++num_given_up; }};
   };
   EXPECT_TRUE(RunTasks(
-      2, 2, make_runner, [] {}, never, /*time_limit=*/1.0));
+      2, 2, make_runner, [] {}, never, /*time_limit=*/0.2));
   EXPECT_EQ(num_kept, 2);
   EXPECT_EQ(num_given_up, 0);
+}
+
+// A busy machine or a program that was suspended makes no trial a failure.
+TEST(WorkerPool, OnlyComputingIsATasksTime) {
+  const std::atomic<bool> never = false;
+  static std::atomic<bool> is_over = false;  // a worker that was given up outlives the pool
+  static std::atomic<int> num_kept = 0, num_given_up = 0;
+  const auto make_runner = [](int, const std::atomic<bool>&) -> TaskRunner {
+    const auto run = [](size_t task) {
+      if (task == 0) std::this_thread::sleep_for(std::chrono::seconds(1));
+      while (task == 1 && !is_over) Compute(0.01);
+    };
+    return {{},
+            run,
+            [](size_t task) { num_kept += task == 0; },
+            [](size_t task) { num_given_up += task == 1; }};
+  };
+  EXPECT_TRUE(RunTasks(
+      2, 2, make_runner, [] {}, never, /*time_limit=*/0.2));
+  EXPECT_EQ(num_kept, 1);
+  EXPECT_EQ(num_given_up, 1);
+  is_over = true;
 }
 
 }  // namespace
