@@ -26,12 +26,17 @@ namespace fs = std::filesystem;
   Fail(name, ": " + what + "; the file is cut off or damaged, export it again from its program");
 }
 
-// The ending in small letters, of a format that can be read.
-std::string FindFormat(const std::string& name) {
+std::string FindEnding(const std::string& name) {
   std::string format = fs::path(name).extension().string();
   if (!format.empty()) format.erase(0, 1);
   std::transform(format.begin(), format.end(), format.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return format;
+}
+
+// The ending in small letters, of a format that can be read.
+std::string FindFormat(const std::string& name) {
+  const std::string format = FindEnding(name);
   for (const char* known : {"obj", "stl", "ply", "glb", "gltf"}) {
     if (format == known) return format;
   }
@@ -94,9 +99,8 @@ TriMesh ReadObj(const std::string& bytes, const std::string& name) {
   return mesh;
 }
 
-TriMesh ReadMesh(const std::string& bytes, const std::string& name, const fs::path& folder,
-                 LengthUnit unit) {
-  const std::string format = FindFormat(name);
+TriMesh ReadMesh(const std::string& bytes, const std::string& name, const std::string& format,
+                 const fs::path& folder, LengthUnit unit) {
   if (bytes.empty()) Fail(name, " is empty (0 bytes); export it again from its program");
   if (static_cast<int64_t>(bytes.size()) > kMaxMeshFileBytes) {
     Fail(name, " is larger than 256 MB; simplify it");
@@ -115,22 +119,30 @@ TriMesh ReadMesh(const std::string& bytes, const std::string& name, const fs::pa
   return WeldVertices(mesh, kRelativeWeldTolerance * largest);
 }
 
-}  // namespace
-
-std::string ListMeshFormats() { return "OBJ, STL, PLY, GLB or glTF"; }
-
-TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit) {
-  return ReadMesh(bytes, name, {}, unit);
-}
-
-TriMesh LoadMesh(const fs::path& path, LengthUnit unit) {
-  FindFormat(path.string());
+TriMesh ReadMeshFile(const fs::path& path, const std::string& format, LengthUnit unit) {
   std::error_code status;
   if (const auto size = fs::file_size(path, status); !status && size > kMaxMeshFileBytes) {
     Fail(path.string(), " is larger than 256 MB; simplify it");
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  return ReadMesh(ReadFile(path), path.string(), folder, unit);
+  return ReadMesh(ReadFile(path), path.string(), format, folder, unit);
+}
+
+}  // namespace
+
+std::string ListMeshFormats() { return "OBJ, STL, PLY, GLB or glTF"; }
+
+TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit) {
+  return ReadMesh(bytes, name, FindFormat(name), {}, unit);
+}
+
+TriMesh LoadMesh(const fs::path& path, LengthUnit unit) {
+  return ReadMeshFile(path, FindFormat(path.string()), unit);
+}
+
+TriMesh LoadPictureMesh(const fs::path& path) {
+  const std::string format = FindEnding(path.string());
+  return ReadMeshFile(path, format == "dae" ? format : FindFormat(path.string()), LengthUnit::kM);
 }
 
 }  // namespace graspbench

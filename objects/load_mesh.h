@@ -5,8 +5,8 @@ parts of a file become one mesh, with the transforms of its scene applied.
 
 OBJ is read here (core/shape/obj_file.h). The others are read by assimp in a process of its own with
 limits of memory and time, and from nowhere but the mesh's own folder (mesh_reader.cc): a file from
-elsewhere may be damaged or malicious. COLLADA is left out because damaged files crash its importer,
-3DS and DXF because theirs swaps axes. */
+elsewhere may be damaged or malicious. COLLADA is left out for things to grasp because damaged files
+crash its importer, 3DS and DXF because theirs swaps axes. */
 
 #include <filesystem>
 #include <string>
@@ -24,6 +24,11 @@ Not checked: see core/shape/mesh_check.h. Vertices may be non-finite. Files up t
 up to 2 million triangles.
 @throws Error(kNotFound, kIo); Error(kFormat) when it is no complete file of a format known here. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
+
+/** A picture of a hand's link: the same formats and COLLADA, one unit of the file a metre unless the
+file states another (COLLADA does). Axes as in the file. A damaged COLLADA file that crashes its
+reader is an Error(kFormat) like others. */
+TriMesh LoadPictureMesh(const std::filesystem::path& path);
 
 /** The same from the content of a file that stands alone; `name` gives the format by its ending. */
 TriMesh ParseMesh(const std::string& bytes, const std::string& name, LengthUnit unit);

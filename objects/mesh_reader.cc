@@ -6,6 +6,7 @@
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOStream.h>
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <sys/resource.h>
@@ -92,11 +93,12 @@ class FolderFiles : public Assimp::DefaultIOSystem {
 };
 
 void KeepOneImporter(const std::string& format, Assimp::Importer& importer) {
-  const std::array<std::pair<const char*, const char*>, 4> kNames = {
+  const std::array<std::pair<const char*, const char*>, 5> kNames = {
       {{"stl", "Stereolithography (STL) Importer"},
        {"ply", "Stanford Polygon Library (PLY) Importer"},
        {"glb", "glTF2 Importer"},
-       {"gltf", "glTF2 Importer"}}};
+       {"gltf", "glTF2 Importer"},
+       {"dae", "Collada Importer"}}};
   std::string name;
   for (const auto& [known, its_name] : kNames) {
     if (format == known) name = its_name;
@@ -179,6 +181,8 @@ Soup ReadMesh(const std::string& format, const std::string& folder) {
   const std::string bytes = ReadInput();
   Assimp::Importer importer;
   KeepOneImporter(format, importer);
+  // The axes of a robot's pictures are those of its links, whatever the file says is up.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetIOHandler(new FolderFiles(folder));  // the importer's own from here
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.c_str());
   if (scene) {

@@ -10,7 +10,7 @@ namespace graspbench {
 
 /** Coordinates as in the file, every part of it; not welded, perhaps not finite.
 @param bytes   the file's content.
-@param format  stl, ply, glb or gltf.
+@param format  stl, ply, glb, gltf or dae.
 @param folder  where the files lie that a glTF names; empty: nowhere.
 @param name    of the file, for messages.
 @throws Error(kFormat) when it is no such file, or reading it took more time or memory than allowed,

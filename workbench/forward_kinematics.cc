@@ -14,7 +14,8 @@
 namespace graspbench {
 namespace {
 
-/** Reads "FFJ3=30" into q. Joints are named in degrees; those outside their limits are noted. */
+/** Reads "FFJ3=30" into q: degrees, of a prismatic joint millimetres. What is outside the limits is
+noted. */
 void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& q) {
   const size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, equals);
@@ -33,13 +34,17 @@ void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& 
         ErrorKind::kUsage,
         "\"" + assignment + "\" is no joint angle; expected NAME=DEG, e.g. " + name + "=30");
   }
-  q[joint] = RadFromDeg(angle_deg);
   const HandJoint& limits = hand.joints[joint];
+  q[joint] = limits.is_prismatic ? MFromMm(angle_deg) : RadFromDeg(angle_deg);
   constexpr double kTolerance = 1e-9;  // [rad] limits in degrees are not exact in radians
   if (q[joint] < limits.lower - kTolerance || q[joint] > limits.upper + kTolerance) {
-    PrintMessage("note: " + name + " = " + FormatSignificant(angle_deg, 4) +
-                 " deg is outside its limits " + FormatSignificant(DegFromRad(limits.lower), 4) +
-                 " .. " + FormatSignificant(DegFromRad(limits.upper), 4) + " deg");
+    const auto format = [&](double position) {
+      return FormatSignificant(limits.is_prismatic ? MmFromM(position) : DegFromRad(position), 4);
+    };
+    const std::string unit = limits.is_prismatic ? " mm" : " deg";
+    PrintMessage("note: " + name + " = " + FormatSignificant(angle_deg, 4) + unit +
+                 " is outside its limits " + format(limits.lower) + " .. " + format(limits.upper) +
+                 unit);
   }
 }
 

@@ -54,14 +54,34 @@ DescribedHands DescribeHands() {
   return {Json{{"hands", list}}, table.Format()};
 }
 
+namespace {
+
+/** "FFq3", or of a linkage "-1 x finger_joint". */
+std::string FormatFollowed(const Hand& hand, const HandJoint& joint) {
+  const std::string& name = hand.joints[joint.coupled_to].name;
+  return joint.is_mimic ? FormatSignificant(joint.mimic_ratio, 3) + " x " + name : name;
+}
+
+}  // namespace
+
 Json MakeHandJson(const Hand& hand) {
   Json joints = Json::array();
   for (const HandJoint& joint : hand.joints) {
-    Json entry = {{"name", joint.name},
-                  {"lower_deg", DegFromRad(joint.lower)},
-                  {"upper_deg", DegFromRad(joint.upper)}};
+    Json entry = {{"name", joint.name}};
+    if (joint.is_prismatic) {
+      entry["lower_mm"] = MmFromM(joint.lower);
+      entry["upper_mm"] = MmFromM(joint.upper);
+    } else {
+      entry["lower_deg"] = DegFromRad(joint.lower);
+      entry["upper_deg"] = DegFromRad(joint.upper);
+    }
     if (joint.coupled_to >= 0) {
       entry["coupled_to"] = hand.joints[joint.coupled_to].name;
+      if (joint.is_mimic) entry["ratio"] = joint.mimic_ratio;
+    } else if (joint.is_prismatic) {
+      entry["stiffness_n_per_m"] = joint.drive.stiffness;
+      entry["damping_ns_per_m"] = joint.drive.damping;
+      entry["force_limit_n"] = joint.drive.torque_limit;
     } else {
       entry["stiffness_nm_per_rad"] = joint.drive.stiffness;
       entry["damping_nms_per_rad"] = joint.drive.damping;
@@ -93,11 +113,15 @@ std::string FormatHand(const Hand& hand) {
                    "torque limit [N m]", "follows"});
   for (const HandJoint& joint : hand.joints) {
     const bool is_coupled = joint.coupled_to >= 0;
-    table.AddRow({joint.name, FormatFixed(DegFromRad(joint.lower), 1),
-                  FormatFixed(DegFromRad(joint.upper), 1),
-                  is_coupled ? "-" : FormatSignificant(joint.drive.stiffness, 3),
-                  is_coupled ? "-" : FormatSignificant(joint.drive.torque_limit, 3),
-                  is_coupled ? hand.joints[joint.coupled_to].name : ""});
+    const bool slides = joint.is_prismatic;
+    const auto format_position = [&](double q) {
+      return slides ? FormatFixed(MmFromM(q), 1) + " mm" : FormatFixed(DegFromRad(q), 1);
+    };
+    table.AddRow(
+        {joint.name, format_position(joint.lower), format_position(joint.upper),
+         is_coupled ? "-" : FormatSignificant(joint.drive.stiffness, 3) + (slides ? " N/m" : ""),
+         is_coupled ? "-" : FormatSignificant(joint.drive.torque_limit, 3) + (slides ? " N" : ""),
+         is_coupled ? FormatFollowed(hand, joint) : ""});
   }
   return text + table.Format();
 }

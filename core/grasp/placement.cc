@@ -41,14 +41,19 @@ Pads CalcPads(const Hand& hand, const StandardGrasp& grasp, const std::vector<Po
   return pads;
 }
 
-/** Axis about which the fingers flex, at rest: that of the first coupled finger's middle joint. */
+/** Axis about which the fingers flex, at rest: that of the outermost joint that turns across the
+palm's normal, of the first finger that has one. */
 Vector3d CalcFlexionAxis(const Hand& hand) {
+  constexpr double kMostAlong = 0.7;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
-  for (const HandJoint& joint : hand.joints) {
-    if (joint.coupled_to < 0) continue;
-    const int digit = hand.FindDigitOfLink(joint.link);
-    if (digit >= 0 && hand.digits[digit].is_thumb) continue;
-    return X_HL[joint.link].linear() * hand.links[joint.link].axis;
+  for (const Digit& digit : hand.digits) {
+    if (digit.is_thumb) continue;
+    for (size_t k = digit.links.size(); k-- > 0;) {
+      const HandLink& link = hand.links[digit.links[k]];
+      if (link.joint < 0 || hand.joints[link.joint].is_prismatic) continue;
+      const Vector3d axis_H = X_HL[digit.links[k]].linear() * link.axis;
+      if (std::abs(axis_H.dot(hand.palm_normal)) < kMostAlong) return axis_H;
+    }
   }
   return hand.palm_normal.unitOrthogonal();
 }

@@ -27,11 +27,11 @@ void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& fi
     }
     for (size_t i = 0; i < actuated.size(); ++i) {
       const HandJoint& joint = hand.joints[actuated[i]];
-      const double angle = RadFromDeg(angles_deg[i]);
+      const double angle = joint.is_prismatic ? MFromMm(angles_deg[i]) : RadFromDeg(angles_deg[i]);
       constexpr double kRounding = 1e-4;  // limits are written with four digits
       if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
         map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) +
-                               " deg is outside its limits");
+                               (joint.is_prismatic ? " mm" : " deg") + " is outside its limits");
       }
       q[actuated[i]] = std::clamp(angle, joint.lower, joint.upper);
     }
@@ -46,7 +46,9 @@ std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q) {
     text += (text.empty() ? "" : ", ") + digit.id + ": [";
     const char* separator = "";
     for (const int joint : FindDrivenJoints(hand, digit)) {
-      text += fmt::format("{}{:.6f}", separator, DegFromRad(q[joint]));
+      const double value =
+          hand.joints[joint].is_prismatic ? MmFromM(q[joint]) : DegFromRad(q[joint]);
+      text += fmt::format("{}{:.6f}", separator, value);
       separator = ", ";
     }
     text += "]";

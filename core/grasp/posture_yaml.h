@@ -1,6 +1,7 @@
 #pragma once
 /** @file
-A hand's posture in YAML: degrees of the driven joints of each digit, from base to tip.
+A hand's posture in YAML: degrees of the driven joints of each digit, from base to tip; of a
+prismatic joint, millimetres.
 
     {TH: [0, -20, 10], FF: [4, -20, 0], MF: [15, -20, 4]} */
 

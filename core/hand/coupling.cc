@@ -39,6 +39,10 @@ void ApplyCoupling(const Hand& hand, Eigen::VectorXd& q) {
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];
     if (joint.coupled_to < 0) continue;
+    if (joint.is_mimic) {
+      q[j] = joint.mimic_offset + joint.mimic_ratio * q[joint.coupled_to];
+      continue;
+    }
     // Nothing touches, so under middle-first the distal joint has not begun to move.
     double distal = 0.0;
     if (hand.coupling != CouplingRule::kMiddleFirst) {

@@ -1,6 +1,10 @@
 #pragma once
 /** @file
-Distal joints that follow their middle joint, eliminated from the equations.
+Joints that follow another, eliminated from the equations.
+
+A linkage (HandJoint::is_mimic) ties a joint to any other by a line, q = offset + ratio q_other, and
+there is no more to it. The rest of this file is about fingers whose distal joint follows the middle
+one.
 
 One drive moves a finger's middle joint J2 and its distal joint J1 together; its coordinate is
 theta.
@@ -37,7 +41,7 @@ DistalRates CalcDistalRates(CouplingRule rule, double fixed_ratio, DistalMode mo
 DistalMode FindDistalMode(double q_middle, double q_distal, double middle_upper, bool closing,
                           bool middle_is_blocked, DistalMode previous);
 
-/** Fills the coupled joints of q from their middle joints, for a posture with nothing touching. */
+/** Fills the coupled joints of q from those they follow, for a posture with nothing touching. */
 void ApplyCoupling(const Hand& hand, Eigen::VectorXd& q);
 
 }  // namespace graspbench

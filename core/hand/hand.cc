@@ -58,8 +58,13 @@ std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit) {
 namespace {
 
 /** X_HL from the pose of the joint's place, X_HJ. */
-Pose TurnJoint(const HandLink& link, Pose X_HJ, const Eigen::VectorXd& q) {
-  if (link.joint >= 0) X_HJ.rotate(Eigen::AngleAxisd(q[link.joint], link.axis));
+Pose MoveJoint(const Hand& hand, const HandLink& link, Pose X_HJ, const Eigen::VectorXd& q) {
+  if (link.joint < 0) return X_HJ;
+  if (hand.joints[link.joint].is_prismatic) {
+    X_HJ.translate(q[link.joint] * link.axis);
+  } else {
+    X_HJ.rotate(Eigen::AngleAxisd(q[link.joint], link.axis));
+  }
   return X_HJ;
 }
 
@@ -69,14 +74,14 @@ std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q) {
   std::vector<Pose> X_HL(hand.links.size(), Pose::Identity());
   for (size_t i = 0; i < hand.links.size(); ++i) {
     const HandLink& link = hand.links[i];
-    X_HL[i] = TurnJoint(link, link.parent < 0 ? link.X_PJ : X_HL[link.parent] * link.X_PJ, q);
+    X_HL[i] = MoveJoint(hand, link, link.parent < 0 ? link.X_PJ : X_HL[link.parent] * link.X_PJ, q);
   }
   return X_HL;
 }
 
 Pose CalcLinkPose(const Hand& hand, const Eigen::VectorXd& q, int index) {
   const HandLink& link = hand.links[index];
-  return TurnJoint(link,
+  return MoveJoint(hand, link,
                    link.parent < 0 ? link.X_PJ : CalcLinkPose(hand, q, link.parent) * link.X_PJ, q);
 }
 

@@ -4,12 +4,13 @@ A robot hand as data: kinematic tree, mass, contact surface, drives, coupling, d
 
 The arm carries links[0], the root: the palm itself, or a forearm below wrist joints. Frame H is
 fixed to the root and is the palm's frame with all joints at zero, so a hand with a straight wrist
-has its palm at H. Every moving joint is a revolute joint about an axis fixed in its frame J: with
-X_PJ the joint frame in the parent link P, X_PL(q) = X_PJ * Rot(axis, q). A link's frame L is its
-joint's frame (URDF's rule).
+has its palm at H. Every moving joint turns about or slides along an axis fixed in its frame J: with
+X_PJ the joint frame in the parent link P, X_PL(q) = X_PJ * Rot(axis, q), or X_PJ * Shift(axis q).
+A link's frame L is its joint's frame (URDF's rule).
 
-Joint angles q hold one angle for every revolute joint, in the order of `joints`. Coupled distal
-joints are part of q but no degrees of freedom of their own: see coupling.h. */
+Joint positions q hold one number for every moving joint, in the order of `joints`: radians of a
+revolute one, metres of a prismatic one. Coupled joints are part of q but no degrees of freedom of
+their own: see coupling.h. */
 
 #include <Eigen/Core>
 #include <string>
@@ -55,7 +56,8 @@ struct HandLink {
   SurfaceMaterial surface;  ///< a link that carries a pad has a torsion radius
 };
 
-/** Position drive: tau = clamp(stiffness (q_cmd - q) - damping qdot, +-torque_limit). */
+/** Position drive: tau = clamp(stiffness (q_cmd - q) - damping qdot, +-torque_limit). The units are
+those of a revolute joint; a prismatic one has N/m, N s/m and N. */
 struct JointDrive {
   double stiffness = 0.0;     ///< [N m/rad]
   double damping = 0.0;       ///< [N m s/rad]
@@ -64,11 +66,18 @@ struct JointDrive {
 
 struct HandJoint {
   std::string name;
-  int link = -1;        ///< the link it moves
-  double lower = 0.0;   ///< [rad]
-  double upper = 0.0;   ///< [rad]
-  JointDrive drive;     ///< of an actuated joint; unset for a coupled one
-  int coupled_to = -1;  ///< index of the middle joint whose drive moves this one too; -1: own drive
+  int link = -1;              ///< the link it moves
+  bool is_prismatic = false;  ///< slides along its axis; otherwise turns about it
+  double lower = 0.0;         ///< [rad], [m]
+  double upper = 0.0;         ///< [rad], [m]
+  JointDrive drive;           ///< of an actuated joint; unset for a coupled one
+  int coupled_to = -1;        ///< index of the joint whose drive moves this one too; -1: own drive
+  /** A linkage ties this joint to any other of the hand, whatever the hand's coupling rule:
+  q = mimic_offset + mimic_ratio * q[coupled_to]. Without one, the other is the finger's middle
+  joint. */
+  bool is_mimic = false;
+  double mimic_ratio = 1.0;
+  double mimic_offset = 0.0;  ///< [rad], [m]
 };
 
 /** How a distal joint follows its middle joint; see coupling.h. */
@@ -92,11 +101,12 @@ struct Hand {
   std::string folder;  ///< where hand.urdf and hand.yaml were read; never written into results
   std::vector<HandLink> links;    ///< parents before children; links[0] is the root
   int palm_link = 0;              ///< index into links; joints between root and palm are a wrist
-  std::vector<HandJoint> joints;  ///< all revolute joints, finger by finger
+  std::vector<HandJoint> joints;  ///< all moving joints, finger by finger
   std::vector<Digit> digits;      ///< in the hand's order, e.g. FF MF RF LF TH
   CouplingRule coupling = CouplingRule::kMiddleFirst;
   double fixed_coupling_ratio = 0.8;  ///< J1 = ratio * J2 under kFixed
   double joint_accuracy = 0.0;  ///< half-width of the per-trial uniform error of each drive [rad]
+  double slide_accuracy = 0.0;  ///< the same of the prismatic joints' drives [m]
   std::vector<ContactSphere> contact_spheres;
   std::vector<LinkCapsule> capsules;
   std::vector<LinkVisual> visuals;
@@ -113,7 +123,7 @@ struct Hand {
 /** Indices of the joints with a drive of their own, from base to tip. */
 std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit);
 
-/** Poses of all links in H, X_HL, for joint angles q (num_joints) [rad]. With the wrist at zero the
+/** Poses of all links in H, X_HL, for joint positions q (num_joints). With the wrist at zero the
 palm's is the identity. */
 std::vector<Pose> CalcLinkPoses(const Hand& hand, const Eigen::VectorXd& q);
 /** That of one link, at the cost of its chain alone. */

@@ -28,6 +28,12 @@ class HandYamlReader {
       map.Fail("joint_accuracy_deg", "expected 0 to 45 degrees");
     }
     hand_.joint_accuracy = RadFromDeg(accuracy_deg);
+    double slide_accuracy_mm = 0.0;
+    map.Read("slide_accuracy_mm", slide_accuracy_mm, Needed::kNo);
+    if (slide_accuracy_mm < 0.0 || slide_accuracy_mm > 20.0) {
+      map.Fail("slide_accuracy_mm", "expected 0 to 20 millimetres");
+    }
+    hand_.slide_accuracy = MFromMm(slide_accuracy_mm);
     double pad_torsion_radius = 0.004;
     map.Read("pad_torsion_radius_m", pad_torsion_radius, Needed::kNo);
     if (pad_torsion_radius < 0.0) map.Fail("pad_torsion_radius_m", "must not be negative");
@@ -39,6 +45,9 @@ class HandYamlReader {
     const YAML::Node surfaces = map.Child("surfaces", Needed::kNo);
     if (map.Has("surfaces")) ReadSurfaces(surfaces);
     if (map.Has("coupling")) ReadCoupling(map.Child("coupling"));
+    const YAML::Node mimic = map.Child("mimic", Needed::kNo);
+    if (map.Has("mimic")) ReadMimic(mimic);
+    CheckCoupledTo();
     ReadDrives(map.Child("drives"));
     map.Child("grasps", Needed::kNo);
     map.FinishKnownKeys();
@@ -48,10 +57,10 @@ class HandYamlReader {
   /** Reports when hand.urdf has no such link or joint; `what` is "link" or "joint". */
   bool CheckName(const std::string& name, const char* what, int line, const std::string& where) {
     if (outline_.links.empty()) return false;  // hand.urdf cannot be read, which has been reported
-    const auto& known = *what == 'l' ? outline_.links : outline_.revolute_joints;
+    const auto& known = *what == 'l' ? outline_.links : outline_.moving_joints;
     if (std::find(known.begin(), known.end(), name) != known.end()) return true;
     problems_.Fail(file_, line,
-                   where + ": hand.urdf has no " + (*what == 'l' ? "link" : "revolute joint") +
+                   where + ": hand.urdf has no " + (*what == 'l' ? "link" : "moving joint") +
                        " \"" + name + "\"" + SuggestNames(name, known));
     return false;
   }
@@ -69,6 +78,8 @@ class HandYamlReader {
   void ReadDigits(const YAML::Node& node);
   void ReadDigit(const YAML::Node& node);
   void ReadCoupling(const YAML::Node& node);
+  void ReadMimic(const YAML::Node& node);
+  void CheckCoupledTo();
   void ReadDrives(const YAML::Node& node);
   void ReadSurfaces(const YAML::Node& node);
 
@@ -78,6 +89,7 @@ class HandYamlReader {
   Diagnostics& problems_;
   std::map<std::string, std::string> digit_of_link_;
   std::set<std::string> coupled_;
+  std::vector<std::pair<int, int>> coupled_lines_;  // a coupled joint and where it is named
 };
 
 void HandYamlReader::ReadPalm(const YAML::Node& node) {
@@ -177,7 +189,6 @@ void HandYamlReader::ReadCoupling(const YAML::Node& node) {
     map.Fail("joints", "expected pairs, distal joint: middle joint");
     return;
   }
-  std::vector<std::pair<int, int>> pairs;
   for (const auto& pair : joints) {
     const std::string distal = pair.first.as<std::string>("");
     const std::string middle = pair.second.as<std::string>("");
@@ -196,15 +207,55 @@ void HandYamlReader::ReadCoupling(const YAML::Node& node) {
                      where + ": joint \"" + middle + "\" is not the joint before it in the finger");
     }
     hand_.joints[d].coupled_to = m;
-    pairs.emplace_back(d, line);
+    coupled_lines_.emplace_back(d, line);
   }
-  for (const auto& [d, line] : pairs) {
+}
+
+void HandYamlReader::CheckCoupledTo() {
+  for (const auto& [d, line] : coupled_lines_) {
     if (hand_.joints[hand_.joints[d].coupled_to].coupled_to >= 0) {
       problems_.Fail(file_, line,
                      "coupling of " + hand_.joints[d].name + ": joint \"" +
                          hand_.joints[hand_.joints[d].coupled_to].name +
                          "\" is coupled itself; it must have a drive");
     }
+  }
+}
+
+void HandYamlReader::ReadMimic(const YAML::Node& node) {
+  constexpr double kLargestRatio = 100.0;
+  for (const YAML::Node& item : Items(node, "mimic")) {
+    YamlMap map(item, file_, "mimic", problems_);
+    std::string name, follows;
+    double ratio = 1.0, offset_deg = 0.0, offset_mm = 0.0;
+    map.Read("joint", name);
+    map.Read("follows", follows);
+    map.Read("ratio", ratio);
+    map.Read("offset_deg", offset_deg, Needed::kNo);
+    map.Read("offset_mm", offset_mm, Needed::kNo);
+    map.FinishKnownKeys();
+    const int line = LineOf(item);
+    const std::string where = "mimic of " + name;
+    const bool knows_both =
+        CheckName(name, "joint", line, where) && CheckName(follows, "joint", line, where);
+    if (!knows_both) continue;
+    if (!coupled_.insert(name).second) problems_.Fail(file_, line, where + ": named twice");
+    if (ratio == 0.0 || std::abs(ratio) > kLargestRatio) {
+      map.Fail("ratio", "expected a number other than 0, at most 100");
+    }
+    const int joint = hand_.FindJoint(name), other = hand_.FindJoint(follows);
+    if (joint < 0 || other < 0) continue;
+    HandJoint& follower = hand_.joints[joint];
+    if (map.Has(follower.is_prismatic ? "offset_deg" : "offset_mm")) {
+      map.Fail(follower.is_prismatic ? "offset_deg" : "offset_mm",
+               "the joint " + std::string(follower.is_prismatic ? "slides: give offset_mm"
+                                                                : "turns: give offset_deg"));
+    }
+    follower.coupled_to = other;
+    follower.is_mimic = true;
+    follower.mimic_ratio = ratio;
+    follower.mimic_offset = follower.is_prismatic ? MFromMm(offset_mm) : RadFromDeg(offset_deg);
+    coupled_lines_.emplace_back(joint, line);
   }
 }
 
@@ -218,15 +269,19 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
     const double unset = std::nan("");  // reported when missing, and no value to judge
     JointDrive drive = {unset, unset, unset};
     map.Read("joints", joints);
-    map.Read("stiffness_nm_per_rad", drive.stiffness);
-    map.Read("damping_nms_per_rad", drive.damping);
-    map.Read("torque_limit_nm", drive.torque_limit);
+    const bool slides = map.Has("stiffness_n_per_m");
+    const char* const stiffness = slides ? "stiffness_n_per_m" : "stiffness_nm_per_rad";
+    const char* const damping = slides ? "damping_ns_per_m" : "damping_nms_per_rad";
+    const char* const limit = slides ? "force_limit_n" : "torque_limit_nm";
+    map.Read(stiffness, drive.stiffness);
+    map.Read(damping, drive.damping);
+    map.Read(limit, drive.torque_limit);
     map.FinishKnownKeys();
-    for (const auto& [key, value] : {std::pair{"stiffness_nm_per_rad", drive.stiffness},
-                                     {"torque_limit_nm", drive.torque_limit}}) {
+    for (const auto& [key, value] :
+         {std::pair{stiffness, drive.stiffness}, {limit, drive.torque_limit}}) {
       if (value <= 0.0) map.Fail(key, "must be positive");
     }
-    if (drive.damping < 0.0) map.Fail("damping_nms_per_rad", "must not be negative");
+    if (drive.damping < 0.0) map.Fail(damping, "must not be negative");
     for (const std::string& name : joints) {
       if (!CheckName(name, "joint", LineOf(item), where)) continue;
       if (coupled_.count(name) != 0) {
@@ -234,10 +289,18 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
       } else if (!driven.insert(name).second) {
         map.Fail("joints", "\"" + name + "\" already has a drive");
       }
-      if (const int joint = hand_.FindJoint(name); joint >= 0) hand_.joints[joint].drive = drive;
+      const int joint = hand_.FindJoint(name);
+      if (joint < 0) continue;
+      hand_.joints[joint].drive = drive;
+      if (hand_.joints[joint].is_prismatic == slides) continue;
+      map.Fail("joints", "\"" + name + "\" " +
+                             (slides ? "turns: its drive has stiffness_nm_per_rad, "
+                                       "damping_nms_per_rad and torque_limit_nm"
+                                     : "slides: its drive has stiffness_n_per_m, damping_ns_per_m "
+                                       "and force_limit_n"));
     }
   }
-  for (const std::string& name : outline_.revolute_joints) {
+  for (const std::string& name : outline_.moving_joints) {
     if (driven.count(name) == 0 && coupled_.count(name) == 0) {
       problems_.Fail(file_, LineOf(node),
                      "drives: joint \"" + name +

@@ -8,6 +8,7 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
       centre_m: [0, 0, 0]      # middle of the palm's surface, in the palm's frame
       normal: [0, 0, 1]        # out of the palm, in the palm's frame
     joint_accuracy_deg: 2      # half-width of the per-trial uniform error of every drive
+    slide_accuracy_mm: 0.5     # the same of prismatic joints; absent: 0
     pad_torsion_radius_m: 0.004   # of the links that carry the pads
     digits:                    # their order is the order of the hand's joints
       - id: TH
@@ -20,11 +21,16 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
       rule: middle-first       # middle-first, even or fixed
       fixed_ratio: 0.8         # of rule fixed
       joints: {THJ1: THJ2}     # distal joint: the middle joint that it follows
+    mimic:                     # absent: none. Joints that a linkage ties to another joint
+      - joint: FFJ3
+        follows: MFJ3          # any joint with a drive
+        ratio: -1.0            # q = ratio * q of the other + offset, in radians and metres
+        offset_deg: 0          # absent: 0. Of a prismatic joint: offset_mm
     drives:                    # every joint that is not coupled, once
       - joints: [THJ3, THJ2]
         stiffness_nm_per_rad: 3.0
         damping_nms_per_rad: 0.03
-        torque_limit_nm: 1.0
+        torque_limit_nm: 1.0   # prismatic: stiffness_n_per_m, damping_ns_per_m, force_limit_n
     surfaces:                  # absent: all as the session has it; what is left out, too
       - links: [palm]
         contact_stiffness_n_per_m: 2e5   # of one contact point

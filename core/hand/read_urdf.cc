@@ -119,12 +119,14 @@ class UrdfReader {
   void AddJoint(const urdf::Joint& joint, int link) {
     HandLink& moved = hand_.links[link];
     moved.X_PJ = PoseFrom(joint.parent_to_joint_origin_transform);
-    if (joint.type != urdf::Joint::REVOLUTE) return;
+    const bool is_prismatic = joint.type == urdf::Joint::PRISMATIC;
+    if (joint.type != urdf::Joint::REVOLUTE && !is_prismatic) return;
     moved.axis = VectorFrom(joint.axis).normalized();
     moved.joint = hand_.num_joints();
     HandJoint& added = hand_.joints.emplace_back();
     added.name = joint.name;
     added.link = link;
+    added.is_prismatic = is_prismatic;
     added.lower = joint.limits->lower;
     added.upper = joint.limits->upper;
   }

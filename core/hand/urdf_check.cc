@@ -17,6 +17,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr double kLargestExtent = 2.0;       // [m]; a larger part is a mistake of units
+constexpr double kLargestStroke = 1.0;       // [m] of a prismatic joint
 constexpr double kMostElongated = 30.0;      // length / thickness of a collision shape
 constexpr double kTriangleTolerance = 1e-3;  // relative, for inertia given with few digits
 
@@ -66,7 +67,7 @@ class UrdfChecker {
   void CheckJoint(XMLElement& joint);
   /** The links that it joins; noted for CheckTree when both are there. */
   JointLine ReadEnds(XMLElement& joint, const std::string& name, const std::string& where);
-  void CheckLimit(XMLElement& joint, const std::string& where);
+  void CheckLimit(XMLElement& joint, bool is_prismatic, const std::string& where);
   void CheckTree();
 
   void Fail(const XMLElement& at, const std::string& text) {
@@ -333,7 +334,7 @@ void UrdfChecker::CheckJoint(XMLElement& joint) {
   if (!name.empty() && !is_new) Fail(joint, where + ": the name is taken by another joint");
   if (XMLElement* mimic = joint.FirstChildElement("mimic")) {
     problems_.Warn(file_, mimic->GetLineNum(),
-                   where + ": <mimic> is not used; name the pair under coupling in hand.yaml");
+                   where + ": <mimic> is not used; name the joint under mimic in hand.yaml");
   }
   Prune(joint, {"parent", "child", "origin", "axis", "limit"},
         {"mimic", "dynamics", "safety_controller", "calibration"}, where);
@@ -342,12 +343,13 @@ void UrdfChecker::CheckJoint(XMLElement& joint) {
   const JointLine ends = ReadEnds(joint, name, where);
   const std::string type = Text(joint, "type", where);
   if (type == "fixed" || type.empty()) return;
-  if (type != "revolute") {
+  if (type != "revolute" && type != "prismatic") {
     Fail(joint, where + ": type \"" + type +
-                    "\" is not supported; a hand's joints are revolute (with limits) or fixed");
+                    "\" is not supported; a hand's joints are revolute or prismatic (with limits), "
+                    "or fixed");
     return;
   }
-  if (is_new) outline_.revolute_joints.push_back(name);
+  if (is_new) outline_.moving_joints.push_back(name);
   if (!ends.child.empty() && !has_inertial_[ends.child]) {
     problems_.Fail(file_, link_lines_[ends.child],
                    "link \"" + ends.child + "\": <inertial> is missing; joint \"" + name +
@@ -359,10 +361,10 @@ void UrdfChecker::CheckJoint(XMLElement& joint) {
       Fail(*axis, where + ": the axis has no direction");
     }
   }
-  CheckLimit(joint, where);
+  CheckLimit(joint, type == "prismatic", where);
 }
 
-void UrdfChecker::CheckLimit(XMLElement& joint, const std::string& where) {
+void UrdfChecker::CheckLimit(XMLElement& joint, bool is_prismatic, const std::string& where) {
   XMLElement* limit = Only(joint, "limit", where, true);
   if (!limit) return;
   Numbers(*limit, "effort", 1, where);
@@ -374,7 +376,10 @@ void UrdfChecker::CheckLimit(XMLElement& joint, const std::string& where) {
     Fail(*limit, where + ": the lower limit " + limit->Attribute("lower") +
                      " is not below the upper limit " + limit->Attribute("upper"));
   }
-  if (std::max(-lower->front(), upper->front()) > 2.0 * EIGEN_PI) {
+  const double largest = std::max(-lower->front(), upper->front());
+  if (is_prismatic && largest > kLargestStroke) {
+    Fail(*limit, where + ": a limit exceeds 1 m; URDF lengths are in metres");
+  } else if (!is_prismatic && largest > 2.0 * EIGEN_PI) {
     Fail(*limit, where + ": a limit exceeds one turn; URDF angles are in radians");
   }
 }
@@ -453,7 +458,7 @@ UrdfOutline UrdfChecker::Check(const std::string& text) {
   for_each("link", [this](XMLElement& link) { CheckLink(link); });
   for_each("joint", [this](XMLElement& joint) { CheckJoint(joint); });
   if (outline_.links.empty()) Fail(*robot, "the hand has no link");
-  if (outline_.revolute_joints.empty()) Fail(*robot, "the hand has no revolute joint");
+  if (outline_.moving_joints.empty()) Fail(*robot, "the hand has no moving joint");
   CheckTree();
   if (problems_.num_errors() == num_errors_before) {
     tinyxml2::XMLPrinter printer;

@@ -18,8 +18,8 @@ namespace graspbench {
 /** What a URDF names, known even when some of it is broken. */
 struct UrdfOutline {
   std::vector<std::string> links;
-  std::vector<std::string> revolute_joints;
-  std::string document;  ///< for urdfdom; empty when the URDF has errors
+  std::vector<std::string> moving_joints;  ///< revolute and prismatic
+  std::string document;                    ///< for urdfdom; empty when the URDF has errors
 };
 
 /** @param file    name of the text in messages.

@@ -25,6 +25,7 @@ constexpr double kRoundness = 0.06;
 // Springs of stops, ties and locks [N m/rad], [N m s/rad].
 constexpr double kStopStiffness = 50.0;
 constexpr double kStopDamping = 0.02;
+constexpr double kSlideLever = 0.02;  // [m] a prismatic joint's stop is as stiff as at this lever
 
 /** Outer radius of the ball that the object is, seams and dimples left aside; empty for other
 shapes. */
@@ -114,12 +115,13 @@ class JointForces : public SimTK::Force::Custom::Implementation {
       q[j] = Body(j).getOneQ(state, 0);
       u[j] = Body(j).getOneU(state, 0);
     }
-    const auto pull = [](double stretch, double rate) {
-      return -kStopStiffness * stretch - kStopDamping * rate;
-    };
     const bool is_middle_first = hand_.coupling == CouplingRule::kMiddleFirst;
     for (int j = 0; j < n; ++j) {
       const HandJoint& joint = hand_.joints[j];
+      const auto pull = [slides = joint.is_prismatic](double stretch, double rate) {
+        const double scale = slides ? 1.0 / (kSlideLever * kSlideLever) : 1.0;
+        return -scale * (kStopStiffness * stretch + kStopDamping * rate);
+      };
       const int distal = dynamics_.distal_of_dof(dynamics_.dof_of_joint(j));
       if (joint.coupled_to < 0) {
         double theta = q[j], rate = u[j];
@@ -132,13 +134,14 @@ class JointForces : public SimTK::Force::Custom::Implementation {
             std::clamp(joint.drive.stiffness * (command[j] - theta) - joint.drive.damping * rate,
                        -joint.drive.torque_limit, joint.drive.torque_limit);
         torque[is_sum && dynamics_.rate_of_joint(j) == 0.0 ? distal : j] += tau;
-      } else if (!is_middle_first) {
+      } else if (joint.is_mimic || !is_middle_first) {
         const int middle = joint.coupled_to;
         const double ratio = dynamics_.rate_of_joint(j);
-        const double tie = pull(q[j] - ratio * q[middle], u[j] - ratio * u[middle]);
+        const double offset = joint.is_mimic ? joint.mimic_offset : 0.0;
+        const double tie = pull(q[j] - ratio * q[middle] - offset, u[j] - ratio * u[middle]);
         torque[j] += tie;
         torque[middle] -= ratio * tie;
-        continue;  // the middle joint's limits hold
+        continue;  // the limits of the joint it follows hold
       }
       if (dynamics_.rate_of_joint(j) == 0.0) {
         torque[j] += pull(q[j] - locked_at_[j], u[j]);
@@ -245,6 +248,11 @@ void Model::AddLinks(const Hand& hand, const SimTK::ContactMaterial& skin, const
     } else if (link.joint < 0) {
       links.push_back(SimTK::MobilizedBody::Weld(links[link.parent], ToSimTK(link.X_PJ), body,
                                                  SimTK::Transform()));
+    } else if (hand.joints[link.joint].is_prismatic) {
+      const SimTK::Transform X_LM(
+          SimTK::Rotation(SimTK::UnitVec3(ToSimTK(link.axis)), SimTK::XAxis));
+      links.push_back(
+          SimTK::MobilizedBody::Slider(links[link.parent], ToSimTK(link.X_PJ) * X_LM, body, X_LM));
     } else {
       const SimTK::Transform X_LM(
           SimTK::Rotation(SimTK::UnitVec3(ToSimTK(link.axis)), SimTK::ZAxis));

@@ -75,6 +75,7 @@ HandDynamics::HandDynamics(const Hand& hand) {
   rate_.assign(hand.joints.size(), 1.0);
   for (size_t j = 0; j < hand.joints.size(); ++j) {
     joint_link_.push_back(hand.joints[j].link);
+    slides_.push_back(hand.joints[j].is_prismatic);
     if (hand.joints[j].coupled_to >= 0) continue;
     dof_of_joint_[j] = num_dofs_++;
     joint_of_dof_.push_back(static_cast<int>(j));
@@ -83,6 +84,10 @@ HandDynamics::HandDynamics(const Hand& hand) {
   for (size_t j = 0; j < hand.joints.size(); ++j) {
     if (hand.joints[j].coupled_to < 0) continue;
     dof_of_joint_[j] = dof_of_joint_[hand.joints[j].coupled_to];
+    if (hand.joints[j].is_mimic) {
+      rate_[j] = hand.joints[j].mimic_ratio;
+      continue;
+    }
     distal_of_dof_[dof_of_joint_[j]] = static_cast<int>(j);
   }
   X_WL_.assign(num_links, Pose::Identity());
@@ -101,8 +106,14 @@ void HandDynamics::UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q) {
       X_WL_[i].linear() = R_WJ;
       continue;
     }
-    X_WL_[i].linear() = R_WJ * Eigen::AngleAxisd(q[joint], axis_[i]).toRotationMatrix();
     const Vector3d a_W = R_WJ * axis_[i];
+    if (slides_[joint]) {
+      X_WL_[i].linear() = R_WJ;
+      X_WL_[i].translation() += q[joint] * a_W;
+      S_[joint] << Vector3d::Zero(), a_W;
+      continue;
+    }
+    X_WL_[i].linear() = R_WJ * Eigen::AngleAxisd(q[joint], axis_[i]).toRotationMatrix();
     S_[joint] << a_W, Vector3d(X_WL_[i].translation()).cross(a_W);
   }
   for (size_t i = 0; i < parent_.size(); ++i) {

@@ -7,11 +7,11 @@ because the packaged library checks every access. Tests hold both equal on rando
 matrix and bias to 1e-12), and every trial compares them again at its end.
 
 Method: spatial vectors about the world's origin, expressed in W (Featherstone 2008): a joint's
-motion vector is S = (a, p x a); composite rigid bodies give the mass matrix, recursive Newton-Euler
-the bias.
+motion vector is S = (a, p x a), of a prismatic joint (0, a); composite rigid bodies give the mass
+matrix, recursive Newton-Euler the bias.
 
 Degrees of freedom: one for every driven joint, then six of the base, which an arm carries. A
-coupled distal joint shares that of its middle joint: u_joint = rate_j * u_dof (coupling.h). Speeds
+coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (coupling.h). Speeds
 are
 
     u = [ rates of the driven joints (num_dofs) | w_WH (3) | v_WH (3) ]      v_WH that of H's origin
@@ -53,7 +53,8 @@ class HandDynamics {
   int dof_of_joint(int joint) const { return dof_of_joint_[joint]; }
   /** The joint a degree of freedom is named after (its middle joint when coupled). */
   int joint_of_dof(int dof) const { return joint_of_dof_[dof]; }
-  /** The distal joint that shares the degree of freedom; -1: none. */
+  /** The distal joint that shares the degree of freedom by the hand's coupling rule; -1: none.
+  Joints tied by a linkage (HandJoint::is_mimic) do not count: their rate never changes. */
   int distal_of_dof(int dof) const { return distal_of_dof_[dof]; }
   double rate_of_joint(int joint) const { return rate_[joint]; }
   void SetRate(int joint, double rate) { rate_[joint] = rate; }
@@ -88,6 +89,7 @@ class HandDynamics {
   std::vector<int> joint_;   // by link; -1: fixed
   std::vector<Pose> X_PJ_;   // by link
   std::vector<Eigen::Vector3d> axis_;
+  std::vector<bool> slides_;  // by joint
   std::vector<LinkInertia> inertia_;
   std::vector<std::vector<int>> chain_;
   std::vector<int> joint_link_;  // by joint

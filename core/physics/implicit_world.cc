@@ -15,6 +15,7 @@ using Eigen::VectorXd;
 
 /** Stiffness of the stops at the joint limits, and of a blocked joint [N m/rad]. */
 constexpr double kLimitStiffness = 200.0;
+constexpr double kSlideLimitStiffness = 1e5;  // [N/m] of a prismatic joint
 /** Speeds may differ by this much from those the bias was taken at [rad/s, m/s]. */
 constexpr double kBiasSpeedTolerance = 1e-5;
 
@@ -111,21 +112,23 @@ void ImplicitWorld::AddDrivesAndLimits(const WorldCommand& command) {
     if (rate == 0.0) continue;
     double lower = hand_->joints[joint].lower, upper = hand_->joints[joint].upper;
     if (const int middle = hand_->joints[joint].coupled_to; middle >= 0) {
+      if (hand_->joints[joint].is_mimic) continue;  // the limits of the joint it follows hold
       if (hand_->coupling != CouplingRule::kMiddleFirst)
         continue;  // the middle joint's limits hold
       lower = std::max(lower, 0.0);
       upper = std::min(upper, middle_.q[middle]);  // the middle joint is never less bent
     }
     const int dof = dynamics_.dof_of_joint(joint);
-    const double q = middle_.q[joint], gain = kLimitStiffness * h * rate * rate;
+    const double stiffness =
+        hand_->joints[joint].is_prismatic ? kSlideLimitStiffness : kLimitStiffness;
+    const double q = middle_.q[joint], gain = stiffness * h * rate * rate;
     // Far from its limits a joint cannot reach them within the step.
     constexpr double kNear = 0.1;
     if (q < lower + kNear) {
-      problem_.scalars.push_back({dof, kLimitStiffness * rate * (lower - q), gain, 0.0, kInfinity});
+      problem_.scalars.push_back({dof, stiffness * rate * (lower - q), gain, 0.0, kInfinity});
     }
     if (q > upper - kNear) {
-      problem_.scalars.push_back(
-          {dof, kLimitStiffness * rate * (upper - q), gain, -kInfinity, 0.0});
+      problem_.scalars.push_back({dof, stiffness * rate * (upper - q), gain, -kInfinity, 0.0});
     }
   }
 }

@@ -5,9 +5,9 @@
 namespace graspbench {
 namespace {
 
-/** A rotation that takes z (Simbody's pin axis) to `axis`. */
-SimTK::Rotation MakeAxisFrame(const Eigen::Vector3d& axis) {
-  return SimTK::Rotation(SimTK::UnitVec3(ToSimTK(axis)), SimTK::ZAxis);
+/** A rotation that takes `own` (of Simbody's joint: z of a pin, x of a slider) to `axis`. */
+SimTK::Rotation MakeAxisFrame(const Eigen::Vector3d& axis, SimTK::CoordinateAxis own) {
+  return SimTK::Rotation(SimTK::UnitVec3(ToSimTK(axis)), own);
 }
 
 }  // namespace
@@ -39,8 +39,12 @@ SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
     } else if (link.joint < 0) {
       model.links.push_back(SimTK::MobilizedBody::Weld(model.links[link.parent], ToSimTK(link.X_PJ),
                                                        body, SimTK::Transform()));
+    } else if (hand.joints[link.joint].is_prismatic) {
+      const SimTK::Transform X_LM(MakeAxisFrame(link.axis, SimTK::XAxis));
+      model.links.push_back(SimTK::MobilizedBody::Slider(model.links[link.parent],
+                                                         ToSimTK(link.X_PJ) * X_LM, body, X_LM));
     } else {
-      const SimTK::Transform X_LM(MakeAxisFrame(link.axis));
+      const SimTK::Transform X_LM(MakeAxisFrame(link.axis, SimTK::ZAxis));
       model.links.push_back(SimTK::MobilizedBody::Pin(model.links[link.parent],
                                                       ToSimTK(link.X_PJ) * X_LM, body, X_LM));
     }
@@ -53,7 +57,9 @@ SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
   for (const HandJoint& joint : hand.joints) {
     if (joint.coupled_to < 0 || !coupled) continue;
     // The joints' rates keep their ratio: rate_distal q_middle - rate_middle q_distal = constant.
-    const DistalRates rates = CalcDistalRates(hand.coupling, hand.fixed_coupling_ratio, *coupled);
+    const DistalRates rates =
+        joint.is_mimic ? DistalRates{1.0, joint.mimic_ratio}
+                       : CalcDistalRates(hand.coupling, hand.fixed_coupling_ratio, *coupled);
     const SimTK::Vector coefficients(SimTK::Vec3(rates.distal, -rates.middle, 0.0));
     const int middle_link = hand.joints[joint.coupled_to].link;
     SimTK::Array_<SimTK::MobilizedBodyIndex> bodies;

@@ -20,7 +20,7 @@ struct TrialDraw {
   double offset_x = 0.0;        ///< of the object on the table [m]
   double offset_y = 0.0;        ///< [m]
   double offset_yaw = 0.0;      ///< [rad]
-  Eigen::VectorXd joint_error;  ///< added to every drive's command (num_joints) [rad]
+  Eigen::VectorXd joint_error;  ///< added to every drive's command (num_joints) [rad], [m]
 };
 
 struct TrialSetup {

@@ -80,10 +80,10 @@ class SceneWriter {
   std::string SumName(int middle, int distal) const {
     return JointName(middle) + "+" + JointName(distal);
   }
-  /** The distal joint that a middle one drives; -1: none. */
+  /** The distal joint that a middle one drives by the hand's rule; -1: none. */
   int FindDistal(int middle) const {
     for (int j = 0; j < hand_.num_joints(); ++j) {
-      if (hand_.joints[j].coupled_to == middle) return j;
+      if (hand_.joints[j].coupled_to == middle && !hand_.joints[j].is_mimic) return j;
     }
     return -1;
   }
@@ -250,12 +250,13 @@ void SceneWriter::WriteCarriedWeight() {
 
 void SceneWriter::WriteJoint(const HandLink& link) {
   const HandJoint& joint = hand_.joints[link.joint];
-  const bool is_tied = joint.coupled_to >= 0 && !IsMiddleFirst();
+  const bool is_tied = joint.is_mimic || (joint.coupled_to >= 0 && !IsMiddleFirst());
   xml_.OpenElement("joint");
   Set("name", joint.name);
+  if (joint.is_prismatic) Set("type", "slide");
   Set("axis", FormatVector(link.axis));
   Set("range", Format(std::vector<double>{joint.lower, joint.upper}));
-  if (is_tied) Set("limited", "false");  // the middle joint's range holds
+  if (is_tied) Set("limited", "false");  // the range of the joint it follows holds
   xml_.CloseElement();
   qpos_.push_back(start_.q[link.joint]);
 }
@@ -360,19 +361,22 @@ void SceneWriter::WriteCouplings() {
   for (int distal = 0; distal < hand_.num_joints(); ++distal) {
     const int middle = hand_.joints[distal].coupled_to;
     if (middle < 0) continue;
-    if (IsMiddleFirst()) {
+    const HandJoint& follower = hand_.joints[distal];
+    if (!follower.is_mimic && IsMiddleFirst()) {
       WriteLock(middle, false);
       WriteLock(distal, true);
       continue;
     }
     const double ratio =
-        CalcDistalRates(hand_.coupling, hand_.fixed_coupling_ratio, DistalMode::kMiddleMoves)
-            .distal;
+        follower.is_mimic
+            ? follower.mimic_ratio
+            : CalcDistalRates(hand_.coupling, hand_.fixed_coupling_ratio, DistalMode::kMiddleMoves)
+                  .distal;
     xml_.OpenElement("joint");
     Set("name", "couple/" + JointName(distal));
     Set("joint1", JointName(distal));
     Set("joint2", JointName(middle));
-    Set("polycoef", Format(std::vector<double>{0.0, ratio, 0.0, 0.0, 0.0}));
+    Set("polycoef", Format(std::vector<double>{follower.mimic_offset, ratio, 0.0, 0.0, 0.0}));
     xml_.CloseElement();
   }
   xml_.CloseElement();
@@ -380,7 +384,7 @@ void SceneWriter::WriteCouplings() {
   xml_.OpenElement("tendon");
   for (int distal = 0; distal < hand_.num_joints(); ++distal) {
     const int middle = hand_.joints[distal].coupled_to;
-    if (middle < 0) continue;
+    if (middle < 0 || hand_.joints[distal].is_mimic) continue;
     for (const double sign : {1.0, -1.0}) {
       xml_.OpenElement("fixed");
       Set("name",

@@ -22,6 +22,7 @@ void ApplyModel(const ModelConfig& model, Hand& hand) {
   for (HandLink& link : hand.links) Scale(model, link.surface);
   for (HandJoint& joint : hand.joints) joint.drive.torque_limit *= model.drive_torque_scale;
   hand.joint_accuracy *= model.joint_error_scale;
+  hand.slide_accuracy *= model.joint_error_scale;
   for (const CouplingRule rule : ListCouplingRules()) {
     if (NameOf(rule) == model.coupling_rule) hand.coupling = rule;
   }

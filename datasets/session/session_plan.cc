@@ -205,8 +205,10 @@ TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, Rand
   draw.offset_yaw = pose.NextUniform(-variation.yaw, variation.yaw);
   draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
-    if (hand.joints[static_cast<size_t>(joint)].coupled_to >= 0) continue;
-    draw.joint_error[joint] = error.NextUniform(-hand.joint_accuracy, hand.joint_accuracy);
+    const HandJoint& moved = hand.joints[static_cast<size_t>(joint)];
+    if (moved.coupled_to >= 0) continue;
+    const double accuracy = moved.is_prismatic ? hand.slide_accuracy : hand.joint_accuracy;
+    draw.joint_error[joint] = error.NextUniform(-accuracy, accuracy);
   }
   return draw;
 }

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
+#include "core/hand/coupling.h"
 
 namespace graspbench {
 namespace {
@@ -66,6 +67,40 @@ TEST(LoadHandTest, AFixedLinkFollowsItsParent) {
           Eigen::Vector3d(0.04 * std::sin(0.3) + 0.018 * std::sin(0.7), 0.0,
                           0.04 * std::cos(0.3) + 0.018 * std::cos(0.7));
   EXPECT_LT((X_HL[hand.FindLink("tip")].translation() - p_HTip).norm(), 1e-9);
+}
+
+TEST(LoadHandTest, ReadsSlidesAndLinkages) {
+  std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  const auto replace = [](std::string& text, const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace(urdf, "name=\"J1\" type=\"revolute\"", "name=\"J1\" type=\"prismatic\"");
+  replace(urdf, "lower=\"0\" upper=\"1.5\"", "lower=\"0\" upper=\"0.05\"");
+  replace(yaml, "coupling:\n  rule: fixed\n  fixed_ratio: 0.5\n  joints: {J1: J2}\n",
+          "slide_accuracy_mm: 0.5\nmimic:\n  - {joint: J1, follows: J2, ratio: -0.02, "
+          "offset_mm: 30}\n");
+  Diagnostics problems;
+  const Hand hand = ParseHand(urdf, yaml, kGood, problems);
+  ASSERT_EQ(problems.Format(), "");
+  EXPECT_EQ(hand.slide_accuracy, 0.0005);
+  EXPECT_TRUE(hand.joints[1].is_prismatic);
+  EXPECT_EQ(hand.joints[1].coupled_to, 0);
+  Eigen::VectorXd q = Eigen::Vector2d(0.5, 0.0);
+  ApplyCoupling(hand, q);
+  EXPECT_NEAR(q[1], 0.03 - 0.02 * 0.5, 1e-15);
+  // The slide moves its link along the parent's y.
+  const Pose X_HP = CalcLinkPose(hand, q, hand.FindLink("proximal"));
+  const Pose X_HD = CalcLinkPose(hand, q, hand.FindLink("distal"));
+  EXPECT_LT((X_HP.inverse() * X_HD.translation() - Eigen::Vector3d(0, q[1], 0.04)).norm(), 1e-12);
+
+  replace(yaml, "stiffness_nm_per_rad: 2\n    damping_nms_per_rad: 0.1\n    torque_limit_nm: 1",
+          "stiffness_n_per_m: 2\n    damping_ns_per_m: 0.1\n    force_limit_n: 1");
+  ParseHand(urdf, yaml, kGood, problems);
+  ASSERT_EQ(problems.num_errors(), 1);
+  EXPECT_EQ(problems.entries()[0].text,
+            "drives, entry 1, joints: \"J2\" turns: its drive has stiffness_nm_per_rad, "
+            "damping_nms_per_rad and torque_limit_nm");
 }
 
 TEST(LoadHandTest, TheHashFollowsBothFiles) {
@@ -202,14 +237,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadHand{"urdf", "xyz=\"0 0 0.02\"", "xyz=\"0 0,02\"",
                 "hand.urdf:23: error: link \"proximal\", inertial, <origin> xyz: expected 3 finite "
                 "numbers, found \"0 0,02\""},
-        BadHand{"urdf", "name=\"J1\" type=\"revolute\"", "name=\"J1\" type=\"prismatic\"",
-                "hand.urdf:32: error: joint \"J1\": type \"prismatic\" is not supported; a hand's "
-                "joints are revolute (with limits) or fixed\n"
-                "hand.yaml:17: error: coupling of J1: hand.urdf has no revolute joint \"J1\"; did "
+        BadHand{"urdf", "name=\"J1\" type=\"revolute\"", "name=\"J1\" type=\"floating\"",
+                "hand.urdf:32: error: joint \"J1\": type \"floating\" is not supported; a hand's "
+                "joints are revolute or prismatic (with limits), or fixed\n"
+                "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J1\"; did "
                 "you mean \"J2\"? Known: J2"},
         BadHand{"urdf", "name=\"J1\"", "name=\"J2\"",
                 "hand.urdf:32: error: joint \"J2\": the name is taken by another joint\n"
-                "hand.yaml:17: error: coupling of J1: hand.urdf has no revolute joint \"J1\"; did "
+                "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J1\"; did "
                 "you mean \"J2\"? Known: J2"},
         BadHand{"urdf", "<link name=\"tip\"/>", "<link name=\"palm\"/>",
                 "hand.urdf:54: error: link \"palm\": the name is taken by line 4\n"
@@ -257,8 +292,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.urdf: error: link \"distal\" carries the pad of digit TH but has no "
                 "<collision>, so it could never touch"},
         BadHand{"urdf", "<dynamics damping=\"0.1\"/>", "<limits/><mimic joint=\"J1\"/>",
-                "hand.urdf:19: warning: joint \"J2\": <mimic> is not used; name the pair under "
-                "coupling in hand.yaml\n"
+                "hand.urdf:19: warning: joint \"J2\": <mimic> is not used; name the joint under "
+                "mimic in hand.yaml\n"
                 "hand.urdf:19: warning: joint \"J2\": <limits> is not used; did you mean "
                 "\"limit\"? Known: parent, child, origin, axis, limit"},
         BadHand{"urdf", "0.5 0.5 0.5 1", "128 128 128 1",
@@ -269,16 +304,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadHand{"yaml", "digits:", "digits: [",
                 "hand.yaml:8: error: not valid YAML: illegal block entry"},
-        BadHand{
-            "yaml", "name: Two", "nmae: Two",
-            "hand.yaml:1: error: hand: the key \"name\" is missing\n"
-            "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
-            "joint_accuracy_deg, pad_torsion_radius_m, digits, surfaces, coupling, drives, grasps"},
-        BadHand{
-            "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
-            "hand.yaml:6: error: hand, joint_accuracy_deg: expected 0 to 45 degrees\n"
-            "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
-            "joint_accuracy_deg, pad_torsion_radius_m, digits, surfaces, coupling, drives, grasps"},
+        BadHand{"yaml", "name: Two", "nmae: Two",
+                "hand.yaml:1: error: hand: the key \"name\" is missing\n"
+                "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
+                "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
+                "coupling, mimic, drives, grasps"},
+        BadHand{"yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
+                "hand.yaml:6: error: hand, joint_accuracy_deg: expected 0 to 45 degrees\n"
+                "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
+                "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
+                "coupling, mimic, drives, grasps"},
         BadHand{"yaml", "link: palm", "link: plam",
                 "hand.yaml:3: error: palm: hand.urdf has no link \"plam\". Known: palm, proximal, "
                 "distal, tip"},
@@ -301,7 +336,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.yaml:15: error: coupling, rule: unknown rule \"evn\"; did you mean \"even\"? "
                 "Known: middle-first, even, fixed"},
         BadHand{"yaml", "{J1: J2}", "{J1: J3}",
-                "hand.yaml:17: error: coupling of J1: hand.urdf has no revolute joint \"J3\"; did "
+                "hand.yaml:17: error: coupling of J1: hand.urdf has no moving joint \"J3\"; did "
                 "you mean \"J2\"? Known: J2, J1\n"
                 "hand.yaml:19: error: drives: joint \"J1\" has neither drive nor coupling"},
         BadHand{"yaml", "{J1: J2}", "{J2: J1}",
@@ -317,7 +352,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "of its own"},
         BadHand{"yaml", "joints: [J2]", "joints: [J2, J2, J4]",
                 "hand.yaml:19: error: drives, entry 1, joints: \"J2\" already has a drive\n"
-                "hand.yaml:19: error: drives, entry 1: hand.urdf has no revolute joint \"J4\"; did "
+                "hand.yaml:19: error: drives, entry 1: hand.urdf has no moving joint \"J4\"; did "
                 "you mean \"J2\"? Known: J2, J1"},
         BadHand{
             "yaml", "stiffness_nm_per_rad: 2", "stiffness: 2",

@@ -4,6 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
+#include "core/hand/coupling.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "tests/core/physics/random_vector.h"
@@ -33,6 +34,7 @@ Hand MakeRandomHand(int num_links, RandomStream& random) {
     AddRodLink(hand, parent, X_PJ, axis, random.NextUniform(0.01, 0.1),
                random.NextUniform(0.02, 0.06));
     hand.links.back().p_LLcm += 0.01 * Eigen::Vector3d(random.NextNormal(), random.NextNormal(), 0);
+    hand.joints.back().is_prismatic = random.NextIndex(3) == 0;
   }
   return hand;
 }
@@ -74,6 +76,54 @@ TEST(HandDynamics, EqualsSimbodyOnRandomTreesAndStates) {
     VectorXd bias(speeds);
     dynamics.CalcBias(u, gravity, bias);
     EXPECT_LT((bias - simbody.CalcBias(gravity).head(speeds)).cwiseAbs().maxCoeff(), 1e-11);
+  }
+}
+
+// A linkage takes degrees of freedom away: with u_joint = T u, M = T' M_all T and the bias likewise,
+// those of all joints being Simbody's. Followers and what they follow lie on any branches.
+TEST(HandDynamics, LinkagesAreSimbodysHandWithTiedSpeeds) {
+  RandomStream random("linkages", "test");
+  for (int trial = 0; trial < 20; ++trial) {
+    Hand hand = MakeRandomHand(4 + random.NextIndex(8), random);
+    const int joints = hand.num_joints();
+    for (int j = 1; j < joints; j += 2) {
+      HandJoint& follower = hand.joints[static_cast<size_t>(j)];
+      follower.coupled_to = 2 * random.NextIndex((joints + 1) / 2);
+      follower.is_mimic = true;
+      follower.mimic_ratio = random.NextUniform(-2.0, 2.0);
+      follower.mimic_offset = random.NextUniform(-0.5, 0.5);
+    }
+    MassProperties object;
+    object.mass = 0.1;
+    object.I_OOcm = Vector3d(1e-4, 2e-4, 2.5e-4).asDiagonal();
+    SimbodyModel simbody(hand, object);
+    HandDynamics dynamics(hand);
+    const int speeds = dynamics.num_speeds();
+    ASSERT_EQ(dynamics.num_dofs(), (joints + 1) / 2);
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, speeds);
+    T.bottomRightCorner(6, 6).setIdentity();
+    for (int j = 0; j < joints; ++j) {
+      const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+      T(j, (joint.is_mimic ? joint.coupled_to : j) / 2) = joint.is_mimic ? joint.mimic_ratio : 1.0;
+    }
+    VectorXd q = MakeRandomVector(joints, 1.0, random);
+    ApplyCoupling(hand, q);
+    const VectorXd u = MakeRandomVector(speeds, 3.0, random);
+    const Vector3d gravity = MakeRandomVector(3, 5.0, random);
+    const Pose X_WH = MakePose(MakeRotationRpy(0.3, -0.8, 2.0), Vector3d(0.1, -0.2, 0.3));
+    VectorXd all_speeds = VectorXd::Zero(joints + 12);
+    all_speeds.head(joints + 6) = T * u;
+    simbody.SetPositions(X_WH, q, Pose::Identity());
+    simbody.SetSpeeds(all_speeds);
+    dynamics.UpdatePositions(X_WH, q);
+    Eigen::MatrixXd M(speeds, speeds);
+    dynamics.CalcMassMatrix(M);
+    const Eigen::MatrixXd M_all = simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6);
+    EXPECT_LT((M - T.transpose() * M_all * T).cwiseAbs().maxCoeff(), 1e-11);
+    VectorXd bias(speeds);
+    dynamics.CalcBias(u, gravity, bias);
+    const VectorXd bias_all = simbody.CalcBias(gravity).head(joints + 6);
+    EXPECT_LT((bias - T.transpose() * bias_all).cwiseAbs().maxCoeff(), 1e-10);
   }
 }
 

@@ -1,0 +1,99 @@
+#include "core/hand/closing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kDecided = 0.2;  // of the range
+
+Vector3d CalcTip(const Hand& hand, const Digit& digit, const Eigen::VectorXd& q) {
+  return CalcLinkPose(hand, q, digit.distal_link) * digit.p_LTip;
+}
+
+/** Mean distance of the tips from one another. */
+double CalcTipSpread(const Hand& hand, const Eigen::VectorXd& q) {
+  double sum = 0.0;
+  int num_pairs = 0;
+  for (size_t a = 0; a < hand.digits.size(); ++a) {
+    for (size_t b = 0; b < a; ++b, ++num_pairs) {
+      sum += (CalcTip(hand, hand.digits[a], q) - CalcTip(hand, hand.digits[b], q)).norm();
+    }
+  }
+  return num_pairs > 0 ? sum / num_pairs : 0.0;
+}
+
+int FindClosingOfSlide(const Hand& hand, int joint) {
+  const HandJoint& slide = hand.joints[joint];
+  const auto calc_spread = [&](double position) {
+    Eigen::VectorXd q = CalcClosedPosture(hand, {}, 0.0);
+    q[joint] = position;
+    ApplyCoupling(hand, q);
+    return CalcTipSpread(hand, q);
+  };
+  const double change = calc_spread(slide.upper) - calc_spread(slide.lower);
+  if (std::abs(change) < 0.05 * (slide.upper - slide.lower)) return 0;
+  return change < 0.0 ? 1 : -1;
+}
+
+/** The digit's outermost joint that turns has an axis of about this direction. */
+bool Bends(const Hand& hand, int joint, const std::vector<Pose>& X_HL) {
+  constexpr double kAlong = 0.7;
+  const auto calc_axis = [&](int link) -> Vector3d {
+    return X_HL[link].linear() * hand.links[link].axis;
+  };
+  const Digit& digit = hand.digits[hand.FindDigitOfLink(hand.joints[joint].link)];
+  for (size_t k = digit.links.size(); k-- > 0;) {
+    const int outer = hand.links[digit.links[k]].joint;
+    if (outer < 0 || hand.joints[outer].is_prismatic) continue;
+    return std::abs(calc_axis(hand.joints[joint].link).dot(calc_axis(digit.links[k]))) > kAlong;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<int> FindClosing(const Hand& hand) {
+  std::vector<int> closing(hand.joints.size(), 0);
+  bool has_slide = false;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
+  for (int j = 0; j < hand.num_joints(); ++j) {
+    const HandJoint& joint = hand.joints[j];
+    if (joint.coupled_to >= 0 || hand.FindDigitOfLink(joint.link) < 0) continue;
+    const double range = joint.upper - joint.lower;
+    if (joint.is_prismatic) {
+      closing[j] = FindClosingOfSlide(hand, j);
+      has_slide = true;
+    } else if (std::abs(joint.upper + joint.lower) > kDecided * range && Bends(hand, j, X_HL)) {
+      closing[j] = joint.upper + joint.lower > 0.0 ? 1 : -1;
+    }
+  }
+  if (hand.digits.size() == 2 && !has_slide &&
+      CalcTipSpread(hand, CalcClosedPosture(hand, closing, 1.0)) >
+          CalcTipSpread(hand, CalcClosedPosture(hand, closing, 0.0))) {
+    for (int& direction : closing) direction = -direction;
+  }
+  return closing;
+}
+
+Eigen::VectorXd CalcClosedPosture(const Hand& hand, const std::vector<int>& closing, double share) {
+  Eigen::VectorXd q(hand.num_joints());
+  for (int j = 0; j < hand.num_joints(); ++j) {
+    const HandJoint& joint = hand.joints[j];
+    q[j] = std::clamp(0.0, joint.lower, joint.upper);
+    const int direction = closing.empty() ? 0 : closing[j];
+    if (direction == 0) continue;
+    const double open = direction > 0 ? joint.lower : joint.upper;
+    const double closed = direction > 0 ? joint.upper : joint.lower;
+    q[j] = open + share * (closed - open);
+  }
+  ApplyCoupling(hand, q);
+  return q;
+}
+
+}  // namespace graspbench

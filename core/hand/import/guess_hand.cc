@@ -1,0 +1,457 @@
+#include "core/hand/import/guess_hand.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/hand/closing.h"
+#include "core/hand/import/shape_distance.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
+constexpr double kLongestDigit = 0.4;                        // [m]
+constexpr double kPadPlace = 0.6;     // of the way from the last joint to the tip
+constexpr double kAgreement = 0.5;    // of the pads' directions, mean length
+constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive
+constexpr double kMostForce = 200.0;  // [N] of a slide's drive
+
+/** Signed distance of the shapes of a link. */
+double CalcLinkDistance(const std::vector<CollisionShape>& shapes, int link, const Vector3d& p_L) {
+  double least = 1.0;
+  for (const CollisionShape& shape : shapes) {
+    if (shape.link == link) least = std::min(least, CalcDistance(shape, p_L));
+  }
+  return least;
+}
+
+std::vector<CollisionShape> ShapesOf(const ImportedHand& imported, int link) {
+  std::vector<CollisionShape> own;
+  for (const CollisionShape& shape : imported.shapes) {
+    if (shape.link == link) own.push_back(shape);
+  }
+  return own;
+}
+
+/** Where a ray from a point of the link leaves its shapes for good. */
+Vector3d FindSurface(const std::vector<CollisionShape>& shapes, int link, const Vector3d& from,
+                     const Vector3d& direction) {
+  constexpr double kStep = 0.0002, kFarthest = 0.15;
+  double leaves_at = 0.0;
+  for (double s = 0.0; s < kFarthest; s += kStep) {
+    if (CalcLinkDistance(shapes, link, from + s * direction) <= 0.0) leaves_at = s;
+  }
+  return from + leaves_at * direction;
+}
+
+class Guesser {
+ public:
+  Guesser(const std::string& file, ImportedHand& imported, Diagnostics& problems)
+      : file_(file), imported_(imported), hand_(imported.hand), problems_(problems) {}
+
+  void Guess();
+
+ private:
+  std::vector<int> PathFromPalm(int link) const;
+  bool HasShape(int link) const { return !ShapesOf(imported_, link).empty(); }
+  void FindDigits();
+  void DropLinkages();
+  void PlaceTips();
+  void PlacePads();
+  void FindThumb();
+  void NameDigits();
+  void FindPalm();
+  void SetDrives();
+  bool CheckSize();
+  /** How the point of the digit's last link moves in H while all joints close at one rate. */
+  Vector3d CalcClosingMotion(const Digit& digit, const Eigen::VectorXd& q, const Vector3d& p_L);
+  void Warn(const std::string& text) { problems_.Warn(file_, 0, text); }
+  void Fail(const std::string& text) { problems_.Fail(file_, 0, text); }
+
+  const std::string& file_;
+  ImportedHand& imported_;
+  Hand& hand_;
+  Diagnostics& problems_;
+  std::vector<Vector3d> facing_;  // of the digits' pads in H, at the open hand
+};
+
+std::vector<int> Guesser::PathFromPalm(int link) const {
+  std::vector<int> path;
+  for (int at = link; at >= 0 && at != hand_.palm_link; at = hand_.links[at].parent) {
+    path.insert(path.begin(), at);
+  }
+  return path;
+}
+
+void Guesser::FindDigits() {
+  std::vector<int> num_ends(hand_.links.size(), 0);
+  std::vector<int> ends;
+  for (size_t i = hand_.links.size(); i-- > 0;) {
+    const int link = static_cast<int>(i), parent = hand_.links[i].parent;
+    const std::vector<int> path = PathFromPalm(link);
+    const bool is_below_palm = !path.empty() && hand_.links[path.front()].parent == hand_.palm_link;
+    if (num_ends[i] == 0 && is_below_palm && HasShape(link)) {
+      num_ends[i] = 1;
+      ends.push_back(link);
+    }
+    if (parent >= 0) num_ends[parent] += num_ends[i];
+  }
+  std::reverse(ends.begin(), ends.end());
+  for (const int end : ends) {
+    Digit digit;
+    for (const int link : PathFromPalm(end)) {
+      if (num_ends[link] == 1) digit.links.push_back(link);
+    }
+    if (digit.links.empty()) continue;
+    digit.distal_link = end;
+    hand_.digits.push_back(digit);
+  }
+}
+
+void Guesser::DropLinkages() {
+  constexpr double kNeighbour = 0.04, kShorter = 0.9;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  const auto base = [&](const Digit& digit) { return X_HL[digit.links.front()].translation(); };
+  const auto reach = [&](const Digit& digit) {
+    return (X_HL[digit.distal_link] * digit.p_LTip - X_HL[hand_.palm_link].translation()).norm();
+  };
+  std::vector<Digit> kept;
+  for (const Digit& digit : hand_.digits) {
+    const bool only_follows = std::all_of(digit.links.begin(), digit.links.end(), [&](int link) {
+      const int joint = hand_.links[link].joint;
+      return joint < 0 || hand_.joints[joint].coupled_to >= 0;
+    });
+    const bool is_linkage =
+        only_follows && std::any_of(hand_.digits.begin(), hand_.digits.end(), [&](const Digit& d) {
+          return d.distal_link != digit.distal_link && d.links.size() > digit.links.size() &&
+                 (base(d) - base(digit)).norm() < kNeighbour && reach(digit) < kShorter * reach(d);
+        });
+    if (is_linkage) {
+      Warn("link \"" + hand_.links[digit.distal_link].name +
+           "\" moves with a digit beside it and reaches less far: part of its linkage, no digit");
+    } else {
+      kept.push_back(digit);
+    }
+  }
+  hand_.digits = std::move(kept);
+}
+
+/** The farthest point of the last link along the line from its joint through its middle. */
+void Guesser::PlaceTips() {
+  for (Digit& digit : hand_.digits) {
+    const auto shapes = ShapesOf(imported_, digit.distal_link);
+    const Vector3d middle = CalcBounds(shapes).center();
+    Vector3d along = middle.stableNormalized();
+    const int joint = hand_.links[digit.distal_link].joint;
+    if (middle.norm() < 1e-4 || hand_.joints[joint].is_prismatic) {
+      int longest = 2;
+      CalcBounds(shapes).sizes().maxCoeff(&longest);
+      along = std::copysign(1.0, middle[longest]) * Vector3d::Unit(longest);
+    }
+    digit.p_LTip = FindSurface(shapes, digit.distal_link, middle, along);
+  }
+}
+
+Vector3d Guesser::CalcClosingMotion(const Digit& digit, const Eigen::VectorXd& q,
+                                    const Vector3d& p_L) {
+  const std::vector<int> closing = FindClosing(hand_);
+  const auto calc_point = [&](const Eigen::VectorXd& at) -> Vector3d {
+    return CalcLinkPose(hand_, at, digit.distal_link) * p_L;
+  };
+  constexpr double kStep = 1e-4;  // of the range
+  const Eigen::VectorXd step =
+      CalcClosedPosture(hand_, closing, kStep) - CalcClosedPosture(hand_, closing, 0.0);
+  return (calc_point(q + step) - calc_point(q)) / kStep;
+}
+
+void Guesser::PlacePads() {
+  const std::vector<int> closing = FindClosing(hand_);
+  const Eigen::VectorXd half_closed = CalcClosedPosture(hand_, closing, 0.4);
+  const Eigen::VectorXd open = CalcClosedPosture(hand_, {}, 0.0);
+  facing_.clear();
+  for (Digit& digit : hand_.digits) {
+    const auto shapes = ShapesOf(imported_, digit.distal_link);
+    const Vector3d along = (digit.p_LTip - CalcBounds(shapes).center()).stableNormalized();
+    const Vector3d motion = CalcClosingMotion(digit, half_closed, digit.p_LTip);
+    const Eigen::Matrix3d R_HL = CalcLinkPose(hand_, half_closed, digit.distal_link).linear();
+    Vector3d facing = R_HL.transpose() * motion;
+    facing -= facing.dot(along) * along;
+    if (facing.norm() < 1e-6) {
+      Warn("digit with \"" + hand_.links[digit.distal_link].name +
+           "\": no joint closes it; look at its pad_m");
+      facing = along.unitOrthogonal();
+    }
+    facing.normalize();
+    // From the middle of the shapes' section at this height.
+    const Vector3d middle = CalcBounds(shapes).center();
+    const Vector3d from = middle + (kPadPlace * digit.p_LTip - middle).dot(along) * along;
+    const bool is_inside = CalcLinkDistance(shapes, digit.distal_link, from) <= 0.0;
+    digit.p_LPad = FindSurface(shapes, digit.distal_link, is_inside ? from : middle, facing);
+    facing_.push_back(CalcLinkPose(hand_, open, digit.distal_link).linear() * facing);
+  }
+}
+
+std::string MakeSmall(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/** The digit that a link's or joint's name tells: "TH", "FF", ...; empty: none. */
+std::string FindNamedDigit(const std::string& name) {
+  const std::string text = MakeSmall(name);
+  const std::vector<std::pair<const char*, const char*>> words = {
+      {"thumb", "TH"},   {"daumen", "TH"},        {"index", "FF"},        {"forefinger", "FF"},
+      {"pointer", "FF"}, {"middle_finger", "MF"}, {"middlefinger", "MF"}, {"ring", "RF"},
+      {"little", "LF"},  {"pinky", "LF"},         {"pinkie", "LF"},       {"middle", "MF"}};
+  for (const auto& [word, id] : words) {
+    const size_t at = text.find(word);
+    if (at == std::string::npos) continue;
+    const bool is_in_word = at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) &&
+                            std::string(word) == "ring";  // "spring", "string"
+    if (!is_in_word) return id;
+  }
+  // Shadow's way: rh_ffdistal, lh_THJ1.
+  for (const char* prefix : {"", "rh_", "lh_", "r_", "l_", "right_", "left_"}) {
+    if (text.compare(0, std::string(prefix).size(), prefix) != 0) continue;
+    const std::string rest = text.substr(std::string(prefix).size());
+    for (const char* id : {"th", "ff", "mf", "rf", "lf"}) {
+      const bool goes_on = rest.size() > 2 && (rest[2] == 'j' || rest[2] == '_' || rest[2] == 'd' ||
+                                               rest[2] == 't' || rest[2] == 'p');
+      if (rest.compare(0, 2, id) != 0 || (rest.size() > 2 && !goes_on)) continue;
+      std::string upper = id;
+      for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      return upper;
+    }
+  }
+  return "";
+}
+
+void Guesser::FindThumb() {
+  // The name that most links and joints of the digit tell.
+  for (Digit& digit : hand_.digits) {
+    std::map<std::string, int> votes;
+    for (const int link : digit.links) {
+      ++votes[FindNamedDigit(hand_.links[link].name)];
+      if (hand_.links[link].joint >= 0) {
+        ++votes[FindNamedDigit(hand_.joints[hand_.links[link].joint].name)];
+      }
+    }
+    votes.erase("");
+    int most = 0;
+    for (const auto& [id, count] : votes) {
+      if (count > most) digit.id = id;
+      most = std::max(most, count);
+    }
+  }
+  int thumb = -1, num_named = 0;
+  for (size_t d = 0; d < hand_.digits.size(); ++d) {
+    if (hand_.digits[d].id != "TH") continue;
+    thumb = static_cast<int>(d);
+    ++num_named;
+  }
+  if (num_named != 1) {
+    double most = -10.0;
+    for (size_t d = 0; d < hand_.digits.size(); ++d) {
+      double against = 0.0;
+      for (const Vector3d& other : facing_) against -= facing_[d].dot(other);
+      // A digit as good as an earlier one changes nothing: rounding must not choose.
+      if (against <= most + 0.05) continue;
+      most = against;
+      thumb = static_cast<int>(d);
+    }
+    for (Digit& digit : hand_.digits) {
+      if (digit.id == "TH") digit.id.clear();
+    }
+  }
+  hand_.digits[static_cast<size_t>(thumb)].is_thumb = true;
+  hand_.digits[static_cast<size_t>(thumb)].id = "TH";
+}
+
+void Guesser::NameDigits() {
+  const std::vector<std::pair<std::string, std::string>> kNames = {
+      {"FF", "index"}, {"MF", "middle"}, {"RF", "ring"}, {"LF", "little"}};
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  std::set<std::string> taken;
+  std::vector<size_t> unnamed;
+  Vector3d p_HThumb = Vector3d::Zero();
+  for (size_t d = 0; d < hand_.digits.size(); ++d) {
+    Digit& digit = hand_.digits[d];
+    if (digit.is_thumb) {
+      p_HThumb = X_HL[digit.distal_link] * digit.p_LTip;
+      digit.name = "thumb";
+    } else if (digit.id.empty() || !taken.insert(digit.id).second) {
+      unnamed.push_back(d);
+    }
+  }
+  // From the thumb's side, as in a human hand.
+  const auto distance = [&](size_t d) {
+    return (X_HL[hand_.digits[d].links.front()].translation() - p_HThumb).norm();
+  };
+  std::stable_sort(unnamed.begin(), unnamed.end(),
+                   [&](size_t a, size_t b) { return distance(a) < distance(b) - 1e-6; });
+  int number = 0;
+  for (const size_t d : unnamed) {
+    Digit& digit = hand_.digits[d];
+    digit.id.clear();
+    for (const auto& [id, name] : kNames) {
+      if (digit.id.empty() && taken.insert(id).second) digit.id = id;
+    }
+    while (digit.id.empty()) {
+      const std::string id = "D" + std::to_string(++number);
+      if (taken.insert(id).second) digit.id = id;
+    }
+  }
+  for (Digit& digit : hand_.digits) {
+    for (const auto& [id, name] : kNames) {
+      if (digit.id == id) digit.name = name;
+    }
+    if (digit.name.empty()) digit.name = "digit " + digit.id.substr(1);
+  }
+  // In the order of a hand, the thumb last.
+  const auto rank = [&](const Digit& digit) {
+    for (size_t i = 0; i < kNames.size(); ++i) {
+      if (digit.id == kNames[i].first) return i;
+    }
+    return digit.is_thumb ? kNames.size() + 1 : kNames.size();
+  };
+  std::stable_sort(hand_.digits.begin(), hand_.digits.end(),
+                   [&](const Digit& a, const Digit& b) { return rank(a) < rank(b); });
+}
+
+void Guesser::FindPalm() {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  Vector3d all_facing = Vector3d::Zero(), facing = Vector3d::Zero(), along = Vector3d::Zero();
+  Vector3d thumb_facing = Vector3d::Zero(), thumb_along = Vector3d::Zero();
+  for (size_t d = 0; d < hand_.digits.size(); ++d) {
+    const Digit& digit = hand_.digits[d];
+    const Vector3d p_HBase = X_HL[digit.links.front()].translation();
+    const Vector3d p_HTip = X_HL[digit.distal_link] * digit.p_LTip;
+    all_facing += facing_[d] / static_cast<double>(hand_.digits.size());
+    (digit.is_thumb ? thumb_facing : facing) += facing_[d];
+    (digit.is_thumb ? thumb_along : along) += (p_HTip - p_HBase).stableNormalized();
+  }
+  facing.stableNormalize();
+  along.stableNormalize();
+  // Digits that point away from each other when open, all around the palm, face what it faces.
+  const bool is_star = thumb_along.dot(along) < -kAgreement;
+  Vector3d normal = facing;
+  if (all_facing.norm() < kAgreement) {
+    normal = along + thumb_along;  // a gripper: the pads face each other
+  } else if (is_star) {
+    normal = facing + thumb_facing;
+  } else if (std::abs(normal.dot(along)) < 0.8) {
+    normal -= normal.dot(along) * along;
+  }
+  if (normal.norm() < 1e-6) {
+    normal = Vector3d::UnitZ();
+    Warn("no direction in which the palm faces could be found: z is taken; look at palm: normal");
+  }
+  hand_.palm_normal = normal.normalized();
+  // An axis that is nearly met is meant.
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(hand_.palm_normal[k]) < 0.985) continue;
+    hand_.palm_normal = std::copysign(1.0, hand_.palm_normal[k]) * Vector3d::Unit(k);
+  }
+  const auto shapes = ShapesOf(imported_, hand_.palm_link);
+  Vector3d middle = Vector3d::Zero();
+  if (shapes.empty()) {
+    for (const Digit& digit : hand_.digits) {
+      middle += X_HL[digit.links.front()].translation() / static_cast<double>(hand_.digits.size());
+    }
+    hand_.p_HCentre = middle;
+    return;
+  }
+  hand_.p_HCentre =
+      FindSurface(shapes, hand_.palm_link, CalcBounds(shapes).center(), hand_.palm_normal);
+}
+
+void Guesser::SetDrives() {
+  hand_.joint_accuracy = RadFromDeg(1.0);
+  for (int j = 0; j < hand_.num_joints(); ++j) {
+    HandJoint& joint = hand_.joints[j];
+    const double effort = imported_.efforts[static_cast<size_t>(j)];
+    if (joint.is_prismatic) {
+      hand_.slide_accuracy = 0.0005;
+      joint.drive = {3000.0, 60.0, effort > 0.0 && effort <= kMostForce ? effort : 40.0};
+    } else {
+      joint.drive = {3.0, 0.06, effort > 0.0 && effort <= kMostEffort ? effort : 1.0};
+    }
+    if (joint.coupled_to < 0 && hand_.FindDigitOfLink(joint.link) < 0) {
+      if (joint.lower > 0.0 || joint.upper < 0.0) {
+        Warn(
+            "joint \"" + joint.name +
+            "\" belongs to no digit and is held at zero, which its limits forbid; widened to zero");
+        joint.lower = std::min(joint.lower, 0.0);
+        joint.upper = std::max(joint.upper, 0.0);
+      } else {
+        Warn("joint \"" + joint.name + "\" belongs to no digit and is held at zero: a wrist");
+      }
+    }
+  }
+}
+
+bool Guesser::CheckSize() {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  Eigen::AlignedBox3d bounds;
+  for (const CollisionShape& shape : imported_.shapes) {
+    const Vector3d p = X_HL[shape.link] * shape.X_LS.translation();
+    const Vector3d half = Vector3d::Constant(0.5 * shape.size.maxCoeff());
+    bounds.extend(Vector3d(p - half));
+    bounds.extend(Vector3d(p + half));
+  }
+  const double size = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
+  if (size < kSmallestHand || size > kLargestHand) {
+    Fail("the hand is " + FormatSignificant(size, 3) +
+         " m across; a hand is 15 mm to 2 m with its forearm. URDF is in metres: the unit of its "
+         "origins and shapes is another");
+    return false;
+  }
+  return true;
+}
+
+void Guesser::Guess() {
+  hand_.links[0].X_PJ = Pose::Identity();
+  hand_.links[0].X_PJ =
+      CalcLinkPoses(hand_, Eigen::VectorXd::Zero(hand_.num_joints()))[hand_.palm_link].inverse();
+  if (!CheckSize()) return;
+  FindDigits();
+  PlaceTips();
+  DropLinkages();
+  if (hand_.digits.size() < 2) {
+    Fail("only " + FormatCount(static_cast<int64_t>(hand_.digits.size()), "digit") +
+         " found below \"" + hand_.links[hand_.palm_link].name +
+         "\": an arm, or a tool. Name the palm with --palm if it is another link");
+    return;
+  }
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
+  for (const Digit& digit : hand_.digits) {
+    const double length =
+        (X_HL[digit.distal_link] * digit.p_LTip - X_HL[digit.links.front()].translation()).norm();
+    if (length <= kLongestDigit) continue;
+    Fail("the digit that ends with \"" + hand_.links[digit.distal_link].name + "\" is " +
+         FormatSignificant(length, 3) +
+         " m long: a robot with several arms, not a hand. Name the palm with --palm");
+    return;
+  }
+  PlacePads();
+  FindThumb();
+  NameDigits();
+  PlacePads();  // in the digits' order
+  FindPalm();
+  SetDrives();
+}
+
+}  // namespace
+
+void GuessHand(const std::string& file, ImportedHand& imported, Diagnostics& problems) {
+  Guesser(file, imported, problems).Guess();
+}
+
+}  // namespace graspbench

@@ -1,0 +1,57 @@
+#include "core/hand/import/import_hand.h"
+
+#include <algorithm>
+
+#include "core/hand/import/guess_hand.h"
+#include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/write_hand.h"
+
+namespace graspbench {
+
+namespace {
+
+ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
+                            const std::string& palm, Diagnostics& problems) {
+  const auto has_failed = [&] { return problems.num_errors() > 0; };
+  const ForeignHand foreign = ReadForeignUrdf(text, source.file, problems);
+  if (has_failed()) return {};
+  ShapeLoader loader(source, problems);
+  std::vector<LoadedShapes> shapes;
+  for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
+  if (has_failed()) return {};
+  ImportedHand imported = WeldLinks(foreign, shapes, palm, source.file, problems);
+  if (has_failed()) return {};
+  imported.hand.name = foreign.name;
+  GuessHand(source.file, imported, problems);
+  if (has_failed()) return {};
+
+  ImportedFiles result;
+  const Hand& hand = imported.hand;
+  result.num_digits = static_cast<int>(hand.digits.size());
+  result.num_joints = hand.num_joints();
+  result.num_driven =
+      static_cast<int>(std::count_if(hand.joints.begin(), hand.joints.end(),
+                                     [](const HandJoint& joint) { return joint.coupled_to < 0; }));
+  const std::string name = std::filesystem::path(source.file).filename().string();
+  result.files = FormatHandFiles(imported, name, problems);
+  return result;
+}
+
+}  // namespace
+
+ImportedFiles ImportHand(const std::string& text, const HandSource& source, const std::string& palm,
+                         Diagnostics& problems) {
+  Diagnostics found;
+  ImportedFiles files = ImportInOrder(text, source, palm, found);
+  std::vector<Diagnostic> entries = found.entries();
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+  for (const Diagnostic& entry : entries) {
+    const bool is_error = entry.severity == Severity::kError;
+    is_error ? problems.Fail(entry.file, entry.line, entry.text)
+             : problems.Warn(entry.file, entry.line, entry.text);
+  }
+  return files;
+}
+
+}  // namespace graspbench

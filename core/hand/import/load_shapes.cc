@@ -1,0 +1,207 @@
+#include "core/hand/import/load_shapes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/hand/import/find_mesh.h"
+#include "core/hand/import/fit_capsules.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+/** A part of a hand is larger than the one and smaller than the other [m]. */
+constexpr double kSmallestPart = 0.0003, kLargestPart = 2.0;
+constexpr double kSmallestShape = 1e-5;  // [m]; a hand of such shapes is one in another unit
+constexpr double kMostElongated = 25.0;  // of a shape; the loader refuses 30
+constexpr double kLeastTolerance = 0.0005, kRelativeTolerance = 0.02;
+constexpr int kMostCapsules = 16;
+
+double CalcLargestExtent(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : mesh.vertices) box.extend(p);
+  return mesh.vertices.empty() ? 0.0 : box.sizes().maxCoeff();
+}
+
+CollisionShape MakeCapsuleShape(const FittedCapsule& capsule) {
+  CollisionShape shape;
+  const Vector3d axis = capsule.p_B - capsule.p_A;
+  shape.X_LS.translation() = 0.5 * (capsule.p_A + capsule.p_B);
+  shape.size.setConstant(2.0 * capsule.radius);
+  if (axis.norm() == 0.0) return shape;
+  shape.kind = CollisionShape::Kind::kCylinder;
+  shape.size.z() += axis.norm();
+  shape.X_LS.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+  return shape;
+}
+
+}  // namespace
+
+void ShapeLoader::Report(Severity severity, int line, const std::string& text) {
+  if (severity == Severity::kError) {
+    problems_.Fail(source_.file, line, text);
+  } else {
+    problems_.Warn(source_.file, line, text);
+  }
+}
+
+TriMesh ShapeLoader::ReadFile(const std::filesystem::path& path, int line, const std::string& where,
+                              Severity severity) {
+  const auto known = meshes_.find(path);
+  if (known != meshes_.end()) return known->second;
+  TriMesh mesh;
+  try {
+    mesh = source_.load_mesh(path);
+    const bool is_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                                       [](const Vector3d& p) { return p.allFinite(); });
+    if (mesh.triangles.empty() || !is_finite || CalcLargestExtent(mesh) == 0.0) {
+      mesh = {};
+      Report(severity, line,
+             where + ": mesh \"" + path.string() +
+                 (is_finite ? "\" has no triangle" : "\" has infinite coordinates"));
+    }
+  } catch (const Error& error) {
+    Report(severity, line, where + ": " + error.what());
+  }
+  meshes_.emplace(path, mesh);
+  return mesh;
+}
+
+TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& where,
+                              Severity severity) {
+  const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path,
+                                   {".obj", ".stl", ".glb", ".dae", ".ply"});
+  if (found.path.empty()) {
+    std::string tried;
+    for (const std::string& path : found.tried) tried += "\n    " + path;
+    Report(severity, shape.line,
+           where + ": mesh not found: \"" + shape.mesh +
+               "\"; give the folder of its package with --package-path. Tried:" + tried);
+    return {};
+  }
+  if (found.is_other) {
+    problems_.Warn(
+        source_.file, shape.line,
+        where + ": mesh \"" + shape.mesh + "\" not found; taken instead: " + found.path.string());
+  }
+  TriMesh mesh = ReadFile(found.path, shape.line, where, severity);
+  if (mesh.triangles.empty()) return {};
+  for (Vector3d& p : mesh.vertices) p = p.cwiseProduct(shape.scale);
+  double extent = CalcLargestExtent(mesh), unit = 1.0;
+  if (extent > kLargestPart && extent <= kLargestPart / MFromMm(1.0)) unit = MFromMm(1.0);
+  if (extent < kSmallestPart) unit = MmFromM(1.0);
+  const double size = extent * unit;
+  if (size > kLargestPart || size < kSmallestPart) {
+    Report(severity, shape.line,
+           where + ": mesh \"" + shape.mesh + "\" is " + FormatSignificant(extent, 3) +
+               " m across, which is no part of a hand in metres or "
+               "millimetres");
+    return {};
+  }
+  if (unit != 1.0) {
+    problems_.Warn(source_.file, shape.line,
+                   where + ": mesh \"" + shape.mesh + "\" would be " +
+                       FormatSignificant(extent, 3) + " m across; taken as " +
+                       FormatSignificant(MmFromM(size), 3) + " mm, so its " +
+                       (unit < 1.0 ? "unit is the millimetre" : "scale counts twice"));
+  }
+  for (Vector3d& p : mesh.vertices) p = shape.X_LS * Vector3d(unit * p);
+  if (shape.scale.prod() < 0.0) {  // mirrored: a left hand from a right one
+    for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return mesh;
+}
+
+void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int line,
+                          LoadedShapes& loaded) {
+  const double extent = CalcLargestExtent(mesh);
+  const double tolerance = std::max(kLeastTolerance, kRelativeTolerance * extent);
+  const CapsuleFit fit = FitCapsules(mesh, tolerance, kMostCapsules);
+  for (const FittedCapsule& capsule : fit.capsules) {
+    loaded.collisions.push_back(MakeCapsuleShape(capsule));
+  }
+  loaded.notes.push_back(FormatCount(static_cast<int64_t>(fit.capsules.size()), "ball or capsule",
+                                     "balls and capsules") +
+                         " for a mesh of " + FormatFixed(MmFromM(extent), 1) +
+                         " mm: " + FormatFixed(MmFromM(fit.rms_error), 2) +
+                         " mm root mean square from its surface, 95 % within " +
+                         FormatFixed(MmFromM(fit.largest_error), 2) + " mm");
+  if (fit.largest_error > 2.0 * tolerance) {
+    problems_.Warn(source_.file, line,
+                   where + ": " + loaded.notes.back() + "; not near: look at it");
+  }
+}
+
+void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
+                           LoadedShapes& loaded) {
+  CollisionShape& solid = loaded.collisions.emplace_back();
+  solid.X_LS = shape.X_LS;
+  solid.size = shape.size;
+  if (shape.kind == ForeignShape::Kind::kBox) solid.kind = CollisionShape::Kind::kBox;
+  if (shape.kind == ForeignShape::Kind::kCylinder || shape.kind == ForeignShape::Kind::kCapsule) {
+    solid.kind = CollisionShape::Kind::kCylinder;
+  }
+  const double longest = solid.size.maxCoeff();
+  if (longest > kLargestPart || longest < kSmallestShape) {
+    problems_.Warn(source_.file, shape.line,
+                   where + " is " + FormatSignificant(longest, 3) +
+                       " m across, which is no part of a hand (URDF is in metres); left out");
+    loaded.collisions.pop_back();
+    return;
+  }
+  if (longest <= kMostElongated * solid.size.minCoeff()) return;
+  problems_.Warn(source_.file, shape.line,
+                 where + ": " + FormatSignificant(longest / solid.size.minCoeff(), 3) +
+                     " times as long as thick; made thicker, a 25th of its length");
+  solid.size = solid.size.cwiseMax(longest / kMostElongated);
+}
+
+LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
+  LoadedShapes loaded;
+  const std::string where = "link \"" + link.name + "\"";
+  for (const ForeignShape& shape : link.visuals) {
+    ImportedVisual visual;
+    if (shape.colour) visual.colour = *shape.colour;
+    if (shape.kind == ForeignShape::Kind::kMesh) {
+      visual.mesh = LoadMesh(shape, where + ", visual", Severity::kWarning);
+      if (visual.mesh.triangles.empty()) continue;
+      std::string address = shape.mesh;
+      std::replace(address.begin(), address.end(), '\\', '/');
+      visual.name = std::filesystem::path(address).stem().string();
+    } else {
+      LoadedShapes one;
+      AddSolid(shape, where + ", visual", one);
+      if (one.collisions.empty()) continue;
+      visual.solid = one.collisions.front();
+    }
+    loaded.visuals.push_back(visual);
+  }
+  // What cannot be seen may be missing; what touches may not, unless the pictures tell its shape.
+  const Severity severity = loaded.visuals.empty() ? Severity::kError : Severity::kWarning;
+  for (const ForeignShape& shape : link.collisions) {
+    if (shape.kind != ForeignShape::Kind::kMesh) {
+      AddSolid(shape, where + ", collision", loaded);
+      continue;
+    }
+    const TriMesh mesh = LoadMesh(shape, where + ", collision", severity);
+    if (!mesh.triangles.empty()) AddMesh(mesh, where + ", collision", shape.line, loaded);
+  }
+  if (!loaded.collisions.empty() || loaded.visuals.empty()) return loaded;
+  problems_.Warn(source_.file, link.line,
+                 where + " has no <collision> that can be used; it touches with its picture");
+  for (const ImportedVisual& visual : loaded.visuals) {
+    if (visual.mesh.triangles.empty()) {
+      loaded.collisions.push_back(visual.solid);
+    } else {
+      AddMesh(visual.mesh, where + ", visual", link.line, loaded);
+    }
+  }
+  return loaded;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,66 @@
+#pragma once
+/** @file
+The shapes of a foreign link as the project has them: balls, cylinders and boxes to touch with,
+closed or open meshes to look at. */
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/contact_shape.h"
+#include "core/hand/import/foreign_hand.h"
+#include "core/shape/tri_mesh.h"
+
+namespace graspbench {
+
+/** Reads a mesh file as it stands, one unit of it a metre. @throws Error. */
+using MeshLoader = std::function<TriMesh(const std::filesystem::path&)>;
+
+struct HandSource {
+  std::string file;              ///< the description, for messages
+  std::filesystem::path folder;  ///< where it lies
+  std::vector<std::filesystem::path> package_path;
+  MeshLoader load_mesh;
+};
+
+struct ImportedVisual {
+  CollisionShape solid;  ///< of a visual without mesh
+  TriMesh mesh;          ///< in the link's frame [m]; empty: `solid`
+  std::string name;      ///< of the mesh's file, without folder and ending
+  Eigen::Vector3d colour = Eigen::Vector3d::Constant(0.6);  ///< sRGB
+};
+
+struct LoadedShapes {
+  std::vector<CollisionShape> collisions;  ///< of link -1, in the foreign link's frame
+  std::vector<ImportedVisual> visuals;
+  std::vector<std::string> notes;  ///< what was fitted to a mesh, and how well
+};
+
+/** Keeps the meshes it has read. */
+class ShapeLoader {
+ public:
+  ShapeLoader(const HandSource& source, Diagnostics& problems)
+      : source_(source), problems_(problems) {}
+
+  /** A collision mesh becomes capsules; a link that has only pictures gets them from those. */
+  LoadedShapes Load(const ForeignLink& link);
+
+ private:
+  /** In the link's frame and metres, facing outwards as in its file; empty, with `error_kind`
+  reported, when it cannot be had. */
+  TriMesh LoadMesh(const ForeignShape& shape, const std::string& where, Severity severity);
+  TriMesh ReadFile(const std::filesystem::path& path, int line, const std::string& where,
+                   Severity severity);
+  void AddMesh(const TriMesh& mesh, const std::string& where, int line, LoadedShapes& loaded);
+  void AddSolid(const ForeignShape& shape, const std::string& where, LoadedShapes& loaded);
+  void Report(Severity severity, int line, const std::string& text);
+
+  const HandSource& source_;
+  Diagnostics& problems_;
+  std::map<std::filesystem::path, TriMesh> meshes_;
+};
+
+}  // namespace graspbench

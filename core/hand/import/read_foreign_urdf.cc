@@ -1,0 +1,444 @@
+#include "core/hand/import/read_foreign_urdf.h"
+
+#include <tinyxml2.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using tinyxml2::XMLElement;
+
+constexpr size_t kMostLinks = 1000;
+/** A joint's limit beyond this is a mistake of units [rad], [m]. */
+constexpr double kMostTurn = 2.0 * kPi * (1.0 - 1e-6), kMostStroke = 1.0 - 1e-6;
+/** Of a joint whose stroke nobody knows [m]. */
+constexpr double kGuessedStroke = 0.05;
+
+class ForeignUrdfReader {
+ public:
+  ForeignUrdfReader(std::string file, Diagnostics& problems)
+      : file_(std::move(file)), problems_(problems) {}
+
+  ForeignHand Read(const std::string& text);
+
+ private:
+  using Colour = std::optional<Vector3d>;
+
+  void Warn(const XMLElement& at, const std::string& text) {
+    problems_.Warn(file_, at.GetLineNum(), text);
+  }
+  void Fail(const XMLElement& at, const std::string& text) {
+    problems_.Fail(file_, at.GetLineNum(), text);
+  }
+  /** The numbers of an attribute; `otherwise`, with a warning when something else stands there. */
+  template <size_t kCount>
+  std::array<double, kCount> Numbers(XMLElement* element, const char* attribute,
+                                     std::array<double, kCount> otherwise,
+                                     const std::string& where);
+  double Number(XMLElement* element, const char* attribute, double otherwise,
+                const std::string& where) {
+    return Numbers<1>(element, attribute, {otherwise}, where)[0];
+  }
+  Vector3d Vector(XMLElement* element, const char* attribute, const Vector3d& otherwise,
+                  const std::string& where) {
+    const auto v =
+        Numbers<3>(element, attribute, {otherwise[0], otherwise[1], otherwise[2]}, where);
+    return {v[0], v[1], v[2]};
+  }
+  Pose ReadOrigin(XMLElement& parent, const std::string& where);
+  std::string ReadName(XMLElement& element, const char* kind, std::set<std::string>& taken);
+  Colour ReadColour(XMLElement* material, const std::string& where);
+  void ReadLink(XMLElement& element);
+  std::optional<ForeignShape> ReadShape(XMLElement& element, const std::string& where);
+  void ReadJoint(XMLElement& element);
+  void ReadLimits(XMLElement& element, const std::string& type, const std::string& where,
+                  ForeignJoint& joint);
+  void ResolveMimics();
+  void CheckTree();
+
+  std::string file_;
+  Diagnostics& problems_;
+  ForeignHand hand_;
+  std::set<std::string> link_names_, joint_names_;
+  std::map<std::string, int> link_index_;
+  std::map<std::string, Vector3d> colours_;
+  struct NamedMimic {
+    int joint, line;
+    std::string follows;
+    double ratio, offset;
+  };
+  std::vector<NamedMimic> mimics_;
+};
+
+template <size_t kCount>
+std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const char* attribute,
+                                                      std::array<double, kCount> otherwise,
+                                                      const std::string& where) {
+  const char* text = element ? element->Attribute(attribute) : nullptr;
+  if (!text) return otherwise;
+  std::array<double, kCount> numbers;
+  size_t count = 0;
+  bool is_good = true;
+  const char* const end = text + std::strlen(text);
+  const auto is_blank = [](char c) {
+    return std::isspace(static_cast<unsigned char>(c)) || c == ',';
+  };
+  for (const char* at = text; is_good;) {
+    while (at != end && is_blank(*at)) ++at;
+    if (at == end) break;
+    if (*at == '+') ++at;
+    double number = 0.0;
+    const auto [next, status] = std::from_chars(at, end, number);
+    is_good = status == std::errc() && std::isfinite(number) && std::abs(number) < 1e9 &&
+              count < kCount && (next == end || is_blank(*next));
+    if (is_good) numbers[count++] = number;
+    at = next;
+  }
+  if (is_good && count == kCount) return numbers;
+  Warn(*element, where + ", <" + element->Name() + "> " + attribute + ": expected " +
+                     FormatCount(kCount, "finite number") + ", found \"" + text +
+                     "\"; taken as if it were not there");
+  return otherwise;
+}
+
+Pose ForeignUrdfReader::ReadOrigin(XMLElement& parent, const std::string& where) {
+  XMLElement* origin = parent.FirstChildElement("origin");
+  const Vector3d xyz = Vector(origin, "xyz", Vector3d::Zero(), where);
+  const Vector3d rpy = Vector(origin, "rpy", Vector3d::Zero(), where);
+  return MakePose(MakeRotationRpy(rpy.x(), rpy.y(), rpy.z()), xyz);
+}
+
+std::string ForeignUrdfReader::ReadName(XMLElement& element, const char* kind,
+                                        std::set<std::string>& taken) {
+  const char* text = element.Attribute("name");
+  std::string name = text ? text : "";
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  if (name.empty() || !IsUtf8(name)) {
+    name = std::string(kind) + "_" + std::to_string(taken.size() + 1);
+    Warn(element, std::string(kind) + " without a name that is text; called \"" + name + "\"");
+  }
+  if (taken.insert(name).second) return name;
+  std::string other;
+  for (int number = 2; !taken.insert(other = name + "_" + std::to_string(number)).second;) ++number;
+  Warn(element,
+       std::string(kind) + " \"" + name + "\": the name is taken; called \"" + other + "\"");
+  return other;
+}
+
+ForeignUrdfReader::Colour ForeignUrdfReader::ReadColour(XMLElement* material,
+                                                        const std::string& where) {
+  if (!material) return {};
+  const char* name = material->Attribute("name");
+  if (XMLElement* color = material->FirstChildElement("color")) {
+    const auto rgba = Numbers<4>(color, "rgba", {0.6, 0.6, 0.6, 1.0}, where);
+    const Vector3d rgb = Vector3d(rgba[0], rgba[1], rgba[2]).cwiseMax(0.0).cwiseMin(1.0);
+    if (name && *name) colours_.emplace(name, rgb);
+    return rgb;
+  }
+  const auto known = colours_.find(name ? name : "");
+  if (known != colours_.end()) return known->second;
+  return {};  // a texture, or a material that the file leaves to others: drawn grey
+}
+
+std::optional<ForeignShape> ForeignUrdfReader::ReadShape(XMLElement& element,
+                                                         const std::string& where) {
+  ForeignShape shape;
+  shape.line = element.GetLineNum();
+  shape.X_LS = ReadOrigin(element, where);
+  shape.colour = ReadColour(element.FirstChildElement("material"), where);
+  XMLElement* geometry = element.FirstChildElement("geometry");
+  XMLElement* solid = geometry ? geometry->FirstChildElement() : nullptr;
+  if (!solid) {
+    Warn(element, where + " has no <geometry>; left out");
+    return {};
+  }
+  const std::string kind = solid->Name();
+  if (kind == "sphere") {
+    shape.size.setConstant(2.0 * Number(solid, "radius", 0.0, where));
+  } else if (kind == "cylinder" || kind == "capsule") {
+    const double radius = Number(solid, "radius", 0.0, where);
+    const double length = Number(solid, "length", 0.0, where);
+    shape.kind = kind == "cylinder" ? ForeignShape::Kind::kCylinder : ForeignShape::Kind::kCapsule;
+    // A capsule's length is that of its middle part.
+    shape.size = {2.0 * radius, 2.0 * radius, kind == "cylinder" ? length : length + 2.0 * radius};
+  } else if (kind == "box") {
+    shape.kind = ForeignShape::Kind::kBox;
+    shape.size = Vector(solid, "size", Vector3d::Zero(), where);
+  } else if (kind == "mesh") {
+    shape.kind = ForeignShape::Kind::kMesh;
+    const char* address = solid->Attribute("filename");
+    shape.mesh = address ? address : "";
+    shape.scale = Vector(solid, "scale", Vector3d::Ones(), where);
+    if (!shape.mesh.empty() && shape.scale.cwiseAbs().minCoeff() > 0.0) return shape;
+    Warn(*solid,
+         where + ": a mesh without " + (shape.mesh.empty() ? "filename" : "extent") + "; left out");
+    return {};
+  } else {
+    Warn(*solid, where + ": <" + kind + "> is no shape of URDF; left out");
+    return {};
+  }
+  if (shape.size.minCoeff() <= 0.0) {
+    Warn(*solid, where + ": the " + kind + " has no extent; left out");
+    return {};
+  }
+  return shape;
+}
+
+void ForeignUrdfReader::ReadLink(XMLElement& element) {
+  const char* own_name = element.Attribute("name");
+  ForeignLink& link = hand_.links.emplace_back();
+  link.name = ReadName(element, "link", link_names_);
+  link.line = element.GetLineNum();
+  link_index_.emplace(own_name ? own_name : link.name, static_cast<int>(hand_.links.size()) - 1);
+  const std::string where = "link \"" + link.name + "\"";
+  if (XMLElement* inertial = element.FirstChildElement("inertial")) {
+    ForeignInertia& inertia = link.inertia.emplace();
+    inertia.line = inertial->GetLineNum();
+    inertia.X_LI = ReadOrigin(*inertial, where + ", inertial");
+    inertia.mass = Number(inertial->FirstChildElement("mass"), "value", 0.0, where);
+    XMLElement* I = inertial->FirstChildElement("inertia");
+    const char* const names[3][3] = {
+        {"ixx", "ixy", "ixz"}, {"ixy", "iyy", "iyz"}, {"ixz", "iyz", "izz"}};
+    for (int r = 0; r < 3; ++r) {
+      for (int c = r; c < 3; ++c) {
+        inertia.I_I(r, c) = inertia.I_I(c, r) = Number(I, names[r][c], 0.0, where);
+      }
+    }
+  }
+  for (const auto& [kind, shapes] :
+       {std::pair{"visual", &link.visuals}, std::pair{"collision", &link.collisions}}) {
+    for (XMLElement* shape = element.FirstChildElement(kind); shape;
+         shape = shape->NextSiblingElement(kind)) {
+      if (auto read = ReadShape(*shape, where + ", " + kind)) shapes->push_back(*read);
+    }
+  }
+}
+
+void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
+                                   const std::string& where, ForeignJoint& joint) {
+  const bool slides = joint.kind == ForeignJoint::Kind::kPrismatic;
+  const double most = slides ? kMostStroke : kMostTurn;
+  XMLElement* limit = element.FirstChildElement("limit");
+  joint.effort = std::max(0.0, Number(limit, "effort", 0.0, where));
+  joint.lower = slides ? 0.0 : -kPi;
+  joint.upper = slides ? kGuessedStroke : kPi;
+  const std::string given = slides ? "0 to 50 mm" : "half a turn each way";
+  if (type == "continuous") {
+    Warn(element, where + " turns without end; its limits are taken as half a turn each way");
+    return;
+  }
+  // A limit that is left out is zero in URDF.
+  const double lower = Number(limit, "lower", 0.0, where);
+  const double upper = Number(limit, "upper", 0.0, where);
+  if (!limit || lower == upper) {
+    Warn(limit ? *limit : element,
+         where + " has no " + (limit ? "range" : "<limit>") + "; taken as " + given);
+    return;
+  }
+  if (std::max(std::abs(lower), std::abs(upper)) > most * (1.0 + 1e-4)) {
+    Warn(*limit, where + ": a limit exceeds " + (slides ? "1 m" : "one turn") +
+                     " (URDF is in metres and radians); taken as " + given);
+    return;
+  }
+  joint.lower = std::clamp(std::min(lower, upper), -most, most);
+  joint.upper = std::clamp(std::max(lower, upper), -most, most);
+  if (lower > upper) Warn(*limit, where + ": the limits are reversed; exchanged");
+}
+
+void ForeignUrdfReader::ReadJoint(XMLElement& element) {
+  ForeignJoint joint;
+  joint.name = ReadName(element, "joint", joint_names_);
+  joint.line = element.GetLineNum();
+  const std::string where = "joint \"" + joint.name + "\"";
+  for (const auto& [role, end] : {std::pair{"parent", &joint.parent}, {"child", &joint.child}}) {
+    XMLElement* at = element.FirstChildElement(role);
+    const char* name = at ? at->Attribute("link") : nullptr;
+    const auto found = link_index_.find(name ? name : "");
+    if (found != link_index_.end()) {
+      *end = found->second;
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const ForeignLink& link : hand_.links) known.push_back(link.name);
+    Fail(element,
+         where + ": " + role + " link " +
+             (name ? "\"" + std::string(name) + "\" does not exist" + SuggestNames(name, known)
+                   : "is missing"));
+  }
+  joint.X_PJ = ReadOrigin(element, where);
+  const char* type_text = element.Attribute("type");
+  const std::string type = type_text ? type_text : "";
+  if (type == "revolute" || type == "continuous") {
+    joint.kind = ForeignJoint::Kind::kRevolute;
+  } else if (type == "prismatic") {
+    joint.kind = ForeignJoint::Kind::kPrismatic;
+  } else if (type != "fixed") {
+    Warn(element, where + ": type \"" + type + "\" is no joint of a hand; taken as fixed");
+  }
+  const int index = static_cast<int>(hand_.joints.size());
+  if (joint.kind != ForeignJoint::Kind::kFixed) {
+    const Vector3d axis =
+        Vector(element.FirstChildElement("axis"), "xyz", Vector3d::UnitX(), where);
+    if (axis.norm() > 1e-6) {
+      joint.axis = axis.normalized();
+    } else {
+      Warn(element, where + ": the axis has no direction; taken as x");
+    }
+    ReadLimits(element, type, where, joint);
+    if (XMLElement* mimic = element.FirstChildElement("mimic")) {
+      const char* follows = mimic->Attribute("joint");
+      mimics_.push_back({index, mimic->GetLineNum(), follows ? follows : "",
+                         Number(mimic, "multiplier", 1.0, where),
+                         Number(mimic, "offset", 0.0, where)});
+    }
+  }
+  if (joint.parent >= 0 && joint.child >= 0) hand_.joints.push_back(joint);
+}
+
+void ForeignUrdfReader::ResolveMimics() {
+  std::map<int, NamedMimic> own;  // by joint
+  const auto drop = [&](const NamedMimic& mimic, const std::string& why) {
+    problems_.Warn(file_, mimic.line,
+                   "joint \"" + hand_.joints[mimic.joint].name + "\": <mimic> " + why +
+                       "; the joint gets a drive of its own");
+  };
+  std::map<std::string, int> index;
+  for (size_t j = 0; j < hand_.joints.size(); ++j) {
+    index.emplace(hand_.joints[j].name, static_cast<int>(j));
+  }
+  for (const NamedMimic& mimic : mimics_) {
+    const auto found = index.find(mimic.follows);
+    if (found == index.end()) {
+      drop(mimic, "of \"" + mimic.follows + "\", which is no joint");
+    } else if (found->second == mimic.joint) {
+      drop(mimic, "of itself");
+    } else if (hand_.joints[found->second].kind == ForeignJoint::Kind::kFixed) {
+      drop(mimic, "of \"" + mimic.follows + "\", which does not move");
+    } else if (mimic.ratio == 0.0 || std::abs(mimic.ratio) > 100.0) {
+      drop(mimic, "has a multiplier of " + FormatSignificant(mimic.ratio, 3));
+    } else {
+      own.emplace(mimic.joint, mimic);
+    }
+  }
+  for (const NamedMimic& mimic : mimics_) {
+    if (own.count(mimic.joint) == 0) continue;
+    // q = offset + ratio q_other, and the other may follow a third.
+    ForeignMimic resolved = {mimic.joint, 1.0, 0.0};
+    size_t steps = 0;
+    while (own.count(resolved.joint) != 0 && steps++ <= own.size()) {
+      const NamedMimic& next = own.at(resolved.joint);
+      resolved = {index.at(next.follows), resolved.ratio * next.ratio,
+                  resolved.offset + resolved.ratio * next.offset};
+    }
+    if (steps > own.size()) {
+      drop(mimic, "goes round in a ring");
+      own.erase(mimic.joint);
+    } else {
+      hand_.joints[mimic.joint].mimic = resolved;
+    }
+  }
+}
+
+void ForeignUrdfReader::CheckTree() {
+  std::vector<int> joint_of(hand_.links.size(), -1);
+  for (size_t j = 0; j < hand_.joints.size(); ++j) {
+    const ForeignJoint& joint = hand_.joints[j];
+    int& above = joint_of[joint.child];
+    if (above >= 0) {
+      problems_.Fail(file_, joint.line,
+                     "joint \"" + joint.name + "\": link \"" + hand_.links[joint.child].name +
+                         "\" already hangs on joint \"" + hand_.joints[above].name + "\" (line " +
+                         std::to_string(hand_.joints[above].line) +
+                         "); a hand is a tree, so cut the loop and give one side a <mimic>");
+    } else {
+      above = static_cast<int>(j);
+    }
+  }
+  std::vector<std::string> roots;
+  int root_line = 0;
+  for (size_t link = 0; link < hand_.links.size(); ++link) {
+    if (joint_of[link] < 0) {
+      roots.push_back(hand_.links[link].name);
+      root_line = hand_.links[link].line;
+      continue;
+    }
+    int at = static_cast<int>(link);
+    for (size_t step = 0; at >= 0 && joint_of[at] >= 0 && step <= hand_.joints.size(); ++step) {
+      at = hand_.joints[joint_of[at]].parent;
+    }
+    if (joint_of[at] < 0) continue;
+    problems_.Fail(file_, hand_.joints[joint_of[at]].line,
+                   "joint \"" + hand_.joints[joint_of[at]].name +
+                       "\" lies in a ring of joints; a hand is a tree");
+    return;
+  }
+  if (roots.size() > 1) {
+    std::string names;
+    for (const std::string& name : roots) names += (names.empty() ? "\"" : ", \"") + name + "\"";
+    problems_.Fail(file_, root_line,
+                   "several roots: " + names + "; join all links into one tree by <joint>s");
+  }
+}
+
+ForeignHand ForeignUrdfReader::Read(const std::string& text) {
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    problems_.Fail(file_, document.ErrorLineNum(),
+                   std::string("not valid XML (") + document.ErrorName() + ")");
+    return {};
+  }
+  XMLElement* robot = document.RootElement();
+  if (!robot || std::strcmp(robot->Name(), "robot") != 0) {
+    problems_.Fail(file_, robot ? robot->GetLineNum() : 0,
+                   "not a URDF: the outermost element must be <robot>" +
+                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : ""));
+    return {};
+  }
+  for (XMLElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
+    if (std::strncmp(e->Name(), "xacro:", 6) == 0) {
+      Fail(*e, std::string("<") + e->Name() +
+                   "> is a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
+      return {};
+    }
+  }
+  const char* name = robot->Attribute("name");
+  hand_.name = name && *name && IsUtf8(name) ? name : "hand";
+  const auto for_each = [&](const char* kind, auto&& read) {
+    for (XMLElement* e = robot->FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
+      read(*e);
+    }
+  };
+  for_each("material", [this](XMLElement& material) { ReadColour(&material, "material"); });
+  for_each("link", [this](XMLElement& link) {
+    if (hand_.links.size() < kMostLinks) ReadLink(link);
+  });
+  if (hand_.links.empty()) Fail(*robot, "the file has no link");
+  if (hand_.links.size() == kMostLinks) Fail(*robot, "the file has 1000 links or more: no hand");
+  for_each("joint", [this](XMLElement& joint) { ReadJoint(joint); });
+  if (problems_.num_errors() > 0) return {};
+  CheckTree();
+  ResolveMimics();
+  return std::move(hand_);
+}
+
+}  // namespace
+
+ForeignHand ReadForeignUrdf(const std::string& text, const std::string& file,
+                            Diagnostics& problems) {
+  return ForeignUrdfReader(file, problems).Read(text);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,84 @@
+#include "core/hand/import/shape_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kCellsAlong = 40;
+constexpr int kCellsAcross = 8;  // at least
+
+bool IsDisc(const CollisionShape& shape) {
+  return shape.kind == CollisionShape::Kind::kCylinder && shape.size.z() < shape.size.x();
+}
+
+}  // namespace
+
+double CalcDistance(const CollisionShape& shape, const Vector3d& p_L) {
+  const Vector3d p = shape.X_LS.inverse() * p_L;
+  const double radius = 0.5 * shape.size.x();
+  if (shape.kind == CollisionShape::Kind::kSphere) return p.norm() - radius;
+  Vector3d beyond;  // of a box's faces
+  if (shape.kind == CollisionShape::Kind::kBox) {
+    beyond = p.cwiseAbs() - 0.5 * shape.size;
+  } else if (IsDisc(shape)) {
+    beyond = Vector3d(std::hypot(p.x(), p.y()) - radius, -radius,
+                      std::abs(p.z()) - 0.5 * shape.size.z());
+  } else {
+    const double half = 0.5 * shape.size.z() - radius;
+    return Vector3d(p.x(), p.y(), p.z() - std::clamp(p.z(), -half, half)).norm() - radius;
+  }
+  return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
+}
+
+Eigen::AlignedBox3d CalcBounds(const std::vector<CollisionShape>& shapes) {
+  Eigen::AlignedBox3d bounds;
+  for (const CollisionShape& shape : shapes) {
+    const Vector3d half = 0.5 * (shape.X_LS.linear().cwiseAbs() * shape.size);
+    bounds.extend(Vector3d(shape.X_LS.translation() - half));
+    bounds.extend(Vector3d(shape.X_LS.translation() + half));
+  }
+  return bounds;
+}
+
+MassProperties CalcUnionMass(const std::vector<CollisionShape>& shapes, double density) {
+  const Eigen::AlignedBox3d bounds = CalcBounds(shapes);
+  const Vector3d extent = bounds.sizes();
+  const double wished = extent.maxCoeff() / kCellsAlong;
+  Eigen::Vector3i num;
+  for (int k = 0; k < 3; ++k) {
+    num[k] = std::clamp(static_cast<int>(std::ceil(extent[k] / wished)), kCellsAcross, kCellsAlong);
+  }
+  const Vector3d cell = extent.cwiseQuotient(num.cast<double>());
+  const double cell_mass = density * cell.prod();
+  MassProperties result;
+  Vector3d moment = Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // sum of m p p^T
+  for (int z = 0; z < num.z(); ++z) {
+    for (int y = 0; y < num.y(); ++y) {
+      for (int x = 0; x < num.x(); ++x) {
+        const Vector3d p = bounds.min() + cell.cwiseProduct(Vector3d(x + 0.5, y + 0.5, z + 0.5));
+        double distance = CalcDistance(shapes.front(), p);
+        for (const CollisionShape& shape : shapes) {
+          distance = std::min(distance, CalcDistance(shape, p));
+        }
+        // The share of a cell that the surface cuts.
+        const double share = std::clamp(0.5 - distance / cell.minCoeff(), 0.0, 1.0);
+        const double mass = share * cell_mass;
+        result.mass += mass;
+        moment += mass * p;
+        second += mass * p * p.transpose();
+        second.diagonal() += mass / 12.0 * cell.cwiseAbs2();
+      }
+    }
+  }
+  result.p_OOcm = moment / result.mass;
+  second -= result.mass * result.p_OOcm * result.p_OOcm.transpose();
+  result.I_OOcm = second.trace() * Eigen::Matrix3d::Identity() - second;
+  return result;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,24 @@
+#pragma once
+/** @file
+Collision shapes as solids: distance, and the mass of their union. A cylinder counts as the capsule
+that contact takes it for (core/hand/contact_shape.h), unless it is a disc. */
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/hand/contact_shape.h"
+#include "core/shape/mass_properties.h"
+
+namespace graspbench {
+
+/** Signed distance of a point of the link from the shape's surface, negative inside [m]. */
+double CalcDistance(const CollisionShape& shape, const Eigen::Vector3d& p_L);
+
+/** Bounds of the shapes in the link's frame. */
+Eigen::AlignedBox3d CalcBounds(const std::vector<CollisionShape>& shapes);
+
+/** Of the union of the shapes of one link, homogeneous, on a grid of about 40 cells along the
+longest side: volume within some per cent. @pre at least one shape. */
+MassProperties CalcUnionMass(const std::vector<CollisionShape>& shapes, double density);
+
+}  // namespace graspbench

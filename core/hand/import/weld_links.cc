@@ -1,0 +1,414 @@
+#include "core/hand/import/weld_links.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/hand/import/shape_distance.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kDensity = 1200.0;    // [kg/m^3]
+constexpr double kLightest = 100.0;    // [kg/m^3] of a published mass by the shapes' volume
+constexpr double kHeaviest = 20000.0;  // [kg/m^3]
+constexpr double kBallRadius = 0.005;  // [m] of a link between two axes
+constexpr double kBallMass = 0.004;    // [kg]
+constexpr int kMostWristJoints = 2;
+
+/** A foreign hand's tree, from the root down. */
+struct Tree {
+  std::vector<int> joint_of;             // by link; -1: the root
+  std::vector<std::vector<int>> joints;  // by link: those that hang on it
+  std::vector<int> order;                // links, parents first
+};
+
+Tree MakeTree(const ForeignHand& foreign) {
+  Tree tree;
+  tree.joint_of.assign(foreign.links.size(), -1);
+  tree.joints.resize(foreign.links.size());
+  for (size_t j = 0; j < foreign.joints.size(); ++j) {
+    tree.joint_of[foreign.joints[j].child] = static_cast<int>(j);
+    tree.joints[foreign.joints[j].parent].push_back(static_cast<int>(j));
+  }
+  for (size_t link = 0; link < foreign.links.size(); ++link) {
+    if (tree.joint_of[link] < 0) tree.order.push_back(static_cast<int>(link));
+  }
+  for (size_t i = 0; i < tree.order.size(); ++i) {
+    for (int joint : tree.joints[tree.order[i]]) tree.order.push_back(foreign.joints[joint].child);
+  }
+  return tree;
+}
+
+bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
+
+/** Puts a joint at a position for good; those that follow it, too. */
+void FixJoint(ForeignHand& foreign, int index, double q) {
+  ForeignJoint& joint = foreign.joints[index];
+  if (joint.kind == ForeignJoint::Kind::kPrismatic) joint.X_PJ.translate(q * joint.axis);
+  if (joint.kind == ForeignJoint::Kind::kRevolute) {
+    joint.X_PJ.rotate(Eigen::AngleAxisd(q, joint.axis));
+  }
+  joint.kind = ForeignJoint::Kind::kFixed;
+  joint.mimic.reset();
+  for (size_t j = 0; j < foreign.joints.size(); ++j) {
+    const auto mimic = foreign.joints[j].mimic;
+    if (mimic && mimic->joint == index) {
+      FixJoint(foreign, static_cast<int>(j), mimic->offset + mimic->ratio * q);
+    }
+  }
+}
+
+class Welder {
+ public:
+  Welder(ForeignHand& foreign, const std::vector<LoadedShapes>& shapes, const std::string& file,
+         Diagnostics& problems)
+      : foreign_(foreign),
+        shapes_(shapes),
+        file_(file),
+        problems_(problems),
+        tree_(MakeTree(foreign)) {}
+
+  void FixEmptyEnds();
+  int FindPalm(const std::string& name);
+  void LeaveOutArm(int palm);
+  ImportedHand Weld(int palm);
+
+ private:
+  bool IsBelow(int link, int ancestor) const {
+    while (link != ancestor && tree_.joint_of[link] >= 0) {
+      link = foreign_.joints[tree_.joint_of[link]].parent;
+    }
+    return link == ancestor;
+  }
+  MassProperties CalcMass(int link, std::string& note);
+  std::string FindInertiaFault(int link) const;
+  static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported);
+  void TieFollowers(const std::vector<int>& joint_of, Hand& hand);
+  void FillWeightless(ImportedHand& imported);
+  void NarrowForFollowers(Hand& hand);
+  void WarnAt(int line, const std::string& text) { problems_.Warn(file_, line, text); }
+
+  ForeignHand& foreign_;
+  const std::vector<LoadedShapes>& shapes_;
+  std::string file_;
+  Diagnostics& problems_;
+  Tree tree_;
+  std::vector<bool> has_body_;  // by link: it or what hangs on it has a shape
+  int root_ = -1;               // -1: the tree's
+};
+
+/** Moving links at the end of a chain with neither shape nor mass: frames for programs. */
+void Welder::FixEmptyEnds() {
+  has_body_.assign(foreign_.links.size(), false);
+  const auto is_followed = [&](int joint) {
+    return std::any_of(foreign_.joints.begin(), foreign_.joints.end(),
+                       [&](const ForeignJoint& j) { return j.mimic && j.mimic->joint == joint; });
+  };
+  for (size_t i = tree_.order.size(); i-- > 0;) {
+    const int link = tree_.order[i];
+    if (!shapes_[link].collisions.empty()) has_body_[link] = true;
+    const int joint = tree_.joint_of[link];
+    if (joint < 0) continue;
+    if (has_body_[link]) {
+      has_body_[foreign_.joints[joint].parent] = true;
+    } else if (Moves(foreign_.joints[joint]) && !is_followed(joint)) {
+      WarnAt(foreign_.joints[joint].line,
+             "joint \"" + foreign_.joints[joint].name + "\" moves nothing that could touch; fixed");
+      FixJoint(foreign_, joint, 0.0);
+    }
+  }
+}
+
+/** The lowest link that all chains of moving links with a body have in common. */
+int Welder::FindPalm(const std::string& name) {
+  if (!name.empty()) {
+    std::vector<std::string> known;
+    for (size_t link = 0; link < foreign_.links.size(); ++link) {
+      if (foreign_.links[link].name == name) return static_cast<int>(link);
+      known.push_back(foreign_.links[link].name);
+    }
+    problems_.Fail(file_, 0, "no link \"" + name + "\" for the palm" + SuggestNames(name, known));
+    return -1;
+  }
+  // The number of chain ends at or below each link.
+  std::vector<int> num_ends(foreign_.links.size(), 0);
+  for (size_t i = tree_.order.size(); i-- > 0;) {
+    const int link = tree_.order[i], joint = tree_.joint_of[link];
+    if (joint < 0) continue;
+    const bool is_end = Moves(foreign_.joints[joint]) && has_body_[link];
+    const int ends = std::max(num_ends[link], is_end ? 1 : 0);
+    num_ends[foreign_.joints[joint].parent] += ends;
+  }
+  int palm = tree_.order.front();
+  if (num_ends[palm] == 0) {
+    problems_.Fail(file_, 0, "no joint moves anything that could touch: this is no hand");
+    return -1;
+  }
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (int joint : tree_.joints[palm]) {
+      const int child = foreign_.joints[joint].child;
+      if (num_ends[child] == num_ends[palm] && num_ends[child] > 1) {
+        palm = child;
+        goes_on = true;
+        break;
+      }
+    }
+  }
+  if (num_ends[palm] < 2) {
+    problems_.Fail(
+        file_, 0,
+        "the joints form one chain without digits: an arm, or one finger. A hand has two "
+        "digits at least that part from a palm");
+    return -1;
+  }
+  return palm;
+}
+
+void Welder::LeaveOutArm(int palm) {
+  int num_joints = 0, below = palm;
+  for (int link = palm; tree_.joint_of[link] >= 0;) {
+    const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
+    num_joints += Moves(joint);
+    if (!Moves(joint) && num_joints == 0) below = joint.parent;
+    link = joint.parent;
+  }
+  if (num_joints <= kMostWristJoints) return;
+  root_ = below;
+  WarnAt(foreign_.links[below].line,
+         "the " + std::to_string(num_joints) + " joints above \"" + foreign_.links[below].name +
+             "\" are taken as an arm and left out: the arm of an experiment carries the palm");
+}
+
+std::string Welder::FindInertiaFault(int link) const {
+  const auto& inertia = foreign_.links[link].inertia;
+  if (!inertia) return "no <inertial>";
+  if (inertia->mass <= 0.0) return "no mass";
+  const double scale = inertia->I_I.cwiseAbs().maxCoeff();
+  if (scale == 0.0) return "no inertia";
+  const Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia->I_I / scale, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  if (moments[0] <= 0.0) return "a principal moment that is not positive";
+  if (moments[0] + moments[1] < 0.9999 * moments[2]) {
+    return "a principal moment larger than the sum of the others, which no body has";
+  }
+  const auto& shapes = shapes_[link].collisions;
+  if (shapes.empty()) {
+    return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
+  }
+  const Eigen::AlignedBox3d bounds = CalcBounds(shapes);
+  const Vector3d p_com = inertia->X_LI.translation();
+  if (bounds.exteriorDistance(p_com) > 0.005 + 0.2 * bounds.sizes().norm()) {
+    return "a centre of mass " + FormatFixed(MmFromM(bounds.exteriorDistance(p_com)), 0) +
+           " mm outside its shapes";
+  }
+  if (moments[2] * scale > 1.2 * inertia->mass * bounds.sizes().squaredNorm()) {
+    return "an inertia too large for its mass and size";
+  }
+  return "";
+}
+
+MassProperties Welder::CalcMass(int link, std::string& note) {
+  const std::string fault = FindInertiaFault(link);
+  const auto& published = foreign_.links[link].inertia;
+  if (fault.empty()) {
+    MassProperties mass;
+    const Matrix3d R = published->X_LI.linear();
+    mass.mass = published->mass;
+    mass.p_OOcm = published->X_LI.translation();
+    mass.I_OOcm = R * published->I_I * R.transpose();
+    note = "mass and inertia as published";
+    return mass;
+  }
+  const auto& shapes = shapes_[link].collisions;
+  if (shapes.empty()) return {};
+  MassProperties mass = CalcUnionMass(shapes, kDensity);
+  const double published_mass = published ? published->mass : 0.0;
+  const double density = published_mass / (mass.mass / kDensity);
+  const bool keeps_mass = density >= kLightest && density <= kHeaviest;
+  if (keeps_mass) {
+    mass.I_OOcm *= published_mass / mass.mass;
+    mass.mass = published_mass;
+  }
+  note = std::string(keeps_mass ? "published mass" : "mass of its volume at 1200 kg/m^3") +
+         ", inertia of its volume";
+  WarnAt(published ? published->line : foreign_.links[link].line,
+         "link \"" + foreign_.links[link].name + "\": " + fault + "; replaced: " + note + ", " +
+             FormatSignificant(GFromKg(mass.mass), 3) + " g");
+  return mass;
+}
+
+/** Adds the mass of a part: both about the common centre of mass. @param X_LM  the part's frame. */
+void AddMass(const Pose& X_LM, const MassProperties& part, HandLink& link) {
+  if (part.mass == 0.0) return;
+  const Matrix3d R = X_LM.linear();
+  const Vector3d apart = X_LM * part.p_OOcm - link.p_LLcm;
+  const double total = link.mass + part.mass, reduced = link.mass * part.mass / total;
+  link.I_LLcm += R * part.I_OOcm * R.transpose() +
+                 reduced * (apart.squaredNorm() * Matrix3d::Identity() - apart * apart.transpose());
+  link.p_LLcm += part.mass / total * apart;
+  link.mass = total;
+}
+
+/** @param joint_of  of the foreign joints in the hand; -1: none. */
+void Welder::TieFollowers(const std::vector<int>& joint_of, Hand& hand) {
+  for (size_t j = 0; j < foreign_.joints.size(); ++j) {
+    const auto& mimic = foreign_.joints[j].mimic;
+    if (joint_of[j] < 0 || !mimic || joint_of[mimic->joint] < 0) continue;
+    HandJoint& follower = hand.joints[joint_of[j]];
+    follower.coupled_to = joint_of[mimic->joint];
+    follower.is_mimic = true;
+    follower.mimic_ratio = mimic->ratio;
+    follower.mimic_offset = mimic->offset;
+  }
+}
+
+void Welder::FillWeightless(ImportedHand& imported) {
+  for (size_t i = 1; i < imported.hand.links.size(); ++i) {
+    HandLink& link = imported.hand.links[i];
+    if (link.mass > 0.0) continue;
+    link.mass = kBallMass;
+    link.p_LLcm.setZero();
+    link.I_LLcm = 0.4 * kBallMass * kBallRadius * kBallRadius * Matrix3d::Identity();
+    imported.notes[i] = link.name + ": a ball of 4 g and 5 mm, it has neither mass nor extent";
+    WarnAt(0, "link \"" + link.name +
+                  "\" has neither mass nor extent; between its joints' axes it gets a ball of 4 g");
+  }
+}
+
+/** Gives the root another frame. @param X_NR  the old one in it. */
+void Welder::MoveRootFrame(const Pose& X_NR, ImportedHand& imported) {
+  HandLink& root = imported.hand.links[0];
+  root.p_LLcm = X_NR * root.p_LLcm;
+  root.I_LLcm = X_NR.linear() * root.I_LLcm * X_NR.linear().transpose();
+  for (HandLink& link : imported.hand.links) {
+    if (link.parent == 0) link.X_PJ = X_NR * link.X_PJ;
+  }
+  for (CollisionShape& shape : imported.shapes) {
+    if (shape.link == 0) shape.X_LS = X_NR * shape.X_LS;
+  }
+  for (auto& [link, visual] : imported.visuals) {
+    if (link != 0) continue;
+    visual.solid.X_LS = X_NR * visual.solid.X_LS;
+    for (Vector3d& p : visual.mesh.vertices) p = X_NR * p;
+  }
+}
+
+/** Limits of a joint such that those that follow it keep theirs. */
+void Welder::NarrowForFollowers(Hand& hand) {
+  for (HandJoint& follower : hand.joints) {
+    if (follower.coupled_to < 0) continue;
+    HandJoint& driver = hand.joints[follower.coupled_to];
+    double lower = (follower.lower - follower.mimic_offset) / follower.mimic_ratio;
+    double upper = (follower.upper - follower.mimic_offset) / follower.mimic_ratio;
+    if (lower > upper) std::swap(lower, upper);
+    const double range = driver.upper - driver.lower;
+    lower = std::max(lower, driver.lower);
+    upper = std::min(upper, driver.upper);
+    if (upper - lower < 0.5 * range) {
+      WarnAt(0, "joint \"" + follower.name + "\" follows \"" + driver.name +
+                    "\" far beyond its own limits; they are ignored");
+      const double a = follower.mimic_offset + follower.mimic_ratio * driver.lower;
+      const double b = follower.mimic_offset + follower.mimic_ratio * driver.upper;
+      follower.lower = std::min({follower.lower, a, b});
+      follower.upper = std::max({follower.upper, a, b});
+      continue;
+    }
+    driver.lower = lower;
+    driver.upper = upper;
+  }
+}
+
+ImportedHand Welder::Weld(int palm) {
+  ImportedHand imported;
+  Hand& hand = imported.hand;
+  std::vector<int> link_of(foreign_.links.size(), -1);              // foreign -> welded
+  std::vector<Pose> X_LM(foreign_.links.size(), Pose::Identity());  // member in its welded link
+  std::vector<int> joint_of(foreign_.joints.size(), -1);
+  std::vector<bool> is_named;
+  Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
+  for (const int member : tree_.order) {
+    if (root_ >= 0 && !IsBelow(member, root_)) continue;
+    const int j = member == root_ ? -1 : tree_.joint_of[member];
+    if (j >= 0 && !Moves(foreign_.joints[j])) {
+      const int parent = foreign_.joints[j].parent;
+      link_of[member] = link_of[parent];
+      X_LM[member] = X_LM[parent] * foreign_.joints[j].X_PJ;
+    } else {
+      link_of[member] = static_cast<int>(hand.links.size());
+      HandLink& link = hand.links.emplace_back();
+      link.name = foreign_.links[member].name;
+      is_named.push_back(false);
+      imported.notes.emplace_back();
+      if (j >= 0) {
+        const ForeignJoint& joint = foreign_.joints[j];
+        link.parent = link_of[joint.parent];
+        link.X_PJ = X_LM[joint.parent] * joint.X_PJ;
+        link.axis = joint.axis;
+        link.joint = joint_of[j] = hand.num_joints();
+        HandJoint& moved = hand.joints.emplace_back();
+        moved.name = joint.name;
+        moved.link = link_of[member];
+        moved.is_prismatic = joint.kind == ForeignJoint::Kind::kPrismatic;
+        moved.lower = joint.lower;
+        moved.upper = joint.upper;
+        imported.efforts.push_back(joint.effort);
+      }
+    }
+    const int index = link_of[member];
+    HandLink& link = hand.links[index];
+    const LoadedShapes& shapes = shapes_[member];
+    if (!is_named[index] && !shapes.collisions.empty()) {
+      link.name = foreign_.links[member].name;  // not that of a mere frame, "world"
+      is_named[index] = true;
+      if (index == 0) X_RootNamed = X_LM[member];
+    }
+    for (CollisionShape shape : shapes.collisions) {
+      shape.link = index;
+      shape.X_LS = X_LM[member] * shape.X_LS;
+      imported.shapes.push_back(shape);
+    }
+    for (ImportedVisual visual : shapes.visuals) {
+      visual.solid.X_LS = X_LM[member] * visual.solid.X_LS;
+      for (Vector3d& p : visual.mesh.vertices) p = X_LM[member] * p;
+      imported.visuals.push_back({index, visual});
+    }
+    std::string note;
+    const MassProperties mass = CalcMass(member, note);
+    for (const std::string& fitted : shapes.notes) {
+      note += (note.empty() ? "" : "; ") + fitted;
+    }
+    if (!note.empty()) {
+      imported.notes[index] +=
+          (imported.notes[index].empty() ? "" : "\n") + foreign_.links[member].name + ": " + note;
+    }
+    AddMass(X_LM[member], mass, link);
+  }
+  TieFollowers(joint_of, hand);
+  FillWeightless(imported);
+  MoveRootFrame(X_RootNamed.inverse(), imported);
+  NarrowForFollowers(hand);
+  hand.palm_link = link_of[palm];
+  return imported;
+}
+
+}  // namespace
+
+ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& shapes,
+                       const std::string& palm, const std::string& file, Diagnostics& problems) {
+  Welder welder(foreign, shapes, file, problems);
+  welder.FixEmptyEnds();
+  const int palm_link = welder.FindPalm(palm);
+  if (palm_link < 0) return {};
+  welder.LeaveOutArm(palm_link);
+  return welder.Weld(palm_link);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,40 @@
+#pragma once
+/** @file
+The moving links of a foreign hand: what hangs together by fixed joints becomes one, with the mass
+of its parts.
+
+A published inertia is kept when a body of the link's size can have it: positive mass, moments that
+fulfil the triangle inequality, centre of mass within the bounds of the shapes, no larger than the
+shapes' farthest point allows. Otherwise mass (where there is none), centre and inertia are those of
+the shapes' volume at a density of 1200 kg/m^3, between plastics and light metal with hollows.
+Weightless links between two joint axes get a small ball. */
+
+#include <string>
+#include <vector>
+
+#include "core/hand/hand.h"
+#include "core/hand/import/load_shapes.h"
+
+namespace graspbench {
+
+struct ImportedHand {
+  /** Links and joints with their masses; links[0] is the root, its pose not set. Digits, palm and
+  drives are guessed later. */
+  Hand hand;
+  std::vector<CollisionShape> shapes;
+  struct Visual {
+    int link = -1;
+    ImportedVisual visual;
+  };
+  std::vector<Visual> visuals;
+  std::vector<std::string> notes;  ///< by link: where its mass and its contact come from
+  std::vector<double> efforts;     ///< by joint, of its drive; 0: not known
+};
+
+/** Kept of a link's shapes, by foreign link. @param palm  name of the palm's link; empty: guessed
+from the tree: where the digits part. Links above it are left out when more than two joints, an arm,
+lead to them. */
+ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& shapes,
+                       const std::string& palm, const std::string& file, Diagnostics& problems);
+
+}  // namespace graspbench

@@ -1,0 +1,136 @@
+#include "core/hand/import/weld_links.h"
+
+#include <gtest/gtest.h>
+
+#include "core/hand/import/read_foreign_urdf.h"
+#include "tests/core/hand/import/small_gripper.h"
+
+namespace graspbench {
+namespace {
+
+ImportedHand Weld(const std::string& urdf, Diagnostics& problems, const std::string& palm = "") {
+  const ForeignHand foreign = ReadForeignUrdf(urdf, "g.urdf", problems);
+  const HandSource source = MakeSourceWithoutMeshes();
+  ShapeLoader loader(source, problems);
+  std::vector<LoadedShapes> shapes;
+  for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
+  return WeldLinks(foreign, shapes, palm, "g.urdf", problems);
+}
+
+TEST(WeldLinksTest, FixedPartsBecomeOneLinkNamedAfterItsBody) {
+  Diagnostics problems;
+  const ImportedHand imported = Weld(kSmallGripper, problems);
+  const Hand& hand = imported.hand;
+  ASSERT_EQ(hand.links.size(), 3u);
+  EXPECT_EQ(hand.links[0].name, "the hand");
+  EXPECT_EQ(hand.palm_link, 0);
+  EXPECT_EQ(hand.links[0].mass, 0.7);
+  // In the frame of "the hand", not of the world it hangs from.
+  EXPECT_LT((hand.links[1].X_PJ.translation() - Eigen::Vector3d(0, 0, 0.06)).norm(), 1e-12);
+  EXPECT_LT((imported.shapes[0].X_LS.translation() - Eigen::Vector3d(0, 0, 0.03)).norm(), 1e-12);
+  EXPECT_TRUE(hand.joints[1].is_mimic);
+  EXPECT_EQ(hand.joints[1].coupled_to, 0);
+}
+
+TEST(WeldLinksTest, TheMassesOfWeldedPartsAddAboutTheCommonCentre) {
+  // Two balls of one mass, 0.1 m apart, behind a turned fixed joint: a dumb-bell.
+  const std::string urdf = ReplaceOnce(kSmallGripper, "<link name=\"world\"/>",
+                                       R"(<link name="world"><inertial><mass value="0.7"/>
+    <origin xyz="0 0 1.1"/><inertia ixx="0.001" ixy="0" ixz="0" iyy="0.0025" iyz="0" izz="0.0017"/>
+    </inertial></link>)");
+  Diagnostics problems;
+  const HandLink palm = Weld(urdf, problems).hand.links[0];
+  EXPECT_NEAR(palm.mass, 1.4, 1e-12);
+  EXPECT_LT((palm.p_LLcm - Eigen::Vector3d(0, 0, -0.05)).norm(), 1e-12);
+  EXPECT_NEAR(palm.I_LLcm(0, 0), 0.002 + 1.4 * 0.05 * 0.05, 1e-12);
+  EXPECT_NEAR(palm.I_LLcm(2, 2), 0.0034, 1e-12);
+}
+
+TEST(WeldLinksTest, ReplacesWhatNoBodyHas) {
+  const auto told = [](const std::string& from, const std::string& to) {
+    Diagnostics problems;
+    Weld(ReplaceOnce(kSmallGripper, from, to), problems);
+    return problems.entries().empty() ? "" : problems.entries()[0].text;
+  };
+  const std::string kept =
+      "link \"right\": no <inertial>; replaced: mass of its volume at 1200 "
+      "kg/m^3, inertia of its volume, 19.8 g";
+  EXPECT_EQ(told("nothing", "changed"), kept);
+  const std::string left = "link \"left\": ";
+  const std::string replaced = "; replaced: published mass, inertia of its volume, 15 g";
+  EXPECT_EQ(
+      told("ixx=\"2.4e-6\"", "ixx=\"4e-6\""),
+      left + "a principal moment larger than the sum of the others, which no body has" + replaced);
+  EXPECT_EQ(told("ixx=\"2.4e-6\"", "ixx=\"-2e-6\""),
+            left + "a principal moment that is not positive" + replaced);
+  EXPECT_EQ(told("<inertia ixx=\"2.4e-6\" ixy=\"0\" ixz=\"0\" iyy=\"2.3e-6\" iyz=\"0\" "
+                 "izz=\"7.5e-7\"/>",
+                 ""),
+            left + "no inertia" + replaced);
+  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.015\"/><origin xyz=\"0.1 0 0\"/>"),
+            left + "a centre of mass 90 mm outside its shapes" + replaced);
+  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"15\"/>"),
+            kept);  // heavy, but a body may have it
+}
+
+TEST(WeldLinksTest, LimitsOfADriverAreThoseOfItsFollowersToo) {
+  Diagnostics problems;
+  std::string urdf = ReplaceOnce(kSmallGripper, "<mimic joint=\"slide_left\"/>",
+                                 "<mimic joint=\"slide_left\" multiplier=\"1.25\"/>");
+  EXPECT_NEAR(Weld(urdf, problems).hand.joints[0].upper, 0.032, 1e-12);
+}
+
+/** The gripper on an arm of `num_joints` turning joints. */
+std::string MakeArm(int num_joints) {
+  std::string chain, link = "world";
+  for (int j = 0; j < num_joints; ++j) {
+    const std::string next = "arm" + std::to_string(j);
+    chain += "<link name=\"" + next +
+             "\"><collision><geometry><sphere radius=\"0.05\"/></geometry></collision></link>"
+             "<joint name=\"j" +
+             std::to_string(j) + "\" type=\"revolute\"><parent link=\"" + link +
+             "\"/><child link=\"" + next +
+             "\"/><origin xyz=\"0 0 0.1\"/><limit lower=\"-1\" upper=\"1\"/></joint>";
+    link = next;
+  }
+  return ReplaceOnce(
+      ReplaceOnce(kSmallGripper, "<parent link=\"world\"/>", "<parent link=\"" + link + "\"/>"),
+      "</robot>", chain + "</robot>");
+}
+
+TEST(WeldLinksTest, AnArmIsLeftOutAndAWristStays) {
+  Diagnostics problems;
+  const ImportedHand with_wrist = Weld(MakeArm(2), problems);
+  EXPECT_EQ(with_wrist.hand.num_joints(), 4);
+  EXPECT_EQ(with_wrist.hand.links[0].name, "world");
+  EXPECT_EQ(with_wrist.hand.links[with_wrist.hand.palm_link].name, "arm1");
+  Diagnostics others;
+  const ImportedHand cut = Weld(MakeArm(6), others);
+  EXPECT_EQ(cut.hand.num_joints(), 2);
+  EXPECT_NE(others.Format().find("the 6 joints above"), std::string::npos) << others.Format();
+}
+
+TEST(WeldLinksTest, WithoutDigitsThereIsNoHand) {
+  const auto told = [](const std::string& urdf, const std::string& palm = "") {
+    Diagnostics problems;
+    Weld(urdf, problems, palm);
+    EXPECT_EQ(problems.num_errors(), 1);
+    return problems.entries().back().text;
+  };
+  std::string fixed = kSmallGripper;
+  for (const char* joint : {"left", "right"}) {
+    fixed = ReplaceOnce(fixed, std::string("slide_") + joint + "\" type=\"prismatic\"",
+                        std::string("slide_") + joint + "\" type=\"fixed\"");
+  }
+  EXPECT_EQ(told(fixed), "no joint moves anything that could touch: this is no hand");
+  const std::string arm = ReplaceOnce(kSmallGripper, "slide_right\" type=\"prismatic\"",
+                                      "slide_right\" type=\"fixed\"");
+  EXPECT_EQ(told(arm),
+            "the joints form one chain without digits: an arm, or one finger. A hand "
+            "has two digits at least that part from a palm");
+  EXPECT_EQ(told(kSmallGripper, "hand"),
+            "no link \"hand\" for the palm. Known: world, the hand, left, right");
+}
+
+}  // namespace
+}  // namespace graspbench
