@@ -158,6 +158,36 @@ TEST(LoadMeshTest, OtherFormatsAreRefusedByName) {
 }
 
 // 100,000 corners: in a second as a convex polygon, refused in less when it is not.
+TEST(LoadMeshTest, APictureMayBeCollada) {
+  const std::string file = std::string(testing::TempDir()) + "/picture.dae";
+  const std::string text = R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="millimeter" meter="0.001"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g" name="g"><mesh>
+<source id="p"><float_array id="pa" count="12">0 0 0 20 0 0 0 30 0 0 0 40</float_array>
+<technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/>
+<p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s" name="s"><node id="n" name="n">
+<instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+  WriteFile(file, text);
+  const TriMesh mesh = LoadPictureMesh(file);
+  // In its own unit, and z stays z.
+  EXPECT_NEAR(CalcVolume(mesh), 0.02 * 0.03 * 0.04 / 6.0, 1e-11);
+  Eigen::Vector3d corner = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : mesh.vertices) corner = corner.cwiseMax(p);
+  EXPECT_LT((corner - Eigen::Vector3d(0.02, 0.03, 0.04)).norm(), 1e-8);
+  // Damaged, it is an error and nothing worse.
+  for (size_t size = 100; size < text.size(); size += 100) {
+    WriteFile(file, text.substr(0, size));
+    EXPECT_THROW(LoadPictureMesh(file), Error) << size;
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(LoadMeshTest, APolygonOfManyCornersIsNoTrap) {
   for (const bool is_convex : {true, false}) {
     std::string text, face = "f";

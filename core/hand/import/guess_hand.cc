@@ -65,6 +65,7 @@ class Guesser {
   void DropLinkages();
   void PlaceTips();
   void PlacePads();
+  void NameByVotes();
   void FindThumb();
   void NameDigits();
   void FindPalm();
@@ -233,23 +234,35 @@ std::string FindNamedDigit(const std::string& name) {
   return "";
 }
 
-void Guesser::FindThumb() {
-  // The name that most links and joints of the digit tell.
-  for (Digit& digit : hand_.digits) {
+/** The name that most links and joints of a digit tell; of two digits the one that tells it more
+often, and neither when they are equal: "middle" may be a phalanx. */
+void Guesser::NameByVotes() {
+  std::map<std::string, int> most_votes, num_equals;
+  std::vector<int> votes_of(hand_.digits.size(), 0);
+  for (size_t d = 0; d < hand_.digits.size(); ++d) {
+    Digit& digit = hand_.digits[d];
     std::map<std::string, int> votes;
     for (const int link : digit.links) {
       ++votes[FindNamedDigit(hand_.links[link].name)];
-      if (hand_.links[link].joint >= 0) {
-        ++votes[FindNamedDigit(hand_.joints[hand_.links[link].joint].name)];
-      }
+      ++votes[FindNamedDigit(hand_.joints[hand_.links[link].joint].name)];
     }
     votes.erase("");
-    int most = 0;
     for (const auto& [id, count] : votes) {
-      if (count > most) digit.id = id;
-      most = std::max(most, count);
+      if (count > votes_of[d]) digit.id = id;
+      votes_of[d] = std::max(votes_of[d], count);
     }
+    int& most = most_votes[digit.id];
+    num_equals[digit.id] = votes_of[d] > most ? 1 : num_equals[digit.id] + (votes_of[d] == most);
+    most = std::max(most, votes_of[d]);
   }
+  for (size_t d = 0; d < hand_.digits.size(); ++d) {
+    std::string& id = hand_.digits[d].id;
+    if (votes_of[d] < most_votes[id] || num_equals[id] > 1) id.clear();
+  }
+}
+
+void Guesser::FindThumb() {
+  NameByVotes();
   int thumb = -1, num_named = 0;
   for (size_t d = 0; d < hand_.digits.size(); ++d) {
     if (hand_.digits[d].id != "TH") continue;

@@ -49,5 +49,53 @@ TEST_P(KnownHandTest, IsGuessedAsItsMakersDescribeIt) {
 }
 INSTANTIATE_TEST_SUITE_P(Models, KnownHandTest, testing::Values("tum", "tum-original", "shadow"));
 
+// As the Robotiq 2F-85 is published: one drive; five joints follow it, two of them only to carry the
+// pads' links. Outer link, then the finger that stays upright; an inner link beside each.
+TEST(GuessHandTest, ALinkageBesideAFingerIsNoDigit) {
+  const auto link = [](const std::string& name, const std::string& place, const std::string& size) {
+    return "<link name=\"" + name + "\"><collision><origin xyz=\"" + place +
+           "\"/><geometry><box size=\"" + size + "\"/></geometry></collision></link>";
+  };
+  const auto joint = [](const std::string& name, const std::string& parent,
+                        const std::string& place, const std::string& rest) {
+    return "<joint name=\"" + name + "_joint\" type=\"revolute\"><parent link=\"" + parent +
+           "\"/><child link=\"" + name + "\"/><origin xyz=\"" + place +
+           "\"/><axis xyz=\"1 0 0\"/>" + rest + "</joint>";
+  };
+  const std::string limit = "<limit lower=\"-0.8\" upper=\"0.8\" effort=\"1000\"/>";
+  const auto mimic = [&](int ratio) {
+    return limit + "<mimic joint=\"left_outer_joint\" multiplier=\"" + std::to_string(ratio) +
+           "\"/>";
+  };
+  std::string urdf = "<robot name=\"2F\">" + link("base", "0 0 0.03", "0.06 0.08 0.06");
+  for (const auto& [side, y, sign] : {std::tuple{"left", "", 1}, {"right", "-", -1}}) {
+    const std::string s = side, m = y;
+    urdf += link(s + "_outer", "0 " + m + "0.02 0.03", "0.02 0.01 0.06");
+    urdf += joint(
+        s + "_outer", "base", "0 " + m + "0.03 0.06",
+        sign > 0 ? std::string("<limit lower=\"0\" upper=\"0.8\" effort=\"1000\"/>") : mimic(-1));
+    urdf += link(s + "_finger", "0 0 0.02", "0.02 0.01 0.05");
+    urdf += joint(s + "_finger", s + "_outer", "0 " + m + "0.03 0.06", mimic(-sign));
+    urdf += link(s + "_inner", "0 0 0.015", "0.01 0.01 0.03");
+    urdf += joint(s + "_inner", "base", "0 " + m + "0.012 0.06", mimic(sign));
+  }
+  Diagnostics problems;
+  const ImportedFiles imported =
+      ImportHand(urdf + "</robot>", MakeSourceWithoutMeshes(), "", problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  EXPECT_EQ(imported.num_digits, 2);
+  EXPECT_EQ(imported.num_driven, 1);
+  Diagnostics of_loading;
+  const Hand hand =
+      ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), "x", of_loading);
+  ASSERT_EQ(of_loading.Format(), "");
+  EXPECT_EQ(hand.palm_normal, Eigen::Vector3d::UnitZ());
+  // The pads face each other across the opening.
+  for (const Digit& digit : hand.digits) {
+    const bool is_left = hand.links[digit.distal_link].name == "left_finger";
+    EXPECT_NEAR(digit.p_LPad.y(), is_left ? -0.005 : 0.005, 0.0005);
+  }
+}
+
 }  // namespace
 }  // namespace graspbench
