@@ -313,10 +313,18 @@ void Welder::NarrowForFollowers(Hand& hand) {
     lower = std::max(lower, driver.lower);
     upper = std::min(upper, driver.upper);
     if (upper - lower < 0.5 * range) {
-      WarnAt(0, "joint \"" + follower.name + "\" follows \"" + driver.name +
-                    "\" far beyond its own limits; they are ignored");
       const double a = follower.mimic_offset + follower.mimic_ratio * driver.lower;
       const double b = follower.mimic_offset + follower.mimic_ratio * driver.upper;
+      const double most = follower.is_prismatic ? 0.999 : 6.28;  // [m], [rad]
+      if (std::max(std::abs(a), std::abs(b)) > most) {
+        WarnAt(0, "joint \"" + follower.name + "\" would follow \"" + driver.name +
+                      "\" farther than any joint goes; it gets a drive of its own");
+        follower.coupled_to = -1;
+        follower.is_mimic = false;
+        continue;
+      }
+      WarnAt(0, "joint \"" + follower.name + "\" follows \"" + driver.name +
+                    "\" far beyond its own limits; they are ignored");
       follower.lower = std::min({follower.lower, a, b});
       follower.upper = std::max({follower.upper, a, b});
       continue;
