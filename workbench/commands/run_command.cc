@@ -1,5 +1,4 @@
 #include <errno.h>
-#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -69,7 +68,6 @@ ExitCode Finish(PreparedSession& work, const RunOptions& options) {
   Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   session.damage = damage;  // what was found before the run sealed what is there
   ExportSession(folder, session);
-  ::malloc_trim(0);  // or tens of megabytes of a large one stay with the process as gaps
   const SessionSummary summary = SummariseSession(session);
   const fs::path report = WriteSessionReport(folder, std::move(session));
   if (options.json) {
