@@ -1,5 +1,7 @@
 #include "workbench/program.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -254,7 +256,11 @@ int RunProgram(int argc, const char* const* argv) {
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
     RefuseLineFeeds(argc, argv);
-    program.parse(argc, argv);
+    if (argc == 1 && ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)) {
+      program.parse(std::vector<std::string>{"shell"});
+    } else {
+      program.parse(argc, argv);
+    }
     FlushResults();
     return exit_code;
   } catch (const CLI::ParseError& fault) {

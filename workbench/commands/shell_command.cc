@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/line_editor.h"
@@ -59,6 +60,8 @@ ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& next, bool is_p
   while (const std::optional<std::string> line = next()) {
     log.Write(*line);
     const Shell::Reply reply = shell.Execute(*line);
+    if (MustShellEnd()) return kExitInterrupted;
+    if (shell.was_stopped()) log.Write("goto " + FormatFixed(shell.scene().time(), 6));
     if (reply == Shell::Reply::kQuit) break;
     if (reply == Shell::Reply::kRefused && !is_person) exit_code = kExitUsage;
     if (!is_person && shell.was_stopped()) return kExitInterrupted;
@@ -78,7 +81,7 @@ ExitCode RunShell(const ShellOptions& options) {
   }
   ShellLog log(options.log);
   Shell shell;
-  CatchShellInterrupts();
+  CatchShellSignals();
   if (!options.commands.empty()) {
     size_t next = 0;
     return Converse(

@@ -20,11 +20,11 @@ constexpr int kShotWidth = 960, kShotHeight = 720;
 SceneView ParseView(const ShellArguments& arguments) {
   SceneView view;
   if (arguments.empty()) return view;
-  if (arguments[0] != "free") {
+  if (ToLower(arguments[0]) != "free") {
     if (arguments.size() > 1) {
       throw Error(ErrorKind::kUsage, "a named view has no numbers; see: help view");
     }
-    return FindSceneView(arguments[0]);
+    return FindSceneView(ToLower(arguments[0]));
   }
   if (arguments.size() < 3) {
     throw Error(ErrorKind::kUsage, "free needs azimuth and elevation [deg]; see: help view");

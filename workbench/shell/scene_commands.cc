@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -46,6 +47,13 @@ std::string FindId(const std::string& given, const std::vector<std::string>& ids
   return given;
 }
 
+/** One trial has one of each. */
+void RefuseAll(const std::string& name) {
+  if (MakeComparable(name) == "all") {
+    throw Error(ErrorKind::kUsage, "\"all\" is for sessions; expected one");
+  }
+}
+
 std::string FindGraspId(const std::string& given) {
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
     if (MakeComparable(given) == MakeComparable(taxon.name)) return taxon.id;
@@ -62,6 +70,7 @@ void Take(Shell& shell, const SceneChoice& choice) {
 }  // namespace
 
 void ChooseHand(Shell& shell, const ShellArguments& arguments) {
+  RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.scene().choice();
   choice.config.hands = {FindId(JoinName(arguments), ListHands(),
                                 [](const std::string& id) { return LoadHand(id).name; })};
@@ -71,16 +80,19 @@ void ChooseHand(Shell& shell, const ShellArguments& arguments) {
 }
 
 void ChooseObject(Shell& shell, const ShellArguments& arguments) {
+  RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.scene().choice();
   choice.config.objects = {FindId(JoinName(arguments), ListObjects(), [](const std::string& id) {
     return LoadObject(id, FieldUse::kLater)->name;
   })};
   choice.place.reset();
   choice.folder.clear();
+  if (choice.config.grasps.front() == "best") choice.joints.clear();  // of another grasp perhaps
   Take(shell, choice);
 }
 
 void ChooseGrasp(Shell& shell, const ShellArguments& arguments) {
+  RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.scene().choice();
   choice.config.grasps = {FindGraspId(JoinName(arguments))};
   choice.joints.clear();
@@ -91,7 +103,7 @@ void ChooseDraw(Shell& shell, const ShellArguments& arguments) {
   SceneChoice choice = shell.scene().choice();
   choice.place.reset();
   choice.draw.reset();
-  if (arguments.front() != "none") {
+  if (ToLower(arguments.front()) != "none") {
     choice.draw = ParseCount(arguments.front(), "the draw", 0, 999999);
   }
   Take(shell, choice);
@@ -143,42 +155,90 @@ void SetJoint(Shell& shell, const ShellArguments& arguments) {
     throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no joint \"" + arguments[0] +
                                           "\"" + SuggestNames(arguments[0], known));
   }
-  const std::string posture = arguments.size() > 2 ? arguments[2] : "target";
+  const std::string posture = arguments.size() > 2 ? ToLower(arguments[2]) : "target";
   if (posture != "target" && posture != "pre") {
     throw Error(ErrorKind::kUsage, "the posture is \"" + posture + "\"; expected pre or target");
   }
   edit.is_target = posture == "target";
   SceneChoice choice = shell.scene().choice();
-  choice.joints.push_back(edit);
+  const auto is_same = [&edit](const JointEdit& other) {
+    return other.joint == edit.joint && other.is_target == edit.is_target;
+  };
+  auto& joints = choice.joints;
+  joints.erase(std::remove_if(joints.begin(), joints.end(), is_same), joints.end());
+  joints.push_back(edit);
   Take(shell, choice);
 }
 
-void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
-  SceneChoice choice = shell.scene().choice();
-  const std::string& key = arguments[0];
-  for (const char* own : {"hands", "objects", "grasps", "trials"}) {
-    if (key == own) {
-      throw Error(ErrorKind::kUsage, "\"" + key + "\" is no setting of one trial; see: help");
+namespace {
+
+/** "sim.step_s 0.002" of all settings whose names hold `part`. */
+std::string FormatSettings(const SessionConfig& config, const std::string& part) {
+  std::string text;
+  const Json settings = ToJson(config);
+  for (const auto& [block, values] : settings.items()) {
+    if (!values.is_object() && block != "seed") continue;
+    const Json named = values.is_object() ? values : Json{{"", values}};
+    for (const auto& [key, value] : named.items()) {
+      const std::string name = key.empty() ? block : block + "." + key;
+      if (name.find(part) != name.npos) text += name + " " + value.dump() + "\n";
     }
   }
+  return text;
+}
+
+}  // namespace
+
+void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
+  SceneChoice choice = shell.scene().choice();
+  const std::string key = arguments.empty() ? "" : ToLower(arguments[0]);
+  for (const char* own : {"hands", "objects", "grasps", "trials"}) {
+    if (key != own) continue;
+    throw Error(ErrorKind::kUsage, "\"" + key + "\" is no setting of one trial; see: help");
+  }
+  const std::string known = FormatSettings(choice.config, key);
+  if (known.empty()) {
+    throw Error(ErrorKind::kUsage, "no setting has \"" + key + "\" in its name; set lists them");
+  }
+  if (arguments.size() < 2) return PrintResult(known);
   ApplySetting(key + "=" + arguments[1], choice.config);
   Take(shell, choice);
 }
+
+namespace {
+
+/** The session's own names of one trial's things, for which it holds copies of what is not ours. */
+SceneChoice NarrowTo(const Session& session, const PlannedTrial& planned) {
+  SceneChoice choice;
+  choice.config = session.config;
+  choice.folder = session.folder.string();
+  choice.draw = planned.trial;
+  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, choice.folder);
+  const bool are_listed = session.config.hands.size() == inputs.hands.size();
+  for (size_t i = 0; i < inputs.hands.size(); ++i) {
+    if (inputs.hands[i].hand->id != planned.hand) continue;
+    choice.config.hands = {are_listed ? session.config.hands[i] : planned.hand};
+  }
+  const bool are_objects_listed = session.config.objects.size() == inputs.objects.size();
+  for (size_t i = 0; i < inputs.objects.size(); ++i) {
+    if (inputs.objects[i]->id != planned.object) continue;
+    choice.config.objects = {are_objects_listed ? session.config.objects[i] : planned.object};
+  }
+  choice.config.grasps = {planned.grasp};
+  for (const auto& [file, id] : inputs.grasp_files) {
+    if (id == planned.grasp) choice.config.grasps = {file};
+  }
+  return choice;
+}
+
+}  // namespace
 
 void OpenTrial(Shell& shell, const ShellArguments& arguments) {
   const Session session = LoadSession(arguments[0], OnDamage::kRefuse, RecordParts::kBrief);
   std::vector<std::string> ids;
   for (const PlannedTrial& planned : session.plan) {
+    if (planned.id == ToLower(arguments[1])) return Take(shell, NarrowTo(session, planned));
     ids.push_back(planned.id);
-    if (planned.id != arguments[1]) continue;
-    SceneChoice choice;
-    choice.config = session.config;
-    choice.config.hands = {planned.hand};
-    choice.config.objects = {planned.object};
-    choice.config.grasps = {planned.grasp};
-    choice.folder = session.folder.string();
-    choice.draw = planned.trial;
-    return Take(shell, choice);
   }
   throw Error(ErrorKind::kNotFound, "the session has no trial \"" + arguments[1] + "\"" +
                                         SuggestNames(arguments[1], ids) +
@@ -192,6 +252,7 @@ void UndoChange(Shell& shell, const ShellArguments&) {
 
 void ShowChanges(Shell& shell, const ShellArguments&) {
   const SceneChoice& choice = shell.scene().choice();
+  const Hand& hand = *shell.scene().setup().hand;
   std::string text;
   if (choice.place) {
     text += fmt::format(
@@ -199,20 +260,16 @@ void ShowChanges(Shell& shell, const ShellArguments&) {
         FormatFixed(MmFromM(choice.place->y), 1), FormatFixed(DegFromRad(choice.place->yaw), 1));
   }
   for (const JointEdit& edit : choice.joints) {
-    text += fmt::format("joint    {} {} deg {}\n", edit.joint,
-                        FormatFixed(DegFromRad(edit.angle), 1), edit.is_target ? "target" : "pre");
+    const StandardGrasp& grasp = shell.scene().unedited_grasp();
+    const Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
+    text += fmt::format("joint    {} {} deg {}, the grasp's {} deg\n", edit.joint,
+                        FormatFixed(DegFromRad(edit.angle), 1), edit.is_target ? "target" : "pre",
+                        FormatFixed(DegFromRad(q[hand.FindJoint(edit.joint)]), 1));
   }
-  const Json now = ToJson(choice.config).flatten(), before = ToJson(SessionConfig()).flatten();
-  for (const auto& [key, value] : now.items()) {
-    const std::string name = key.substr(1);
-    const bool is_setting = name.find('/') != name.npos || name == "seed";
-    const bool is_scene =
-        name.find("hands/") == 0 || name.find("objects/") == 0 || name.find("grasps/") == 0;
-    if (!is_setting || is_scene || (before.contains(key) && before[key] == value)) continue;
-    std::string setting = name;
-    std::replace(setting.begin(), setting.end(), '/', '.');
-    text += "set      " + setting + " " + value.dump() + ", default " +
-            (before.contains(key) ? before[key].dump() : "none") + "\n";
+  std::istringstream now(FormatSettings(choice.config, "")), before(FormatSettings({}, ""));
+  for (std::string line, other; std::getline(now, line) && std::getline(before, other);) {
+    if (line == other) continue;
+    text += "set      " + line + ", default" + other.substr(other.find(' ')) + "\n";
   }
   PrintResult(text.empty() ? "nothing differs from the grasp and the session's defaults\n" : text);
 }

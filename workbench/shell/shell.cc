@@ -13,19 +13,32 @@
 namespace graspbench {
 namespace {
 
-std::atomic<bool> is_interrupted{false};
+std::atomic<bool> is_interrupted{false}, is_ending{false};
 
 extern "C" void HandleShellInterrupt(int) {
   if (is_interrupted.exchange(true)) ::_exit(kExitInterrupted);
 }
 
+extern "C" void HandleShellEnd(int) {
+  is_ending = true;
+  is_interrupted = true;
+}
+
+void Catch(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;  // without SA_RESTART: reading a line ends, too
+  ::sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
-void CatchShellInterrupts() {
-  struct sigaction action {};
-  action.sa_handler = &HandleShellInterrupt;  // without SA_RESTART: reading a line ends, too
-  ::sigaction(SIGINT, &action, nullptr);
+void CatchShellSignals() {
+  Catch(SIGINT, &HandleShellInterrupt);
+  Catch(SIGTERM, &HandleShellEnd);
+  Catch(SIGHUP, &HandleShellEnd);
 }
+
+bool MustShellEnd() { return is_ending; }
 
 bool TakeShellInterrupt() { return is_interrupted.exchange(false); }
 

@@ -3,6 +3,7 @@
 The interactive shell without its terminal: a line goes in, results and messages come out on stdout
 and stderr as everywhere in the program. */
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@ and stderr as everywhere in the program. */
 #include "workbench/shell/shell_scene.h"
 
 namespace graspbench {
+
+/** The first draws of a choice, for the next one to be compared with. */
+struct DrawnTrials {
+  SceneChoice choice;
+  std::string grasp;                 ///< id
+  std::vector<TrialResult> results;  ///< by number of the draw
+};
 
 class Shell {
  public:
@@ -36,8 +44,7 @@ class Shell {
   /** To be shown with "stopped by Ctrl-C" where work was cut short. */
   bool was_stopped() const { return was_stopped_; }
 
-  /** Of the last `trials`, by number of the draw: what the next ones are compared with. */
-  std::vector<TrialResult> trials;
+  std::optional<DrawnTrials> trials;  ///< of the last `trials`
   ScenePainter painter;
 
  private:
@@ -48,8 +55,9 @@ class Shell {
 };
 
 /** From now on Ctrl-C stops the work of a shell; a second one before it has stopped ends the
-program. */
-void CatchShellInterrupts();
+program. SIGTERM and SIGHUP stop it too and let the program end in order, the terminal restored. */
+void CatchShellSignals();
+bool MustShellEnd();
 /** Forgets a Ctrl-C; true when there was one. */
 bool TakeShellInterrupt();
 

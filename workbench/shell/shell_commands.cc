@@ -32,7 +32,7 @@ std::vector<std::string> ListCommandNames() {
 }
 
 const ShellCommand& FindCommand(const std::string& given) {
-  const std::string wanted = MakeComparable(given);
+  const std::string wanted = MakeComparable(given == "exit" ? "quit" : given);
   std::vector<const ShellCommand*> beginnings;
   for (const ShellCommand& command : ListShellCommands()) {
     if (wanted == command.name) return command;
@@ -95,8 +95,8 @@ const std::vector<ShellCommand>& ListShellCommands() {
       {"joint", kScene, "JOINT ANGLE [pre|target]",
        "Set a joint of the target or pre-grasp posture (deg).", "joint FFJ3 30", 2, 3,
        &ListOwnJoints, &SetJoint},
-      {"set", kScene, "KEY VALUE", "Change a setting of session files; the trial starts anew.",
-       "set model.friction_scale 0.5", 2, 2, [](Shell&) { return ListSettings(); }, &ChangeSetting},
+      {"set", kScene, "[KEY [VALUE]]", "Change a setting of session files, or list them.",
+       "set model.friction_scale 0.5", 0, 2, [](Shell&) { return ListSettings(); }, &ChangeSetting},
       {"open", kScene, "DIR ID", "Take a trial of a session, with its copies of inputs.",
        "open results/pilot 0123456789abcdef", 2, 2, nullptr, &OpenTrial},
       {"undo", kScene, "", "Take the last change back and go to the same time.", "undo", 0, 0,
@@ -107,8 +107,9 @@ const std::vector<ShellCommand>& ListShellCommands() {
        "save my_grasp.yaml", 1, 1, nullptr, &SaveGrasp},
       {"step", kTime, "[N]", "Go on by N steps of the physics (1).", "step 10", 0, 1, nullptr,
        &StepTrial},
-      {"run", kTime, "[to PHASE|first-contact|slip|end]", "Go on to there (end).",
-       "run to lift-off", 0, 2, [](Shell&) { return ListRunTargets(); }, &RunTrial},
+      {"run", kTime, "[to PHASE|contact|slip|end]",
+       "Go on to there (end); slips count from lift-off on.", "run to lift-off", 0, 2,
+       [](Shell&) { return ListRunTargets(); }, &RunTrial},
       {"goto", kTime, "TIME", "Stand at this time, earlier or later (0 to 3600 s).", "goto 1.25s",
        1, 1, nullptr, &GoToTime},
       {"back", kTime, "[TIME]", "Go back by so much (0.1 s).", "back 0.5s", 0, 1, nullptr, &GoBack},

@@ -15,7 +15,7 @@ using ShellArguments = std::vector<std::string>;
 struct ShellCommand {
   const char* name;
   const char* group;      ///< heading in the overview
-  const char* arguments;  ///< "[to PHASE|first-contact|slip]"
+  const char* arguments;  ///< "[to PHASE|contact|slip]"
   const char* help;       ///< one sentence, with units and ranges
   const char* example;
   int min_arguments, max_arguments;

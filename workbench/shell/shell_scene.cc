@@ -78,6 +78,10 @@ void ShellScene::Choose(const SceneChoice& choice) {
   instants_.push_back(course_->Save());
 }
 
+StandardGrasp ShellScene::unedited_grasp() const {
+  return MakeDrawnSetup(choice_, inputs_, std::nullopt).grasp;
+}
+
 TrialSetup ShellScene::MakeSetup(std::optional<int> draw) const {
   TrialSetup setup = MakeChosenSetup(choice_, inputs_, draw);
   setup.hand = setup_->hand;  // those of the runner
@@ -104,12 +108,11 @@ void ShellScene::KeepInstant() {
 
 void ShellScene::GoTo(double target, const std::function<bool()>& stops) {
   const double slack = 0.5 * setup_->sim.step;
-  if (target < time() - slack) {
-    const auto later = std::find_if(
-        instants_.begin() + 1, instants_.end(),
-        [&](const TrialInstant& instant) { return instant.notes.time > target + slack; });
-    course_->Restore(*(later - 1));
-  }
+  const auto later = std::find_if(
+      instants_.begin() + 1, instants_.end(),
+      [&](const TrialInstant& instant) { return instant.notes.time > target + slack; });
+  const TrialInstant& nearest = *(later - 1);
+  if (target < time() - slack || nearest.notes.time > time()) course_->Restore(nearest);
   while (time() < target - slack && !stops() && Advance()) {
   }
 }

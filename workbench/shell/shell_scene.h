@@ -52,6 +52,8 @@ class ShellScene {
   const SceneChoice& choice() const { return choice_; }
   /** @pre of all below: Choose was called. */
   const TrialSetup& setup() const { return *setup_; }
+  /** The chosen grasp without the joints set by hand. */
+  StandardGrasp unedited_grasp() const;
   /** What another draw of the same choice would be. */
   TrialSetup MakeSetup(std::optional<int> draw) const;
   /** All that the hand can do. */

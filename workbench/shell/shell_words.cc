@@ -42,11 +42,17 @@ std::vector<std::string> SplitWords(const std::string& line) {
   return words;
 }
 
+std::string ToLower(std::string word) {
+  for (char& c : word) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return word;
+}
+
 std::string MakeComparable(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    const bool is_large = c >= 'A' && c <= 'Z';
-    text += c == ' ' || c == '-' ? '_' : is_large ? static_cast<char>(c - 'A' + 'a') : c;
+  std::string text = ToLower(name);
+  for (char& c : text) {
+    if (c == ' ' || c == '-') c = '_';
   }
   return text;
 }

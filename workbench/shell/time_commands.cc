@@ -71,18 +71,28 @@ void DemandTimeLeft(Shell& shell) {
   throw Error(ErrorKind::kUsage, "the trial is over; reset, back or goto stand at an earlier time");
 }
 
-bool IsSlipping(const ShellScene& scene) {
-  for (const ContactEvent& event : scene.notes().events.MakeEvents()) {
-    if (event.kind == ContactEventKind::kSlip || event.kind == ContactEventKind::kLost) return true;
+/** Slips and losses from lift-off on: while it closes a finger that touches always slides. */
+size_t CountLosses(const ShellScene& scene) {
+  const TrialNotes& notes = scene.notes();
+  double lift_off = std::numeric_limits<double>::infinity();
+  for (const PhaseStart& phase : notes.result.phases) {
+    if (phase.name == NameOf(Phase::kLiftOff)) lift_off = phase.time;
   }
-  return false;
+  size_t count = 0;
+  for (const ContactEvent& event : notes.events.MakeEvents()) {
+    const bool is_loss =
+        event.kind == ContactEventKind::kSlip || event.kind == ContactEventKind::kLost;
+    count += is_loss && event.time >= lift_off;
+  }
+  return count;
 }
 
-bool HasTouched(const ShellScene& scene) {
+size_t CountTouched(const ShellScene& scene) {
+  size_t count = 0;
   for (const DigitContact& contact : scene.notes().result.contacts) {
-    if (!std::isnan(contact.time)) return true;
+    count += !std::isnan(contact.time);
   }
-  return false;
+  return count;
 }
 
 }  // namespace
@@ -94,21 +104,29 @@ void StepTrial(Shell& shell, const ShellArguments& arguments) {
 }
 
 std::vector<std::string> ListRunTargets() {
-  std::vector<std::string> targets = {"end", "slip", "first-contact"};
-  for (const PhaseRow& row : kPhases) targets.emplace_back(row.name);
+  std::vector<std::string> targets = {"end", "slip", "contact"};
+  for (const PhaseRow& row : kPhases) {
+    if (row.value > Phase::kPlacing) targets.emplace_back(row.name);
+  }
   return targets;
 }
 
 void RunTrial(Shell& shell, const ShellArguments& arguments) {
-  const std::string target = arguments.empty() ? "end" : arguments.back();
-  if (arguments.size() == 2 && arguments[0] != "to") {
+  const std::string target = arguments.empty() ? "end" : ToLower(arguments.back());
+  if (arguments.size() == 2 && ToLower(arguments[0]) != "to") {
     throw Error(ErrorKind::kUsage, "\"" + arguments[0] + "\" is unknown here; see: help run");
   }
   DemandTimeLeft(shell);
   const ShellScene& scene = shell.scene();
   if (target == "end") return Advance(shell, [] { return false; });
-  if (target == "slip") return Advance(shell, [&] { return IsSlipping(scene); });
-  if (target == "first-contact") return Advance(shell, [&] { return HasTouched(scene); });
+  if (target == "slip") {
+    const size_t count = CountLosses(scene);
+    return Advance(shell, [&] { return CountLosses(scene) > count; });
+  }
+  if (target == "contact") {
+    const size_t count = CountTouched(scene);
+    return Advance(shell, [&] { return CountTouched(scene) > count; });
+  }
   for (const PhaseRow& row : kPhases) {
     if (target != row.name) continue;
     if (scene.notes().phase >= row.value) {

@@ -20,7 +20,8 @@ namespace graspbench {
 namespace {
 
 constexpr int kMaxTrials = 10000;
-constexpr int kNumNeighbours = 10;  // draws among which a successful one is looked for
+constexpr double kJustBefore = 0.01;  // [s]
+constexpr int kNumNeighbours = 10;    // draws among which a successful one is looked for
 
 /** The choice's trials of the draws 0 to count - 1, or as many as there was time for. */
 std::vector<TrialResult> RunDraws(Shell& shell, int count) {
@@ -65,9 +66,18 @@ std::string FormatTrials(const std::vector<TrialResult>& results) {
                  CalcMedianOf(results, [](const TrialResult& r) { return r.stability.sigma; }), 2));
 }
 
+/** Whether object and hand met in the same poses. */
+bool AreSameDraws(const SceneChoice& a, const SceneChoice& b) {
+  SessionConfig config_a = a.config, config_b = b.config;
+  return config_a.objects == config_b.objects && config_a.seed == config_b.seed &&
+         config_a.variation.offset == config_b.variation.offset &&
+         config_a.variation.yaw == config_b.variation.yaw;
+}
+
 /** The same draws before and now. */
-std::string FormatComparison(const std::vector<TrialResult>& before,
+std::string FormatComparison(const DrawnTrials& trials_before,
                              const std::vector<TrialResult>& now) {
+  const std::vector<TrialResult>& before = trials_before.results;
   PairedCounts pairs;
   for (size_t draw = 0; draw < std::min(before.size(), now.size()); ++draw) {
     const bool was = IsSuccess(before[draw].outcome), is = IsSuccess(now[draw].outcome);
@@ -75,13 +85,15 @@ std::string FormatComparison(const std::vector<TrialResult>& before,
   }
   const Interval change = CalcPairedDifferenceInterval(pairs);
   return fmt::format(
-      "against the trials before, on {}: {} won, {} lost; the rate changes by {} to {} points\n",
+      "against {}, {}{}, on {}: {} won, {} lost; the rate changes by {} to {} points\n",
+      trials_before.choice.config.hands.front(), trials_before.grasp,
+      trials_before.choice.joints.empty() ? "" : " with joints set by hand",
       FormatCount(pairs.num_pairs(), "same draw"), pairs.second_only, pairs.first_only,
       FormatFixed(100.0 * change.low, 1), FormatFixed(100.0 * change.high, 1));
 }
 
-/** The last thing that happened to a contact before the end. */
-std::string DescribeLastEvent(const TrialResult& result) {
+/** The last contact that slipped or was lost, in the time that `goto` takes. */
+std::string DescribeLastEvent(const TrialResult& result, double closure_start) {
   const ContactEvent* last = nullptr;
   for (const ContactEvent& event : result.contact_events) {
     const bool is_loss =
@@ -89,8 +101,10 @@ std::string DescribeLastEvent(const TrialResult& result) {
     if (is_loss) last = &event;
   }
   if (last == nullptr) return "no contact slipped or was lost\n";
-  return fmt::format("last     {} of {} ({}) {} s after the start of closure\n", NameOf(last->kind),
-                     last->digit, last->link, FormatFixed(last->time, 3));
+  const std::string time = FormatFixed(last->time + closure_start, 3);
+  return fmt::format("last     {} of {} ({}) at {} s; its forces just before: goto {}, contacts\n",
+                     NameOf(last->kind), last->digit, last->link, time,
+                     FormatFixed(last->time + closure_start - kJustBefore, 3));
 }
 
 std::string DescribeMissing(const TrialResult& result) {
@@ -140,8 +154,11 @@ void RunTrials(Shell& shell, const ShellArguments& arguments) {
   const std::vector<TrialResult> results = RunDraws(shell, count);
   if (results.empty()) return;
   std::string text = FormatTrials(results);
-  if (!shell.trials.empty()) text += FormatComparison(shell.trials, results);
-  shell.trials = results;
+  const SceneChoice& choice = shell.scene().choice();
+  if (shell.trials && AreSameDraws(shell.trials->choice, choice)) {
+    text += FormatComparison(*shell.trials, results);
+  }
+  shell.trials = DrawnTrials{choice, shell.scene().setup().grasp.id, results};
   PrintResult(text);
 }
 
@@ -169,7 +186,7 @@ void ExplainTrial(Shell& shell, const ShellArguments&) {
   const TrialResult result = scene.course().End();
   std::string text = "outcome  " + std::string(NameOf(result.outcome));
   text += (result.reason.empty() ? "" : ": " + result.reason) + "\n";
-  text += DescribeMissing(result) + DescribeLastEvent(result);
+  text += DescribeMissing(result) + DescribeLastEvent(result, scene.notes().closure_start);
   if (!IsSuccess(result.outcome)) text += DescribeNeighbour(shell);
   PrintResult(text);
 }
