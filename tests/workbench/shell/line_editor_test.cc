@@ -4,6 +4,7 @@
 #include <pty.h>
 #include <signal.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace graspbench {
@@ -24,6 +25,12 @@ void WaitForPrompts(int terminal, size_t count, std::string& shown) {
     if (size <= 0) return;
     shown.append(bytes, static_cast<size_t>(size));
   }
+  // Raw mode begins behind the prompt; an end of input that comes before it would be lost.
+  termios settings = {};
+  do {
+    ::usleep(1000);
+    ::tcgetattr(terminal, &settings);
+  } while (settings.c_lflag & ICANON);
 }
 
 /** What the editor reads on a terminal of its own on which `keys` are typed, a line in brackets. */
