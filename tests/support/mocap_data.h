@@ -1,25 +1,15 @@
 #pragma once
 /** @file
-Where the real recordings lie: $GRASPBENCH_DATA/mocap, else shared/data/mocap beside the checkout.
+Where the real recordings lie: the folder mocap of the shared data.
 They are not part of the project; tests that need them say so when they are absent. */
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-
-#include "core/base/files.h"
+#include "tests/support/shared_data.h"
 
 namespace graspbench {
 
-inline std::filesystem::path FindMocapData() {
-  namespace fs = std::filesystem;
-  const char* root = std::getenv("GRASPBENCH_DATA");
-  const fs::path data = root != nullptr && *root != '\0'
-                            ? fs::path(root)
-                            : FindDataRoot().parent_path() / "shared" / "data";
-  return data / "mocap";
-}
+inline std::filesystem::path FindMocapData() { return FindSharedData() / "mocap"; }
 
 }  // namespace graspbench
 

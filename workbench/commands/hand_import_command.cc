@@ -40,7 +40,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   const bool is_usable = problems.num_errors() == 0;
   if (is_usable) staged.Commit();
   if (json) {
-    PrintJson({{"usable", problems.num_errors() == 0},
+    PrintJson({{"usable", is_usable},
                {"problems", MakeJson(problems)},
                {"digits", imported.num_digits},
                {"joints", imported.num_joints},
@@ -56,7 +56,7 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
                   " driven; look at the lines with \"guess\" in hand.yaml\n");
     }
   }
-  return problems.num_errors() == 0 ? kExitOk : kExitBadInput;
+  return is_usable ? kExitOk : kExitBadInput;
 }
 
 }  // namespace

@@ -70,7 +70,6 @@ ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& next, bool is_p
 }
 
 ExitCode RunShell(const ShellOptions& options) {
-  const bool is_scripted = !options.commands.empty() || !options.file.empty();
   if (!options.commands.empty() && !options.file.empty()) {
     throw Error(ErrorKind::kUsage, "-c and a file were given; expected one of them");
   }
@@ -92,7 +91,7 @@ ExitCode RunShell(const ShellOptions& options) {
         },
         false);
   }
-  if (is_scripted) return Converse(shell, log, ReadFrom(script), false);
+  if (!options.file.empty()) return Converse(shell, log, ReadFrom(script), false);
   if (!::isatty(STDIN_FILENO)) return Converse(shell, log, ReadFrom(std::cin), false);
   ShowScene(shell, {});
   PrintResult("help lists the commands\n");

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -15,6 +15,7 @@
 #include "objects/catalogue.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/shell.h"
+#include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
 #include "workbench/terminal.h"
@@ -28,9 +29,7 @@ constexpr double kMaxOffset_mm = 200.0;
 
 /** "light bulb" given as two words is one name. */
 std::string JoinName(const ShellArguments& words) {
-  std::string name;
-  for (const std::string& word : words) name += (name.empty() ? "" : " ") + word;
-  return name;
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 /** A known id by its id or name, in any case; what is none of them, a path perhaps, as it is. */
@@ -148,8 +147,9 @@ void SetJoint(Shell& shell, const ShellArguments& arguments) {
       throw Error(ErrorKind::kUsage, "joint " + joint.name + " follows " +
                                          hand.joints[joint.coupled_to].name + "; set that one");
     }
-    edit.angle = RadFromDeg(ParseNumber(arguments[1], "the angle of " + joint.name, "deg",
-                                        DegFromRad(joint.lower), DegFromRad(joint.upper)));
+    edit.position =
+        FromShown(joint, ParseNumber(arguments[1], "the position of " + joint.name, UnitOf(joint),
+                                     ToShown(joint, joint.lower), ToShown(joint, joint.upper)));
   }
   if (edit.joint.empty()) {
     throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no joint \"" + arguments[0] +
@@ -207,6 +207,12 @@ void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
 
 namespace {
 
+/** As the session's list names what it has loaded; "all" names nothing. */
+std::string FindListed(const std::vector<std::string>& listed, size_t num_loaded, size_t index,
+                       const std::string& id) {
+  return listed.size() == num_loaded ? listed[index] : id;
+}
+
 /** The session's own names of one trial's things, for which it holds copies of what is not ours. */
 SceneChoice NarrowTo(const Session& session, const PlannedTrial& planned) {
   SceneChoice choice;
@@ -214,15 +220,14 @@ SceneChoice NarrowTo(const Session& session, const PlannedTrial& planned) {
   choice.folder = session.folder.string();
   choice.draw = planned.trial;
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, choice.folder);
-  const bool are_listed = session.config.hands.size() == inputs.hands.size();
   for (size_t i = 0; i < inputs.hands.size(); ++i) {
     if (inputs.hands[i].hand->id != planned.hand) continue;
-    choice.config.hands = {are_listed ? session.config.hands[i] : planned.hand};
+    choice.config.hands = {FindListed(session.config.hands, inputs.hands.size(), i, planned.hand)};
   }
-  const bool are_objects_listed = session.config.objects.size() == inputs.objects.size();
   for (size_t i = 0; i < inputs.objects.size(); ++i) {
     if (inputs.objects[i]->id != planned.object) continue;
-    choice.config.objects = {are_objects_listed ? session.config.objects[i] : planned.object};
+    choice.config.objects = {
+        FindListed(session.config.objects, inputs.objects.size(), i, planned.object)};
   }
   choice.config.grasps = {planned.grasp};
   for (const auto& [file, id] : inputs.grasp_files) {
@@ -259,12 +264,15 @@ void ShowChanges(Shell& shell, const ShellArguments&) {
         "place    x {} mm, y {} mm, yaw {} deg\n", FormatFixed(MmFromM(choice.place->x), 1),
         FormatFixed(MmFromM(choice.place->y), 1), FormatFixed(DegFromRad(choice.place->yaw), 1));
   }
+  const StandardGrasp grasp = shell.scene().unedited_grasp();
   for (const JointEdit& edit : choice.joints) {
-    const StandardGrasp& grasp = shell.scene().unedited_grasp();
+    const int index = hand.FindJoint(edit.joint);
+    const HandJoint& joint = hand.joints[static_cast<size_t>(index)];
     const Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
-    text += fmt::format("joint    {} {} deg {}, the grasp's {} deg\n", edit.joint,
-                        FormatFixed(DegFromRad(edit.angle), 1), edit.is_target ? "target" : "pre",
-                        FormatFixed(DegFromRad(q[hand.FindJoint(edit.joint)]), 1));
+    text += fmt::format("joint    {} {} {} {}, the grasp's {} {}\n", edit.joint,
+                        FormatFixed(ToShown(joint, edit.position), 1), UnitOf(joint),
+                        edit.is_target ? "target" : "pre", FormatFixed(ToShown(joint, q[index]), 1),
+                        UnitOf(joint));
   }
   std::istringstream now(FormatSettings(choice.config, "")), before(FormatSettings({}, ""));
   for (std::string line, other; std::getline(now, line) && std::getline(before, other);) {

@@ -15,7 +15,8 @@ namespace graspbench {
 namespace {
 
 constexpr int kBarWidth = 20;
-constexpr double kAtLimit = 1e-3;  // from it [rad]
+constexpr double kAtLimit = 1e-3;       // from it [rad]
+constexpr double kAtSlideLimit = 1e-5;  // [m]
 
 std::vector<HandContact> FindContacts(ShellScene& scene) {
   std::vector<HandContact> contacts;
@@ -49,6 +50,16 @@ double CalcConeShare(const HandContact& contact) {
 }
 
 }  // namespace
+
+double ToShown(const HandJoint& joint, double position) {
+  return joint.is_prismatic ? MmFromM(position) : DegFromRad(position);
+}
+
+double FromShown(const HandJoint& joint, double shown) {
+  return joint.is_prismatic ? MFromMm(shown) : RadFromDeg(shown);
+}
+
+const char* UnitOf(const HandJoint& joint) { return joint.is_prismatic ? "mm" : "deg"; }
 
 std::string FormatStatus(ShellScene& scene) {
   const TrialNotes& notes = scene.notes();
@@ -89,16 +100,19 @@ std::string FormatJoints(ShellScene& scene) {
   TextTable table({"joint", "angle [deg]", "from", "to", "", "asked [deg]", ""});
   for (size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];
+    const auto format = [&joint](double position, int decimals) {
+      return FormatFixed(ToShown(joint, position), decimals) + (joint.is_prismatic ? " mm" : "");
+    };
     const double angle = q[static_cast<Eigen::Index>(j)];
-    const bool is_at_limit = angle < joint.lower + kAtLimit || angle > joint.upper - kAtLimit;
+    const double margin = joint.is_prismatic ? kAtSlideLimit : kAtLimit;
+    const bool is_at_limit = angle < joint.lower + margin || angle > joint.upper - margin;
     std::string command = "n/a";
     if (joint.coupled_to >= 0) {
       command = "with " + hand.joints[static_cast<size_t>(joint.coupled_to)].name;
     } else if (asked.size() > 0) {
-      command = FormatFixed(DegFromRad(asked[static_cast<Eigen::Index>(j)]), 1);
+      command = format(asked[static_cast<Eigen::Index>(j)], 1);
     }
-    table.AddRow({joint.name, FormatFixed(DegFromRad(angle), 1),
-                  FormatFixed(DegFromRad(joint.lower), 0), FormatFixed(DegFromRad(joint.upper), 0),
+    table.AddRow({joint.name, format(angle, 1), format(joint.lower, 0), format(joint.upper, 0),
                   DrawBar(angle, joint.lower, joint.upper), command,
                   is_at_limit ? "at its limit" : ""});
   }

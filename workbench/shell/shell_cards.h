@@ -8,6 +8,13 @@ What the shell shows of a scene, as text: one card each. */
 
 namespace graspbench {
 
+/** A joint's position as it is shown and given: degrees, of a prismatic joint millimetres. */
+///@{
+double ToShown(const HandJoint& joint, double position);
+double FromShown(const HandJoint& joint, double shown);
+const char* UnitOf(const HandJoint& joint);
+///@}
+
 /** "1.234 s  hold  grip 3.2 N  3 contacts"; with the outcome and its sentence once it is over. */
 std::string FormatStatus(ShellScene& scene);
 /** What is chosen, and where object and joints really are. */

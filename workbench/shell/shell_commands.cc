@@ -93,7 +93,7 @@ const std::vector<ShellCommand>& ListShellCommands() {
       {"turn", kScene, "ANGLE", "Turn the object about the vertical (-180 to 180 deg).", "turn 30",
        1, 1, nullptr, &TurnObject},
       {"joint", kScene, "JOINT ANGLE [pre|target]",
-       "Set a joint of the target or pre-grasp posture (deg).", "joint FFJ3 30", 2, 3,
+       "Set a joint of the target or pre-grasp posture (deg, mm).", "joint FFJ3 30", 2, 3,
        &ListOwnJoints, &SetJoint},
       {"set", kScene, "[KEY [VALUE]]", "Change a setting of session files, or list them.",
        "set model.friction_scale 0.5", 0, 2, [](Shell&) { return ListSettings(); }, &ChangeSetting},

@@ -35,7 +35,7 @@ void ApplyEdit(const Hand& hand, const JointEdit& edit, StandardGrasp& grasp) {
   const int index = hand.FindJoint(edit.joint);
   GRASPBENCH_DEMAND(index >= 0, edit.joint);
   Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
-  q[index] = edit.angle;
+  q[index] = edit.position;
   ApplyCoupling(hand, q);
 }
 

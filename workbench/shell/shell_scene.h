@@ -23,7 +23,7 @@ namespace graspbench {
 struct JointEdit {
   bool is_target = true;
   std::string joint;
-  double angle = 0.0;  ///< [rad]
+  double position = 0.0;  ///< [rad], of a prismatic joint [m]
 };
 
 /** Where the object stands instead of where the draw puts it. */

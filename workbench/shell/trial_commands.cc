@@ -68,10 +68,9 @@ std::string FormatTrials(const std::vector<TrialResult>& results) {
 
 /** Whether object and hand met in the same poses. */
 bool AreSameDraws(const SceneChoice& a, const SceneChoice& b) {
-  SessionConfig config_a = a.config, config_b = b.config;
-  return config_a.objects == config_b.objects && config_a.seed == config_b.seed &&
-         config_a.variation.offset == config_b.variation.offset &&
-         config_a.variation.yaw == config_b.variation.yaw;
+  return a.config.objects == b.config.objects && a.config.seed == b.config.seed &&
+         a.config.variation.offset == b.config.variation.offset &&
+         a.config.variation.yaw == b.config.variation.yaw;
 }
 
 /** The same draws before and now. */

@@ -24,7 +24,7 @@ class ShellTest : public testing::Test {
   Json Describe() {
     const SceneChoice& choice = shell_.scene().choice();
     Json joints = Json::array();
-    for (const JointEdit& edit : choice.joints) joints.push_back({edit.joint, edit.angle});
+    for (const JointEdit& edit : choice.joints) joints.push_back({edit.joint, edit.position});
     return {ToJson(choice.config), choice.draw.value_or(-1), choice.place.has_value(), joints,
             shell_.scene().time(), shell_.num_changes()};
   }

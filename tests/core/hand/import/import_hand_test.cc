@@ -2,22 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "core/base/files.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "tests/core/hand/import/small_gripper.h"
+#include "tests/support/shared_data.h"
 
 namespace graspbench {
 namespace {
 namespace fs = std::filesystem;
-
-/** Published hands, where a machine has them; they are not part of the project. */
-fs::path FindPublishedHands() {
-  const char* folder = std::getenv("GRASPBENCH_PUBLISHED_HANDS");
-  return folder ? folder : "/work/shared/data/hands";
-}
 
 struct Published {
   const char* file;
@@ -28,7 +21,7 @@ struct Published {
 class PublishedHandTest : public testing::TestWithParam<Published> {};
 
 TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
-  const fs::path file = FindPublishedHands() / GetParam().file;
+  const fs::path file = FindSharedData() / "hands" / GetParam().file;
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not on this machine";
   HandSource source;
   source.file = file.string();
