@@ -89,7 +89,7 @@ TEST_F(EndlessTrial, AnOptimisationGoesOnAfterThem) {
   EXPECT_EQ(Call(hurried), 4);
   const std::vector<std::string> answers = ReadLines(out / "journal.jsonl");
   ASSERT_GE(answers.size(), 4u);
-  // Not every one: a trial may end before somebody looks at the clock.
+  // Not every one: a trial may fail in less.
   const bool is_any_given_up =
       std::any_of(answers.begin(), answers.end(), [](const std::string& answer) {
         return answer.find("\"outcome\":\"numerical failure\"") != std::string::npos;

@@ -31,10 +31,11 @@ bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
       board.Count(record->result.outcome);
       board.SetBusy(worker, std::nullopt);
     };
-    const RunTask give_up = [&board, &trials, tools, time_limit](size_t task) {
+    const RunTask give_up = [&board, &trials, worker, tools, time_limit](size_t task) {
       const TrialRecord endless = {trials[task], MakeEndlessResult(time_limit)};
       (tools->give_up ? tools->give_up : tools->keep)(endless);
       board.Count(endless.result.outcome);
+      board.SetBusy(worker, std::nullopt);
     };
     return {tools->prepare ? prepare : RunTask(), run, keep,
             time_limit < kNoTimeLimit ? give_up : RunTask()};

@@ -123,8 +123,11 @@ class Pool : public std::enable_shared_from_this<Pool> {
         if (runner.prepare) runner.prepare(task);
         if (runner.give_up) SetTask(seat, task);
         runner.run(task);
+        // The watcher looks now and then; a task that has ended unseen was overdue all the same.
+        const bool is_overdue = runner.give_up && IsOverdue(seat);
         if (!SetTask(seat, std::nullopt)) return;
-        if (runner.keep) runner.keep(task);
+        const RunTask& end = is_overdue ? runner.give_up : runner.keep;
+        if (end) end(task);
         CountDone();
       }
     } catch (const Error& error) {
@@ -161,12 +164,14 @@ class Pool : public std::enable_shared_from_this<Pool> {
     return true;
   }
 
+  bool IsOverdue(const Seat& seat) const { return seat.clock.Now() - seat.start >= time_limit_; }
+
   /** @pre the mutex is held. @returns the tasks of the workers that are given up now. */
   std::vector<size_t> AbandonOverdue() {
     std::vector<size_t> tasks;
     for (const auto& seat : seats_) {
       if (!seat->task || seat->is_abandoned) continue;
-      if (seat->clock.Now() - seat->start < time_limit_) continue;
+      if (!IsOverdue(*seat)) continue;
       seat->is_abandoned = true;
       ++num_abandoned;
       --num_running_;

@@ -29,7 +29,8 @@ struct TaskRunner {
   RunTask run;
   /** Keeps what `run` has found, if the task has ended in time; may be empty. */
   RunTask keep;
-  /** Keeps that a task of another worker has not ended in time; empty: it is waited for. */
+  /** Keeps that a task, of this worker or of another, has not ended in time; empty: it is waited
+  for. */
   RunTask give_up;
 };
 
@@ -45,8 +46,8 @@ finished, or gives up.
 @param show  called about ten times a second in the caller's thread, and once at the end; empty: the
 caller's thread works too.
 @returns whether all tasks are done.
-@param time_limit  of a task [s of processor time]: its worker is then given up and replaced by one
-with a new number, which calls give_up. Only where there is a `show`.
+@param time_limit  of a task [s of processor time]: what took longer is given up. With a `show` that
+does not wait for its end: the worker is replaced by one with a new number, which calls give_up.
 @throws the first exception of a worker, Error(kInterrupted) aside, when the others have finished
 their current tasks. */
 bool RunTasks(size_t num_tasks, int num_workers, const MakeTaskRunner& make_runner,

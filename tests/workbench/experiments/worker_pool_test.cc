@@ -90,6 +90,20 @@ TEST(WorkerPool, PreparingIsNoPartOfATasksTime) {
   EXPECT_EQ(num_given_up, 0);
 }
 
+// Whether somebody looked while it ran must not decide.
+TEST(WorkerPool, AnOverdueTaskThatEndsUnseenIsGivenUp) {
+  const std::atomic<bool> never = false;
+  std::atomic<int> num_kept = 0, num_given_up = 0;
+  const auto make_runner = [&](int, const std::atomic<bool>&) -> TaskRunner {
+    const auto run = [](size_t) { Compute(0.02); };
+    return {{}, run, [&](size_t) { ++num_kept; }, [&](size_t) { ++num_given_up; }};
+  };
+  EXPECT_TRUE(RunTasks(
+      5, 1, make_runner, [] {}, never, /*time_limit=*/0.01));
+  EXPECT_EQ(num_kept, 0);
+  EXPECT_EQ(num_given_up, 5);
+}
+
 // A busy machine or a program that was suspended makes no trial a failure.
 TEST(WorkerPool, OnlyComputingIsATasksTime) {
   const std::atomic<bool> never = false;
