@@ -23,6 +23,9 @@ std::string FormatSignificant(double value, int digits);
 "90.0 %". */
 std::string FormatPercent(double ratio);
 
+/** All letters small, of ASCII. */
+std::string ToLower(std::string text);
+
 /** The first letter large, of ASCII. */
 std::string Capitalise(std::string text);
 

@@ -320,10 +320,11 @@ std::optional<WorldCommand> TrialCourse::CommandBlindly() {
   return MakeCommand(command);
 }
 
-TrialResult TrialCourse::Run() {
+TrialResult TrialCourse::Run(const std::function<void(TrialCourse&)>& observe) {
   Begin();
-  while (Advance()) {
-  }
+  do {
+    if (observe) observe(*this);
+  } while (Advance());
   return End();
 }
 

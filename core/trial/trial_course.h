@@ -12,6 +12,7 @@ setup: from there the trial goes on to the very same bytes wherever the world's 
 (ImplicitWorld), as often as wanted. Cost of Save and Restore: some 0.1 ms and 0.1 to 0.2 MB each,
 see tests/bench/sim_bench.cc. */
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -71,8 +72,8 @@ class TrialCourse {
   std::optional<WorldCommand> CommandBlindly();
   /** The result. @pre Advance gave false; CommandBlindly was not called. */
   TrialResult End();
-  /** Begin, Advance to the end, End. */
-  TrialResult Run();
+  /** Begin, Advance to the end, End. @param observe  called after Begin and after every step. */
+  TrialResult Run(const std::function<void(TrialCourse&)>& observe = {});
 
   /** @pre Begin was called. */
   TrialInstant Save() const;

@@ -37,7 +37,8 @@ struct TrialRunner::Impl {
         object(std::move(the_object)),
         simbody(*hand, object->mass_properties) {}
 
-  JudgedTrial Run(const TrialSetup& setup, bool is_judged);
+  JudgedTrial Run(const TrialSetup& setup, bool is_judged,
+                  const std::function<void(TrialCourse&)>& observe = {});
   std::unique_ptr<World> MakeWorld(const SimConfig& config);
 };
 
@@ -76,16 +77,22 @@ void TrialRunner::Prepare(const SimConfig& sim) {
 
 TrialResult TrialRunner::Run(const TrialSetup& setup) { return impl_->Run(setup, false).result; }
 
+TrialResult TrialRunner::Run(const TrialSetup& setup,
+                             const std::function<void(TrialCourse&)>& observe) {
+  return impl_->Run(setup, false, observe).result;
+}
+
 JudgedTrial TrialRunner::Judge(const TrialSetup& setup) { return impl_->Run(setup, true); }
 
-JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged) {
+JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
+                                   const std::function<void(TrialCourse&)>& observe) {
   GRASPBENCH_DEMAND(setup.hand == hand && setup.object == object,
                     "a runner serves one hand and one object");
   JudgedTrial trial;
   TrialResult& result = trial.result;
   try {
     TrialCourse course(MakeWorld(setup.sim), setup);
-    result = course.Run();
+    result = course.Run(observe);
     if (result.outcome == Outcome::kNumericalFailure) return trial;
     if (const double difference = CompareWithSimbody(course.world(), simbody);
         !(difference < kSimbodyTolerance)) {

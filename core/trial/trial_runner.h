@@ -3,6 +3,7 @@
 One grasp trial: the five-phase strategy (core/grasp/strategy.h) carried out by a hand on an object
 in physics, then a hold, after which the outcome is given. */
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -17,6 +18,8 @@ struct JudgedTrial {
   std::optional<Judgement> judgement;  ///< unset: nothing was in the hand at the end of the hold
 };
 
+class TrialCourse;
+
 /** Runs trials of one hand and object; builds the Simbody system once and resets it.
 Not to be shared between threads. Never throws for what happens inside a trial. */
 class TrialRunner {
@@ -29,6 +32,8 @@ class TrialRunner {
   void Prepare(const SimConfig& sim);
   /** @pre setup.hand and setup.object are those of the constructor. */
   TrialResult Run(const TrialSetup& setup);
+  /** The same, to the same bytes, watched: `observe` is called at the start and after every step. */
+  TrialResult Run(const TrialSetup& setup, const std::function<void(TrialCourse&)>& observe);
   /** The same trial, and then the judge of what it holds (judge.h); some five times the cost. */
   JudgedTrial Judge(const TrialSetup& setup);
 

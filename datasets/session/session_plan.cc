@@ -197,12 +197,25 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   return plan;
 }
 
-TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
-                        RandomStream error) {
+namespace {
+
+TrialDraw DrawObject(const VariationConfig& variation, RandomStream pose) {
   TrialDraw draw;
   draw.offset_x = pose.NextUniform(-variation.offset, variation.offset);
   draw.offset_y = pose.NextUniform(-variation.offset, variation.offset);
   draw.offset_yaw = pose.NextUniform(-variation.yaw, variation.yaw);
+  return draw;
+}
+
+RandomStream MakePoseStream(const SessionConfig& config, const std::string& object, int trial) {
+  return RandomStream(JoinNames({config.seed, object, trial}), "object pose");
+}
+
+}  // namespace
+
+TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
+                        RandomStream error) {
+  TrialDraw draw = DrawObject(variation, pose);
   draw.joint_error = Eigen::VectorXd::Zero(hand.num_joints());
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
     const HandJoint& moved = hand.joints[static_cast<size_t>(joint)];
@@ -216,9 +229,17 @@ TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, Rand
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial) {
   return DrawVariation(
-      config.variation, hand,
-      RandomStream(JoinNames({config.seed, object.id, trial}), "object pose"),
+      config.variation, hand, MakePoseStream(config, object.id, trial),
       RandomStream(JoinNames({config.seed, hand.id, object.id, trial}), "joint error"));
+}
+
+TrialDraw MakeObjectDraw(const SessionConfig& config, const std::string& object, int trial) {
+  return DrawObject(config.variation, MakePoseStream(config, object, trial));
+}
+
+double CalcDrawDistance(const TrialDraw& a, const TrialDraw& b, double radius) {
+  const double turn = radius * (a.offset_yaw - b.offset_yaw);
+  return Eigen::Vector3d(a.offset_x - b.offset_x, a.offset_y - b.offset_y, turn).norm();
 }
 
 TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,

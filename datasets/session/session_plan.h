@@ -58,6 +58,13 @@ accuracy for every joint with a drive of its own. */
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial);
 
+/** The object's part of it, which needs no hand: joint_error is empty. */
+TrialDraw MakeObjectDraw(const SessionConfig& config, const std::string& object, int trial);
+
+/** How differently two draws put the object: the shift, and the turn as the way of a point at
+`radius` from its centre [m]. */
+double CalcDrawDistance(const TrialDraw& a, const TrialDraw& b, double radius);
+
 /** Three numbers of `pose` (x, y, yaw), then one of `error` for every joint with a drive. */
 TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, RandomStream pose,
                         RandomStream error);

@@ -42,13 +42,6 @@ std::vector<std::string> SplitWords(const std::string& line) {
   return words;
 }
 
-std::string ToLower(std::string word) {
-  for (char& c : word) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return word;
-}
-
 std::string MakeComparable(const std::string& name) {
   std::string text = ToLower(name);
   for (char& c : text) {

@@ -11,8 +11,6 @@ namespace graspbench {
 like; "#" at the start of a word begins a comment. @throws Error(kUsage) for a quote without end. */
 std::vector<std::string> SplitWords(const std::string& line);
 
-std::string ToLower(std::string word);  ///< of ASCII
-
 /** A name as it is compared: lower-case, blanks and hyphens as underscores. */
 std::string MakeComparable(const std::string& name);
 

@@ -1,0 +1,53 @@
+#include "core/trial/trial_trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/trial/trial_course.h"
+
+namespace graspbench {
+namespace {
+
+TraceInstant MakeInstant(TrialCourse& course) {
+  const TrialNotes& notes = course.notes();
+  const World& world = course.world();
+  TraceInstant instant;
+  instant.time = notes.time;
+  instant.phase = notes.phase;
+  instant.X_WH = world.state().X_WH;
+  instant.X_WO = world.CalcObjectPose();
+  instant.q = world.state().q;
+  instant.q_asked = notes.command.q;
+  world.FindHandContacts(instant.contacts);
+  instant.grip_force = notes.report.grip_force;
+  instant.table_force = notes.report.table_force;
+  return instant;
+}
+
+}  // namespace
+
+TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double interval) {
+  const double num_steps = std::ceil(interval / setup.sim.step - 1e-9);
+  const long every = std::max(1L, std::lround(num_steps));
+  TracedTrial traced;
+  TraceInstant latest;
+  long step = 0;
+  bool is_kept = true;
+  traced.result = runner.Run(setup, [&](TrialCourse& course) {
+    latest = MakeInstant(course);
+    traced.closure_start = course.notes().closure_start;
+    is_kept = step++ % every == 0;
+    if (is_kept) traced.trace.push_back(latest);
+  });
+  if (!is_kept) traced.trace.push_back(latest);
+  return traced;
+}
+
+const TraceInstant& FindInstant(const std::vector<TraceInstant>& trace, double time) {
+  return *std::min_element(trace.begin(), trace.end(),
+                           [time](const TraceInstant& a, const TraceInstant& b) {
+                             return std::abs(a.time - time) < std::abs(b.time - time);
+                           });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,44 @@
+#pragma once
+/** @file
+A trial seen instant by instant: what its record, which keeps three postures, does not hold. */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/grasp/strategy.h"
+#include "core/physics/world.h"
+#include "core/trial/trial_runner.h"
+
+namespace graspbench {
+
+/** At the end of a step. */
+struct TraceInstant {
+  double time = 0.0;  ///< since the start of placing [s]
+  Phase phase = Phase::kPlacing;
+  Pose X_WH = Pose::Identity();
+  Pose X_WO = Pose::Identity();
+  Eigen::VectorXd q;        ///< (num_joints) [rad], [m]
+  Eigen::VectorXd q_asked;  ///< of the drives, in the order of q; empty before the first step
+  std::vector<HandContact> contacts;
+  double grip_force = 0.0;   ///< sum of the hand's normal forces on the object [N]
+  double table_force = 0.0;  ///< normal force of the table on the object [N]
+};
+
+struct TracedTrial {
+  TrialResult result;  ///< that of TrialRunner::Run, to the last byte
+  /** From the start to the end of the trial; empty when it could not begin. */
+  std::vector<TraceInstant> trace;
+  /** Since the start of placing [s]; the result's times count from it. NaN: it was not reached. */
+  double closure_start = kUnset;
+};
+
+/** Runs a trial and keeps its instants, some 2 kB each. Never throws for what happens inside it.
+@param interval  of the instants, rounded up to whole steps [s]; the first and the last are always
+kept. */
+TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double interval);
+
+/** The instant nearest to a time. @pre the trace is not empty. */
+const TraceInstant& FindInstant(const std::vector<TraceInstant>& trace, double time);
+
+}  // namespace graspbench

@@ -1,0 +1,109 @@
+#include "datasets/session/find_trial.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "datasets/session/input_copies.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMinLetters = 4;  // of an id that is cut short
+
+const std::string& HowToName() {
+  static const std::string text =
+      "; a trial is named by the column trial_id of trials.csv, by its first letters, or by hand, "
+      "object, grasp and number as tum-can-g2:3";
+  return text;
+}
+
+std::string NameCell(const PlannedTrial& planned) {
+  return MakePlainKey({planned.hand, planned.object, planned.grasp});
+}
+
+/** @throws Error(kNotFound) for a cell or number that is not in the plan. */
+const PlannedTrial& FindByNumber(const Session& session, const std::string& name) {
+  const std::string cell = name.substr(0, name.find(':'));
+  std::vector<std::string> cells;
+  int num_trials = 0;
+  for (const PlannedTrial& planned : session.plan) {
+    const std::string key = NameCell(planned);
+    if (NameTrial(planned) == name) return planned;
+    if (key == cell) ++num_trials;
+    if (cells.empty() || cells.back() != key) cells.push_back(key);
+  }
+  if (num_trials > 0) {
+    throw Error(ErrorKind::kNotFound, "\"" + name + "\": the session has " + cell + ":0 to " +
+                                          cell + ":" + std::to_string(num_trials - 1));
+  }
+  throw Error(ErrorKind::kNotFound,
+              "the session has no cell \"" + cell + "\"" + SuggestNames(cell, cells) + HowToName());
+}
+
+}  // namespace
+
+std::string NameTrial(const PlannedTrial& planned) {
+  return NameCell(planned) + ":" + std::to_string(planned.trial);
+}
+
+const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& given) {
+  const std::string name = ToLower(given);
+  if (name.find(':') != name.npos) return FindByNumber(session, name);
+  const PlannedTrial* found = nullptr;
+  for (const PlannedTrial& planned : session.plan) {
+    if (planned.id == name) return planned;
+    if (name.size() < kMinLetters || planned.id.compare(0, name.size(), name) != 0) continue;
+    if (found) {
+      throw Error(ErrorKind::kUsage, "several trials begin with \"" + given + "\": " + found->id +
+                                         " (" + NameTrial(*found) + "), " + planned.id + " (" +
+                                         NameTrial(planned) + ")");
+    }
+    found = &planned;
+  }
+  if (found) return *found;
+  throw Error(ErrorKind::kNotFound, "the session has no trial \"" + given + "\"" + HowToName());
+}
+
+const TrialRecord* FindRecord(const Session& session, const PlannedTrial& planned) {
+  const auto found = std::find_if(session.records.begin(), session.records.end(),
+                                  [&](const TrialRecord& r) { return r.plan.id == planned.id; });
+  return found == session.records.end() ? nullptr : &*found;
+}
+
+NearestSuccess FindNearestSuccess(const Session& session, const PlannedTrial& planned,
+                                  double radius) {
+  const auto draw = [&](int trial) {
+    return MakeObjectDraw(session.config, planned.object, trial);
+  };
+  const TrialDraw own = draw(planned.trial);
+  NearestSuccess nearest;
+  nearest.distance = std::numeric_limits<double>::infinity();
+  for (const TrialRecord& record : session.records) {
+    const bool is_of_cell = record.plan.hand == planned.hand &&
+                            record.plan.object == planned.object &&
+                            record.plan.grasp == planned.grasp;
+    if (!is_of_cell || record.plan.id == planned.id || !IsSuccess(record.result.outcome)) continue;
+    const double distance = CalcDrawDistance(own, draw(record.plan.trial), radius);
+    if (distance < nearest.distance) nearest = {&record, distance};
+  }
+  return nearest;
+}
+
+SessionInputs LoadTrialInputs(const Session& session, const PlannedTrial& planned) {
+  SessionConfig config = session.config;
+  // A name may also be a path, whose hand or object is known only once it is loaded; and every grasp
+  // file needs its hand.
+  const auto narrow = [](std::vector<std::string>& names, const std::string& id) {
+    const bool is_listed = std::find(names.begin(), names.end(), id) != names.end();
+    if (is_listed || names == std::vector<std::string>{"all"}) names = {id};
+  };
+  narrow(config.objects, planned.object);
+  if (std::none_of(config.grasps.begin(), config.grasps.end(), IsGraspFile)) {
+    narrow(config.hands, planned.hand);
+  }
+  return LoadSessionInputs(config, FieldUse::kLater, session.folder);
+}
+
+}  // namespace graspbench

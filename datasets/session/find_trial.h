@@ -1,0 +1,37 @@
+#pragma once
+/** @file
+One trial of a session, by the name that a person has for it. */
+
+#include <string>
+
+#include "datasets/session/session_store.h"
+
+namespace graspbench {
+
+/** "tum-can-g2:3", as FindPlannedTrial takes it. */
+std::string NameTrial(const PlannedTrial& planned);
+
+/** The planned trial of an id, of the first letters of one (4 at least, as long as they belong to one
+trial only), or of a cell's key and the number within the cell, from 0: "tum-can-g2:3". Case does not
+matter.
+@throws Error(kNotFound) with what is known; Error(kUsage) when several trials begin so. */
+const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& name);
+
+/** The record of a planned trial; null while it is not finished. */
+const TrialRecord* FindRecord(const Session& session, const PlannedTrial& planned);
+
+/** The successful trial of the same cell whose object stood nearest to that of `planned`; null
+without any. */
+struct NearestSuccess {
+  const TrialRecord* record = nullptr;
+  double distance = 0.0;  ///< see CalcDrawDistance [m]
+};
+/** @param radius  of the object, half its length in x [m]. */
+NearestSuccess FindNearestSuccess(const Session& session, const PlannedTrial& planned,
+                                  double radius);
+
+/** Hands and objects for MakeTrialSetup of one trial: not more of them than needed.
+@throws as LoadSessionInputs. */
+SessionInputs LoadTrialInputs(const Session& session, const PlannedTrial& planned);
+
+}  // namespace graspbench

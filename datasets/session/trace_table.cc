@@ -1,0 +1,113 @@
+#include "datasets/session/trace_table.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace graspbench {
+namespace {
+
+using Column = CsvColumn<TraceInstant>;
+
+void AddPoseColumns(const std::string& name, const std::string& of, Pose TraceInstant::*pose,
+                    std::vector<Column>& columns) {
+  const char* axes[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    columns.push_back({name + "_" + axes[axis] + "_m", "number", "m",
+                       std::string(axes[axis]) + " of " + of + " in the world",
+                       [pose, axis](const TraceInstant& instant) {
+                         return JsonNumber((instant.*pose).translation()[axis]);
+                       }});
+  }
+  const char* parts[] = {"qx", "qy", "qz", "qw"};
+  for (int part = 0; part < 4; ++part) {
+    columns.push_back(
+        {name + "_" + parts[part], "number", "",
+         std::string(parts[part]) + " of the unit quaternion of " + of + " in the world",
+         [pose, part](const TraceInstant& instant) {
+           const Eigen::Quaterniond q((instant.*pose).linear());
+           return JsonNumber(q.coeffs()[part]);
+         }});
+  }
+}
+
+void AddJointColumns(const Hand& hand, std::vector<Column>& columns) {
+  for (int joint = 0; joint < hand.num_joints(); ++joint) {
+    const HandJoint& moved = hand.joints[static_cast<size_t>(joint)];
+    const std::string unit = moved.is_prismatic ? "m" : "rad";
+    columns.push_back({moved.name + "_" + unit, "number", unit, "position of joint " + moved.name,
+                       [joint](const TraceInstant& i) { return JsonNumber(i.q[joint]); }});
+    if (moved.coupled_to >= 0) continue;
+    columns.push_back({moved.name + "_asked_" + unit, "number", unit,
+                       "what the drive of joint " + moved.name + " was asked for",
+                       [joint](const TraceInstant& i) {
+                         return i.q_asked.size() ? JsonNumber(i.q_asked[joint]) : Json();
+                       }});
+  }
+}
+
+bool IsOf(const Hand& hand, const HandContact& contact, int digit) {
+  return hand.FindDigitOfLink(contact.link) == digit;
+}
+
+void AddContactColumns(const Hand& hand, int digit, const std::string& name,
+                       std::vector<Column>& columns) {
+  columns.push_back({"normal_" + name + "_n", "number", "N",
+                     "sum of the normal forces of " + name + " on the object",
+                     [&hand, digit](const TraceInstant& instant) {
+                       return JsonNumber(CalcDigitForce(hand, instant, digit));
+                     }});
+  columns.push_back({"cone_" + name, "number", "",
+                     "largest share of the friction cone that a contact of " + name +
+                         " uses, 1: it slides; missing: it does not touch",
+                     [&hand, digit](const TraceInstant& instant) {
+                       double share = -1.0;
+                       for (const HandContact& contact : instant.contacts) {
+                         const double limit = contact.mu * contact.normal_force;
+                         if (!IsOf(hand, contact, digit) || limit <= 0.0) continue;
+                         share = std::max(share, contact.friction_W.norm() / limit);
+                       }
+                       return share < 0.0 ? Json() : JsonNumber(share);
+                     }});
+  columns.push_back(
+      {"slip_" + name + "_m_per_s", "number", "m/s",
+       "largest tangential speed at a contact of " + name + "; missing: it does not touch",
+       [&hand, digit](const TraceInstant& instant) {
+         double speed = -1.0;
+         for (const HandContact& contact : instant.contacts) {
+           if (IsOf(hand, contact, digit)) speed = std::max(speed, contact.slip_speed);
+         }
+         return speed < 0.0 ? Json() : JsonNumber(speed);
+       }});
+}
+
+}  // namespace
+
+double CalcDigitForce(const Hand& hand, const TraceInstant& instant, int digit) {
+  double force = 0.0;
+  for (const HandContact& contact : instant.contacts) {
+    if (IsOf(hand, contact, digit)) force += contact.normal_force;
+  }
+  return force;
+}
+
+std::vector<Column> ListTraceColumns(const Hand& hand) {
+  std::vector<Column> columns = {
+      {"time_s", "number", "s", "since the start of placing",
+       [](const TraceInstant& instant) { return JsonNumber(instant.time); }},
+      {"phase", "string", "", "phase of the strategy",
+       [](const TraceInstant& instant) { return Json(NameOf(instant.phase)); }},
+      {"grip_force_n", "number", "N", "sum of the hand's normal forces on the object",
+       [](const TraceInstant& instant) { return JsonNumber(instant.grip_force); }},
+      {"table_force_n", "number", "N", "normal force of the table on the object",
+       [](const TraceInstant& instant) { return JsonNumber(instant.table_force); }}};
+  AddPoseColumns("hand", "the hand's frame H", &TraceInstant::X_WH, columns);
+  AddPoseColumns("object", "the object's frame O", &TraceInstant::X_WO, columns);
+  for (size_t digit = 0; digit < hand.digits.size(); ++digit) {
+    AddContactColumns(hand, static_cast<int>(digit), hand.digits[digit].id, columns);
+  }
+  AddContactColumns(hand, -1, "palm", columns);
+  AddJointColumns(hand, columns);
+  return columns;
+}
+
+}  // namespace graspbench

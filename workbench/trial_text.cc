@@ -1,0 +1,204 @@
+#include "workbench/trial_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "datasets/session/trace_table.h"
+#include "objects/catalogue.h"
+#include "workbench/experiments/shell_quote.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatOutcome(const TrialResult& result) {
+  return NameOf(result.outcome) + (result.reason.empty() ? "" : ": " + result.reason);
+}
+
+std::string FormatObjectDraw(const TrialDraw& draw) {
+  return fmt::format("x {} mm, y {} mm, yaw {} deg", FormatFixed(MmFromM(draw.offset_x), 1),
+                     FormatFixed(MmFromM(draw.offset_y), 1),
+                     FormatFixed(DegFromRad(draw.offset_yaw), 1));
+}
+
+std::string FormatJointErrors(const TrialSetup& setup) {
+  const Eigen::VectorXd& error = setup.draw.joint_error;
+  Eigen::Index worst = -1;
+  for (Eigen::Index j = 0; j < error.size(); ++j) {
+    if (setup.hand->joints[static_cast<size_t>(j)].is_prismatic) continue;
+    if (worst < 0 || std::abs(error[j]) > std::abs(error[worst])) worst = j;
+  }
+  if (worst < 0) return "";
+  return fmt::format("; drives off by up to {} deg ({})",
+                     FormatFixed(DegFromRad(std::abs(error[worst])), 2),
+                     setup.hand->joints[static_cast<size_t>(worst)].name);
+}
+
+/** Times are those of the shell: since the start of placing. */
+std::string FormatPhases(const TracedTrial& traced) {
+  std::string text = std::string(NameOf(Phase::kPlacing)) + " from 0.000 s";
+  for (const PhaseStart& phase : traced.result.phases) {
+    text += ", " + phase.name + " from " + FormatFixed(phase.time + traced.closure_start, 3) + " s";
+  }
+  return text + ", end at " + FormatFixed(traced.result.simulated_time, 3) + " s";
+}
+
+/** The largest sum of a digit's normal forces over the trial [N]. */
+double FindLargestForce(const ExaminedTrial& trial, const std::string& id) {
+  const Hand& hand = *trial.setup.hand;
+  double largest = kUnset;
+  for (size_t digit = 0; digit < hand.digits.size(); ++digit) {
+    if (hand.digits[digit].id != id) continue;
+    for (const TraceInstant& instant : trial.traced.trace) {
+      largest = std::fmax(largest, CalcDigitForce(hand, instant, static_cast<int>(digit)));
+    }
+  }
+  return largest;
+}
+
+/** A row a digit: when it touched and how it fared. */
+std::string FormatDigits(const ExaminedTrial& trial) {
+  const TrialResult& result = trial.traced.result;
+  const double start = trial.traced.closure_start;
+  TextTable table({"digit", "first touch [s]", "hand closed by", "nearest [mm]", "slips", "losses",
+                   "largest force [N]"});
+  for (size_t d = 0; d < result.contacts.size(); ++d) {
+    const DigitContact& contact = result.contacts[d];
+    const DigitTouch& touch = result.touches[d];
+    const auto count = [&](ContactEventKind kind) {
+      return std::to_string(std::count_if(
+          result.contact_events.begin(), result.contact_events.end(),
+          [&](const ContactEvent& e) { return e.kind == kind && e.digit == contact.digit.str(); }));
+    };
+    table.AddRow({contact.digit.str() + (contact.is_opposing ? " (opposes)" : ""),
+                  std::isnan(contact.time) ? "never" : FormatFixed(contact.time + start, 3),
+                  FormatPercent(touch.closing), FormatFixed(MmFromM(touch.smallest_gap), 1),
+                  count(ContactEventKind::kSlip), count(ContactEventKind::kLost),
+                  FormatFixed(FindLargestForce(trial, contact.digit), 2)});
+  }
+  return table.Format();
+}
+
+std::string FormatFirstFailure(const TracedTrial& traced) {
+  const TrialResult& result = traced.result;
+  const double start = traced.closure_start;
+  const ContactEvent* loss = FindFirstLoss(result.contact_events);
+  if (!loss) return "no contact was lost for good";
+  const ContactEvent* slip = FindSlipBefore(result.contact_events, *loss);
+  return fmt::format(
+      "{} ({}) was the first to let go for good, at {} s{}", loss->digit, loss->link,
+      FormatFixed(loss->time + start, 3),
+      slip ? ", after slipping from " + FormatFixed(slip->time + start, 3) + " s on" : "");
+}
+
+/** This trial and the nearest success beside each other. */
+std::string FormatBeside(const ExaminedTrial& trial) {
+  const TrialRecord& other = *trial.nearest;
+  TextTable table({"", NameTrial(trial.planned), NameTrial(other.plan)});
+  const TrialResult& a = trial.traced.result;
+  const TrialResult& b = other.result;
+  const auto add = [&](const char* what, const auto& format) {
+    table.AddRow({what, format(a), format(b)});
+  };
+  add("outcome", [](const TrialResult& r) { return std::string(NameOf(r.outcome)); });
+  add("order of contact", [](const TrialResult& r) { return FindContactOrder(r).Format(); });
+  add("GCT [ms]", [](const TrialResult& r) { return FormatFixed(MsFromS(r.timing.gct), 1); });
+  add("GFT [ms]", [](const TrialResult& r) { return FormatFixed(MsFromS(r.timing.gft), 1); });
+  add("GOT [ms]", [](const TrialResult& r) { return FormatFixed(MsFromS(r.timing.got), 1); });
+  add("grip before lift-off [N]",
+      [](const TrialResult& r) { return FormatFixed(r.grip_force, 2); });
+  add("sigma before lift-off [N]",
+      [](const TrialResult& r) { return FormatFixed(r.stability.stabilisation.sigma, 2); });
+  add("lifted by [mm]",
+      [](const TrialResult& r) { return FormatFixed(MmFromM(r.lift_height), 1); });
+  return table.Format();
+}
+
+std::string FormatComparison(const ExaminedTrial& trial) {
+  if (!trial.recorded) return "not in the journal: the session has not run it yet";
+  if (!trial.difference) return "as recorded, in every field";
+  return fmt::format(
+      "differs from its record in {}: recorded {}, now {}; the session was run by "
+      "another build or on another machine",
+      trial.difference->field, trial.difference->recorded, trial.difference->now);
+}
+
+std::string MakeShellLine(const ExaminedTrial& trial, const std::string& folder) {
+  return "graspbench shell -c " +
+         QuoteForShell("open " + QuoteForShell(folder) + " " + trial.planned.id);
+}
+
+}  // namespace
+
+ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval) {
+  const SessionInputs inputs = LoadTrialInputs(session, planned);
+  ExaminedTrial trial;
+  trial.planned = planned;
+  trial.setup = MakeTrialSetup(session.config, inputs, planned);
+  trial.setup.object = CompleteObject(trial.setup.object);
+  TrialRunner runner(trial.setup.hand, trial.setup.object);
+  trial.traced = TraceTrial(runner, trial.setup, interval);
+  if (const TrialRecord* record = FindRecord(session, planned)) {
+    trial.recorded = LoadWhole(session, *record).result;
+    trial.difference = FindFirstDifference(*trial.recorded, trial.traced.result);
+  }
+  const NearestSuccess nearest =
+      FindNearestSuccess(session, planned, 0.5 * trial.setup.object->size.x());
+  if (nearest.record) {
+    trial.nearest = LoadWhole(session, *nearest.record);
+    trial.nearest_distance = nearest.distance;
+  }
+  return trial;
+}
+
+std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
+  const TrialResult& result = trial.traced.result;
+  std::string text =
+      fmt::format("trial    {} ({}): {}, {}, {}\n", trial.planned.id, NameTrial(trial.planned),
+                  trial.setup.hand->name, trial.setup.object->name, trial.planned.grasp) +
+      "outcome  " + FormatOutcome(result) + "\n" + "draw     " +
+      FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
+      FormatPhases(trial.traced) + "\n";
+  if (!result.contacts.empty()) text += FormatDigits(trial);
+  text += "first    " + FormatFirstFailure(trial.traced) + "\n";
+  if (trial.nearest && !IsSuccess(result.outcome)) {
+    text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
+                        NameTrial(trial.nearest->plan),
+                        FormatFixed(MmFromM(trial.nearest_distance), 1)) +
+            FormatBeside(trial);
+  } else if (!IsSuccess(result.outcome)) {
+    text += "nearest  no trial of its cell succeeded\n";
+  }
+  return text + "again    " + FormatComparison(trial) + "\n" + "open     " +
+         MakeShellLine(trial, folder) + "\n";
+}
+
+Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder) {
+  const TrialDraw& draw = trial.setup.draw;
+  Json json = ToJson(trial.planned);
+  json["name"] = NameTrial(trial.planned);
+  json["draw"] = Json{{"x_m", draw.offset_x},
+                      {"y_m", draw.offset_y},
+                      {"yaw_rad", draw.offset_yaw},
+                      {"joint_error_rad", JsonAngles(draw.joint_error)}};
+  json["result"] = ToJson(trial.traced.result);
+  const ContactEvent* loss = FindFirstLoss(trial.traced.result.contact_events);
+  json["first_loss"] = loss ? RecordToJson(*loss) : Json();
+  json["nearest_success"] = trial.nearest ? Json{{"trial_id", trial.nearest->plan.id},
+                                                 {"name", NameTrial(trial.nearest->plan)},
+                                                 {"distance_m", trial.nearest_distance}}
+                                          : Json();
+  json["recorded"] = trial.recorded.has_value();
+  json["difference"] = trial.difference ? Json{{"field", trial.difference->field},
+                                               {"recorded", trial.difference->recorded},
+                                               {"now", trial.difference->now}}
+                                        : Json();
+  json["open"] = MakeShellLine(trial, folder);
+  return json;
+}
+
+}  // namespace graspbench

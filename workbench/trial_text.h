@@ -1,0 +1,33 @@
+#pragma once
+/** @file
+One trial of a session, simulated again and compared with its record, for the terminal. */
+
+#include <optional>
+#include <string>
+
+#include "core/trial/trial_trace.h"
+#include "datasets/session/compare_results.h"
+#include "datasets/session/find_trial.h"
+
+namespace graspbench {
+
+struct ExaminedTrial {
+  PlannedTrial planned;
+  TrialSetup setup;
+  TracedTrial traced;
+  std::optional<TrialResult> recorded;        ///< unset: not finished
+  std::optional<FieldDifference> difference;  ///< of the two; unset: none
+  std::optional<TrialRecord> nearest;         ///< successful trial of the cell; unset: none
+  double nearest_distance = kUnset;           ///< of the two draws [m]
+};
+
+/** @param interval  of the trace [s]; 0: every step.
+@throws Error when the session's hand or object cannot be loaded any more. */
+ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval);
+
+/** Outcome, draw, phases, contacts by digit, what failed first, the nearest success beside it.
+@param folder  of the session, for the line that opens the trial again. */
+std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder);
+Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder);
+
+}  // namespace graspbench
