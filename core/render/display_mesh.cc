@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSamePlace = 1e-7;  // [m]
+constexpr double kFirstJoin = 1.0 / 256.0;  // of a mesh's diagonal
 constexpr double kSliver = 1e-6;  // of twice the area to the longest edge squared; no normal below
 
 double CalcAngle(const Vector3d& a, const Vector3d& b) {
@@ -86,6 +87,19 @@ DisplayMesh MakeDisplayMesh(const TriMesh& original, double crease_angle) {
     }
   }
   return display;
+}
+
+TriMesh MakeCoarseMesh(const TriMesh& mesh, int max_triangles) {
+  if (mesh.num_triangles() <= max_triangles) return mesh;
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : mesh.vertices) box.extend(p);
+  TriMesh coarse = mesh;
+  // Joined from what was joined before, so that all rounds together cost little more than the first.
+  for (double distance = kFirstJoin * box.diagonal().norm();
+       coarse.num_triangles() > max_triangles && distance > 0.0; distance *= M_SQRT2) {
+    coarse = WeldVertices(coarse, distance);
+  }
+  return coarse;
 }
 
 }  // namespace graspbench

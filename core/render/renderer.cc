@@ -1,7 +1,5 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -10,6 +8,7 @@
 #include "core/render/gl_context.h"
 #include "core/render/scene.h"
 #include "core/render/shaders.h"
+#include "core/render/stage.h"
 
 namespace graspbench {
 namespace {
@@ -19,16 +18,12 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr int kSamples = 2;             // per side of a pixel
-constexpr int kMaxSize = 4096;          // of a picture's side [pixel]
-constexpr double kNear = 0.01;          // [m]
-constexpr double kFar = 100.0;          // [m]
-constexpr double kShadowMargin = 0.06;  // the widest penumbra around a shadow on the table [m]
+constexpr int kMaxSize = 4096;  // of a picture's side [pixel]
+constexpr int kDraftTriangles = 8000;  // of a scene
+constexpr int kFewTriangles = 64;      // of a mesh: less would not show what it is
 
-// Directions to the lights in S: from the left before the scene, from the right, from behind.
-const Vector3d kToKey = Vector3d(-0.50, -0.42, 0.95).normalized();
-const Vector3d kToFill = Vector3d(0.80, -0.55, 0.30).normalized();
-const Vector3d kToRim = Vector3d(0.35, 0.90, 0.45).normalized();
+// Per side of a pixel.
+int ChooseSamples(RenderQuality quality) { return quality == RenderQuality::kDraft ? 1 : 2; }
 
 // Sides of the maps [texel]: finer than the picture's samples would not be seen.
 int ChooseLightMapSize(int picture_size) { return std::clamp(2 * picture_size, 512, 1024); }
@@ -43,20 +38,6 @@ const Vector3f kBackgroundSrgb = Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
 // Inverse of the encoding at the end of the shaders; for values beyond its linear part.
 Vector3f DecodeSrgb(const Vector3f& srgb) { return ((srgb.array() + 0.055f) / 1.055f).pow(2.4f); }
 
-struct Box {
-  Vector3d lower = Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Vector3d upper = Vector3d::Constant(-std::numeric_limits<double>::infinity());
-
-  void Add(const Vector3d& p) {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
-  Vector3d Corner(int i) const {
-    return Vector3d(i & 1 ? upper.x() : lower.x(), i & 2 ? upper.y() : lower.y(),
-                    i & 4 ? upper.z() : lower.z());
-  }
-};
-
 struct GpuMesh {
   std::weak_ptr<const TriMesh> source;
   GLuint vertex_array = 0;
@@ -64,7 +45,7 @@ struct GpuMesh {
   GLuint index_buffer = 0;
   GLsizei num_indices = 0;
   bool is_closed = false;
-  Box box;  // in M
+  StageBox box;  // in M
 };
 
 struct Program {
@@ -96,19 +77,6 @@ struct Target {
   GLuint framebuffer = 0;
   int width = 0;
   int height = 0;
-};
-
-// A light at infinity, as a box in S that its map covers.
-struct Light {
-  Matrix4d map_from_S = Matrix4d::Identity();  // to coordinates from 0 to 1
-  Vector3d extent = Vector3d::Ones();          // of the box [m]
-};
-
-struct View {
-  Pose X_SW = Pose::Identity();
-  Vector3d p_SEye = Vector3d::Zero();
-  Matrix4d clip_from_S = Matrix4d::Identity();
-  double half_height = 0.0;  // of the picture at the target [m]
 };
 
 GLuint CompileShader(const GlFunctions& gl, GLenum stage, const char* name,
@@ -144,100 +112,32 @@ Program MakeProgram(const GlFunctions& gl, const ShaderSource& source) {
   return program;
 }
 
-View MakeView(const Camera& camera, double aspect) {
-  const Vector3d to_target = camera.p_WTarget - camera.p_WEye;
-  const double distance = to_target.norm();
-  GRASPBENCH_DEMAND(distance > 0.0 && camera.field_of_view > 0.0 && camera.field_of_view < M_PI,
-                    "camera " + std::to_string(distance) + " m from its target, field of view " +
-                        std::to_string(camera.field_of_view) + " rad");
-  const Vector3d forward_W = to_target / distance;
-  // Looking straight down there is no heading; the world's y is up in the picture then.
-  const Vector2d level = forward_W.head<2>();
-  const Vector2d heading = level.norm() > 1e-6 ? level.normalized() : Vector2d(0.0, 1.0);
-  Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
-  R_WS.col(0) = Vector3d(heading.y(), -heading.x(), 0.0);
-  R_WS.col(1) = Vector3d(heading.x(), heading.y(), 0.0);
-
-  View view;
-  const Vector3d p_WS(camera.p_WTarget.x(), camera.p_WTarget.y(), 0.0);
-  view.X_SW = MakePose(R_WS, p_WS).inverse();
-  view.p_SEye = view.X_SW * camera.p_WEye;
-  view.half_height = distance * std::tan(0.5 * camera.field_of_view);
-
-  const Vector3d forward = R_WS.transpose() * forward_W;
-  const Vector3d right = Vector3d::UnitX();  // of S, by its definition
-  const Vector3d up = right.cross(forward);
-  Matrix4d eye_from_S = Matrix4d::Identity();
-  eye_from_S.block<1, 3>(0, 0) = right.transpose();
-  eye_from_S.block<1, 3>(1, 0) = up.transpose();
-  eye_from_S.block<1, 3>(2, 0) = -forward.transpose();
-  eye_from_S.block<3, 1>(0, 3) = -eye_from_S.block<3, 3>(0, 0) * view.p_SEye;
-
-  Matrix4d clip_from_eye = Matrix4d::Zero();
-  clip_from_eye(1, 1) = 1.0 / std::tan(0.5 * camera.field_of_view);
-  clip_from_eye(0, 0) = clip_from_eye(1, 1) / aspect;
-  clip_from_eye(2, 2) = -(kFar + kNear) / (kFar - kNear);
-  clip_from_eye(2, 3) = -2.0 * kFar * kNear / (kFar - kNear);
-  clip_from_eye(3, 2) = -1.0;
-  view.clip_from_S = clip_from_eye * eye_from_S;
-  return view;
-}
-
-// A light whose map holds all of `boxes` (corners in S).
-Light MakeLight(const Vector3d& to_light, const std::vector<Vector3d>& corners) {
-  Eigen::Matrix3d R_LS;
-  R_LS.row(2) = -to_light.transpose();
-  R_LS.row(0) = Vector3d::UnitY().cross(to_light).normalized().transpose();
-  R_LS.row(1) = R_LS.row(2).cross(R_LS.row(0));
-  Box box;
-  for (const Vector3d& p_S : corners) box.Add(R_LS * p_S);
-  constexpr double kMapMargin = 0.004;  // no caster touches the map's border [m]
-  box.lower.array() -= kMapMargin;
-  box.upper.array() += kMapMargin;
-
-  Light light;
-  light.extent = box.upper - box.lower;
-  const Vector3d scale = light.extent.cwiseInverse();
-  light.map_from_S.topLeftCorner<3, 3>() = scale.asDiagonal() * R_LS;
-  light.map_from_S.topRightCorner<3, 1>() = -scale.cwiseProduct(box.lower);
-  return light;
-}
-
-// The part of the table that may lie in shadow: x, y of its corner, length, width in S [m].
-Eigen::Vector4d FindShadowArea(const std::vector<Vector3d>& corners) {
-  Box box;
-  for (const Vector3d& p_S : corners) {
-    box.Add(p_S);
-    box.Add(p_S - std::max(p_S.z(), 0.0) / kToKey.z() * kToKey);
-  }
-  const Vector2d lower = box.lower.head<2>() - Vector2d::Constant(kShadowMargin);
-  const Vector2d upper = box.upper.head<2>() + Vector2d::Constant(kShadowMargin);
-  Eigen::Vector4d area;
-  area << lower, upper - lower;
-  return area;
-}
-
 }  // namespace
 
 struct Renderer::Impl {
-  Impl(int width, int height);
+  Impl(int width, int height, RenderQuality quality);
   Image Render(const Scene& scene, const Camera& camera);
 
   GLuint MakeTexture(GLint internal_format, GLenum format, GLenum type, int w, int h, GLint filter);
   Target MakeTarget(GLenum attachment, GLuint texture, int w, int h);
+  void MakeLightMaps(int picture_size);
+  void MakeWhiteTableLight();
   void DropUnusedMeshes();
-  const GpuMesh& FindOrUpload(const Drawable& drawable);
+  /** @param share  of its triangles that is drawn at least. */
+  const GpuMesh& FindOrUpload(const Drawable& drawable, double share);
   void Begin(const Target& target, const Program& program);
   void BindTexture(const Program& program, const char* name, int unit, GLuint texture);
-  void BindLights(const Program& program, const Light& key, const Light& sky);
-  void DrawDepth(const Target& map, const Light& light);
+  void BindLights(const Program& program, const StageLight& key, const StageLight& sky);
+  void DrawDepth(const Target& map, const StageLight& light);
   void DrawMesh(const GpuMesh& mesh, GLenum inner_side);
-  void DrawTable(const View& view, const std::vector<Vector3d>& corners, const Light& key,
-                 const Light& sky);
+  void DrawSurfaces(const StageView& view);
+  void DrawTableLight(const Eigen::Vector4d& area, const StageLight& key, const StageLight& sky);
+  void DrawTable(const StageView& view, const Eigen::Vector4d& area);
   Image ReadPicture();
 
   GlContext context;
   const GlFunctions& gl;
+  const bool is_draft;
   int width;
   int height;
   Program depth, table_light, smooth, surface, table, resolve;
@@ -254,16 +154,40 @@ struct Renderer::Impl {
   std::vector<Item> items;  // of the picture being drawn
 };
 
-Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h) {
-  const int size = std::max(w, h), taps = ChooseTaps(size);
-  depth = MakeProgram(gl, MakeDepthShader());
-  table_light = MakeProgram(gl, MakeTableLightShader(2 * taps));
-  smooth = MakeProgram(gl, MakeSmoothShader());
+Renderer::Impl::Impl(int w, int h, RenderQuality quality)
+    : gl(context.functions()), is_draft(quality == RenderQuality::kDraft), width(w), height(h) {
+  const int size = std::max(w, h), taps = is_draft ? 0 : ChooseTaps(size);
   surface = MakeProgram(gl, MakeSurfaceShader(taps));
   table = MakeProgram(gl, MakeTableShader());
-  resolve = MakeProgram(gl, MakeResolveShader());
+  if (is_draft) {
+    MakeWhiteTableLight();
+  } else {
+    depth = MakeProgram(gl, MakeDepthShader());
+    table_light = MakeProgram(gl, MakeTableLightShader(2 * taps));
+    smooth = MakeProgram(gl, MakeSmoothShader());
+    resolve = MakeProgram(gl, MakeResolveShader());
+    MakeLightMaps(size);
+  }
+  const int fine_width = ChooseSamples(quality) * width;
+  const int fine_height = ChooseSamples(quality) * height;
+  picture = MakeTarget(
+      GL_COLOR_ATTACHMENT0,
+      MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, fine_width, fine_height, GL_LINEAR),
+      fine_width, fine_height);
+  const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
+                                           GL_UNSIGNED_INT, fine_width, fine_height, GL_NEAREST);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
+  if (!is_draft) {
+    resolved = MakeTarget(
+        GL_COLOR_ATTACHMENT0,
+        MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_NEAREST), width, height);
+  }
+  gl.GenVertexArrays(1, &no_vertices);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+}
 
-  const auto make_light_map = [this, side = ChooseLightMapSize(size)] {
+void Renderer::Impl::MakeLightMaps(int picture_size) {
+  const auto make_light_map = [this, side = ChooseLightMapSize(picture_size)] {
     const GLuint texture = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
                                        side, side, GL_NEAREST);
     return MakeTarget(GL_DEPTH_ATTACHMENT, texture, side, side);
@@ -279,24 +203,18 @@ Renderer::Impl::Impl(int w, int h) : gl(context.functions()), width(w), height(h
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 
   for (Target* target : {&rough_table_light, &smooth_table_light}) {
-    const int side = ChooseTableLightSize(size);
+    const int side = ChooseTableLightSize(picture_size);
     const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, side, side, GL_LINEAR);
     *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, side, side);
   }
-  const int fine_width = kSamples * width;
-  const int fine_height = kSamples * height;
-  picture = MakeTarget(
-      GL_COLOR_ATTACHMENT0,
-      MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, fine_width, fine_height, GL_LINEAR),
-      fine_width, fine_height);
-  const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
-                                           GL_UNSIGNED_INT, fine_width, fine_height, GL_NEAREST);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
-  resolved = MakeTarget(GL_COLOR_ATTACHMENT0,
-                        MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_NEAREST),
-                        width, height);
-  gl.GenVertexArrays(1, &no_vertices);
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+/** No shadow anywhere. */
+void Renderer::Impl::MakeWhiteTableLight() {
+  const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 1, 1, GL_NEAREST);
+  smooth_table_light = MakeTarget(GL_COLOR_ATTACHMENT0, texture, 1, 1);
+  gl.ClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 GLuint Renderer::Impl::MakeTexture(GLint internal_format, GLenum format, GLenum type, int w, int h,
@@ -338,12 +256,15 @@ void Renderer::Impl::DropUnusedMeshes() {
   }
 }
 
-const GpuMesh& Renderer::Impl::FindOrUpload(const Drawable& drawable) {
+const GpuMesh& Renderer::Impl::FindOrUpload(const Drawable& drawable, double share) {
   const auto [it, is_new] = meshes.try_emplace({drawable.mesh.get(), drawable.crease_angle});
   GpuMesh& mesh = it->second;
   if (!is_new) return mesh;
 
-  const DisplayMesh display = MakeDisplayMesh(*drawable.mesh, drawable.crease_angle);
+  const int wanted = std::max(static_cast<int>(share * drawable.mesh->num_triangles()), kFewTriangles);
+  const DisplayMesh display =
+      share < 1.0 ? MakeDisplayMesh(MakeCoarseMesh(*drawable.mesh, wanted), drawable.crease_angle)
+                  : MakeDisplayMesh(*drawable.mesh, drawable.crease_angle);
   mesh.source = drawable.mesh;
   mesh.num_indices = static_cast<GLsizei>(display.indices.size());
   mesh.is_closed = display.is_closed;
@@ -380,7 +301,7 @@ void Renderer::Impl::BindTexture(const Program& program, const char* name, int u
   program.Set(name, unit);
 }
 
-void Renderer::Impl::BindLights(const Program& program, const Light& key, const Light& sky) {
+void Renderer::Impl::BindLights(const Program& program, const StageLight& key, const StageLight& sky) {
   BindTexture(program, "key_map", 0, key_map.texture);
   gl.BindSampler(0, compare_sampler);
   BindTexture(program, "key_depth", 1, key_map.texture);
@@ -400,7 +321,7 @@ void Renderer::Impl::DrawMesh(const GpuMesh& mesh, GLenum inner_side) {
   gl.DrawElements(GL_TRIANGLES, mesh.num_indices, GL_UNSIGNED_INT, nullptr);
 }
 
-void Renderer::Impl::DrawDepth(const Target& map, const Light& light) {
+void Renderer::Impl::DrawDepth(const Target& map, const StageLight& light) {
   Begin(map, depth);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
   Matrix4d clip_from_map = Matrix4d::Identity();
@@ -412,10 +333,23 @@ void Renderer::Impl::DrawDepth(const Target& map, const Light& light) {
   }
 }
 
-/** With the shadows of what has these `corners`. */
-void Renderer::Impl::DrawTable(const View& view, const std::vector<Vector3d>& corners,
-                               const Light& key, const Light& sky) {
-  const Eigen::Vector4d area = FindShadowArea(corners);
+void Renderer::Impl::DrawSurfaces(const StageView& view) {
+  surface.Set("clip_from_S", view.clip_from_S);
+  surface.Set("p_SEye", view.p_SEye);
+  surface.Set("to_key", kToKey);
+  surface.Set("to_fill", kToFill);
+  surface.Set("to_rim", kToRim);
+  for (const Item& item : items) {
+    surface.Set("S_from_M", item.S_from_M);
+    surface.Set("albedo", item.colour);
+    DrawMesh(*item.mesh, GL_BACK);
+  }
+  gl.Disable(GL_CULL_FACE);
+  gl.BindVertexArray(no_vertices);
+}
+
+void Renderer::Impl::DrawTableLight(const Eigen::Vector4d& area, const StageLight& key,
+                                    const StageLight& sky) {
   gl.Disable(GL_DEPTH_TEST);
   Begin(rough_table_light, table_light);
   BindLights(table_light, key, sky);
@@ -424,8 +358,11 @@ void Renderer::Impl::DrawTable(const View& view, const std::vector<Vector3d>& co
   Begin(smooth_table_light, smooth);
   BindTexture(smooth, "rough", 0, rough_table_light.texture);
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
-
   gl.Enable(GL_DEPTH_TEST);
+}
+
+/** @param area  that the texture of its light covers. */
+void Renderer::Impl::DrawTable(const StageView& view, const Eigen::Vector4d& area) {
   Begin(picture, table);
   BindTexture(table, "table_light", 0, smooth_table_light.texture);
   table.Set("table_area", area);
@@ -461,59 +398,57 @@ Image Renderer::Impl::ReadPicture() {
 Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   context.MakeCurrent();
   DropUnusedMeshes();
-  const View view = MakeView(camera, static_cast<double>(width) / height);
+  const StageView view = MakeStageView(camera, static_cast<double>(width) / height);
 
+  int num_triangles = 0;
+  for (const Drawable& drawable : scene.drawables) num_triangles += drawable.mesh->num_triangles();
+  const double share =
+      is_draft ? static_cast<double>(kDraftTriangles) / std::max(num_triangles, 1) : 1.0;
   items.clear();
   std::vector<Vector3d> corners;  // of the meshes' boxes, in S
   for (const Drawable& drawable : scene.drawables) {
-    const GpuMesh& mesh = FindOrUpload(drawable);
+    const GpuMesh& mesh = FindOrUpload(drawable, share);
     if (mesh.num_indices == 0) continue;
     const Pose X_SM = view.X_SW * drawable.X_WM;
     items.push_back({&mesh, X_SM.matrix(), drawable.colour});
     for (int i = 0; i < 8; ++i) corners.push_back(X_SM * mesh.box.Corner(i));
   }
   if (corners.empty()) corners.push_back(Vector3d::Zero());
-  const Light key = MakeLight(kToKey, corners);
-  const Light sky = MakeLight(Vector3d::UnitZ(), corners);
+  const StageLight key = MakeStageLight(kToKey, corners);
+  const StageLight sky = MakeStageLight(Vector3d::UnitZ(), corners);
 
   gl.Enable(GL_DEPTH_TEST);
-  DrawDepth(key_map, key);
-  DrawDepth(sky_map, sky);
-
+  if (!is_draft) {
+    DrawDepth(key_map, key);
+    DrawDepth(sky_map, sky);
+  }
   Begin(picture, surface);
   gl.ClearColor(kBackgroundSrgb.x(), kBackgroundSrgb.y(), kBackgroundSrgb.z(), 1.0f);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  BindLights(surface, key, sky);
-  surface.Set("clip_from_S", view.clip_from_S);
-  surface.Set("p_SEye", view.p_SEye);
-  surface.Set("to_key", kToKey);
-  surface.Set("to_fill", kToFill);
-  surface.Set("to_rim", kToRim);
-  for (const Item& item : items) {
-    surface.Set("S_from_M", item.S_from_M);
-    surface.Set("albedo", item.colour);
-    DrawMesh(*item.mesh, GL_BACK);
+  if (!is_draft) BindLights(surface, key, sky);
+  DrawSurfaces(view);
+
+  if (scene.has_table && view.p_SEye.z() > 0.0) {
+    const Eigen::Vector4d area = FindShadowArea(corners);
+    if (!is_draft) DrawTableLight(area, key, sky);
+    DrawTable(view, area);
   }
-
-  gl.Disable(GL_CULL_FACE);
-  gl.BindVertexArray(no_vertices);
-  if (scene.has_table && view.p_SEye.z() > 0.0) DrawTable(view, corners, key, sky);
-
   gl.Disable(GL_DEPTH_TEST);
-  Begin(resolved, resolve);
-  BindTexture(resolve, "fine", 0, picture.texture);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-
+  if (!is_draft) {
+    Begin(resolved, resolve);
+    BindTexture(resolve, "fine", 0, picture.texture);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  }
   return ReadPicture();
 }
 
-Renderer::Renderer(int width, int height) {
+Renderer::Renderer(int width, int height, RenderQuality quality) {
   if (width < 1 || height < 1 || width > kMaxSize || height > kMaxSize) {
     throw Error(ErrorKind::kRange, "a picture of " + std::to_string(width) + " x " +
                                        std::to_string(height) + " pixels; expected 1 to " +
                                        std::to_string(kMaxSize) + " on each side");
   }
-  impl_ = std::make_unique<Impl>(width, height);
+  impl_ = std::make_unique<Impl>(width, height, quality);
 }
 
 Renderer::~Renderer() = default;

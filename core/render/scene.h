@@ -46,6 +46,13 @@ struct Image {
   std::vector<uint8_t> rgb;  ///< (height x width x 3)
 };
 
+enum class RenderQuality {
+  kFull,
+  /** For a look into a terminal many times a second: no shadows, one sample a pixel, meshes coarsened
+  to some 8,000 triangles in all. */
+  kDraft
+};
+
 /** Draws pictures of one size. The lights are fixed to the camera's heading: the key light comes
 from the left before the scene, high up, so shadows fall to the right and back.
 
@@ -56,7 +63,7 @@ class Renderer {
  public:
   /** @throws Error(kEnvironment) when OSMesa cannot be loaded, saying which package is missing;
   Error(kRange) for sides outside 1 to 4096 pixels. */
-  Renderer(int width, int height);
+  Renderer(int width, int height, RenderQuality quality = RenderQuality::kFull);
   ~Renderer();
   Image Render(const Scene& scene, const Camera& camera);
 

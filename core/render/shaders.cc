@@ -71,6 +71,26 @@ float CalcSoftVisibility(sampler2DShadow map, sampler2D depth, vec3 p, vec3 exte
 }
 )";
 
+// What CalcVisibility says without any map.
+const char kNoLightMaps[] = R"(
+float CalcKeyVisibility(vec3 n, float turn) { return 1.0; }
+float CalcSkyVisibility(vec3 n, float turn) { return 1.0; }
+)";
+
+// Both look up beside the surface, so that it does not shade itself.
+const char kSurfaceLightMaps[] = R"(
+float CalcKeyVisibility(vec3 n, float turn) {
+  const float kRadius = 0.0015;
+  vec4 p = vec4(p_S + 1.5 * kRadius * n + 0.5 * kRadius * to_key, 1.0);
+  return CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, kTaps, turn);
+}
+float CalcSkyVisibility(vec3 n, float turn) {
+  const float kSkyRadius = 0.012;
+  vec4 p = vec4(p_S + 1.4 * kSkyRadius * n + vec3(0.0, 0.0, 0.5 * kSkyRadius), 1.0);
+  return CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, kTaps, turn);
+}
+)";
+
 std::string FormatTaps(int taps) { return "const int kTaps = " + std::to_string(taps) + ";\n"; }
 
 }  // namespace
@@ -135,11 +155,10 @@ void main() {
   gl_Position = clip_from_S * p;
 }
 )",
-          std::string(kVersion) + FormatTaps(taps) + kEncode + kLightMaps + R"(
-in vec3 p_S;
+          std::string(kVersion) + "in vec3 p_S;\nuniform vec3 to_key;\n" + kEncode +
+              (taps > 0 ? FormatTaps(taps) + kLightMaps + kSurfaceLightMaps : kNoLightMaps) + R"(
 in vec3 n_S;
 uniform vec3 p_SEye;
-uniform vec3 to_key;
 uniform vec3 to_fill;
 uniform vec3 to_rim;
 uniform vec3 albedo;
@@ -151,16 +170,9 @@ void main() {
 
   // The four samples of a pixel turn their discs of taps differently.
   float turn = 0.6 * float((int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1));
-  // Look up beside the surface, so that it does not shade itself.
   float key = max(dot(n, to_key), 0.0);
-  if (key > 0.0) {
-    const float kRadius = 0.0015;
-    vec4 p = vec4(p_S + 1.5 * kRadius * n + 0.5 * kRadius * to_key, 1.0);
-    key *= CalcVisibility(key_map, (key_from_S * p).xyz, key_extent.xy, kRadius, kTaps, turn);
-  }
-  const float kSkyRadius = 0.012;
-  vec4 p = vec4(p_S + 1.4 * kSkyRadius * n + vec3(0.0, 0.0, 0.5 * kSkyRadius), 1.0);
-  float sky = CalcVisibility(sky_map, (sky_from_S * p).xyz, sky_extent.xy, kSkyRadius, kTaps, turn);
+  if (key > 0.0) key *= CalcKeyVisibility(n, turn);
+  float sky = CalcSkyVisibility(n, turn);
 
   float up = 0.5 + 0.5 * n.z;
   vec3 light = mix(vec3(0.13, 0.125, 0.12), vec3(0.27, 0.29, 0.32) * mix(0.3, 1.0, sky), up);

@@ -22,7 +22,7 @@ ShaderSource MakeDepthShader();
 ShaderSource MakeTableLightShader(int taps);
 /** Mean of 4 x 4 neighbours of that texture. */
 ShaderSource MakeSmoothShader();
-/** The drawables. */
+/** The drawables. @param taps  of a shadow's filter; 0: no shadows. */
 ShaderSource MakeSurfaceShader(int taps);
 /** The table with its shadow and its 50 mm grid. */
 ShaderSource MakeTableShader();

@@ -98,7 +98,8 @@ std::vector<std::string> ListSceneViews() {
   return names;
 }
 
-Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, int height) {
+Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, int height,
+                         RenderQuality quality) {
   const TrialSetup& setup = scene.setup();
   World& world = scene.course().world();
   const Scene drawn = MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
@@ -106,12 +107,11 @@ Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, in
   Camera camera =
       FrameScenes({drawn}, FindDirection(scene, view), static_cast<double>(width) / height);
   camera.p_WEye = camera.p_WTarget + (camera.p_WEye - camera.p_WTarget) / view.zoom;
-  if (!renderer_ || width != width_ || height != height_) {
-    renderer_ = std::make_unique<Renderer>(width, height);
-    width_ = width;
-    height_ = height;
+  Easel& easel = quality == RenderQuality::kDraft ? draft_ : full_;
+  if (!easel.renderer || width != easel.width || height != easel.height) {
+    easel = {std::make_unique<Renderer>(width, height, quality), width, height};
   }
-  return renderer_->Render(drawn, camera);
+  return easel.renderer->Render(drawn, camera);
 }
 
 std::string ScenePainter::DrawForTerminal(ShellScene& scene, const SceneView& view) {
@@ -119,7 +119,7 @@ std::string ScenePainter::DrawForTerminal(ShellScene& scene, const SceneView& vi
   // Two lines stay for the words below and the prompt; a cell is twice as high as wide.
   const int columns = std::clamp(size.columns, 20, 200), rows = std::clamp(size.rows - 2, 8, 60);
   constexpr int kCellWidth = 4, kCellHeight = 8;
-  const Image image = Draw(scene, view, columns * kCellWidth, rows * kCellHeight);
+  const Image image = Draw(scene, view, columns * kCellWidth, rows * kCellHeight, RenderQuality::kDraft);
 
   const Chafa<ChafaCanvasConfig, chafa_canvas_config_unref> config(chafa_canvas_config_new());
   chafa_canvas_config_set_geometry(config.get(), columns, rows);

@@ -26,7 +26,8 @@ std::vector<std::string> ListSceneViews();
 class ScenePainter {
  public:
   /** @throws Error(kEnvironment) when the machine cannot draw. */
-  Image Draw(ShellScene& scene, const SceneView& view, int width, int height);
+  Image Draw(ShellScene& scene, const SceneView& view, int width, int height,
+             RenderQuality quality = RenderQuality::kFull);
 
   /** In the form that the terminal on stdout shows best: pixels where it says that it can (kitty,
   sixel), else coloured blocks; characters without colour, and without any escape sequence, in a
@@ -34,8 +35,11 @@ class ScenePainter {
   std::string DrawForTerminal(ShellScene& scene, const SceneView& view);
 
  private:
-  std::unique_ptr<Renderer> renderer_;
-  int width_ = 0, height_ = 0;  // of its pictures
+  struct Easel {
+    std::unique_ptr<Renderer> renderer;
+    int width = 0, height = 0;  // of its pictures
+  };
+  Easel full_, draft_;
 };
 
 /** One line of what is to be seen. */

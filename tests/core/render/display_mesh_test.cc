@@ -73,5 +73,25 @@ TEST(DisplayMeshTest, ClosedMeansFacingOutwardsAllAround) {
   EXPECT_FALSE(MakeDisplayMesh(inverted, 0.7).is_closed);
 }
 
+TEST(DisplayMeshTest, CoarseMeshKeepsTheShapeWithFewTriangles) {
+  const double radius = 0.03;
+  const TriMesh sphere = MakeSphere(radius, 128);
+  for (const int wanted : {2000, 500, 100}) {
+    const TriMesh coarse = MakeCoarseMesh(sphere, wanted);
+    EXPECT_LE(coarse.num_triangles(), wanted);
+    EXPECT_GT(coarse.num_triangles(), wanted / 4);
+    double volume = 0.0;
+    for (const Eigen::Vector3i& t : coarse.triangles) {
+      volume += coarse.vertices[t[0]].cross(coarse.vertices[t[1]]).dot(coarse.vertices[t[2]]) / 6.0;
+    }
+    const double full = 4.0 / 3.0 * M_PI * std::pow(radius, 3);
+    // A regular polyhedron of n faces with its corners on a sphere lacks some 8 / n of the volume.
+    EXPECT_GT(volume, (1.0 - 4.0 * 8.0 / wanted) * full) << wanted;
+    EXPECT_LT(volume, full) << wanted;
+  }
+  EXPECT_EQ(MakeCoarseMesh(sphere, sphere.num_triangles()).vertices, sphere.vertices);
+  EXPECT_EQ(MakeCoarseMesh(sphere, 0).num_triangles(), 0);
+}
+
 }  // namespace
 }  // namespace graspbench

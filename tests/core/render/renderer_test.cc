@@ -304,6 +304,35 @@ TEST(RendererTest, LooksStraightDownWithWorldYUpwards) {
   EXPECT_TRUE(IsBackground(image, kWidth / 2, kHeight - v));
 }
 
+// The picture in which every pixel is either a thing or the table is that of the full quality but for
+// the outlines; the table is lit everywhere.
+TEST(RendererTest, DraftShowsTheSameThingsWithoutShadows) {
+  Scene scene;
+  scene.drawables.push_back({std::make_shared<TriMesh>(MakeSphere(0.03, 192)),
+                             MakePose(Matrix3d::Identity(), Vector3d(0.0, 0.0, 0.08))});
+  ASSERT_GT(scene.drawables[0].mesh->num_triangles(), 30000);
+  scene.drawables[0].colour = Eigen::Vector3f(0.7f, 0.05f, 0.05f);
+  const Camera camera;
+  Renderer draft(kWidth, kHeight, RenderQuality::kDraft);
+  const Image full = SharedRenderer().Render(scene, camera), fast = draft.Render(scene, camera);
+  const auto is_red = [](const Image& image, int u, int v) {
+    const uint8_t* rgb = FindPixel(image, u, v);
+    return rgb[0] > rgb[1] + 20;
+  };
+  int num_different = 0, num_red = 0, num_dark = 0;
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      num_red += is_red(full, u, v);
+      num_different += is_red(full, u, v) != is_red(fast, u, v);
+      num_dark += !is_red(fast, u, v) && !is_red(full, u, v) && FindPixel(fast, u, v)[0] < 170;
+    }
+  }
+  EXPECT_GT(num_red, 500);
+  EXPECT_LT(num_different, num_red / 20);  // an outline of some 90 pixels
+  EXPECT_EQ(num_dark, 0);
+  EXPECT_EQ(draft.Render(scene, camera).rgb, fast.rgb);
+}
+
 TEST(RendererTest, RefusesImpossibleSizes) {
   for (const auto& [width, height] : {std::pair(0, 10), std::pair(10, 5000)}) {
     try {
