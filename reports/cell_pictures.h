@@ -1,9 +1,10 @@
 #pragma once
 /** @file
-Filmstrips: for every cell three pictures of one trial, from one camera, drawn off-screen.
+Filmstrips: for every cell three pictures of one trial, from one camera, drawn off-screen, and as
+many of one trial of every other way in which the cell's trials ended.
 
-The trial is the cell's first successful one, else its first one with snapshots. Within a cell the
-camera does not move; it stands as near as the three scenes allow. */
+The first trial is the cell's first successful one, else its first one with snapshots. Within a strip
+the camera does not move; it stands as near as the scenes allow. */
 
 #include <map>
 #include <string>
@@ -27,8 +28,9 @@ struct Filmstrip {
 };
 
 struct CellPictures {
-  std::map<std::string, Filmstrip> by_cell;  ///< by the cell's anchor
-  std::vector<std::string> problems;         ///< why pictures are missing
+  /** By the cell's anchor: the trial of ChooseTrial, then one of each other outcome. */
+  std::map<std::string, std::vector<Filmstrip>> by_cell;
+  std::vector<std::string> problems;  ///< why pictures are missing
 };
 
 inline constexpr int kPictureWidth = 360;
@@ -37,6 +39,10 @@ inline constexpr int kPictureHeight = 270;
 /** Of the cell's trials whose snapshots fit the hand the first that is not physical, else the first
 success, else the first; null without any. @param session  that of the cell's records. */
 const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand, const Session& session);
+
+/** That trial, and of every other outcome in the cell the first trial whose snapshots fit. */
+std::vector<const TrialRecord*> ChooseTrialPerOutcome(const CellSummary& cell, const Hand& hand,
+                                                      const Session& session);
 
 /** All from one camera, which stands as near as the scenes allow. @throws Error when the machine
 cannot draw. @pre not empty; ChooseTrial found that they fit the hand. */
@@ -51,7 +57,8 @@ std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, siz
                                 const std::shared_ptr<const GraspObject>& object, int width,
                                 int height);
 
-/** Of the cells that are drawn in full (shown_trials.h). Never throws for a machine that cannot
+/** Of the cells that are drawn in full (shown_trials.h); the strips of other outcomes as long as there
+are not too many for one page. Never throws for a machine that cannot
 draw: the reason becomes a problem. */
 CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
                                 const SessionModels& models);

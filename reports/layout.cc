@@ -11,7 +11,7 @@ namespace graspbench {
 Table::Table(std::string caption, std::vector<Column> columns)
     : caption_(std::move(caption)), columns_(std::move(columns)) {}
 
-void Table::AddRow(const std::vector<Html>& cells) {
+void Table::AddRow(const std::vector<Html>& cells, const std::string& anchor) {
   GRASPBENCH_DEMAND(cells.size() == columns_.size(), caption_);
   Html row;
   for (size_t i = 0; i < cells.size(); ++i) {
@@ -21,7 +21,7 @@ void Table::AddRow(const std::vector<Html>& cells) {
     if (columns_[i].align == Align::kProse) attributes.push_back({"class", "prose"});
     row += Element(i == 0 ? "th" : "td", attributes, cells[i]);
   }
-  rows_ += Element("tr", {}, row);
+  rows_ += Element("tr", anchor.empty() ? Attributes() : Attributes{{"id", anchor}}, row);
 }
 
 Html Table::ToHtml() const {

@@ -25,8 +25,8 @@ struct Column {
 class Table {
  public:
   Table(std::string caption, std::vector<Column> columns);
-  /** @pre as many cells as columns */
-  void AddRow(const std::vector<Html>& cells);
+  /** @param anchor  of the row, for links; empty: none. @pre as many cells as columns */
+  void AddRow(const std::vector<Html>& cells, const std::string& anchor = {});
   Html ToHtml() const;
 
  private:

@@ -19,6 +19,9 @@ ones, as many for every cell, at least 10 and 3,000 in all. */
 std::vector<const TrialRecord*> ChooseShownTrials(const CellSummary& cell,
                                                   const SessionSummary& summary);
 
+/** Of a shown trial's row, for links: "trial-3f2a...". */
+std::string MakeTrialAnchor(const PlannedTrial& planned);
+
 /** "71 of 2381 trials, evenly spaced; export/trials.csv has all of them." Empty when all are shown.
 */
 std::string DescribeShownTrials(size_t num_shown, const CellSummary& cell);

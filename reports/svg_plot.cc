@@ -17,16 +17,22 @@ std::string Numbered(const char* stem, size_t index) { return stem + std::to_str
 
 Html DrawHeatMap(const HeatMap& map) {
   GRASPBENCH_DEMAND(map.cells.size() == map.rows.size() * map.columns.size(), map.text.title);
-  constexpr double kRow = 26.0, kHead = 28.0, kCellGap = 2.0;
+  constexpr double kRow = 26.0, kHeadRow = 28.0, kCellGap = 2.0;
+  const double head = kHeadRow * (map.groups.empty() ? 1.0 : 2.0);
   const double column_width = std::clamp(CalcLabelWidth(map.columns) + kPlotGap, 84.0, 180.0);
   const double left = CalcLabelWidth(map.rows) + kPlotGap;
   Html content;
   for (size_t c = 0; c < map.columns.size(); ++c) {
     const double middle = left + column_width * (static_cast<double>(c) + 0.5);
-    content += Label("middle head", middle, kHead / 2.0, map.columns[c]);
+    content += Label("middle head", middle, head - kHeadRow / 2.0, map.columns[c]);
+  }
+  for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {
+    while (end < map.groups.size() && map.groups[end] == map.groups[c]) ++end;
+    const double middle = left + column_width * 0.5 * static_cast<double>(c + end);
+    content += Label("middle head", middle, kHeadRow / 2.0, map.groups[c]);
   }
   for (size_t r = 0; r < map.rows.size(); ++r) {
-    const double y = kHead + kRow * static_cast<double>(r);
+    const double y = head + kRow * static_cast<double>(r);
     content += Label("end", left - kPlotGap, y + kRow / 2.0, map.rows[r]);
     for (size_t c = 0; c < map.columns.size(); ++c) {
       const HeatMap::Cell& cell = map.cells[r * map.columns.size() + c];
@@ -49,7 +55,7 @@ Html DrawHeatMap(const HeatMap& map) {
     }
   }
   const double width = left + column_width * static_cast<double>(map.columns.size());
-  const double height = kHead + kRow * static_cast<double>(map.rows.size());
+  const double height = head + kRow * static_cast<double>(map.rows.size());
   return Svg("group", width, height, map.text, content);
 }
 

@@ -25,6 +25,8 @@ struct HeatMap {
   };
   PlotText text;
   std::vector<std::string> columns;
+  /** One over each column, equal neighbours share it; empty: none. */
+  std::vector<std::string> groups = {};
   std::vector<std::string> rows;
   std::vector<Cell> cells;  ///< (rows x columns), row by row
 };

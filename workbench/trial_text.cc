@@ -42,6 +42,7 @@ std::string FormatJointErrors(const TrialSetup& setup) {
 std::string FormatPhases(const TracedTrial& traced) {
   std::string text = std::string(NameOf(Phase::kPlacing)) + " from 0.000 s";
   for (const PhaseStart& phase : traced.result.phases) {
+    if (phase.name == NameOf(Phase::kDone)) continue;
     text += ", " + phase.name + " from " + FormatFixed(phase.time + traced.closure_start, 3) + " s";
   }
   return text + ", end at " + FormatFixed(traced.result.simulated_time, 3) + " s";
@@ -164,7 +165,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
-  text += "first    " + FormatFirstFailure(trial.traced) + "\n";
+  text += "let go   " + FormatFirstFailure(trial.traced) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
                         NameTrial(trial.nearest->plan),

@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr int kMaxSize = 4096;  // of a picture's side [pixel]
+constexpr int kMaxSize = 4096;         // of a picture's side [pixel]
 constexpr int kDraftTriangles = 8000;  // of a scene
 constexpr int kFewTriangles = 64;      // of a mesh: less would not show what it is
 
@@ -130,7 +130,13 @@ struct Renderer::Impl {
   void BindLights(const Program& program, const StageLight& key, const StageLight& sky);
   void DrawDepth(const Target& map, const StageLight& light);
   void DrawMesh(const GpuMesh& mesh, GLenum inner_side);
-  void DrawSurfaces(const StageView& view);
+  struct Item {
+    const GpuMesh* mesh;
+    Matrix4d S_from_M;
+    Vector3f colour;
+  };
+  void DrawItems(const std::vector<Item>& drawn, const Program& program, const StageView& view);
+  void DrawMarks(const StageView& view);
   void DrawTableLight(const Eigen::Vector4d& area, const StageLight& key, const StageLight& sky);
   void DrawTable(const StageView& view, const Eigen::Vector4d& area);
   Image ReadPicture();
@@ -140,24 +146,20 @@ struct Renderer::Impl {
   const bool is_draft;
   int width;
   int height;
-  Program depth, table_light, smooth, surface, table, resolve;
+  Program depth, table_light, smooth, surface, mark, table, resolve;
   Target key_map, sky_map, rough_table_light, smooth_table_light, picture, resolved;
   GLuint compare_sampler = 0;  // compares with the depth in the map; without it: the depth itself
   GLuint no_vertices = 0;
   std::map<std::pair<const TriMesh*, double>, GpuMesh> meshes;
 
-  struct Item {
-    const GpuMesh* mesh;
-    Matrix4d S_from_M;
-    Vector3f colour;
-  };
-  std::vector<Item> items;  // of the picture being drawn
+  std::vector<Item> items, marks;  // of the picture being drawn
 };
 
 Renderer::Impl::Impl(int w, int h, RenderQuality quality)
     : gl(context.functions()), is_draft(quality == RenderQuality::kDraft), width(w), height(h) {
   const int size = std::max(w, h), taps = is_draft ? 0 : ChooseTaps(size);
   surface = MakeProgram(gl, MakeSurfaceShader(taps));
+  mark = is_draft ? surface : MakeProgram(gl, MakeSurfaceShader(0));
   table = MakeProgram(gl, MakeTableShader());
   if (is_draft) {
     MakeWhiteTableLight();
@@ -261,7 +263,8 @@ const GpuMesh& Renderer::Impl::FindOrUpload(const Drawable& drawable, double sha
   GpuMesh& mesh = it->second;
   if (!is_new) return mesh;
 
-  const int wanted = std::max(static_cast<int>(share * drawable.mesh->num_triangles()), kFewTriangles);
+  const int wanted =
+      std::max(static_cast<int>(share * drawable.mesh->num_triangles()), kFewTriangles);
   const DisplayMesh display =
       share < 1.0 ? MakeDisplayMesh(MakeCoarseMesh(*drawable.mesh, wanted), drawable.crease_angle)
                   : MakeDisplayMesh(*drawable.mesh, drawable.crease_angle);
@@ -301,7 +304,8 @@ void Renderer::Impl::BindTexture(const Program& program, const char* name, int u
   program.Set(name, unit);
 }
 
-void Renderer::Impl::BindLights(const Program& program, const StageLight& key, const StageLight& sky) {
+void Renderer::Impl::BindLights(const Program& program, const StageLight& key,
+                                const StageLight& sky) {
   BindTexture(program, "key_map", 0, key_map.texture);
   gl.BindSampler(0, compare_sampler);
   BindTexture(program, "key_depth", 1, key_map.texture);
@@ -333,19 +337,28 @@ void Renderer::Impl::DrawDepth(const Target& map, const StageLight& light) {
   }
 }
 
-void Renderer::Impl::DrawSurfaces(const StageView& view) {
-  surface.Set("clip_from_S", view.clip_from_S);
-  surface.Set("p_SEye", view.p_SEye);
-  surface.Set("to_key", kToKey);
-  surface.Set("to_fill", kToFill);
-  surface.Set("to_rim", kToRim);
-  for (const Item& item : items) {
-    surface.Set("S_from_M", item.S_from_M);
-    surface.Set("albedo", item.colour);
+void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const Program& program,
+                               const StageView& view) {
+  program.Set("clip_from_S", view.clip_from_S);
+  program.Set("p_SEye", view.p_SEye);
+  program.Set("to_key", kToKey);
+  program.Set("to_fill", kToFill);
+  program.Set("to_rim", kToRim);
+  for (const Item& item : drawn) {
+    program.Set("S_from_M", item.S_from_M);
+    program.Set("albedo", item.colour);
     DrawMesh(*item.mesh, GL_BACK);
   }
   gl.Disable(GL_CULL_FACE);
   gl.BindVertexArray(no_vertices);
+}
+
+/** What they lie on hides none of them, but they hide each other. */
+void Renderer::Impl::DrawMarks(const StageView& view) {
+  if (marks.empty()) return;
+  Begin(picture, mark);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  DrawItems(marks, mark, view);
 }
 
 void Renderer::Impl::DrawTableLight(const Eigen::Vector4d& area, const StageLight& key,
@@ -405,12 +418,14 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   const double share =
       is_draft ? static_cast<double>(kDraftTriangles) / std::max(num_triangles, 1) : 1.0;
   items.clear();
+  marks.clear();
   std::vector<Vector3d> corners;  // of the meshes' boxes, in S
   for (const Drawable& drawable : scene.drawables) {
     const GpuMesh& mesh = FindOrUpload(drawable, share);
     if (mesh.num_indices == 0) continue;
     const Pose X_SM = view.X_SW * drawable.X_WM;
-    items.push_back({&mesh, X_SM.matrix(), drawable.colour});
+    (drawable.is_mark ? marks : items).push_back({&mesh, X_SM.matrix(), drawable.colour});
+    if (drawable.is_mark) continue;
     for (int i = 0; i < 8; ++i) corners.push_back(X_SM * mesh.box.Corner(i));
   }
   if (corners.empty()) corners.push_back(Vector3d::Zero());
@@ -426,13 +441,14 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
   gl.ClearColor(kBackgroundSrgb.x(), kBackgroundSrgb.y(), kBackgroundSrgb.z(), 1.0f);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!is_draft) BindLights(surface, key, sky);
-  DrawSurfaces(view);
+  DrawItems(items, surface, view);
 
   if (scene.has_table && view.p_SEye.z() > 0.0) {
     const Eigen::Vector4d area = FindShadowArea(corners);
     if (!is_draft) DrawTableLight(area, key, sky);
     DrawTable(view, area);
   }
+  DrawMarks(view);
   gl.Disable(GL_DEPTH_TEST);
   if (!is_draft) {
     Begin(resolved, resolve);

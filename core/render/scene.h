@@ -22,6 +22,7 @@ struct Drawable {
   Pose X_WM = Pose::Identity();         ///< mesh frame in the world
   Eigen::Vector3f colour = Eigen::Vector3f(0.7f, 0.7f, 0.7f);  ///< linear RGB
   double crease_angle = 0.7;  ///< edges sharper than this stay sharp [rad]
+  bool is_mark = false;       ///< over all that is none, without shadow: a note on the picture
   bool must_be_seen = true;  ///< a camera made for the scene (hand_scene.h) keeps it in the picture
 };
 

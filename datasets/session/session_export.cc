@@ -15,7 +15,7 @@ void ExportSession(const std::filesystem::path& folder, const Session& session, 
   // Records that were asked for once do not get old.
   with_records = with_records || std::filesystem::exists(exports / "records.jsonl");
   UnsealOutput(exports);
-  const std::vector<TrialColumn> columns = ListTrialColumns(session.records);
+  const std::vector<TrialColumn> columns = ListTrialColumns(session.records, session.config);
   const std::vector<CsvColumn<EventRow>> event_columns = ListEventColumns();
   AtomicFile trials(exports / "trials.csv"), events(exports / "events.csv");
   std::optional<AtomicFile> lines;

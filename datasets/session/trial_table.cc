@@ -159,6 +159,20 @@ std::vector<TrialColumn> ListStabilityColumns() {
        TakePart(&Stability::stabilisation, &StabilityPart::opposition)}};
 }
 
+void AddDrawColumns(const SessionConfig& config, std::vector<TrialColumn>& columns) {
+  const auto add = [&](const char* name, const char* unit, const char* meaning,
+                       double TrialDraw::*part) {
+    columns.push_back({name, "number", unit, meaning, [config, part](const TrialRecord& record) {
+                         const PlannedTrial& plan = record.plan;
+                         return JsonNumber(MakeObjectDraw(config, plan.object, plan.trial).*part);
+                       }});
+  };
+  add("draw_x_m", "m", "how far the object stood off its nominal place in x", &TrialDraw::offset_x);
+  add("draw_y_m", "m", "how far the object stood off its nominal place in y", &TrialDraw::offset_y);
+  add("draw_yaw_rad", "rad", "how far the object was turned from its nominal place",
+      &TrialDraw::offset_yaw);
+}
+
 const TrialResult& TakeResult(const TrialRecord& record) { return record.result; }
 
 /** The stability, a record within the result, has columns of its own. */
@@ -177,7 +191,8 @@ std::string NameEpsilonColumn(const QualityConvention& convention) {
   return name;
 }
 
-std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records) {
+std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records,
+                                          const SessionConfig& config) {
   const auto is_success = [](const TrialRecord& record) {
     return Json(IsSuccess(record.result.outcome) ? 1 : 0);
   };
@@ -214,6 +229,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   for (const std::string& digit : ListDigits(records)) {
     AddDigitColumns(digit, columns);
   }
+  AddDrawColumns(config, columns);
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});
   return columns;

@@ -17,8 +17,10 @@ using TrialColumn = CsvColumn<TrialRecord>;
 std::string NameEpsilonColumn(const QualityConvention& convention);
 
 /** All columns in order; their values are those of whole records. Those of first contacts follow the
-digits TH FF MF RF LF, which are always there, then any other digits of the records by name. */
-std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records);
+digits TH FF MF RF LF, which are always there, then any other digits of the records by name.
+@param config  of the session, from which the drawn places of the object follow. */
+std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& records,
+                                          const SessionConfig& config = {});
 
 /** A contact event with the trial it belongs to. */
 struct EventRow {

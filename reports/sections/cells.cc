@@ -27,17 +27,7 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
          FormatFixed(object->surface.friction_dynamic, 2) + " dynamic.";
 }
 
-Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
-  const auto found = data.pictures.by_cell.find(cell.key);
-  if (found == data.pictures.by_cell.end()) {
-    return Element("p", {{"class", "missing"}},
-                   Text("No pictures of this cell") +
-                       (data.pictures.problems.empty() && data.models.problems.empty()
-                            ? Text(".")
-                            : Text("; the reason is among the ") +
-                                  LinkTo("findings", "errors and warnings") + Text(".")));
-  }
-  const Filmstrip& strip = found->second;
+Html DrawFilmstrip(const Filmstrip& strip, const CellSummary& cell, const ReportData& data) {
   Html frames;
   for (const Picture& picture : strip.pictures) {
     const std::string name = Capitalise(NameOf(picture.moment));
@@ -49,10 +39,28 @@ Html DrawFilmstrip(const CellSummary& cell, const ReportData& data) {
                                 {"alt", NameOfCell(cell, data.models) + ": " + name}}) +
                     Element("figcaption", {}, name + ", " + FormatFixed(picture.time, 2) + " s"));
   }
-  const std::string trial = "Trial " + std::to_string(strip.record->plan.trial) + ", " +
-                            NameOf(strip.record->result.outcome) +
-                            "; times since the start of placing.";
+  const TrialRecord& record = *strip.record;
+  const Html trial =
+      Text("Trial " + std::to_string(record.plan.trial) + ", " + NameOf(record.result.outcome) +
+           (record.result.reason.empty() ? "" : ": " + record.result.reason) +
+           "; times since the start of placing.");
   return Element("div", {{"class", "film"}}, frames) + Element("p", {{"class", "small"}}, trial);
+}
+
+/** One trial of each outcome. */
+Html DrawFilmstrips(const CellSummary& cell, const ReportData& data) {
+  const auto found = data.pictures.by_cell.find(cell.key);
+  if (found == data.pictures.by_cell.end()) {
+    return Element("p", {{"class", "missing"}},
+                   Text("No pictures of this cell") +
+                       (data.pictures.problems.empty() && data.models.problems.empty()
+                            ? Text(".")
+                            : Text("; the reason is among the ") +
+                                  LinkTo("findings", "errors and warnings") + Text(".")));
+  }
+  Html strips;
+  for (const Filmstrip& strip : found->second) strips += DrawFilmstrip(strip, cell, data);
+  return strips;
 }
 
 /** Ids of the digits of any trial, the opposing one first, then in the order of the records. */
@@ -112,7 +120,7 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
   return share.empty() ? strips : Element("div", {}, strips + share);
 }
 
-/** "Order of contact: TH<FF in 7 trials, FF<TH in 2; in 1 another." */
+/** "Order of contact: TH<FF in 7 trials, FF<TH in 2, others in 1." */
 Html DescribeOrders(const CellSummary& cell) {
   constexpr size_t kNumShown = 3;
   Html text = Text("Order of contact: ");
@@ -127,7 +135,7 @@ Html DescribeOrders(const CellSummary& cell) {
             Text(" in " + (i == 0 ? FormatCount(count, "trial") : std::to_string(count)));
   }
   if (cell.orders.empty()) text += Text("no digit touched");
-  if (num_others > 0) text += Text("; in " + std::to_string(num_others) + " another");
+  if (num_others > 0) text += Text(", others in " + std::to_string(num_others));
   return Element("p", {{"class", "small"}}, text + Text("."));
 }
 
@@ -211,7 +219,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
     row.push_back(Text(std::to_string(result.num_unconverged)));
     row.push_back(Element("code", {}, record->plan.id));
     row.push_back(Text(result.reason));
-    table.AddRow(row);
+    table.AddRow(row, MakeTrialAnchor(record->plan));
   }
   return MakeDetails("All values of " + FormatCount(static_cast<int>(shown.size()), "trial"),
                      DrawShare(shown, cell) + table.ToHtml());
@@ -243,7 +251,7 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
   content += Element("p", {{"class", "small"}}, facts);
   if (tally.finished > 0 && IsDrawnInFull(cell, data.summary)) {
     const std::vector<std::string> digits = ListDigits(cell);
-    content += DrawFilmstrip(cell, data);
+    content += DrawFilmstrips(cell, data);
     content += Element("div", {{"class", "pair"}},
                        DrawContactTimes(cell, digits, data) + DrawTiming(cell));
     const Html events = DrawContactStrip(LoadWhole(data.session, FindShownTrial(cell)),
@@ -257,8 +265,9 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
 Html DrawCells(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
-      "Each cell shows one trial in pictures, the first successful one where there is any, seen by "
-      "a camera that does not move between the three pictures. Below them stand the times at which "
+      "Each cell shows one trial in pictures, the first successful one where there is any, and one "
+      "of each other outcome, seen by a camera that does not move between the pictures. Below them "
+      "stand the times at which "
       "each grasping digit first touched the object, one mark per trial: a disc for a success, a "
       "cross for any other outcome, a line at the median. Trials keep their order from top to "
       "bottom of each strip.");

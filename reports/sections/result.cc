@@ -29,8 +29,9 @@ Html DescribeFailures(const ReportData& data) {
   const int others = total.finished - total.successes();
   if (others == 0) return Text("Every finished trial was a success.");
   const Outcome worst = total.most_frequent_failure();
-  Html text = Text("The most frequent other outcome is " + std::string(NameOf(worst)) + " (" +
-                   std::to_string(total.CountOf(worst)) + " of " + std::to_string(others) + ")");
+  Html text = LinkTo("failures", FormatCount(others, "trial")) +
+              Text(" ended otherwise, most often by " + std::string(NameOf(worst)) + " (" +
+                   std::to_string(total.CountOf(worst)) + ")");
   std::vector<const CellSummary*> without;
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.tally.finished > 0 && cell.tally.successes() == 0) without.push_back(&cell);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "core/base/text.h"
@@ -66,9 +67,13 @@ Html DrawSuccessMap(const ReportData& data) {
   map.text.description =
       "A table of objects in rows and hands in columns; every cell gives successes, finished "
       "trials and grasp, and leads to its section.";
+  const bool has_groups = std::any_of(columns.begin(), columns.end(), [](const MapColumn& column) {
+    return !column.grasp.empty();
+  });
   for (const MapColumn& column : columns) {
     const std::string name = data.models.NameOfHand(column.hand);
-    map.columns.push_back(column.grasp.empty() ? name : name + " " + column.grasp);
+    map.columns.push_back(column.grasp.empty() ? name : column.grasp);
+    if (has_groups) map.groups.push_back(column.grasp.empty() ? "" : name);
   }
   for (const std::string& object : data.summary.objects) {
     map.rows.push_back(data.models.NameOfObject(object));

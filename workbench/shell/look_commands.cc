@@ -16,25 +16,7 @@ namespace {
 
 constexpr int kShotWidth = 960, kShotHeight = 720;
 
-/** "front", or "free AZIMUTH ELEVATION [ZOOM]". */
-SceneView ParseView(const ShellArguments& arguments) {
-  SceneView view;
-  if (arguments.empty()) return view;
-  if (ToLower(arguments[0]) != "free") {
-    if (arguments.size() > 1) {
-      throw Error(ErrorKind::kUsage, "a named view has no numbers; see: help view");
-    }
-    return FindSceneView(ToLower(arguments[0]));
-  }
-  if (arguments.size() < 3) {
-    throw Error(ErrorKind::kUsage, "free needs azimuth and elevation [deg]; see: help view");
-  }
-  view.name = "free";
-  view.azimuth_deg = ParseNumber(arguments[1], "the azimuth", "deg", -360.0, 360.0);
-  view.elevation_deg = ParseNumber(arguments[2], "the elevation", "deg", -89.0, 90.0);
-  if (arguments.size() > 3) view.zoom = ParseNumber(arguments[3], "the zoom", "", 0.1, 10.0);
-  return view;
-}
+constexpr const char* kViewHelp = "help view";
 
 }  // namespace
 
@@ -53,7 +35,7 @@ void ShowStability(Shell& shell, const ShellArguments&) {
 }
 
 void ViewScene(Shell& shell, const ShellArguments& arguments) {
-  const SceneView view = ParseView(arguments);
+  const SceneView view = ParseSceneView(arguments, kViewHelp);
   PrintControlled(stdout, shell.painter.DrawForTerminal(shell.scene(), view));
   PrintResult(DescribeView(shell.scene(), view));
 }
@@ -63,7 +45,7 @@ void ShootScene(Shell& shell, const ShellArguments& arguments) {
   if (std::filesystem::path(file).extension() != ".png") {
     throw Error(ErrorKind::kUsage, "\"" + file + "\" does not end in .png");
   }
-  const SceneView view = ParseView({arguments.begin() + 1, arguments.end()});
+  const SceneView view = ParseSceneView({arguments.begin() + 1, arguments.end()}, kViewHelp);
   CheckOutputFile(file);
   WriteFileAtomically(file,
                       EncodePng(shell.painter.Draw(shell.scene(), view, kShotWidth, kShotHeight)));

@@ -18,26 +18,6 @@
 namespace graspbench {
 namespace {
 
-struct NamedView {
-  const char* name;
-  double azimuth_deg, elevation_deg;
-};
-constexpr NamedView kViews[] = {{"front", -90.0, 15.0},
-                                {"back", 90.0, 15.0},
-                                {"left", 180.0, 15.0},
-                                {"right", 0.0, 15.0},
-                                {"top", -90.0, 90.0}};
-
-Eigen::Vector3d FindDirection(ShellScene& scene, const SceneView& view) {
-  const WorldState& state = scene.course().world().state();
-  if (std::isnan(view.azimuth_deg)) {
-    return FindGraspView(*scene.setup().hand, state.q, state.X_WH);
-  }
-  const double azimuth = RadFromDeg(view.azimuth_deg), elevation = RadFromDeg(view.elevation_deg);
-  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-          std::sin(elevation)};
-}
-
 struct TerminalSize {
   int columns = 80, rows = 24;
 };
@@ -82,31 +62,14 @@ void ChooseMode(ChafaTermInfo* terminal, ChafaCanvasConfig* config) {
 
 }  // namespace
 
-SceneView FindSceneView(const std::string& name) {
-  if (name == "grasp") return {};
-  for (const NamedView& view : kViews) {
-    if (name == view.name) return {name, view.azimuth_deg, view.elevation_deg, 1.0};
-  }
-  throw Error(ErrorKind::kUsage,
-              "\"" + name + "\" is no view" + SuggestNames(name, ListSceneViews()));
-}
-
-std::vector<std::string> ListSceneViews() {
-  std::vector<std::string> names = {"grasp"};
-  for (const NamedView& view : kViews) names.emplace_back(view.name);
-  names.emplace_back("free");
-  return names;
-}
-
 Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, int height,
                          RenderQuality quality) {
   const TrialSetup& setup = scene.setup();
   World& world = scene.course().world();
   const Scene drawn = MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
                                      world.CalcObjectPose());
-  Camera camera =
-      FrameScenes({drawn}, FindDirection(scene, view), static_cast<double>(width) / height);
-  camera.p_WEye = camera.p_WTarget + (camera.p_WEye - camera.p_WTarget) / view.zoom;
+  const Camera camera = PlaceCamera(view, {drawn}, *setup.hand, world.state().q, world.state().X_WH,
+                                    static_cast<double>(width) / height);
   Easel& easel = quality == RenderQuality::kDraft ? draft_ : full_;
   if (!easel.renderer || width != easel.width || height != easel.height) {
     easel = {std::make_unique<Renderer>(width, height, quality), width, height};
@@ -119,7 +82,8 @@ std::string ScenePainter::DrawForTerminal(ShellScene& scene, const SceneView& vi
   // Two lines stay for the words below and the prompt; a cell is twice as high as wide.
   const int columns = std::clamp(size.columns, 20, 200), rows = std::clamp(size.rows - 2, 8, 60);
   constexpr int kCellWidth = 4, kCellHeight = 8;
-  const Image image = Draw(scene, view, columns * kCellWidth, rows * kCellHeight, RenderQuality::kDraft);
+  const Image image =
+      Draw(scene, view, columns * kCellWidth, rows * kCellHeight, RenderQuality::kDraft);
 
   const Chafa<ChafaCanvasConfig, chafa_canvas_config_unref> config(chafa_canvas_config_new());
   chafa_canvas_config_set_geometry(config.get(), columns, rows);

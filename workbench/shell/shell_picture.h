@@ -4,23 +4,12 @@ The scene as a picture, in a file or in the cells of a terminal. */
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "core/render/scene.h"
+#include "workbench/scene_view.h"
 #include "workbench/shell/shell_scene.h"
 
 namespace graspbench {
-
-/** From where. Without angles: across thumb and fingers, which move with the hand. */
-struct SceneView {
-  std::string name = "grasp";
-  double azimuth_deg = kUnset;    ///< of the camera about z, from x
-  double elevation_deg = kUnset;  ///< above the table
-  double zoom = 1.0;              ///< 2: from half the distance
-};
-/** @throws Error(kUsage) with suggestions. */
-SceneView FindSceneView(const std::string& name);
-std::vector<std::string> ListSceneViews();
 
 /** Draws a scene again and again: meshes are uploaded once for each size of picture. */
 class ScenePainter {

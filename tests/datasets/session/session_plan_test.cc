@@ -269,6 +269,16 @@ TEST(TrialDraw, AnAccurateHandHasNoJointError) {
   EXPECT_EQ(draw.joint_error, Eigen::Vector3d::Zero());
 }
 
+// A turn of 0.1 rad moves a point at 30 mm by 3 mm; at right angles to a shift of 4 mm that is 5 mm.
+TEST(TrialDraw, DistanceHoldsShiftAndTurn) {
+  TrialDraw a, b;
+  b.offset_y = -0.004;
+  b.offset_yaw = 0.1;
+  EXPECT_NEAR(CalcDrawDistance(a, b, 0.03), 0.005, 1e-15);
+  EXPECT_EQ(CalcDrawDistance(a, b, 0.03), CalcDrawDistance(b, a, 0.03));
+  EXPECT_EQ(CalcDrawDistance(b, b, 0.03), 0.0);
+}
+
 TEST(TrialSetup, HoldsWhatThePlanNames) {
   const SessionInputs inputs = MakeFakeInputs();
   SessionConfig config;

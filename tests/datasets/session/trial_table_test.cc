@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "tests/datasets/session/fake_session.h"
@@ -112,6 +113,9 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "t_LF_s",
                                              "closing_LF",
                                              "gap_LF_m",
+                                             "draw_x_m",
+                                             "draw_y_m",
+                                             "draw_yaw_rad",
                                              "reason"}));
 }
 
@@ -190,6 +194,24 @@ TEST(TrialTable, JudgedTrialsHaveTheJudgesColumns) {
   }
 }
 
+TEST(TrialTable, DrawsAreThoseThatTheTrialWasRunWith) {
+  const SessionInputs inputs = MakeFakeInputs();
+  SessionConfig config;
+  config.seed = 5;
+  config.variation.offset = 0.02;
+  for (const PlannedTrial& planned : MakePlan(config, inputs)) {
+    const TrialDraw draw = MakeTrialSetup(config, inputs, planned).draw;
+    const TrialRecord record = MakeFakeRecord(planned);
+    std::map<std::string, Json> row;
+    for (const TrialColumn& column : ListTrialColumns({record}, config)) {
+      row[column.name] = column.value(record);
+    }
+    EXPECT_EQ(row["draw_x_m"], draw.offset_x);
+    EXPECT_EQ(row["draw_y_m"], draw.offset_y);
+    EXPECT_EQ(row["draw_yaw_rad"], draw.offset_yaw);
+  }
+}
+
 TEST(TrialTable, EventsAreATableOfTheirOwn) {
   const auto records = MakeFakeRecords(3);
   std::vector<EventRow> events;
@@ -240,11 +262,11 @@ TEST(TrialTable, OtherDigitsGetColumnsByName) {
   records[0].result.touches.resize(5);
   const auto columns = ListTrialColumns(records);
   std::vector<std::string> tail;
-  for (size_t i = columns.size() - 10; i < columns.size(); ++i) tail.push_back(columns[i].name);
-  EXPECT_EQ(tail,
-            (std::vector<std::string>{"t_LF_s", "closing_LF", "gap_LF_m", "t_A_s", "closing_A",
-                                      "gap_A_m", "t_Z_s", "closing_Z", "gap_Z_m", "reason"}));
-  EXPECT_EQ(columns[columns.size() - 4].value(records[0]), 0.25);
+  for (size_t i = columns.size() - 13; i < columns.size(); ++i) tail.push_back(columns[i].name);
+  EXPECT_EQ(tail, (std::vector<std::string>{"t_LF_s", "closing_LF", "gap_LF_m", "t_A_s",
+                                            "closing_A", "gap_A_m", "t_Z_s", "closing_Z", "gap_Z_m",
+                                            "draw_x_m", "draw_y_m", "draw_yaw_rad", "reason"}));
+  EXPECT_EQ(columns[columns.size() - 7].value(records[0]), 0.25);
 }
 
 TEST(TrialTable, SchemaDescribesEveryColumn) {

@@ -1,0 +1,96 @@
+#include "core/render/contact_marks.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/base/units.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPointRadius = 0.0015;  // [m]
+constexpr double kShaftRadius = 0.0010;  // [m]
+constexpr double kHeadRadius = 0.0026;   // [m]
+constexpr double kHeadLength = 0.0070;   // [m]
+constexpr double kConeLength = 0.018;    // [m]
+constexpr double kWireRadius = 0.0004;   // [m]
+constexpr int kNumSpokes = 10;
+constexpr int kNumSegments = 8;  // around a wire
+
+const Eigen::Vector3f kForceColour(0.80f, 0.12f, 0.02f);
+const Eigen::Vector3f kPointColour(0.05f, 0.05f, 0.05f);
+const Eigen::Vector3f kStaticColour(0.05f, 0.42f, 0.08f);
+const Eigen::Vector3f kDynamicColour(0.05f, 0.16f, 0.75f);
+
+/** With its z axis along `axis`. */
+Pose MakeAxisPose(const Vector3d& axis, const Vector3d& p_W) {
+  return MakePose(Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix(),
+                  p_W);
+}
+
+void AddMark(TriMesh mesh, const Pose& X_WM, const Eigen::Vector3f& colour, Scene* scene) {
+  Drawable drawable;
+  drawable.mesh = std::make_shared<const TriMesh>(std::move(mesh));
+  drawable.X_WM = X_WM;
+  drawable.colour = colour;
+  drawable.must_be_seen = false;
+  drawable.is_mark = true;
+  scene->drawables.push_back(std::move(drawable));
+}
+
+/** Along z, with its tip at the origin. */
+TriMesh MakeArrow(double length) {
+  const double head = std::min(kHeadLength, 0.5 * length);
+  const double scale = head / kHeadLength;
+  return MakeRevolution({{0.0, -length},
+                         {scale * kShaftRadius, -length},
+                         {scale * kShaftRadius, -head},
+                         {scale * kHeadRadius, -head},
+                         {0.0, 0.0}},
+                        16);
+}
+
+/** Around z, with its tip at the origin. */
+void AddCone(double half_angle, const Pose& X_WM, const Eigen::Vector3f& colour, Scene* scene) {
+  const double rim = kConeLength * std::sin(half_angle),
+               height = kConeLength * std::cos(half_angle);
+  std::vector<Vector3d> points;
+  for (int i = 0; i < kNumSpokes; ++i) {
+    const double angle = 2.0 * kPi * i / kNumSpokes;
+    points.emplace_back(rim * std::cos(angle), rim * std::sin(angle), height);
+  }
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vector3d& next = points[(i + 1) % points.size()];
+    for (const auto& [from, to] :
+         {std::pair(Vector3d(0.0, 0.0, 0.0), points[i]), std::pair(points[i], next)}) {
+      AddMark(MakeTaperedCapsule(from, kWireRadius, to, kWireRadius, kNumSegments), X_WM, colour,
+              scene);
+    }
+  }
+}
+
+}  // namespace
+
+void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per_force,
+                     Scene* scene) {
+  for (const ContactMark& contact : contacts) {
+    AddMark(MakeSphere(kPointRadius, 16), MakePose(Eigen::Matrix3d::Identity(), contact.p_WC),
+            kPointColour, scene);
+    const double force = contact.force_W.norm();
+    if (force > 0.0) {
+      AddMark(MakeArrow(length_per_force * force),
+              MakeAxisPose(contact.force_W / force, contact.p_WC), kForceColour, scene);
+    }
+    if (contact.mu > 0.0) {
+      AddCone(std::atan(contact.mu), MakeAxisPose(-contact.nhat_W, contact.p_WC),
+              contact.is_sliding ? kDynamicColour : kStaticColour, scene);
+    }
+  }
+}
+
+}  // namespace graspbench

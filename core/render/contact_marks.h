@@ -1,0 +1,28 @@
+#pragma once
+/** @file
+Contacts as marks over a picture: a point where hand and object touch, an arrow for the force on the
+object that ends there, and the friction cone that the arrow may not leave, green where the contact
+sticks (static friction) and blue where it slides (dynamic). */
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/render/scene.h"
+
+namespace graspbench {
+
+struct ContactMark {
+  Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector3d nhat_W = Eigen::Vector3d::UnitZ();  ///< unit, into the object
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< on the object [N]
+  double mu = 0.0;                                    ///< of its state
+  bool is_sliding = false;
+};
+
+/** Adds the marks to a scene. The cone opens against nhat_W, with its tip at the contact and the
+half angle atan(mu); without friction there is none.
+@param length_per_force  of the arrows [m/N]. */
+void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per_force,
+                     Scene* scene);
+
+}  // namespace graspbench

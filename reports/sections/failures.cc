@@ -1,0 +1,71 @@
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "datasets/session/find_trial.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+#include "reports/shown_trials.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMaxRows = 300;
+
+/** Those that have a row among the values of their cell, in the plan's order. */
+std::vector<const TrialRecord*> ListFailures(const SessionSummary& summary) {
+  std::vector<const TrialRecord*> failures;
+  for (const CellSummary& cell : summary.cells) {
+    if (!IsDrawnInFull(cell, summary)) continue;
+    for (const TrialRecord* record : ChooseShownTrials(cell, summary)) {
+      if (!IsSuccess(record->result.outcome)) failures.push_back(record);
+    }
+  }
+  return failures;
+}
+
+Html FormatDraw(const ReportData& data, const PlannedTrial& planned) {
+  const TrialDraw draw = MakeObjectDraw(data.session.config, planned.object, planned.trial);
+  return Text(FormatFixed(MmFromM(draw.offset_x), 1) + ", " +
+              FormatFixed(MmFromM(draw.offset_y), 1) + ", " +
+              FormatFixed(DegFromRad(draw.offset_yaw), 1));
+}
+
+Html DrawFailedTrials(const ReportData& data) {
+  const Tally& total = data.summary.total;
+  if (total.finished == total.successes()) return MakeParagraph("No finished trial failed.");
+  const std::vector<const TrialRecord*> failures = ListFailures(data.summary);
+  const size_t num_rows = std::min(failures.size(), kMaxRows);
+  Table table("Every trial that did not succeed, and why.",
+              {{"Trial", Align::kText, "leads to all its values"},
+               {"Hand"},
+               {"Object"},
+               {"Grasp"},
+               {"Outcome"},
+               {"Reason", Align::kProse},
+               {"Drawn place", Align::kNumber,
+                "of the object off its nominal place: x, y [mm], yaw [deg]"}});
+  for (size_t i = 0; i < num_rows; ++i) {
+    const PlannedTrial& planned = failures[i]->plan;
+    table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)),
+                  Text(data.models.NameOfHand(planned.hand)),
+                  Text(data.models.NameOfObject(planned.object)), Text(planned.grasp),
+                  Text(NameOf(failures[i]->result.outcome)), Text(failures[i]->result.reason),
+                  FormatDraw(data, planned)});
+  }
+  Html html =
+      Element("p", {},
+              Text("What happened in one of them, step by step, with forces and a picture: ") +
+                  Element("code", {}, "graspbench trial FOLDER TRIAL --render trial.png") +
+                  Text(", with the session's folder and a name of the first column."));
+  const int num_all = total.finished - total.successes();
+  if (static_cast<size_t>(num_all) > num_rows) {
+    html += MakeParagraph(std::to_string(num_rows) + " of " + FormatCount(num_all, "trial") +
+                          "; export/trials.csv has all of them.");
+  }
+  return html + table.ToHtml();
+}
+
+}  // namespace
+
+Section failures_section() { return {"failures", "Trials that failed", DrawFailedTrials}; }
+
+}  // namespace graspbench

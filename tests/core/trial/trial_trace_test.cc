@@ -1,0 +1,67 @@
+#include "core/trial/trial_trace.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/trial/trial_setups.h"
+
+namespace graspbench {
+namespace {
+
+TracedTrial Trace(const TrialSetup& setup, double interval) {
+  TrialRunner runner(setup.hand, setup.object);
+  return TraceTrial(runner, setup, interval);
+}
+
+TEST(TrialTrace, WatchingChangesNoByteOfTheResult) {
+  for (const double mu : {0.5, 0.02}) {  // held, lost
+    const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, mu));
+    TrialRunner runner(setup.hand, setup.object);
+    EXPECT_EQ(ToJson(Trace(setup, 0.0).result), ToJson(runner.Run(setup))) << mu;
+  }
+}
+
+TEST(TrialTrace, EveryStepIsThereInItsOrder) {
+  const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
+  const TracedTrial traced = Trace(setup, 0.0);
+  ASSERT_EQ(traced.trace.size(), static_cast<size_t>(traced.result.num_steps) + 1);
+  EXPECT_EQ(traced.trace.front().time, 0.0);
+  EXPECT_EQ(traced.trace.back().time, traced.result.simulated_time);
+  EXPECT_EQ(traced.trace.back().phase, Phase::kHold);
+  double largest_grip = 0.0;
+  for (size_t i = 1; i < traced.trace.size(); ++i) {
+    const TraceInstant& instant = traced.trace[i];
+    EXPECT_NEAR(instant.time - traced.trace[i - 1].time, setup.sim.step, 1e-12);
+    EXPECT_GE(instant.phase, traced.trace[i - 1].phase);
+    // The grip is what its contacts add up to.
+    double sum = 0.0;
+    for (const HandContact& contact : instant.contacts) sum += contact.normal_force;
+    EXPECT_NEAR(sum, instant.grip_force, 1e-9 * (1.0 + sum));
+    largest_grip = std::max(largest_grip, sum);
+  }
+  EXPECT_GT(largest_grip, 0.1);
+  // At rest on the table it carries the cube's weight.
+  EXPECT_NEAR(FindInstant(traced.trace, 0.1).table_force, 0.0122 * kStandardGravity, 1e-3);
+  // The snapshots of the record are instants of the trace.
+  for (const SceneSnapshot& snapshot : traced.result.snapshots) {
+    const TraceInstant& instant = FindInstant(traced.trace, snapshot.time);
+    EXPECT_NEAR(instant.time, snapshot.time, 1e-12);
+    EXPECT_EQ(instant.q, snapshot.q);
+    EXPECT_EQ(instant.X_WO.matrix(), snapshot.X_WO.matrix());
+  }
+}
+
+TEST(TrialTrace, ACoarseOneHoldsTheEndsAndWholeSteps) {
+  const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
+  const TracedTrial fine = Trace(setup, 0.0), coarse = Trace(setup, 2.5 * setup.sim.step);
+  EXPECT_EQ(coarse.closure_start, fine.closure_start);
+  ASSERT_GT(coarse.trace.size(), 10u);
+  for (size_t i = 0; i + 1 < coarse.trace.size(); ++i) {
+    EXPECT_EQ(coarse.trace[i].time, fine.trace[3 * i].time);
+  }
+  EXPECT_EQ(coarse.trace.back().time, fine.trace.back().time);
+  EXPECT_EQ(&FindInstant(coarse.trace, -1.0), &coarse.trace.front());
+  EXPECT_EQ(&FindInstant(coarse.trace, 1e9), &coarse.trace.back());
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,92 @@
+#include "datasets/session/find_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+Session MakeSession(int trials) {
+  Session session;
+  session.config.trials = trials;
+  session.plan = MakePlan(session.config, MakeFakeInputs());
+  for (const PlannedTrial& planned : session.plan) {
+    session.records.push_back(MakeFakeRecord(planned));
+  }
+  return session;
+}
+
+std::string FindMessage(const Session& session, const std::string& name) {
+  try {
+    FindPlannedTrial(session, name);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(FindTrial, EveryTrialHasThreeNames) {
+  const Session session = MakeSession(12);
+  for (const PlannedTrial& planned : session.plan) {
+    EXPECT_EQ(FindPlannedTrial(session, planned.id), planned);
+    EXPECT_EQ(FindPlannedTrial(session, planned.id.substr(0, 12)), planned);
+    EXPECT_EQ(FindPlannedTrial(session, NameTrial(planned)), planned);
+  }
+  std::string id = session.plan[3].id;
+  std::transform(id.begin(), id.end(), id.begin(), ::toupper);
+  EXPECT_EQ(FindPlannedTrial(session, id), session.plan[3]);
+  EXPECT_EQ(NameTrial(session.plan[3]), "tum-mug-g2:3");
+}
+
+TEST(FindTrial, WhatIsNoneIsRefusedWithWhatThereIs) {
+  Session session = MakeSession(3);
+  EXPECT_NE(FindMessage(session, "tum-mug-g2:3").find("has tum-mug-g2:0 to tum-mug-g2:2"),
+            std::string::npos);
+  EXPECT_NE(FindMessage(session, "tum-mug-g2:-1").find("has tum-mug-g2:0 to"), std::string::npos);
+  EXPECT_NE(FindMessage(session, "tum-mugg-g2:1").find("did you mean \"tum-mug-g2\""),
+            std::string::npos);
+  EXPECT_NE(FindMessage(session, session.plan[0].id.substr(0, 3)).find("no trial"),
+            std::string::npos)
+      << "three letters are too few";
+  EXPECT_NE(FindMessage(session, "").find("no trial"), std::string::npos);
+  session.plan[1].id = session.plan[0].id.substr(0, 8) + "00000000";
+  EXPECT_NE(FindMessage(session, session.plan[0].id.substr(0, 6)).find("several trials"),
+            std::string::npos);
+}
+
+// By trying all of them.
+TEST(FindTrial, TheNearestSuccessIsNearerThanAnyOther) {
+  Session session = MakeSession(20);
+  constexpr double kRadius = 0.04;
+  for (const PlannedTrial& planned : session.plan) {
+    const NearestSuccess nearest = FindNearestSuccess(session, planned, kRadius);
+    double smallest = 1e9;
+    for (const TrialRecord& record : session.records) {
+      const bool is_of_cell = NameTrial(record.plan).substr(0, NameTrial(record.plan).find(':')) ==
+                              NameTrial(planned).substr(0, NameTrial(planned).find(':'));
+      if (!is_of_cell || record.plan.id == planned.id) continue;
+      if (record.result.outcome != Outcome::kSuccess) continue;
+      const TrialDraw a = MakeObjectDraw(session.config, planned.object, planned.trial);
+      const TrialDraw b = MakeObjectDraw(session.config, planned.object, record.plan.trial);
+      smallest = std::min(smallest, std::hypot(a.offset_x - b.offset_x, a.offset_y - b.offset_y,
+                                               kRadius * (a.offset_yaw - b.offset_yaw)));
+    }
+    if (smallest == 1e9) {
+      EXPECT_EQ(nearest.record, nullptr);
+    } else {
+      ASSERT_NE(nearest.record, nullptr);
+      EXPECT_TRUE(IsSuccess(nearest.record->result.outcome));
+      EXPECT_NEAR(nearest.distance, smallest, 1e-15);
+    }
+  }
+  session.records.clear();
+  EXPECT_EQ(FindNearestSuccess(session, session.plan[0], kRadius).record, nullptr);
+  EXPECT_EQ(FindRecord(session, session.plan[0]), nullptr);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,62 @@
+#include "workbench/trial_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+/** Instants of 0.1 s up to lift-off, in which the trial ended. */
+TracedTrial MakeTraced() {
+  TracedTrial traced;
+  traced.result.outcome = Outcome::kSlippedInLiftOff;
+  traced.result.reason = "it stayed behind";
+  const Phase phases[] = {Phase::kPlacing, Phase::kPlacing,       Phase::kClosure,
+                          Phase::kClosure, Phase::kStabilisation, Phase::kLiftOff};
+  for (const Phase phase : phases) {
+    TraceInstant instant;
+    instant.time = 0.1 * static_cast<double>(traced.trace.size());
+    instant.phase = phase;
+    traced.trace.push_back(instant);
+  }
+  return traced;
+}
+
+std::string FindMessage(const TracedTrial& traced, const std::string& name) {
+  try {
+    FindNamedInstant(traced, name);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(TrialPicture, InstantsHaveNamesAndTimes) {
+  const TracedTrial traced = MakeTraced();
+  const auto find = [&](const char* name) {
+    return &FindNamedInstant(traced, name) - traced.trace.data();
+  };
+  EXPECT_EQ(find("pre-grasp"), 0);
+  EXPECT_EQ(find("pregrasp"), 0);
+  EXPECT_EQ(find("placing"), 1);
+  EXPECT_EQ(find("Closure"), 3);
+  EXPECT_EQ(find("closed"), 4);
+  EXPECT_EQ(find("lift-off"), 5);
+  EXPECT_EQ(find("0.21s"), 2);
+  EXPECT_EQ(find(".3"), 3);
+}
+
+TEST(TrialPicture, WhatWasNotReachedIsSaid) {
+  const TracedTrial traced = MakeTraced();
+  EXPECT_NE(FindMessage(traced, "hold").find("ended before its hold: slipped in lift-off"),
+            std::string::npos);
+  EXPECT_NE(FindMessage(traced, "0.6s").find("ended at 0.500 s"), std::string::npos);
+  EXPECT_NE(FindMessage(traced, "clsed").find("did you mean \"closed\""), std::string::npos);
+  EXPECT_NE(FindMessage(traced, "done").find("is no instant"), std::string::npos);
+  EXPECT_NE(FindMessage(traced, "").find("is no instant"), std::string::npos);
+  EXPECT_NE(FindMessage(TracedTrial(), "hold").find("could not begin"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,83 @@
+#include "workbench/trial_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+/** A small session as `run` would keep it, and what a look at a trial that succeeded gives. */
+class TrialTextTest : public testing::Test {
+ protected:
+  TrialTextTest() {
+    session_.config.hands = {"tum"};
+    session_.config.objects = {"golf_ball"};
+    session_.config.trials = 4;
+    const SessionInputs inputs = LoadSessionInputs(session_.config);
+    session_.plan = MakePlan(session_.config, inputs);
+    for (const PlannedTrial& planned : session_.plan) {
+      const TrialSetup setup = MakeTrialSetup(session_.config, inputs, planned);
+      session_.records.push_back({planned, TrialRunner(setup.hand, setup.object).Run(setup)});
+    }
+  }
+  void SetUp() override {
+    for (size_t i = 0; i < session_.records.size(); ++i) {
+      if (IsSuccess(session_.records[i].result.outcome)) successes_.push_back(i);
+    }
+    ASSERT_GE(successes_.size(), 2u);
+    shown_ = successes_[0];
+  }
+  ExaminedTrial Examine() const { return ExamineTrial(session_, session_.plan[shown_], 0.01); }
+
+  Session session_;
+  std::vector<size_t> successes_;
+  size_t shown_ = 0;
+};
+
+TEST_F(TrialTextTest, ARecordThatHoldsIsConfirmed) {
+  const ExaminedTrial trial = Examine();
+  EXPECT_FALSE(trial.difference);
+  const std::string text = FormatTrial(trial, "results/a b");
+  EXPECT_NE(text.find("as recorded, in every field"), text.npos) << text;
+  EXPECT_NE(text.find(session_.plan[shown_].id), text.npos);
+  EXPECT_NE(text.find("outcome  success\n"), text.npos);
+  EXPECT_EQ(text.find("nearest"), text.find("nearest [mm]")) << "a success needs no example";
+  const Json json = MakeTrialJson(trial, "results/a b");
+  EXPECT_EQ(json.at("result"), ToJson(session_.records[shown_].result));
+  EXPECT_TRUE(json.at("difference").is_null());
+  EXPECT_NE(json.at("nearest_success").at("trial_id"), session_.plan[shown_].id);
+}
+
+TEST_F(TrialTextTest, OneDigitInARecordIsNamed) {
+  session_.records[shown_].result.grip_force =
+      std::nextafter(session_.records[shown_].result.grip_force, 1e3);
+  const ExaminedTrial trial = Examine();
+  ASSERT_TRUE(trial.difference);
+  EXPECT_EQ(trial.difference->field, "grip_force_n");
+  EXPECT_NE(FormatTrial(trial, "s").find("differs from its record in grip_force_n"),
+            std::string::npos);
+}
+
+TEST_F(TrialTextTest, AnUnfinishedTrialHasNothingToCompareWith) {
+  session_.records.erase(session_.records.begin() + static_cast<long>(shown_));
+  const ExaminedTrial trial = Examine();
+  EXPECT_FALSE(trial.recorded);
+  EXPECT_FALSE(trial.difference);
+  EXPECT_NE(FormatTrial(trial, "s").find("has not run it yet"), std::string::npos);
+}
+
+// The object is out of the fingers' reach: nothing touches it, and the other trial is shown beside.
+TEST_F(TrialTextTest, AFailureHasTheNearestSuccessBesideIt) {
+  ExaminedTrial trial = Examine();
+  trial.setup.draw.offset_x = 0.3;
+  TrialRunner runner(trial.setup.hand, trial.setup.object);
+  trial.traced = TraceTrial(runner, trial.setup, 0.01);
+  const std::string text = FormatTrial(trial, "s");
+  EXPECT_FALSE(IsSuccess(trial.traced.result.outcome));
+  EXPECT_NE(text.find("nearest  tum-golf_ball-"), text.npos) << text;
+  EXPECT_NE(text.find("never"), text.npos) << text;
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,76 @@
+#include "workbench/scene_view.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/render/hand_scene.h"
+#include "workbench/shell/shell_words.h"
+
+namespace graspbench {
+namespace {
+
+struct NamedView {
+  const char* name;
+  double azimuth_deg, elevation_deg;
+};
+constexpr NamedView kViews[] = {{"front", -90.0, 15.0},
+                                {"back", 90.0, 15.0},
+                                {"left", 180.0, 15.0},
+                                {"right", 0.0, 15.0},
+                                {"top", -90.0, 90.0}};
+
+SceneView FindNamedView(const std::string& name) {
+  if (name == "grasp") return {};
+  for (const NamedView& view : kViews) {
+    if (name == view.name) return {name, view.azimuth_deg, view.elevation_deg, 1.0};
+  }
+  throw Error(ErrorKind::kUsage,
+              "\"" + name + "\" is no view" + SuggestNames(name, ListSceneViews()));
+}
+
+Eigen::Vector3d FindDirection(const SceneView& view, const Hand& hand, const Eigen::VectorXd& q,
+                              const Pose& X_WH) {
+  if (std::isnan(view.azimuth_deg)) return FindGraspView(hand, q, X_WH);
+  const double azimuth = RadFromDeg(view.azimuth_deg), elevation = RadFromDeg(view.elevation_deg);
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+          std::sin(elevation)};
+}
+
+}  // namespace
+
+std::vector<std::string> ListSceneViews() {
+  std::vector<std::string> names = {"grasp"};
+  for (const NamedView& view : kViews) names.emplace_back(view.name);
+  names.emplace_back("free");
+  return names;
+}
+
+SceneView ParseSceneView(const std::vector<std::string>& words, const std::string& help) {
+  if (words.empty()) return {};
+  if (ToLower(words[0]) != "free") {
+    if (words.size() > 1) {
+      throw Error(ErrorKind::kUsage, "a named view has no numbers; see: " + help);
+    }
+    return FindNamedView(ToLower(words[0]));
+  }
+  if (words.size() < 3 || words.size() > 4) {
+    throw Error(ErrorKind::kUsage,
+                "free needs azimuth and elevation [deg], and may have a zoom; see: " + help);
+  }
+  SceneView view;
+  view.name = "free";
+  view.azimuth_deg = ParseNumber(words[1], "the azimuth", "deg", -360.0, 360.0);
+  view.elevation_deg = ParseNumber(words[2], "the elevation", "deg", -89.0, 90.0);
+  if (words.size() > 3) view.zoom = ParseNumber(words[3], "the zoom", "", 0.1, 10.0);
+  return view;
+}
+
+Camera PlaceCamera(const SceneView& view, const std::vector<Scene>& scenes, const Hand& hand,
+                   const Eigen::VectorXd& q, const Pose& X_WH, double aspect) {
+  Camera camera = FrameScenes(scenes, FindDirection(view, hand, q, X_WH), aspect);
+  camera.p_WEye = camera.p_WTarget + (camera.p_WEye - camera.p_WTarget) / view.zoom;
+  return camera;
+}
+
+}  // namespace graspbench

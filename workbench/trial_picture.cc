@@ -1,0 +1,105 @@
+#include "workbench/trial_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/render/contact_marks.h"
+#include "core/render/hand_scene.h"
+#include "core/trial/moment.h"
+#include "workbench/shell/shell_words.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kMaxTime = 3600.0;      // [s]
+constexpr double kLongestArrow = 0.045;  // [m]
+
+std::vector<std::string> ListInstantNames() {
+  std::vector<std::string> names;
+  for (const PhaseRow& row : kPhases) {
+    if (row.value != Phase::kDone) names.emplace_back(row.name);
+  }
+  for (const MomentRow& row : kMoments) names.emplace_back(row.name);
+  return names;
+}
+
+/** The last instant of a phase; null when the trial did not get there. The hand is in the pre-grasp
+when placing begins. */
+const TraceInstant* FindEndOf(Phase phase, const std::vector<TraceInstant>& trace) {
+  if (phase == Phase::kPreGrasp) return &trace.front();
+  const TraceInstant* last = nullptr;
+  for (const TraceInstant& instant : trace) {
+    if (instant.phase == phase) last = &instant;
+  }
+  return last;
+}
+
+/** The largest force is as long as the longest arrow, in all pictures of the trial [m/N]. */
+double FindArrowScale(const TracedTrial& traced) {
+  double largest = 0.0;
+  for (const TraceInstant& instant : traced.trace) {
+    for (const HandContact& contact : instant.contacts) {
+      largest = std::max(largest, std::hypot(contact.normal_force, contact.friction_W.norm()));
+    }
+  }
+  return largest > 0.0 ? kLongestArrow / largest : 0.0;
+}
+
+std::vector<ContactMark> MakeMarks(const TraceInstant& instant) {
+  std::vector<ContactMark> marks;
+  for (const HandContact& contact : instant.contacts) {
+    marks.push_back({contact.p_WC, contact.nhat_W,
+                     contact.normal_force * contact.nhat_W + contact.friction_W, contact.mu,
+                     contact.is_sliding});
+  }
+  return marks;
+}
+
+}  // namespace
+
+const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::string& name) {
+  if (traced.trace.empty()) {
+    throw Error(ErrorKind::kUnsupported,
+                "nothing can be drawn: the trial could not begin; " + traced.result.reason);
+  }
+  const std::string wanted = ToLower(name);
+  if (!wanted.empty() &&
+      (std::isdigit(static_cast<unsigned char>(wanted[0])) || wanted[0] == '.')) {
+    const double time = ParseNumber(wanted, "the time", "s", 0.0, kMaxTime);
+    const double end = traced.trace.back().time;
+    if (time > end) {
+      throw Error(ErrorKind::kUsage,
+                  "the trial ended at " + FormatFixed(end, 3) + " s, before " + name);
+    }
+    return FindInstant(traced.trace, time);
+  }
+  const auto demand = [&](Phase phase) -> const TraceInstant& {
+    if (const TraceInstant* found = FindEndOf(phase, traced.trace)) return *found;
+    throw Error(ErrorKind::kUsage, "the trial ended before its " + std::string(NameOf(phase)) +
+                                       ": " + NameOf(traced.result.outcome) + ", " +
+                                       traced.result.reason);
+  };
+  for (const PhaseRow& row : kPhases) {
+    if (wanted == row.name && row.value != Phase::kDone) return demand(row.value);
+  }
+  for (const MomentRow& row : kMoments) {
+    if (wanted == row.name) return demand(row.phase);
+  }
+  throw Error(ErrorKind::kUsage, "\"" + name + "\" is no instant of a trial; expected a time as " +
+                                     "1.25s, or the end of a phase" +
+                                     SuggestNames(wanted, ListInstantNames()));
+}
+
+Image DrawTrial(const ExaminedTrial& trial, const TraceInstant& instant, const SceneView& view,
+                int width, int height) {
+  Scene scene =
+      MakeGraspScene(trial.setup.hand, instant.q, instant.X_WH, trial.setup.object, instant.X_WO);
+  const Camera camera = PlaceCamera(view, {scene}, *trial.setup.hand, instant.q, instant.X_WH,
+                                    static_cast<double>(width) / height);
+  AddContactMarks(MakeMarks(instant), FindArrowScale(trial.traced), &scene);
+  return Renderer(width, height).Render(scene, camera);
+}
+
+}  // namespace graspbench
