@@ -14,7 +14,7 @@ namespace graspbench {
 
 /** At the end of a step. */
 struct TraceInstant {
-  double time = 0.0;  ///< since the start of placing [s]
+  double time = 0.0;              ///< since the start of placing [s]
   Phase phase = Phase::kPlacing;  ///< of the step that ended; the last of a whole trial: hold
   Pose X_WH = Pose::Identity();
   Pose X_WO = Pose::Identity();

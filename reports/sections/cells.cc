@@ -27,10 +27,16 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
          FormatFixed(object->surface.friction_dynamic, 2) + " dynamic.";
 }
 
+/** A trial that failed may end long before the hold. */
+std::string NameMoment(Moment moment, const TrialResult& result) {
+  const bool is_end = moment == Moment::kLifted && !IsSuccess(result.outcome);
+  return is_end ? "End" : Capitalise(NameOf(moment));
+}
+
 Html DrawFilmstrip(const Filmstrip& strip, const CellSummary& cell, const ReportData& data) {
   Html frames;
   for (const Picture& picture : strip.pictures) {
-    const std::string name = Capitalise(NameOf(picture.moment));
+    const std::string name = NameMoment(picture.moment, strip.record->result);
     frames +=
         Element("figure", {},
                 Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},

@@ -34,15 +34,15 @@ Html DrawFailedTrials(const ReportData& data) {
   if (total.finished == total.successes()) return MakeParagraph("No finished trial failed.");
   const std::vector<const TrialRecord*> failures = ListFailures(data.summary);
   const size_t num_rows = std::min(failures.size(), kMaxRows);
-  Table table("Every trial that did not succeed, and why.",
-              {{"Trial", Align::kText, "leads to all its values"},
-               {"Hand"},
-               {"Object"},
-               {"Grasp"},
-               {"Outcome"},
-               {"Reason", Align::kProse},
-               {"Drawn place", Align::kNumber,
-                "of the object off its nominal place: x, y [mm], yaw [deg]"}});
+  Table table(
+      "Every trial that did not succeed, and why.",
+      {{"Trial", Align::kText, "leads to all its values"},
+       {"Hand"},
+       {"Object"},
+       {"Grasp"},
+       {"Outcome"},
+       {"Reason", Align::kProse},
+       {"Drawn x, y [mm], yaw [deg]", Align::kNumber, "of the object, off its nominal place"}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)),

@@ -30,8 +30,8 @@ Html DescribeFailures(const ReportData& data) {
   if (others == 0) return Text("Every finished trial was a success.");
   const Outcome worst = total.most_frequent_failure();
   Html text = LinkTo("failures", FormatCount(others, "trial")) +
-              Text(" ended otherwise, most often by " + std::string(NameOf(worst)) + " (" +
-                   std::to_string(total.CountOf(worst)) + ")");
+              Text(" ended otherwise, most often as " + std::string(NameOf(worst)) + " (" +
+                   std::to_string(total.CountOf(worst)) + " of " + std::to_string(others) + ")");
   std::vector<const CellSummary*> without;
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.tally.finished > 0 && cell.tally.successes() == 0) without.push_back(&cell);

@@ -44,13 +44,31 @@ TEST(RenderCellPictures, DrawsTheFirstSuccessTheSameEveryTime) {
   const SessionSummary summary = SummariseSession(session);
   const CellPictures pictures = RenderCellPictures(session, summary, MakeModels());
   EXPECT_TRUE(pictures.problems.empty());
-  const Filmstrip& strip = pictures.by_cell.at("tum-can-g3");
+  const Filmstrip& strip = pictures.by_cell.at("tum-can-g3").front();
   EXPECT_EQ(strip.record, &session.records[1]);
   ASSERT_EQ(strip.pictures.size(), 3u);
   EXPECT_EQ(strip.pictures[2].moment, Moment::kLifted);
   EXPECT_EQ(strip.pictures[0].webp.substr(8, 4), "WEBP");
   const CellPictures again = RenderCellPictures(session, summary, MakeModels());
-  EXPECT_EQ(again.by_cell.at("tum-can-g3").pictures[0].webp, strip.pictures[0].webp);
+  EXPECT_EQ(again.by_cell.at("tum-can-g3")[0].pictures[0].webp, strip.pictures[0].webp);
+}
+
+TEST(RenderCellPictures, EveryOtherOutcomeHasAStripOfItsFirstTrial) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 6);
+  const Outcome outcomes[] = {Outcome::kNoContact,  Outcome::kSuccess,   Outcome::kPushedAway,
+                              Outcome::kPushedAway, Outcome::kNoContact, Outcome::kSuccess};
+  for (size_t i = 0; i < 6; ++i) {
+    session.records[i].result.outcome = outcomes[i];
+    session.records[i].result.snapshots = MakeSnapshots();
+  }
+  session.records[2].result.snapshots[0].q = Eigen::VectorXd::Zero(3);  // of another hand
+  const CellPictures pictures =
+      RenderCellPictures(session, SummariseSession(session), MakeModels());
+  const std::vector<Filmstrip>& strips = pictures.by_cell.at("tum-can-g3");
+  ASSERT_EQ(strips.size(), 3u);
+  EXPECT_EQ(strips[0].record, &session.records[1]) << "the first success";
+  EXPECT_EQ(strips[1].record, &session.records[0]);
+  EXPECT_EQ(strips[2].record, &session.records[3]) << "the first that can be drawn";
 }
 
 TEST(RenderCellPictures, AnObjectThatFlewAwayDoesNotShrinkTheHand) {
@@ -62,12 +80,14 @@ TEST(RenderCellPictures, AnObjectThatFlewAwayDoesNotShrinkTheHand) {
   other.records[0] = other.records[1];
   const SessionSummary summary = SummariseSession(session), other_summary = SummariseSession(other);
   // Where it went must not matter for the camera, so the first picture is the same.
-  EXPECT_EQ(
-      RenderCellPictures(session, summary, MakeModels()).by_cell.at("tum-can-g3").pictures[0].webp,
-      RenderCellPictures(other, other_summary, MakeModels())
-          .by_cell.at("tum-can-g3")
-          .pictures[0]
-          .webp);
+  EXPECT_EQ(RenderCellPictures(session, summary, MakeModels())
+                .by_cell.at("tum-can-g3")[0]
+                .pictures[0]
+                .webp,
+            RenderCellPictures(other, other_summary, MakeModels())
+                .by_cell.at("tum-can-g3")[0]
+                .pictures[0]
+                .webp);
 }
 
 TEST(RenderCellPictures, SnapshotsThatDoNotFitTheHandAreAProblem) {

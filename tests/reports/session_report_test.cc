@@ -195,12 +195,33 @@ TEST(SessionReport, AFinishedSessionDoesNotTellHowItWasInterrupted) {
   EXPECT_EQ(page(interrupted), page(smooth));
 }
 
+// From the sentence at the top to the list, from there to all values of the trial.
+TEST(SessionReport, EveryFailureIsTwoLinksFromTheTop) {
+  Session session = MakeSession({"tum"}, {"can", "cup"}, "g3", 3);
+  session.records[4].result.outcome = Outcome::kPushedAway;
+  session.records[4].result.reason = "the object was pushed aside";
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const tinyxml2::XMLElement& root = *document.RootElement();
+  const auto top = ListAttribute(*FindById(root, "result"), "href");
+  EXPECT_NE(std::find(top.begin(), top.end(), "#failures"), top.end());
+  const std::string anchor = "trial-" + session.records[4].plan.id;
+  EXPECT_EQ(ListAttribute(*FindById(root, "failures"), "href"),
+            (std::vector<std::string>{"#" + anchor}));
+  ExpectContains(TextOfSection(page, "failures"), "tum-cup-g3:1");
+  ExpectContains(TextOfSection(page, "failures"), "the object was pushed aside");
+  ASSERT_NE(FindById(root, anchor), nullptr);
+  ExpectContains(ListText(*FindById(root, anchor)), session.records[4].plan.id);
+}
+
 TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {
   const Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
   const SessionSummary summary = SummariseSession(session);
   CellPictures pictures;
   pictures.by_cell["tum-can-g3"] = {
-      &session.records[0], {{Moment::kPreGrasp, 0.0, "abc"}, {Moment::kClosed, 1.25, "def"}}};
+      {&session.records[0], {{Moment::kPreGrasp, 0.0, "abc"}, {Moment::kClosed, 1.25, "def"}}}};
   const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
   ExpectSoundPage(page);
   ExpectContains(page, "src=\"data:image/webp;base64,YWJj\"");
@@ -213,10 +234,10 @@ TEST(SessionReport, SeveralGraspsGetAColumnEach) {
   const Session more = MakeSession({"tum"}, {"can"}, "g3", 1);
   session.plan.push_back(more.plan[0]);
   session.records.push_back(more.records[0]);
+  session.records[1].plan.id = session.plan[1].id = "another";
   const std::string page = MakePageOf(session);
   ExpectSoundPage(page);
-  ExpectContains(TextOfSection(page, "map"), "tum g1");
-  ExpectContains(TextOfSection(page, "map"), "tum g3");
+  ExpectContains(TextOfSection(page, "map"), "g1 g3 tum");
 }
 
 TEST(SessionReport, TheSameRecordsGiveTheSameBytes) {
@@ -233,8 +254,8 @@ TEST(SessionReport, TheBenchmarkFitsIntoTenMegabytes) {
   const std::string webp(45000, 'x');  // more than a picture of this size takes
   for (const CellSummary& cell : summary.cells) {
     pictures.by_cell[cell.key] = {
-        cell.records[0],
-        {{Moment::kPreGrasp, 0, webp}, {Moment::kClosed, 1, webp}, {Moment::kLifted, 2, webp}}};
+        {cell.records[0],
+         {{Moment::kPreGrasp, 0, webp}, {Moment::kClosed, 1, webp}, {Moment::kLifted, 2, webp}}}};
   }
   const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
   EXPECT_LT(page.size(), 10'000'000u);

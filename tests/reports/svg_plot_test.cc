@@ -32,6 +32,25 @@ TEST(DrawHeatMap, ShadesSaysAndLinks) {
   EXPECT_NE(ListText(*drawing.svg).find("9 / 10"), std::string::npos);
 }
 
+// Over the middle of the columns that it heads.
+TEST(DrawHeatMap, AGroupStandsOnceOverItsColumns) {
+  HeatMap map;
+  map.text = {"t", "d"};
+  map.columns = {"g1", "g2", "g3"};
+  map.groups = {"TUM Hand", "TUM Hand", "Shadow Hand"};
+  map.rows = {"can"};
+  map.cells.resize(3);
+  const Drawing drawing(DrawHeatMap(map));
+  const auto heads = drawing.Find("text", "middle head");
+  ASSERT_EQ(heads.size(), 5u);
+  EXPECT_STREQ(heads[3]->GetText(), "TUM Hand");
+  EXPECT_NEAR(2.0 * heads[3]->DoubleAttribute("x"),
+              heads[0]->DoubleAttribute("x") + heads[1]->DoubleAttribute("x"), 0.2);
+  EXPECT_STREQ(heads[4]->GetText(), "Shadow Hand");
+  EXPECT_EQ(heads[4]->DoubleAttribute("x"), heads[2]->DoubleAttribute("x"));
+  EXPECT_LT(heads[4]->DoubleAttribute("y"), heads[2]->DoubleAttribute("y"));
+}
+
 TEST(DrawRateBars, BarAndIntervalAreToScale) {
   RateBars plot;
   plot.text = {"t", "d"};
