@@ -176,12 +176,20 @@ std::string FormatSetting(const std::string& setting) {
   return setting.substr(0, start) + fmt::format("{:.4g}", value);
 }
 
+std::vector<SettingChange> ListChanges(const Session& session, const std::string& setting,
+                                       const VariedTrials& trials) {
+  std::vector<SettingChange> changes;
+  for (const auto& [hand, cells] : ListPairs(session, trials)) {
+    changes.push_back(Compare(setting, hand, cells));
+  }
+  return changes;
+}
+
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data) {
   SensitivitySummary summary;
   const Json config = ToJson(session.config);
   for (const auto& [setting, trials] : data) {
-    for (const auto& [hand, cells] : ListPairs(session, trials)) {
-      SettingChange change = Compare(setting, hand, cells);
+    for (SettingChange& change : ListChanges(session, setting, trials)) {
       change.value = FindSessionValue(setting, config);
       summary.changes.push_back(std::move(change));
     }

@@ -88,6 +88,11 @@ struct SensitivitySummary {
 "variation.yaw_rad=0.1745". */
 std::string FormatSetting(const std::string& setting);
 
+/** How the session's trials compare with others of the same draws, a change for each hand.
+@param setting  its name. */
+std::vector<SettingChange> ListChanges(const Session& session, const std::string& setting,
+                                       const VariedTrials& trials);
+
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data);
 
 }  // namespace graspbench

@@ -1,0 +1,91 @@
+#include "datasets/analysis/session_comparison.h"
+
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/base/config.h"
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+/** What must be the same; an empty hand or grasp is any. */
+using PairKey = std::tuple<std::string, std::string, std::string, int>;
+
+std::set<std::string> ListHands(const Session& session) {
+  std::set<std::string> hands;
+  for (const TrialRecord& record : session.records) hands.insert(record.plan.hand);
+  return hands;
+}
+
+/** True when no object is grasped in two ways by one hand. */
+bool HasOneGraspEach(const Session& session) {
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> grasps;
+  for (const TrialRecord& record : session.records) {
+    grasps[{record.plan.hand, record.plan.object}].insert(record.plan.grasp);
+  }
+  for (const auto& [scene, names] : grasps) {
+    if (names.size() > 1) return false;
+  }
+  return true;
+}
+
+bool IsSameDraw(const Session& a, const Session& b, const PlannedTrial& planned) {
+  const TrialDraw first = MakeObjectDraw(a.config, planned.object, planned.trial);
+  const TrialDraw second = MakeObjectDraw(b.config, planned.object, planned.trial);
+  return CalcDrawDistance(first, second, 1.0) == 0.0;
+}
+
+std::string ExplainNoPair(const Session& before, const Session& after) {
+  if (before.records.empty() || after.records.empty()) {
+    return "one of the sessions has no finished trial";
+  }
+  const auto differ = [](const std::string& what, const auto& a, const auto& b) {
+    return what + ": " + FormatJson(a) + " and " + FormatJson(b);
+  };
+  const SessionConfig &a = before.config, &b = after.config;
+  if (a.seed != b.seed) return differ("they have other seeds", a.seed, b.seed);
+  if (a.variation.offset != b.variation.offset || a.variation.yaw != b.variation.yaw) {
+    return "they vary the object's place by other amounts (variation.offset_m, variation.yaw_rad)";
+  }
+  return differ("they have no hand, object and grasp in common, and more than one of them", a.hands,
+                b.hands);
+}
+
+}  // namespace
+
+SessionComparison CompareSessions(const Session& before, const Session& after) {
+  const auto hands_before = ListHands(before), hands_after = ListHands(after);
+  const bool is_any_hand = hands_before.size() == 1 && hands_after.size() == 1;
+  const bool is_any_grasp = HasOneGraspEach(before) && HasOneGraspEach(after);
+  const auto make_key = [&](const PlannedTrial& planned) {
+    return PairKey(is_any_hand ? "" : planned.hand, planned.object,
+                   is_any_grasp ? "" : planned.grasp, planned.trial);
+  };
+  std::map<PairKey, const TrialRecord*> others;
+  for (const TrialRecord& record : after.records) others[make_key(record.plan)] = &record;
+
+  SessionComparison comparison;
+  VariedTrials measures;
+  for (const TrialRecord& record : before.records) {
+    const auto other = others.find(make_key(record.plan));
+    if (other == others.end() || !IsSameDraw(before, after, record.plan)) {
+      ++comparison.num_only_before;
+      continue;
+    }
+    comparison.pairs.push_back({&record, other->second});
+    measures[record.plan.id] = MakeTrialMeasures(other->second->result);
+  }
+  if (comparison.pairs.empty()) {
+    throw Error(ErrorKind::kUsage, "no trial of the two sessions was run on the same draw: " +
+                                       ExplainNoPair(before, after));
+  }
+  comparison.num_only_after =
+      static_cast<int>(after.records.size()) - static_cast<int>(comparison.pairs.size());
+  comparison.changes = ListChanges(before, "comparison", measures);
+  comparison.settings = FindConfigDifferences(before.config, after.config);
+  return comparison;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,114 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "core/base/range_text.h"
+#include "core/base/text.h"
+#include "datasets/analysis/session_comparison.h"
+#include "datasets/session/find_trial.h"
+#include "workbench/commands/command.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMaxListed = 20;  // trials won, and lost, on the terminal
+
+struct CompareOptions {
+  std::string before, after;
+  bool json = false;
+};
+
+std::string FormatChanges(const std::vector<SettingChange>& changes) {
+  TextTable table({"hand", "pairs", "won", "lost", "success [points]", "GFT [ms]", "GFT% [points]",
+                   "sigma [N]"});
+  for (const SettingChange& change : changes) {
+    const auto format = [&](const char* measure, double scale, int decimals) {
+      const MeasureChange& part = change.Find(measure);
+      return FormatWithRange(scale * part.change(), scale * part.low, scale * part.high, decimals);
+    };
+    table.AddRow(
+        {change.hand, std::to_string(change.successes.num_pairs()),
+         std::to_string(change.successes.second_only), std::to_string(change.successes.first_only),
+         FormatWithRange(100.0 * change.rate_change(), 100.0 * change.rate_change_low,
+                         100.0 * change.rate_change_high, 1),
+         format("gft_s", 1e3, 0), format("gft_ratio", 100.0, 1), format("sigma_n", 1.0, 2)});
+  }
+  return table.Format() +
+         "changes of the success rate and of medians, with 95 % intervals, on the same draws\n";
+}
+
+std::string FormatPair(const TrialPair& pair) {
+  const std::string before = NameTrial(pair.before->plan), after = NameTrial(pair.after->plan);
+  return before + (after == before ? "" : " and " + after) + ": " +
+         NameOf(pair.before->result.outcome) + ", then " + NameOf(pair.after->result.outcome) +
+         "\n";
+}
+
+std::string FormatFlips(const std::vector<TrialPair>& pairs, const char* heading,
+                        bool (TrialPair::*is_shown)() const) {
+  std::string text;
+  size_t count = 0;
+  for (const TrialPair& pair : pairs) {
+    if ((pair.*is_shown)() && ++count <= kMaxListed) text += "  " + FormatPair(pair);
+  }
+  if (count > kMaxListed) text += "  .. and " + std::to_string(count - kMaxListed) + " more\n";
+  return count == 0 ? "" : std::string(heading) + "\n" + text;
+}
+
+Json ListFlips(const std::vector<TrialPair>& pairs, bool (TrialPair::*is_shown)() const) {
+  Json list = Json::array();
+  for (const TrialPair& pair : pairs) {
+    if (!(pair.*is_shown)()) continue;
+    list.push_back({{"before", pair.before->plan.id},
+                    {"after", pair.after->plan.id},
+                    {"name", NameTrial(pair.before->plan)},
+                    {"outcome_before", NameOf(pair.before->result.outcome)},
+                    {"outcome_after", NameOf(pair.after->result.outcome)}});
+  }
+  return list;
+}
+
+void Compare(const CompareOptions& options) {
+  const Session before = LoadSession(options.before, OnDamage::kRefuse, RecordParts::kBrief);
+  const Session after = LoadSession(options.after, OnDamage::kRefuse, RecordParts::kBrief);
+  const SessionComparison comparison = CompareSessions(before, after);
+  if (options.json) {
+    Json changes = Json::array();
+    for (const SettingChange& change : comparison.changes) changes.push_back(RecordToJson(change));
+    return PrintJson({{"pairs", comparison.pairs.size()},
+                      {"only_before", comparison.num_only_before},
+                      {"only_after", comparison.num_only_after},
+                      {"settings", comparison.settings},
+                      {"changes", changes},
+                      {"won", ListFlips(comparison.pairs, &TrialPair::is_won)},
+                      {"lost", ListFlips(comparison.pairs, &TrialPair::is_lost)}});
+  }
+  std::string text = FormatCount(static_cast<int64_t>(comparison.pairs.size()), "pair") +
+                     " of the same draw; " + std::to_string(comparison.num_only_before) +
+                     " trials are only in the first, " + std::to_string(comparison.num_only_after) +
+                     " only in the second\n";
+  if (!comparison.settings.empty()) text += "settings that differ, of the first and the second\n";
+  for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
+  PrintResult(text + FormatChanges(comparison.changes) +
+              FormatFlips(comparison.pairs, "won", &TrialPair::is_won) +
+              FormatFlips(comparison.pairs, "lost", &TrialPair::is_lost));
+}
+
+}  // namespace
+
+void AddCompareCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command =
+      AddSubcommand(program, "compare", "Compare two sessions trial by trial, on the same draws.",
+                    "  graspbench compare results/before results/after\n"
+                    "  graspbench compare results/standard results/optimised --json");
+  const auto options = std::make_shared<CompareOptions>();
+  command.add_option("before", options->before, "a session")->required()->option_text("DIR");
+  command.add_option("after", options->after, "the session to compare it with")
+      ->required()
+      ->option_text("DIR");
+  command.add_flag("--json", options->json, "print one JSON object");
+  command.callback([options] { Compare(*options); });
+}
+
+}  // namespace graspbench
