@@ -18,6 +18,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/machine.h"
 #include "workbench/experiments/shell_quote.h"
+#include "workbench/scene_view.h"
 
 namespace graspbench {
 namespace {
@@ -228,6 +229,21 @@ void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std:
   command.add_option("folder", folder, text)->required()->transform(name)->option_text("DIR");
 }
 
+std::vector<CLI::Option*> AddPictureOptions(CLI::App& command, std::string& at,
+                                            std::vector<std::string>& view, std::string& size) {
+  return {command
+              .add_option("--at,--phase", at,
+                          "which instant: a time as 1.25s, or the end of a phase; else of "
+                          "stabilisation")
+              ->option_text("TIME|PHASE"),
+          command.add_option("--camera", view, "from where: " + ListNames(ListSceneViews()))
+              ->expected(1, 4)
+              ->option_text("VIEW [AZ EL [ZOOM]]"),
+          command.add_option("--size", size, "of the picture, in pixels")
+              ->option_text("WxH")
+              ->capture_default_str()};
+}
+
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what) {
   num_workers = CountProcessors();
   command.add_option("--jobs", num_workers, what + " at a time")
@@ -249,7 +265,7 @@ int RunProgram(int argc, const char* const* argv) {
     program.formatter(std::make_shared<HelpFormatter>());
     program.footer(
         "  graspbench run                       both hands, 21 objects, then a report\n"
-        "  graspbench render shadow can g3 --phase stabilisation --out can.png");
+        "  graspbench render shadow can g3 --at closed --out can.png");
     program.require_subcommand(1);
 #define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"

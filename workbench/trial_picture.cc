@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -25,10 +26,10 @@ std::vector<std::string> ListInstantNames() {
   return names;
 }
 
-/** The last instant of a phase; null when the trial did not get there. The hand is in the pre-grasp
-when placing begins. */
+/** The last instant of a phase; null when the trial did not get there. The pre-grasp is shown at the
+object, as in the report. */
 const TraceInstant* FindEndOf(Phase phase, const std::vector<TraceInstant>& trace) {
-  if (phase == Phase::kPreGrasp) return &trace.front();
+  if (phase == Phase::kPreGrasp) phase = Phase::kPlacing;
   const TraceInstant* last = nullptr;
   for (const TraceInstant& instant : trace) {
     if (instant.phase == phase) last = &instant;
@@ -57,6 +58,13 @@ std::vector<ContactMark> MakeMarks(const TraceInstant& instant) {
   return marks;
 }
 
+std::string FindDefaultInstant(const TracedTrial& traced) {
+  const bool was_closed =
+      std::any_of(traced.trace.begin(), traced.trace.end(),
+                  [](const TraceInstant& instant) { return instant.phase == Phase::kLiftOff; });
+  return NameOf(was_closed ? Phase::kStabilisation : traced.trace.back().phase);
+}
+
 }  // namespace
 
 const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::string& name) {
@@ -64,7 +72,7 @@ const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::strin
     throw Error(ErrorKind::kUnsupported,
                 "nothing can be drawn: the trial could not begin; " + traced.result.reason);
   }
-  const std::string wanted = ToLower(name);
+  const std::string wanted = name.empty() ? FindDefaultInstant(traced) : ToLower(name);
   if (!wanted.empty() &&
       (std::isdigit(static_cast<unsigned char>(wanted[0])) || wanted[0] == '.')) {
     const double time = ParseNumber(wanted, "the time", "s", 0.0, kMaxTime);
@@ -92,14 +100,27 @@ const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::strin
                                      SuggestNames(wanted, ListInstantNames()));
 }
 
-Image DrawTrial(const ExaminedTrial& trial, const TraceInstant& instant, const SceneView& view,
-                int width, int height) {
-  Scene scene =
-      MakeGraspScene(trial.setup.hand, instant.q, instant.X_WH, trial.setup.object, instant.X_WO);
-  const Camera camera = PlaceCamera(view, {scene}, *trial.setup.hand, instant.q, instant.X_WH,
-                                    static_cast<double>(width) / height);
-  AddContactMarks(MakeMarks(instant), FindArrowScale(trial.traced), &scene);
-  return Renderer(width, height).Render(scene, camera);
+PictureSize ParsePictureSize(const std::string& text) {
+  constexpr int kMaxSide = 4096;
+  PictureSize size;
+  int end = 0;
+  const bool is_one =
+      std::sscanf(text.c_str(), "%4dx%4d%n", &size.width, &size.height, &end) == 2 &&
+      static_cast<size_t>(end) == text.size();
+  const bool fits =
+      size.width > 0 && size.height > 0 && size.width <= kMaxSide && size.height <= kMaxSide;
+  if (is_one && fits) return size;
+  throw Error(ErrorKind::kUsage, "--size: \"" + text + "\"; expected WIDTHxHEIGHT of 1 to " +
+                                     std::to_string(kMaxSide) + " pixels, as 960x720");
+}
+
+Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceInstant& instant,
+                const SceneView& view, const PictureSize& size) {
+  Scene scene = MakeGraspScene(setup.hand, instant.q, instant.X_WH, setup.object, instant.X_WO);
+  const Camera camera = PlaceCamera(view, {scene}, *setup.hand, instant.q, instant.X_WH,
+                                    static_cast<double>(size.width) / size.height);
+  AddContactMarks(MakeMarks(instant), FindArrowScale(traced), &scene);
+  return Renderer(size.width, size.height).Render(scene, camera);
 }
 
 }  // namespace graspbench

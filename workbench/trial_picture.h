@@ -4,18 +4,25 @@
 #include <string>
 
 #include "core/render/scene.h"
+#include "core/trial/trial_trace.h"
 #include "workbench/scene_view.h"
-#include "workbench/trial_text.h"
 
 namespace graspbench {
 
 /** The instant that a person names: "1.25s" since the start of placing, the end of a phase, or one
-of the record's moments ("closed"). @throws Error(kUsage) with what there is. */
+of the record's moments ("closed"); empty: the end of stabilisation, or of a trial that ended
+before. @throws Error(kUsage) with what there is. */
 const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::string& name);
+
+/** "960x720". @throws Error(kUsage) with the largest side. */
+struct PictureSize {
+  int width = 0, height = 0;
+};
+PictureSize ParsePictureSize(const std::string& text);
 
 /** Hand and object, over them contact points, forces and friction cones.
 @throws Error(kEnvironment) when the machine cannot draw. */
-Image DrawTrial(const ExaminedTrial& trial, const TraceInstant& instant, const SceneView& view,
-                int width, int height);
+Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceInstant& instant,
+                const SceneView& view, const PictureSize& size);
 
 }  // namespace graspbench

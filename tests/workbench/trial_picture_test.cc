@@ -37,14 +37,19 @@ TEST(TrialPicture, InstantsHaveNamesAndTimes) {
   const auto find = [&](const char* name) {
     return &FindNamedInstant(traced, name) - traced.trace.data();
   };
-  EXPECT_EQ(find("pre-grasp"), 0);
-  EXPECT_EQ(find("pregrasp"), 0);
+  EXPECT_EQ(find("pre-grasp"), 1) << "at the object";
+  EXPECT_EQ(find("pregrasp"), 1);
+  EXPECT_EQ(find("0s"), 0);
   EXPECT_EQ(find("placing"), 1);
   EXPECT_EQ(find("Closure"), 3);
   EXPECT_EQ(find("closed"), 4);
   EXPECT_EQ(find("lift-off"), 5);
   EXPECT_EQ(find("0.21s"), 2);
   EXPECT_EQ(find(".3"), 3);
+  EXPECT_EQ(find(""), 4) << "the end of stabilisation";
+  TracedTrial early = traced;
+  early.trace.resize(3);
+  EXPECT_EQ(&FindNamedInstant(early, ""), &early.trace.back());
 }
 
 TEST(TrialPicture, WhatWasNotReachedIsSaid) {
@@ -54,8 +59,16 @@ TEST(TrialPicture, WhatWasNotReachedIsSaid) {
   EXPECT_NE(FindMessage(traced, "0.6s").find("ended at 0.500 s"), std::string::npos);
   EXPECT_NE(FindMessage(traced, "clsed").find("did you mean \"closed\""), std::string::npos);
   EXPECT_NE(FindMessage(traced, "done").find("is no instant"), std::string::npos);
-  EXPECT_NE(FindMessage(traced, "").find("is no instant"), std::string::npos);
   EXPECT_NE(FindMessage(TracedTrial(), "hold").find("could not begin"), std::string::npos);
+}
+
+TEST(TrialPicture, SizesAreTwoNumbers) {
+  EXPECT_EQ(ParsePictureSize("640x480").width, 640);
+  EXPECT_EQ(ParsePictureSize("640x480").height, 480);
+  for (const char* text : {"", "640", "640x", "x480", "640x480x3", "0x480", "640x-1", "9999x10",
+                           "640 x 480 ", "axb", "99999999999x3"}) {
+    EXPECT_THROW(ParsePictureSize(text), Error) << text;
+  }
 }
 
 }  // namespace

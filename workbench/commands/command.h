@@ -17,7 +17,8 @@ Results go to stdout, messages and progress to stderr. `--json` prints one objec
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace graspbench {
 
@@ -62,6 +63,9 @@ void AddTrialTimeoutOption(CLI::App& command, double& seconds);
 /** The folder of a store, the command's argument. "." is replaced by its path, so that what is
 advised holds anywhere. */
 void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text);
+/** "--at", "--camera" and "--size" of a picture (workbench/trial_picture.h). */
+std::vector<CLI::Option*> AddPictureOptions(CLI::App& command, std::string& at,
+                                            std::vector<std::string>& view, std::string& size);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */
 void AddJobsOption(CLI::App& command, int& num_workers, const std::string& what = "trials");
 ///@}

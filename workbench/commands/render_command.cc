@@ -1,86 +1,65 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/files.h"
-#include "core/hand/load_hand.h"
-#include "core/trial/trial_runner.h"
-#include "objects/catalogue.h"
-#include "reports/cell_pictures.h"
+#include "datasets/session/session_plan.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/trial_picture.h"
 
 namespace graspbench {
 namespace {
 
-constexpr int kWidth = 960;
-constexpr int kHeight = 720;
+constexpr double kInterval = 0.01;  // of the instants to choose from [s]
 
 struct RenderOptions {
   std::string hand, object, grasp;
-  std::string phase = NameOf(Moment::kClosed);
+  std::string at;
+  std::vector<std::string> view;
+  std::string size = "960x720";
   std::string out;
 };
 
-std::vector<std::string> ListPhases() {
-  std::vector<std::string> phases;
-  for (const MomentRow& row : kMoments) phases.emplace_back(NameOf(row.value));
-  return phases;
-}
-
-StandardGrasp LoadGrasp(const Hand& hand, const std::string& id) {
-  std::vector<std::string> known;
-  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
-    if (grasp.id == id) return grasp;
-    known.push_back(grasp.id);
+/** The trial of a session without any variation: object and drives exactly where they should be. */
+TrialSetup MakeNominalSetup(const RenderOptions& options) {
+  for (const std::string* name : {&options.hand, &options.object, &options.grasp}) {
+    if (*name == "all") throw Error(ErrorKind::kUsage, "\"all\" is for sessions; expected one");
   }
-  throw Error(ErrorKind::kNotFound,
-              "the " + hand.name + " has no grasp \"" + id + "\"" + SuggestNames(id, known));
-}
-
-/** A trial without any variation: object and drives exactly where they should be. */
-TrialResult RunNominalTrial(const std::shared_ptr<const Hand>& hand,
-                            const std::shared_ptr<const GraspObject>& object,
-                            const StandardGrasp& grasp) {
-  TrialSetup setup;
-  setup.hand = hand;
-  setup.object = object;
-  setup.grasp = grasp;
-  setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());
-  return TrialRunner(hand, object).Run(setup);
+  SessionConfig config;
+  config.hands = {options.hand};
+  config.objects = {options.object};
+  config.grasps = {options.grasp};
+  config.trials = 1;
+  config.variation = {0.0, 0.0};
+  const SessionInputs inputs = LoadSessionInputs(config);
+  TrialSetup setup = MakeTrialSetup(config, inputs, MakePlan(config, inputs).front());
+  setup.draw.joint_error.setZero();
+  return setup;
 }
 
 void Render(const RenderOptions& options) {
   CheckOutputFile(options.out);
-  const auto hand = std::make_shared<const Hand>(LoadHand(options.hand));
-  const StandardGrasp grasp = LoadGrasp(*hand, options.grasp);
-  const auto object = LoadObject(options.object);
-  const TrialResult result = RunNominalTrial(hand, object, grasp);
-
-  const auto shown = std::find_if(
-      result.snapshots.begin(), result.snapshots.end(),
-      [&](const SceneSnapshot& snapshot) { return NameOf(snapshot.moment) == options.phase; });
-  if (shown == result.snapshots.end()) {
-    throw Error(ErrorKind::kUnsupported, "the trial ended before the phase \"" + options.phase +
-                                             "\": " + NameOf(result.outcome) + ", " +
-                                             result.reason);
-  }
-  const auto index = static_cast<size_t>(shown - result.snapshots.begin());
-  WriteFileAtomically(options.out,
-                      RenderSnapshotAsPng(result.snapshots, index, hand, object, kWidth, kHeight));
+  const PictureSize size = ParsePictureSize(options.size);
+  const SceneView view = ParseSceneView(options.view, "render --help");
+  const TrialSetup setup = MakeNominalSetup(options);
+  TrialRunner runner(setup.hand, setup.object);
+  const TracedTrial traced = TraceTrial(runner, setup, kInterval);
+  const TraceInstant& instant = FindNamedInstant(traced, options.at);
+  WriteFileAtomically(options.out, EncodePng(DrawTrial(setup, traced, instant, view, size)));
   PrintResult(options.out + "\n");
-  PrintMessage(hand->name + ", " + object->name + ", " + grasp.id + ": " + NameOf(result.outcome));
+  PrintMessage(setup.hand->name + ", " + setup.object->name + ", " + setup.grasp.id + ": " +
+               NameOf(traced.result.outcome));
 }
 
 }  // namespace
 
 void AddRenderCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
-      AddSubcommand(program, "render", "Run one trial without variation and draw it.",
-                    "  graspbench render shadow can g3 --phase stabilisation --out can.png\n"
-                    "  graspbench render tum golf_ball g1 --phase hold --out ball.png");
+  CLI::App& command = AddSubcommand(
+      program, "render", "Run one trial without variation and draw it with its forces.",
+      "  graspbench render shadow can g3 --at closed --out can.png\n"
+      "  graspbench render tum golf_ball best --at 1.25s --camera top --out ball.png");
   const auto options = std::make_shared<RenderOptions>();
   command.add_option("hand", options->hand, "hand by id or folder")
       ->required()
@@ -88,13 +67,10 @@ void AddRenderCommand(CLI::App& program, ExitCode&) {
   command.add_option("object", options->object, "object by id or folder")
       ->required()
       ->option_text("OBJECT");
-  command.add_option("grasp", options->grasp, "standard grasp of the hand, as g1")
+  command.add_option("grasp", options->grasp, "an id as g1, best, or a grasp file")
       ->required()
       ->option_text("GRASP");
-  command.add_option("--phase", options->phase, "at the end of which: " + ListNames(ListPhases()))
-      ->check(CLI::IsMember(ListPhases()))
-      ->option_text("PHASE")
-      ->capture_default_str();
+  AddPictureOptions(command, options->at, options->view, options->size);
   command.add_option("--out", options->out, "the picture (PNG)")
       ->required()
       ->option_text("FILE.PNG");

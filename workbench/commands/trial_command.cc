@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,37 +34,10 @@ void CheckEnding(const std::string& option, const std::string& file, const char*
               option + ": \"" + file + "\" does not end in " + ending + ", the only form there is");
 }
 
-struct PictureSize {
-  int width = 0, height = 0;
-};
-PictureSize ParseSize(const std::string& text) {
-  constexpr int kMaxSide = 4096;
-  PictureSize size;
-  int end = 0;
-  const bool is_one =
-      std::sscanf(text.c_str(), "%4dx%4d%n", &size.width, &size.height, &end) == 2 &&
-      static_cast<size_t>(end) == text.size();
-  if (is_one && size.width > 0 && size.height > 0 && size.width <= kMaxSide &&
-      size.height <= kMaxSide) {
-    return size;
-  }
-  throw Error(ErrorKind::kUsage, "--size: \"" + text + "\"; expected WIDTHxHEIGHT of 1 to " +
-                                     std::to_string(kMaxSide) + " pixels, as 960x720");
-}
-
-std::string FindDefaultInstant(const TracedTrial& traced) {
-  for (const TraceInstant& instant : traced.trace) {
-    if (instant.phase == Phase::kLiftOff) return NameOf(Phase::kStabilisation);
-  }
-  return NameOf(traced.trace.empty() ? Phase::kPlacing : traced.trace.back().phase);
-}
-
 std::string DrawPicture(const TrialOptions& options, const ExaminedTrial& trial) {
-  const PictureSize size = ParseSize(options.size);
-  const TraceInstant& instant = FindNamedInstant(
-      trial.traced, options.at.empty() ? FindDefaultInstant(trial.traced) : options.at);
-  return EncodePng(DrawTrial(trial, instant, ParseSceneView(options.view, "trial --help"),
-                             size.width, size.height));
+  return EncodePng(DrawTrial(trial.setup, trial.traced, FindNamedInstant(trial.traced, options.at),
+                             ParseSceneView(options.view, "trial --help"),
+                             ParsePictureSize(options.size)));
 }
 
 /** Before anything is simulated. */
@@ -78,7 +50,7 @@ void CheckOptions(const TrialOptions& options) {
     CheckEnding("--render", options.picture, ".png");
     CheckOutputFile(options.picture);
   }
-  ParseSize(options.size);
+  ParsePictureSize(options.size);
   ParseSceneView(options.view, "trial --help");
 }
 
@@ -123,19 +95,10 @@ void AddTrialCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::Option* render =
       command.add_option("--render", options->picture, "draw an instant with its forces (PNG)")
           ->option_text("FILE.PNG");
-  command
-      .add_option("--at", options->at,
-                  "which instant: a time as 1.25s, or the end of a phase; else stabilisation's")
-      ->needs(render)
-      ->option_text("TIME|PHASE");
-  command.add_option("--camera", options->view, "from where: " + ListNames(ListSceneViews()))
-      ->needs(render)
-      ->expected(1, 4)
-      ->option_text("VIEW [AZ EL [ZOOM]]");
-  command.add_option("--size", options->size, "of the picture, in pixels")
-      ->needs(render)
-      ->option_text("WxH")
-      ->capture_default_str();
+  for (CLI::Option* of_picture :
+       AddPictureOptions(command, options->at, options->view, options->size)) {
+    of_picture->needs(render);
+  }
   AddAcceptDamageOption(command, options->on_damage);
   command.add_flag("--json", options->json, "print one JSON object");
   command.callback([options, &exit_code] { exit_code = ShowTrial(*options); });
