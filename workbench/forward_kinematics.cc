@@ -35,13 +35,13 @@ void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& 
         "\"" + assignment + "\" is no joint angle; expected NAME=DEG, e.g. " + name + "=30");
   }
   const HandJoint& limits = hand.joints[joint];
-  q[joint] = limits.is_prismatic ? MFromMm(angle_deg) : RadFromDeg(angle_deg);
+  q[joint] = PositionFromShown(limits, angle_deg);
   constexpr double kTolerance = 1e-9;  // [rad] limits in degrees are not exact in radians
   if (q[joint] < limits.lower - kTolerance || q[joint] > limits.upper + kTolerance) {
     const auto format = [&](double position) {
-      return FormatSignificant(limits.is_prismatic ? MmFromM(position) : DegFromRad(position), 4);
+      return FormatSignificant(ShownFromPosition(limits, position), 4);
     };
-    const std::string unit = limits.is_prismatic ? " mm" : " deg";
+    const std::string unit = std::string(" ") + ShownUnitOf(limits);
     PrintMessage("note: " + name + " = " + FormatSignificant(angle_deg, 4) + unit +
                  " is outside its limits " + format(limits.lower) + " .. " + format(limits.upper) +
                  unit);

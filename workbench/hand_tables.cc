@@ -68,13 +68,9 @@ Json MakeHandJson(const Hand& hand) {
   Json joints = Json::array();
   for (const HandJoint& joint : hand.joints) {
     Json entry = {{"name", joint.name}};
-    if (joint.is_prismatic) {
-      entry["lower_mm"] = MmFromM(joint.lower);
-      entry["upper_mm"] = MmFromM(joint.upper);
-    } else {
-      entry["lower_deg"] = DegFromRad(joint.lower);
-      entry["upper_deg"] = DegFromRad(joint.upper);
-    }
+    const std::string unit = ShownUnitOf(joint);
+    entry["lower_" + unit] = ShownFromPosition(joint, joint.lower);
+    entry["upper_" + unit] = ShownFromPosition(joint, joint.upper);
     if (joint.coupled_to >= 0) {
       entry["coupled_to"] = hand.joints[joint.coupled_to].name;
       if (joint.is_mimic) entry["ratio"] = joint.mimic_ratio;
@@ -115,7 +111,7 @@ std::string FormatHand(const Hand& hand) {
     const bool is_coupled = joint.coupled_to >= 0;
     const bool slides = joint.is_prismatic;
     const auto format_position = [&](double q) {
-      return slides ? FormatFixed(MmFromM(q), 1) + " mm" : FormatFixed(DegFromRad(q), 1);
+      return FormatFixed(ShownFromPosition(joint, q), 1) + (slides ? " mm" : "");
     };
     table.AddRow(
         {joint.name, format_position(joint.lower), format_position(joint.upper),

@@ -1,11 +1,7 @@
 #include "workbench/progress.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -18,29 +14,10 @@
 namespace graspbench {
 namespace {
 
-/** To so many bytes at most, and never within a letter. */
-void CutLine(size_t width, std::string& line) {
-  if (line.size() <= width) return;
-  while (width > 0 && (static_cast<unsigned char>(line[width]) & 0xC0) == 0x80) --width;
-  line.resize(width);
-}
-
 constexpr double kWindow = 30.0;             // [s] over which the rate is taken
 constexpr double kTerminalInterval = 0.099;  // [s] a little less than the batch's tick
 constexpr double kPlainInterval = 10.0;      // [s]
-constexpr int kDefaultWidth = 80;
 constexpr size_t kMaxWorkersShown = 8;
-
-bool IsTerminal(std::FILE* stream) {
-  const char* term = std::getenv("TERM");
-  return ::isatty(::fileno(stream)) && term && std::string(term) != "dumb";
-}
-
-int FindWidth(std::FILE* stream) {
-  winsize size{};
-  const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return is_known ? size.ws_col : kDefaultWidth;
-}
 
 std::string FormatRemaining(const ProgressState& state) {
   const int num_left = state.num_planned - state.num_done;
@@ -141,10 +118,10 @@ std::string FormatLine(const ProgressState& state) {
 
 Progress::Progress(std::FILE* stream, int num_planned, std::map<Outcome, int> before)
     : stream_(stream),
-      is_terminal_(IsTerminal(stream)),
+      region_(stream),
       num_planned_(num_planned),
       before_(std::move(before)),
-      last_shown_(is_terminal_ ? -kTerminalInterval : 0.0) {}
+      last_shown_(region_.can_redraw() ? -kTerminalInterval : 0.0) {}
 
 ProgressState Progress::MakeState() const {
   ProgressState state;
@@ -165,23 +142,17 @@ ProgressState Progress::MakeState() const {
 }
 
 void Progress::Draw() {
-  if (!is_terminal_) {
+  if (region_.can_redraw()) {
+    region_.Show(FormatBlock(MakeState(), FindTerminalSize(stream_).columns - 1));
+  } else {
     PrintControlled(stream_, FormatLine(MakeState()) + "\n");
-    return;
   }
-  std::string text;
-  if (num_lines_drawn_ > 0) text += "\x1b[" + std::to_string(num_lines_drawn_) + "A";
-  const std::vector<std::string> lines = FormatBlock(MakeState(), FindWidth(stream_) - 1);
-  for (const std::string& line : lines) text += "\r" + line + "\x1b[K\n";
-  text += "\x1b[J";  // what a key press or a longer block has left below
-  num_lines_drawn_ = static_cast<int>(lines.size());
-  PrintControlled(stream_, text);
 }
 
 void Progress::Show(const BatchStatus& status, double time) {
   status_ = status;
   pace_.Add(time, status.num_done);
-  if (time - last_shown_ < (is_terminal_ ? kTerminalInterval : kPlainInterval)) return;
+  if (time - last_shown_ < (region_.can_redraw() ? kTerminalInterval : kPlainInterval)) return;
   last_shown_ = time;
   Draw();
 }
@@ -192,11 +163,8 @@ void Progress::Finish() {
 }
 
 void Progress::Say(const std::string& message) {
-  std::string text;
-  if (num_lines_drawn_ > 0) text = "\x1b[" + std::to_string(num_lines_drawn_) + "A\r\x1b[J";
-  text += EscapeForTerminal(message) + "\n";
-  num_lines_drawn_ = 0;
-  PrintControlled(stream_, text);
+  region_.Clear();
+  PrintControlled(stream_, EscapeForTerminal(message) + "\n");
 }
 
 }  // namespace graspbench

@@ -14,6 +14,7 @@ The rate is that of the last half minute, so that it follows what the machine do
 
 #include "core/trial/outcome.h"
 #include "workbench/experiments/observer.h"
+#include "workbench/status_region.h"
 
 namespace graspbench {
 
@@ -64,13 +65,12 @@ class Progress {
   void Draw();
 
   std::FILE* stream_;
-  bool is_terminal_;
+  StatusRegion region_;
   int num_planned_;
   std::map<Outcome, int> before_;
   BatchStatus status_;
   Pace pace_;
   double last_shown_;
-  int num_lines_drawn_ = 0;
 };
 
 }  // namespace graspbench

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/units.h"
 #include "core/hand/coupling.h"
 
 namespace graspbench {
@@ -27,11 +26,11 @@ void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& fi
     }
     for (size_t i = 0; i < actuated.size(); ++i) {
       const HandJoint& joint = hand.joints[actuated[i]];
-      const double angle = joint.is_prismatic ? MFromMm(angles_deg[i]) : RadFromDeg(angles_deg[i]);
+      const double angle = PositionFromShown(joint, angles_deg[i]);
       constexpr double kRounding = 1e-4;  // limits are written with four digits
       if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
-        map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) +
-                               (joint.is_prismatic ? " mm" : " deg") + " is outside its limits");
+        map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) + " " +
+                               ShownUnitOf(joint) + " is outside its limits");
       }
       q[actuated[i]] = std::clamp(angle, joint.lower, joint.upper);
     }
@@ -46,9 +45,7 @@ std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q) {
     text += (text.empty() ? "" : ", ") + digit.id + ": [";
     const char* separator = "";
     for (const int joint : FindDrivenJoints(hand, digit)) {
-      const double value =
-          hand.joints[joint].is_prismatic ? MmFromM(q[joint]) : DegFromRad(q[joint]);
-      text += fmt::format("{}{:.6f}", separator, value);
+      text += fmt::format("{}{:.6f}", separator, ShownFromPosition(hand.joints[joint], q[joint]));
       separator = ", ";
     }
     text += "]";

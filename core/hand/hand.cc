@@ -1,6 +1,7 @@
 #include "core/hand/hand.h"
 
 #include "core/base/enum_table.h"
+#include "core/base/units.h"
 
 namespace graspbench {
 namespace {
@@ -54,6 +55,16 @@ std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit) {
   }
   return driven;
 }
+
+double ShownFromPosition(const HandJoint& joint, double position) {
+  return joint.is_prismatic ? MmFromM(position) : DegFromRad(position);
+}
+
+double PositionFromShown(const HandJoint& joint, double shown) {
+  return joint.is_prismatic ? MFromMm(shown) : RadFromDeg(shown);
+}
+
+const char* ShownUnitOf(const HandJoint& joint) { return joint.is_prismatic ? "mm" : "deg"; }
 
 namespace {
 

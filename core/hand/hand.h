@@ -80,6 +80,13 @@ struct HandJoint {
   double mimic_offset = 0.0;  ///< [rad], [m]
 };
 
+/** A joint's position as people give and read it: degrees, of a prismatic joint millimetres. */
+///@{
+double ShownFromPosition(const HandJoint& joint, double position);
+double PositionFromShown(const HandJoint& joint, double shown);
+const char* ShownUnitOf(const HandJoint& joint);  ///< "deg", "mm"
+///@}
+
 /** How a distal joint follows its middle joint; see coupling.h. */
 enum class CouplingRule { kMiddleFirst, kEven, kFixed };
 std::string NameOf(CouplingRule rule);  ///< "middle-first", "even", "fixed"

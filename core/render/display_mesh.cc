@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSamePlace = 1e-7;  // [m]
+constexpr double kSamePlace = 1e-7;         // [m]
 constexpr double kFirstJoin = 1.0 / 256.0;  // of a mesh's diagonal
 constexpr double kSliver = 1e-6;  // of twice the area to the longest edge squared; no normal below
 

@@ -49,8 +49,8 @@ struct Image {
 
 enum class RenderQuality {
   kFull,
-  /** For a look into a terminal many times a second: no shadows, one sample a pixel, meshes coarsened
-  to some 8,000 triangles in all. */
+  /** For a look into a terminal many times a second: no shadows, one sample a pixel, meshes
+  coarsened to some 8,000 triangles in all. */
   kDraft
 };
 

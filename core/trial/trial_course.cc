@@ -98,6 +98,11 @@ WorldCommand TrialCourse::MakeCommand(const StrategyCommand& command) const {
   WorldCommand result;
   result.q = setup_.grasp.q_pre + command.closing * (setup_.grasp.q_target - setup_.grasp.q_pre) +
              setup_.draw.joint_error;
+  for (const DriveCommand& drive : setup_.drives) {
+    // Half a step less, so that the times of steps need no exact sums.
+    if (notes_.time < drive.time - 0.5 * setup_.sim.step) break;
+    result.q[drive.joint] = drive.position + setup_.draw.joint_error[drive.joint];
+  }
   // The object is lifted straight up, also when it was approached from the side.
   const bool is_lifting = notes_.strategy.phase() >= Phase::kLiftOff;
   const Vector3d away_W = is_lifting ? Vector3d(Vector3d::UnitZ()) : -placement_.approach_W;

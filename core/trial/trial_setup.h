@@ -5,6 +5,7 @@ to trial. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "core/grasp/standard_grasp.h"
 #include "core/grasp/strategy.h"
@@ -23,6 +24,13 @@ struct TrialDraw {
   Eigen::VectorXd joint_error;  ///< added to every drive's command (num_joints) [rad], [m]
 };
 
+/** From a time on a joint's drive is asked for this instead of what the strategy asks. */
+struct DriveCommand {
+  double time = 0.0;      ///< since the start [s]
+  int joint = -1;         ///< index into Hand::joints, of a joint with a drive of its own
+  double position = 0.0;  ///< [rad], of a prismatic joint [m]
+};
+
 struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
@@ -30,6 +38,7 @@ struct TrialSetup {
   StrategyConfig strategy;
   SimConfig sim;
   TrialDraw draw;
+  std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session
 };
 
 }  // namespace graspbench

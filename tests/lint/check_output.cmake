@@ -5,6 +5,7 @@ set(allowed
   workbench/terminal.cc
   workbench/terminal.h
   workbench/progress.cc                       # moves the cursor; escapes the names in its block
+  workbench/status_region.cc                  # moves the cursor; takes what is escaped
   workbench/shell/look_commands.cc            # a picture's own colours
   workbench/experiments/interrupt.cc          # a constant, from a signal handler
   core/base/error.cc                          # ends the program; escapes what it shows

@@ -15,6 +15,7 @@
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_commands.h"
+#include "workbench/terminal.h"
 
 namespace graspbench {
 namespace {
@@ -26,13 +27,19 @@ struct ShellOptions {
 };
 
 /** Lines of a script, of the standard input or of a person, one after the other. */
-using LineSource = std::function<std::optional<std::string>()>;
+struct LineSource {
+  std::function<std::optional<std::string>()> next;
+  bool is_person = false, is_numbered = false;  ///< messages say which line was wrong
+};
 
 LineSource ReadFrom(std::istream& stream) {
-  return [&stream]() -> std::optional<std::string> {
+  LineSource source;
+  source.is_numbered = true;
+  source.next = [&stream]() -> std::optional<std::string> {
     std::string line;
     return std::getline(stream, line) ? std::optional(line) : std::nullopt;
   };
+  return source;
 }
 
 /** Every line as it was given, before it is carried out: the log is a script. */
@@ -45,28 +52,35 @@ class ShellLog {
     if (!stream_) throw Error(ErrorKind::kIo, "cannot write the log \"" + file + "\"");
   }
   void Write(const std::string& line) {
-    if (!stream_.is_open()) return;
+    if (!stream_.is_open() || has_failed_) return;
     stream_ << line << std::endl;
-    if (!stream_) throw Error(ErrorKind::kIo, "cannot write the log; is the disk full?");
+    if (stream_) return;
+    has_failed_ = true;
+    PrintMessage("cannot write the log; is the disk full? The shell goes on without it.");
   }
+  bool has_failed() const { return has_failed_; }
 
  private:
+  bool has_failed_ = false;
   std::ofstream stream_;
 };
 
 /** Refused lines of a script make it end with the exit code of a wrong usage; a person sees them. */
-ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& next, bool is_person) {
+ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& source) {
   ExitCode exit_code = kExitOk;
-  while (const std::optional<std::string> line = next()) {
+  int number = 0;
+  while (const std::optional<std::string> line = source.next()) {
     log.Write(*line);
-    const Shell::Reply reply = shell.Execute(*line);
+    ++number;
+    const Shell::Reply reply =
+        shell.Execute(*line, source.is_numbered ? "line " + std::to_string(number) + ": " : "");
     if (MustShellEnd()) return kExitInterrupted;
     if (shell.was_stopped()) log.Write("goto " + FormatFixed(shell.scene().time(), 6));
     if (reply == Shell::Reply::kQuit) break;
-    if (reply == Shell::Reply::kRefused && !is_person) exit_code = kExitUsage;
-    if (!is_person && shell.was_stopped()) return kExitInterrupted;
+    if (reply == Shell::Reply::kRefused && !source.is_person) exit_code = kExitUsage;
+    if (!source.is_person && shell.was_stopped()) return kExitInterrupted;
   }
-  return exit_code;
+  return log.has_failed() ? kExitFailed : exit_code;
 }
 
 ExitCode RunShell(const ShellOptions& options) {
@@ -83,22 +97,24 @@ ExitCode RunShell(const ShellOptions& options) {
   CatchShellSignals();
   if (!options.commands.empty()) {
     size_t next = 0;
-    return Converse(
-        shell, log,
-        [&]() -> std::optional<std::string> {
-          return next < options.commands.size() ? std::optional(options.commands[next++])
-                                                : std::nullopt;
-        },
-        false);
+    LineSource source;
+    source.next = [&]() -> std::optional<std::string> {
+      return next < options.commands.size() ? std::optional(options.commands[next++])
+                                            : std::nullopt;
+    };
+    return Converse(shell, log, source);
   }
-  if (!options.file.empty()) return Converse(shell, log, ReadFrom(script), false);
-  if (!::isatty(STDIN_FILENO)) return Converse(shell, log, ReadFrom(std::cin), false);
+  if (!options.file.empty()) return Converse(shell, log, ReadFrom(script));
+  if (!::isatty(STDIN_FILENO)) return Converse(shell, log, ReadFrom(std::cin));
   ShowScene(shell, {});
-  PrintResult("help lists the commands\n");
-  LineEditor editor("graspbench> ",
-                    [&shell](const std::string& line) { return FindCompletions(shell, line); });
-  return Converse(
-      shell, log, [&editor] { return editor.Read(); }, true);
+  PrintResult("help lists the commands, Tab completes names, Ctrl-C stops what runs\n");
+  LineEditor editor(
+      "graspbench> ", [&shell](const std::string& line) { return FindCompletions(shell, line); },
+      FindHistoryFile());
+  LineSource source;
+  source.next = [&editor] { return editor.Read(); };
+  source.is_person = true;
+  return Converse(shell, log, source);
 }
 
 }  // namespace

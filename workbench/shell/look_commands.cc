@@ -1,8 +1,11 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
@@ -15,6 +18,18 @@ namespace graspbench {
 namespace {
 
 constexpr int kShotWidth = 960, kShotHeight = 720;
+constexpr int kFilmWidth = 480, kFilmHeight = 360;
+constexpr double kFilmInterval = 0.05;  // [s]
+
+bool Never() { return false; }
+
+/** @throws Error(kUsage) for another ending, and where there is a file already. */
+void CheckPictureFile(const std::string& file, const char* ending) {
+  if (std::filesystem::path(file).extension() != ending) {
+    throw Error(ErrorKind::kUsage, "\"" + file + "\" does not end in " + ending);
+  }
+  CheckOutputFile(file);
+}
 
 constexpr const char* kViewHelp = "help view";
 
@@ -42,14 +57,36 @@ void ViewScene(Shell& shell, const ShellArguments& arguments) {
 
 void ShootScene(Shell& shell, const ShellArguments& arguments) {
   const std::string& file = arguments[0];
-  if (std::filesystem::path(file).extension() != ".png") {
-    throw Error(ErrorKind::kUsage, "\"" + file + "\" does not end in .png");
-  }
+  CheckPictureFile(file, ".png");
   const SceneView view = ParseSceneView({arguments.begin() + 1, arguments.end()}, kViewHelp);
-  CheckOutputFile(file);
   WriteFileAtomically(file,
                       EncodePng(shell.painter.Draw(shell.scene(), view, kShotWidth, kShotHeight)));
   PrintResult(file + "\n" + DescribeView(shell.scene(), view));
+}
+
+void FilmTrial(Shell& shell, const ShellArguments& arguments) {
+  const std::string& file = arguments[0];
+  CheckPictureFile(file, ".webp");
+  const SceneView view = ParseSceneView({arguments.begin() + 1, arguments.end()}, kViewHelp);
+  ShellScene& scene = shell.scene();
+  const double time = scene.time();
+  SceneFilm film;
+  scene.Reset();
+  for (double next = 0.0; !shell.IsStopped(); next += kFilmInterval) {
+    scene.GoTo(next, Never);
+    film.Add(scene);
+    if (scene.is_over()) break;
+  }
+  scene.GoTo(time, Never);
+  const std::string bytes = film.Encode(view, kFilmWidth, kFilmHeight, [&](size_t num_drawn) {
+    shell.region.Show({fmt::format("picture {} of {}", num_drawn, film.size())});
+    return !shell.IsStopped();
+  });
+  shell.region.Clear();
+  if (bytes.empty()) return;
+  WriteFileAtomically(file, bytes);
+  PrintResult(fmt::format("{}\n{}, the whole trial in real time\n", file,
+                          FormatCount(static_cast<int64_t>(film.size()), "picture")));
 }
 
 }  // namespace graspbench

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -32,16 +32,26 @@ std::string JoinName(const ShellArguments& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
+/** What its file calls it; read once, as the files of the program do not change. */
+template <class LoadName>
+const std::string& FindName(const std::string& id, const LoadName& load) {
+  static std::map<std::string, std::string> names;
+  const auto [name, is_new] = names.try_emplace(id);
+  if (is_new) name->second = load(id);
+  return name->second;
+}
+
 /** A known id by its id or name, in any case; what is none of them, a path perhaps, as it is. */
+template <class LoadName>
 std::string FindId(const std::string& given, const std::vector<std::string>& ids,
-                   std::string (*find_name)(const std::string& id)) {
+                   const LoadName& load_name) {
   const std::string wanted = MakeComparable(given);
   for (const std::string& id : ids) {
     if (wanted == id) return id;
   }
   if (given.find('/') != given.npos || fs::exists(given)) return given;
   for (const std::string& id : ids) {
-    if (wanted == MakeComparable(find_name(id))) return id;
+    if (wanted == MakeComparable(FindName(id, load_name))) return id;
   }
   return given;
 }
@@ -61,6 +71,14 @@ std::string FindGraspId(const std::string& given) {
   return given;
 }
 
+/** What was changed by hand belongs to one grasp. */
+void ForgetEdits(SceneChoice& choice) {
+  choice.joints.clear();
+  choice.drives.clear();
+  choice.hand_place.reset();
+  choice.learned.reset();
+}
+
 void Take(Shell& shell, const SceneChoice& choice) {
   shell.Change(choice);
   ShowScene(shell, {});
@@ -73,7 +91,7 @@ void ChooseHand(Shell& shell, const ShellArguments& arguments) {
   SceneChoice choice = shell.scene().choice();
   choice.config.hands = {FindId(JoinName(arguments), ListHands(),
                                 [](const std::string& id) { return LoadHand(id).name; })};
-  choice.joints.clear();
+  ForgetEdits(choice);
   choice.folder.clear();
   Take(shell, choice);
 }
@@ -86,7 +104,9 @@ void ChooseObject(Shell& shell, const ShellArguments& arguments) {
   })};
   choice.place.reset();
   choice.folder.clear();
-  if (choice.config.grasps.front() == "best") choice.joints.clear();  // of another grasp perhaps
+  if (choice.config.grasps.front() == "best" || choice.learned) {
+    ForgetEdits(choice);  // of another grasp perhaps
+  }
   Take(shell, choice);
 }
 
@@ -94,7 +114,7 @@ void ChooseGrasp(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.scene().choice();
   choice.config.grasps = {FindGraspId(JoinName(arguments))};
-  choice.joints.clear();
+  ForgetEdits(choice);
   Take(shell, choice);
 }
 
@@ -116,50 +136,102 @@ ObjectPlace FindPlace(Shell& shell) {
   return {draw.offset_x, draw.offset_y, draw.offset_yaw};
 }
 
+/** Which of the two "hand" or "object" names at the front; the object without a word. */
+bool TakesHand(ShellArguments& arguments) {
+  const std::string word = ToLower(arguments.front());
+  if (word != "hand" && word != "object") return false;
+  arguments.erase(arguments.begin());
+  return word == "hand";
+}
+
+[[noreturn]] void FailUsage(const std::string& expected) {
+  throw Error(ErrorKind::kUsage, "expected: " + expected);
+}
+
 }  // namespace
 
-void MoveObject(Shell& shell, const ShellArguments& arguments) {
+void MoveThing(Shell& shell, const ShellArguments& given) {
+  ShellArguments arguments = given;
   SceneChoice choice = shell.scene().choice();
-  ObjectPlace place = FindPlace(shell);
-  place.x = MFromMm(ParseNumber(arguments[0], "x", "mm", -kMaxOffset_mm, kMaxOffset_mm));
-  place.y = MFromMm(ParseNumber(arguments[1], "y", "mm", -kMaxOffset_mm, kMaxOffset_mm));
-  choice.place = place;
+  const bool is_hand = TakesHand(arguments);
+  if (arguments.size() != (is_hand ? 3u : 2u)) FailUsage("move [object] X Y, or move hand X Y Z");
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    shift[static_cast<Eigen::Index>(i)] =
+        MFromMm(ParseNumber(arguments[i], std::string(1, static_cast<char>('x' + i)), "mm",
+                            -kMaxOffset_mm, kMaxOffset_mm));
+  }
+  if (is_hand) {
+    if (!choice.hand_place) choice.hand_place.emplace();
+    choice.hand_place->shift = shift;
+  } else {
+    ObjectPlace place = FindPlace(shell);
+    place.x = shift.x();
+    place.y = shift.y();
+    choice.place = place;
+  }
   Take(shell, choice);
 }
 
-void TurnObject(Shell& shell, const ShellArguments& arguments) {
+void TurnThing(Shell& shell, const ShellArguments& given) {
+  ShellArguments arguments = given;
   SceneChoice choice = shell.scene().choice();
-  ObjectPlace place = FindPlace(shell);
-  place.yaw = RadFromDeg(ParseNumber(arguments[0], "the angle", "deg", -180.0, 180.0));
-  choice.place = place;
+  const bool is_hand = TakesHand(arguments);
+  if (arguments.size() != (is_hand ? 2u : 1u)) {
+    FailUsage("turn [object] ANGLE, or turn hand x|y|z ANGLE");
+  }
+  const double angle = RadFromDeg(ParseNumber(arguments.back(), "the angle", "deg", -180.0, 180.0));
+  if (is_hand) {
+    const std::string axis = ToLower(arguments.front());
+    if (axis != "x" && axis != "y" && axis != "z") {
+      throw Error(ErrorKind::kUsage,
+                  "the axis is \"" + arguments.front() + "\"; expected x, y or z");
+    }
+    if (!choice.hand_place) choice.hand_place.emplace();
+    choice.hand_place->angles[axis.front() - 'x'] = angle;
+  } else {
+    ObjectPlace place = FindPlace(shell);
+    place.yaw = angle;
+    choice.place = place;
+  }
   Take(shell, choice);
 }
 
-void SetJoint(Shell& shell, const ShellArguments& arguments) {
-  const Hand& hand = *shell.scene().setup().hand;
-  JointEdit edit;
+namespace {
+
+struct NamedPosition {
+  std::string joint;
+  double position = 0.0;  // [rad], of a prismatic joint [m]
+};
+
+/** @throws Error(kNotFound, kUsage) for a joint without a drive of its own or outside its limits. */
+NamedPosition ParseJoint(const Hand& hand, const std::string& name, const std::string& number) {
   std::vector<std::string> known;
   for (const HandJoint& joint : hand.joints) {
     if (joint.coupled_to < 0) known.push_back(joint.name);
-    if (MakeComparable(joint.name) != MakeComparable(arguments[0])) continue;
-    edit.joint = joint.name;
+    if (MakeComparable(joint.name) != MakeComparable(name)) continue;
     if (joint.coupled_to >= 0) {
       throw Error(ErrorKind::kUsage, "joint " + joint.name + " follows " +
                                          hand.joints[joint.coupled_to].name + "; set that one");
     }
-    edit.position =
-        FromShown(joint, ParseNumber(arguments[1], "the position of " + joint.name, UnitOf(joint),
-                                     ToShown(joint, joint.lower), ToShown(joint, joint.upper)));
+    const double shown =
+        ParseNumber(number, "the position of " + joint.name, ShownUnitOf(joint),
+                    ShownFromPosition(joint, joint.lower), ShownFromPosition(joint, joint.upper));
+    return {joint.name, PositionFromShown(joint, shown)};
   }
-  if (edit.joint.empty()) {
-    throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no joint \"" + arguments[0] +
-                                          "\"" + SuggestNames(arguments[0], known));
-  }
+  throw Error(ErrorKind::kNotFound,
+              "the " + hand.name + " has no joint \"" + name + "\"" + SuggestNames(name, known));
+}
+
+}  // namespace
+
+void SetJoint(Shell& shell, const ShellArguments& arguments) {
+  const NamedPosition given = ParseJoint(*shell.scene().setup().hand, arguments[0], arguments[1]);
   const std::string posture = arguments.size() > 2 ? ToLower(arguments[2]) : "target";
   if (posture != "target" && posture != "pre") {
     throw Error(ErrorKind::kUsage, "the posture is \"" + posture + "\"; expected pre or target");
   }
-  edit.is_target = posture == "target";
+  const JointEdit edit = {posture == "target", given.joint, given.position};
   SceneChoice choice = shell.scene().choice();
   const auto is_same = [&edit](const JointEdit& other) {
     return other.joint == edit.joint && other.is_target == edit.is_target;
@@ -170,24 +242,20 @@ void SetJoint(Shell& shell, const ShellArguments& arguments) {
   Take(shell, choice);
 }
 
-namespace {
-
-/** "sim.step_s 0.002" of all settings whose names hold `part`. */
-std::string FormatSettings(const SessionConfig& config, const std::string& part) {
-  std::string text;
-  const Json settings = ToJson(config);
-  for (const auto& [block, values] : settings.items()) {
-    if (!values.is_object() && block != "seed") continue;
-    const Json named = values.is_object() ? values : Json{{"", values}};
-    for (const auto& [key, value] : named.items()) {
-      const std::string name = key.empty() ? block : block + "." + key;
-      if (name.find(part) != name.npos) text += name + " " + value.dump() + "\n";
-    }
+void DriveJoint(Shell& shell, const ShellArguments& arguments) {
+  ShellScene& scene = shell.scene();
+  const NamedPosition given = ParseJoint(*scene.setup().hand, arguments[0], arguments[1]);
+  if (scene.is_over()) {
+    throw Error(ErrorKind::kUsage, "the trial is over; back or goto stand at an earlier time");
   }
-  return text;
+  SceneChoice choice = scene.choice();
+  std::vector<DriveEdit>& drives = choice.drives;
+  // What was asked for later belongs to another course.
+  while (!drives.empty() && drives.back().time > scene.time()) drives.pop_back();
+  drives.push_back({scene.time(), given.joint, given.position});
+  shell.ChangeNow(choice);
+  PrintResult(FormatStatus(scene));
 }
-
-}  // namespace
 
 void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
   SceneChoice choice = shell.scene().choice();
@@ -256,29 +324,7 @@ void UndoChange(Shell& shell, const ShellArguments&) {
 }
 
 void ShowChanges(Shell& shell, const ShellArguments&) {
-  const SceneChoice& choice = shell.scene().choice();
-  const Hand& hand = *shell.scene().setup().hand;
-  std::string text;
-  if (choice.place) {
-    text += fmt::format(
-        "place    x {} mm, y {} mm, yaw {} deg\n", FormatFixed(MmFromM(choice.place->x), 1),
-        FormatFixed(MmFromM(choice.place->y), 1), FormatFixed(DegFromRad(choice.place->yaw), 1));
-  }
-  const StandardGrasp grasp = shell.scene().unedited_grasp();
-  for (const JointEdit& edit : choice.joints) {
-    const int index = hand.FindJoint(edit.joint);
-    const HandJoint& joint = hand.joints[static_cast<size_t>(index)];
-    const Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
-    text += fmt::format("joint    {} {} {} {}, the grasp's {} {}\n", edit.joint,
-                        FormatFixed(ToShown(joint, edit.position), 1), UnitOf(joint),
-                        edit.is_target ? "target" : "pre", FormatFixed(ToShown(joint, q[index]), 1),
-                        UnitOf(joint));
-  }
-  std::istringstream now(FormatSettings(choice.config, "")), before(FormatSettings({}, ""));
-  for (std::string line, other; std::getline(now, line) && std::getline(before, other);) {
-    if (line == other) continue;
-    text += "set      " + line + ", default" + other.substr(other.find(' ')) + "\n";
-  }
+  const std::string text = FormatChanges(shell.scene());
   PrintResult(text.empty() ? "nothing differs from the grasp and the session's defaults\n" : text);
 }
 
@@ -290,7 +336,7 @@ void SaveGrasp(Shell& shell, const ShellArguments& arguments) {
   CheckOutputFile(file);
   const TrialSetup& setup = shell.scene().setup();
   StandardGrasp grasp = setup.grasp;
-  const std::string made_from = grasp.id;
+  const std::string made_from = FindStandardId(grasp);
   grasp.id = MakePlainKey({fs::path(file).stem().string()});
   WriteFileAtomically(file, FormatGraspFile(*setup.hand, grasp, made_from));
   PrintResult(file + "\nnext     graspbench run --hand " + setup.hand->id + " --object " +

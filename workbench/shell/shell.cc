@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <iterator>
 
 #include "core/base/error.h"
+#include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
 #include "workbench/terminal.h"
@@ -16,7 +18,9 @@ namespace {
 std::atomic<bool> is_interrupted{false}, is_ending{false};
 
 extern "C" void HandleShellInterrupt(int) {
-  if (is_interrupted.exchange(true)) ::_exit(kExitInterrupted);
+  if (!is_interrupted.exchange(true)) return;
+  RestoreTerminal();
+  ::_exit(kExitInterrupted);
 }
 
 extern "C" void HandleShellEnd(int) {
@@ -24,10 +28,34 @@ extern "C" void HandleShellEnd(int) {
   is_interrupted = true;
 }
 
-void Catch(int signal, void (*handler)(int)) {
+constexpr int kCrashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+struct sigaction former_actions[std::size(kCrashes)];
+
+/** The terminal as it was, and then whatever a crash does. */
+extern "C" void HandleCrash(int signal) {
+  RestoreTerminal();
+  for (size_t i = 0; i < std::size(kCrashes); ++i) {
+    if (kCrashes[i] == signal) ::sigaction(signal, &former_actions[i], nullptr);
+  }
+  ::raise(signal);
+}
+
+void Catch(int signal, void (*handler)(int), int flags = 0, struct sigaction* former = nullptr) {
   struct sigaction action {};
   action.sa_handler = handler;  // without SA_RESTART: reading a line ends, too
-  ::sigaction(signal, &action, nullptr);
+  action.sa_flags = flags;
+  ::sigaction(signal, &action, former);
+}
+
+void CatchCrashes() {
+  static char stack[1 << 14];  // a crash may be the end of the other
+  stack_t alternative = {};
+  alternative.ss_sp = stack;
+  alternative.ss_size = sizeof stack;
+  ::sigaltstack(&alternative, nullptr);
+  for (size_t i = 0; i < std::size(kCrashes); ++i) {
+    Catch(kCrashes[i], &HandleCrash, SA_ONSTACK, &former_actions[i]);
+  }
 }
 
 }  // namespace
@@ -36,9 +64,12 @@ void CatchShellSignals() {
   Catch(SIGINT, &HandleShellInterrupt);
   Catch(SIGTERM, &HandleShellEnd);
   Catch(SIGHUP, &HandleShellEnd);
+  CatchCrashes();
 }
 
 bool MustShellEnd() { return is_ending; }
+
+const std::atomic<bool>& GetShellInterrupt() { return is_interrupted; }
 
 bool TakeShellInterrupt() { return is_interrupted.exchange(false); }
 
@@ -53,6 +84,14 @@ void Shell::Change(const SceneChoice& choice) {
   const SceneChoice former = scene_.choice();
   scene_.Choose(choice);
   former_.push_back(former);
+  explanation.clear();
+  comparison.clear();
+}
+
+void Shell::ChangeNow(const SceneChoice& choice) {
+  const double time = scene_.time();
+  Change(choice);
+  scene_.GoTo(time, [this] { return IsStopped(); });
 }
 
 void Shell::Undo() {
@@ -60,20 +99,30 @@ void Shell::Undo() {
   const double time = scene_.time();
   scene_.Choose(former_.back());
   former_.pop_back();
+  explanation.clear();
+  comparison.clear();
   scene_.GoTo(time, [this] { return IsStopped(); });
 }
 
-Shell::Reply Shell::Execute(const std::string& line) {
+Shell::Reply Shell::Execute(const std::string& line, const std::string& where) {
   TakeShellInterrupt();
   was_stopped_ = false;
+  const Reply reply = Carry(line, where);
+  TakeShellInterrupt();  // at the prompt the next one is a first one
+  return reply;
+}
+
+Shell::Reply Shell::Carry(const std::string& line, const std::string& where) {
   try {
     const std::vector<std::string> words = SplitWords(line);
     if (words.empty()) return Reply::kDone;
     RunShellCommand(*this, words);
+    script_.push_back(line);
     if (was_stopped_) PrintMessage("stopped by Ctrl-C");
     return is_ended_ ? Reply::kQuit : Reply::kDone;
   } catch (const std::exception& fault) {
-    PrintMessage(fault.what());
+    region.Clear();
+    PrintMessage(where + fault.what());
     return Reply::kRefused;
   }
 }

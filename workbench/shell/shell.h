@@ -3,6 +3,7 @@
 The interactive shell without its terminal: a line goes in, results and messages come out on stdout
 and stderr as everywhere in the program. */
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@ and stderr as everywhere in the program. */
 #include "core/trial/trial_result.h"
 #include "workbench/shell/shell_picture.h"
 #include "workbench/shell/shell_scene.h"
+#include "workbench/status_region.h"
 
 namespace graspbench {
 
@@ -27,12 +29,15 @@ class Shell {
   /** @throws Error when the first scene cannot be loaded. */
   Shell();
 
-  /** Carries out one line; what is wrong with it is said, and nothing has changed then. */
-  Reply Execute(const std::string& line);
+  /** Carries out one line; what is wrong with it is said, and nothing has changed then.
+  @param where  stands before the message: "line 3: ". */
+  Reply Execute(const std::string& line, const std::string& where = "");
 
   ShellScene& scene() { return scene_; }
   /** Takes another choice, which `Undo` takes back; the trial starts anew. */
   void Change(const SceneChoice& choice);
+  /** The same, and the trial stands at the time at which it stood. */
+  void ChangeNow(const SceneChoice& choice);
   /** The choice before the last change, at the time at which the trial stood now.
   @throws Error(kUsage) when there was none. */
   void Undo();
@@ -44,21 +49,34 @@ class Shell {
   /** To be shown with "stopped by Ctrl-C" where work was cut short. */
   bool was_stopped() const { return was_stopped_; }
 
+  /** What was carried out, as a script. */
+  const std::vector<std::string>& script() const { return script_; }
+
   std::optional<DrawnTrials> trials;  ///< of the last `trials`
+  std::string comparison;             ///< the text of the last `trials`; empty: none of this choice
+  std::string explanation;            ///< the text of the last `why`; empty: none of this trial
   ScenePainter painter;
+  StatusRegion region{stdout};  ///< what is shown while something runs
+  std::string live_card;        ///< shown while a trial goes on; empty: none
 
  private:
+  Reply Carry(const std::string& line, const std::string& where);
+
   ShellScene scene_;
   std::vector<SceneChoice> former_;
+  std::vector<std::string> script_;
   bool is_ended_ = false;
   mutable bool was_stopped_ = false;
 };
 
 /** From now on Ctrl-C stops the work of a shell; a second one before it has stopped ends the
-program. SIGTERM and SIGHUP stop it too and let the program end in order, the terminal restored. */
+program. SIGTERM and SIGHUP stop it too and let the program end in order. A crash gives the terminal
+its settings back. */
 void CatchShellSignals();
 bool MustShellEnd();
 /** Forgets a Ctrl-C; true when there was one. */
 bool TakeShellInterrupt();
+/** Set by a Ctrl-C until it is forgotten. */
+const std::atomic<bool>& GetShellInterrupt();
 
 }  // namespace graspbench

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "core/base/text.h"
 #include "core/base/units.h"
@@ -51,16 +52,6 @@ double CalcConeShare(const HandContact& contact) {
 
 }  // namespace
 
-double ToShown(const HandJoint& joint, double position) {
-  return joint.is_prismatic ? MmFromM(position) : DegFromRad(position);
-}
-
-double FromShown(const HandJoint& joint, double shown) {
-  return joint.is_prismatic ? MFromMm(shown) : RadFromDeg(shown);
-}
-
-const char* UnitOf(const HandJoint& joint) { return joint.is_prismatic ? "mm" : "deg"; }
-
 std::string FormatStatus(ShellScene& scene) {
   const TrialNotes& notes = scene.notes();
   std::string text = fmt::format(
@@ -84,10 +75,14 @@ std::string FormatScene(ShellScene& scene) {
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
     if (taxon.id == setup.grasp.id) text += ", " + taxon.name;
   }
-  text += choice.joints.empty()
-              ? "\n"
-              : ", " + FormatCount(static_cast<int64_t>(choice.joints.size()), "joint") +
-                    " set by hand\n";
+  if (!choice.joints.empty()) {
+    text +=
+        ", " + FormatCount(static_cast<int64_t>(choice.joints.size()), "joint") + " set by hand";
+  }
+  if (!choice.drives.empty()) {
+    text += ", " + FormatCount(static_cast<int64_t>(choice.drives.size()), "drive") + " by hand";
+  }
+  text += choice.hand_place ? ", hand moved\n" : "\n";
   text += "draw     " + draw + (choice.place ? ", moved by hand" : "") + ": " +
           FormatPlace(setup.draw) + "\n";
   return text + FormatStatus(scene);
@@ -101,7 +96,8 @@ std::string FormatJoints(ShellScene& scene) {
   for (size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];
     const auto format = [&joint](double position, int decimals) {
-      return FormatFixed(ToShown(joint, position), decimals) + (joint.is_prismatic ? " mm" : "");
+      return FormatFixed(ShownFromPosition(joint, position), decimals) +
+             (joint.is_prismatic ? " mm" : "");
     };
     const double angle = q[static_cast<Eigen::Index>(j)];
     const double margin = joint.is_prismatic ? kAtSlideLimit : kAtLimit;
@@ -177,6 +173,62 @@ std::string FormatStability(ShellScene& scene) {
   return text + fmt::format("trial    sigma {} N over the hold, grip {} N before lift-off\n",
                             FormatFixed(trial.sigma, 2),
                             FormatFixed(scene.notes().result.grip_force, 2));
+}
+
+std::string FormatSettings(const SessionConfig& config, const std::string& part) {
+  std::string text;
+  const Json settings = ToJson(config);
+  for (const auto& [block, values] : settings.items()) {
+    if (!values.is_object() && block != "seed") continue;
+    const Json named = values.is_object() ? values : Json{{"", values}};
+    for (const auto& [key, value] : named.items()) {
+      const std::string name = key.empty() ? block : block + "." + key;
+      if (name.find(part) != name.npos) text += name + " " + value.dump() + "\n";
+    }
+  }
+  return text;
+}
+
+std::string FormatChanges(const ShellScene& scene) {
+  const SceneChoice& choice = scene.choice();
+  const Hand& hand = *scene.setup().hand;
+  std::string text;
+  if (choice.place) {
+    text += fmt::format(
+        "place    x {} mm, y {} mm, yaw {} deg\n", FormatFixed(MmFromM(choice.place->x), 1),
+        FormatFixed(MmFromM(choice.place->y), 1), FormatFixed(DegFromRad(choice.place->yaw), 1));
+  }
+  if (choice.learned) text += "grasp    " + choice.learned->id + ", learned here\n";
+  if (choice.hand_place) {
+    const auto list = [](const Eigen::Vector3d& v, double unit) {
+      return fmt::format("{} {} {}", FormatFixed(unit * v.x(), 1), FormatFixed(unit * v.y(), 1),
+                         FormatFixed(unit * v.z(), 1));
+    };
+    text += "hand     moved " + list(choice.hand_place->shift, MmFromM(1.0)) + " mm, turned " +
+            list(choice.hand_place->angles, DegFromRad(1.0)) + " deg about x y z\n";
+  }
+  const StandardGrasp grasp = scene.unedited_grasp();
+  for (const JointEdit& edit : choice.joints) {
+    const int index = hand.FindJoint(edit.joint);
+    const HandJoint& joint = hand.joints[static_cast<size_t>(index)];
+    const Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
+    text += fmt::format("joint    {} {} {} {}, the grasp's {} {}\n", edit.joint,
+                        FormatFixed(ShownFromPosition(joint, edit.position), 1), ShownUnitOf(joint),
+                        edit.is_target ? "target" : "pre",
+                        FormatFixed(ShownFromPosition(joint, q[index]), 1), ShownUnitOf(joint));
+  }
+  for (const DriveEdit& edit : choice.drives) {
+    const HandJoint& joint = hand.joints[static_cast<size_t>(hand.FindJoint(edit.joint))];
+    text += fmt::format("drive    {} {} {} from {} s on\n", edit.joint,
+                        FormatFixed(ShownFromPosition(joint, edit.position), 1), ShownUnitOf(joint),
+                        FormatFixed(edit.time, 3));
+  }
+  std::istringstream now(FormatSettings(choice.config, "")), before(FormatSettings({}, ""));
+  for (std::string line, other; std::getline(now, line) && std::getline(before, other);) {
+    if (line == other) continue;
+    text += "set      " + line + ", default" + other.substr(other.find(' ')) + "\n";
+  }
+  return text;
 }
 
 }  // namespace graspbench

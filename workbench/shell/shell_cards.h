@@ -8,13 +8,6 @@ What the shell shows of a scene, as text: one card each. */
 
 namespace graspbench {
 
-/** A joint's position as it is shown and given: degrees, of a prismatic joint millimetres. */
-///@{
-double ToShown(const HandJoint& joint, double position);
-double FromShown(const HandJoint& joint, double shown);
-const char* UnitOf(const HandJoint& joint);
-///@}
-
 /** "1.234 s  hold  grip 3.2 N  3 contacts"; with the outcome and its sentence once it is over. */
 std::string FormatStatus(ShellScene& scene);
 /** What is chosen, and where object and joints really are. */
@@ -27,5 +20,10 @@ std::string FormatContacts(ShellScene& scene);
 std::string FormatTiming(ShellScene& scene);
 /** Sigma, epsilon and the pull that the contacts would stand along the palm's six half axes, now. */
 std::string FormatStability(ShellScene& scene);
+
+/** "sim.step_s 0.002" of all settings whose names hold `part`. */
+std::string FormatSettings(const SessionConfig& config, const std::string& part);
+/** What differs from the grasp and from the session's defaults; empty: nothing. */
+std::string FormatChanges(const ShellScene& scene);
 
 }  // namespace graspbench

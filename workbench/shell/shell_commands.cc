@@ -3,20 +3,26 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "objects/catalogue.h"
+#include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_picture.h"
 #include "workbench/shell/shell_words.h"
 #include "workbench/terminal.h"
 
 namespace graspbench {
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr int kAnyNumber = 1000;
+constexpr size_t kHelpWidth = 78;
 constexpr char kScene[] = "the scene", kTime[] = "time", kLook[] = "look", kStudy[] = "study",
                kShell[] = "the shell";
 
@@ -50,26 +56,69 @@ const ShellCommand& FindCommand(const std::string& given) {
   throw Error(ErrorKind::kUsage, "\"" + given + "\" begins several commands: " + text);
 }
 
-std::vector<std::string> ListSettings() {
-  std::vector<std::string> keys;
+using Names = std::vector<std::string>;
+
+Names ListSettings(Shell&, size_t index) {
+  Names keys;
+  if (index > 0) return keys;
   const Json config = ToJson(SessionConfig());
   for (const auto& [block, values] : config.items()) {
+    if (block == "seed") keys.push_back(block);
     if (!values.is_object()) continue;
     for (const auto& [key, value] : values.items()) keys.push_back(block + "." + key);
   }
   return keys;
 }
 
-std::vector<std::string> ListGrasps(Shell& shell) {
-  std::vector<std::string> names = {"best"};
+Names ListHandNames(Shell&, size_t index) { return index == 0 ? ListHands() : Names(); }
+Names ListObjectNames(Shell&, size_t index) { return index == 0 ? ListObjects() : Names(); }
+
+Names ListGrasps(Shell& shell, size_t index) {
+  Names names = {"best"};
   for (const StandardGrasp& grasp : shell.scene().grasps()) names.push_back(grasp.id);
+  return index == 0 ? names : Names();
+}
+
+Names ListJoints(Shell& shell, size_t index) {
+  Names names;
+  for (const HandJoint& joint : shell.scene().setup().hand->joints) {
+    if (index == 0 && joint.coupled_to < 0) names.push_back(joint.name);
+  }
+  return index == 2 ? Names{"pre", "target"} : names;
+}
+
+Names ListMovable(Shell&, size_t index) { return index == 0 ? Names{"hand", "object"} : Names(); }
+
+Names ListTurns(Shell& shell, size_t index) {
+  return index == 1 ? Names{"x", "y", "z"} : ListMovable(shell, index);
+}
+
+Names ListTargets(Shell&, size_t index) {
+  Names names = ListRunTargets();
+  if (index == 0) names.emplace_back("to");
   return names;
 }
 
-std::vector<std::string> ListOwnJoints(Shell& shell) {
-  std::vector<std::string> names;
-  for (const HandJoint& joint : shell.scene().setup().hand->joints) {
-    if (joint.coupled_to < 0) names.push_back(joint.name);
+Names ListViews(Shell&, size_t index) { return index == 0 ? ListSceneViews() : Names(); }
+Names ListShotViews(Shell&, size_t index) { return index == 1 ? ListSceneViews() : Names(); }
+Names ListCards(Shell&, size_t index) { return index == 0 ? ListLiveCards() : Names(); }
+Names ListSteps(Shell&, size_t index) { return index == 0 ? Names{"1", "2"} : Names(); }
+Names ListNone(Shell&, size_t index) { return index == 0 ? Names{"none"} : Names(); }
+Names ListTopics(Shell&, size_t index) { return index == 0 ? ListCommandNames() : Names(); }
+
+/** Files and folders that begin with `word`, folders with a slash. */
+Names ListFiles(const std::string& word) {
+  const fs::path path = word;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  Names names;
+  std::error_code status;
+  for (const auto& entry : fs::directory_iterator(folder, status)) {
+    const std::string file = entry.path().filename().string();
+    if (file.rfind(path.filename().string(), 0) != 0) continue;
+    if (file.front() == '.' && path.filename().empty()) continue;
+    const bool is_folder = entry.is_directory(status);
+    names.push_back((path.has_parent_path() ? path.parent_path() / file : fs::path(file)).string() +
+                    (is_folder ? "/" : ""));
   }
   return names;
 }
@@ -78,72 +127,110 @@ std::vector<std::string> ListOwnJoints(Shell& shell) {
 
 const std::vector<ShellCommand>& ListShellCommands() {
   static const std::vector<ShellCommand> commands = {
-      {"scene", kScene, "", "Say what is chosen and where the trial stands.", "scene", 0, 0,
+      {"scene", kScene, "", "Say what is chosen and where the trial stands.", "scene", 0, 0, -1,
        nullptr, &ShowScene},
       {"hand", kScene, "HAND", "Take another hand, by id, name or folder.", "hand shadow", 1,
-       kAnyNumber, [](Shell&) { return ListHands(); }, &ChooseHand},
+       kAnyNumber, 0, &ListHandNames, &ChooseHand},
       {"object", kScene, "OBJECT", "Take another object, by id, name or folder.",
-       "object light bulb", 1, kAnyNumber, [](Shell&) { return ListObjects(); }, &ChooseObject},
+       "object light bulb", 1, kAnyNumber, 0, &ListObjectNames, &ChooseObject},
       {"grasp", kScene, "GRASP", "Take another grasp: g1 to g5, a name, best, or a file.",
-       "grasp power", 1, kAnyNumber, &ListGrasps, &ChooseGrasp},
+       "grasp power", 1, kAnyNumber, 0, &ListGrasps, &ChooseGrasp},
       {"draw", kScene, "N|none", "Take the variation of trial N of a session (0 to 999999).",
-       "draw 3", 1, 1, nullptr, &ChooseDraw},
-      {"move", kScene, "X Y", "Put the object beside its nominal place (-200 to 200 mm).",
-       "move 10 -5", 2, 2, nullptr, &MoveObject},
-      {"turn", kScene, "ANGLE", "Turn the object about the vertical (-180 to 180 deg).", "turn 30",
-       1, 1, nullptr, &TurnObject},
+       "draw 3", 1, 1, -1, &ListNone, &ChooseDraw},
+      {"move", kScene, "[object] X Y|hand X Y Z",
+       "Put object or hand beside its place (-200 to 200 mm).", "move hand 0 0 -5", 2, 4, -1,
+       &ListMovable, &MoveThing},
+      {"turn", kScene, "[object] ANGLE|hand x|y|z ANGLE",
+       "Turn the object about z, or the hand about the object (deg).", "turn hand z 10", 1, 3, -1,
+       &ListTurns, &TurnThing},
       {"joint", kScene, "JOINT ANGLE [pre|target]",
-       "Set a joint of the target or pre-grasp posture (deg, mm).", "joint FFJ3 30", 2, 3,
-       &ListOwnJoints, &SetJoint},
+       "Set a joint of the target or pre-grasp posture (deg, mm).", "joint FFJ3 30", 2, 3, -1,
+       &ListJoints, &SetJoint},
       {"set", kScene, "[KEY [VALUE]]", "Change a setting of session files, or list them.",
-       "set model.friction_scale 0.5", 0, 2, [](Shell&) { return ListSettings(); }, &ChangeSetting},
+       "set model.friction_scale 0.5", 0, 2, -1, &ListSettings, &ChangeSetting},
       {"open", kScene, "DIR ID", "Take a trial of a session, with its copies of inputs.",
-       "open results/pilot 0123456789abcdef", 2, 2, nullptr, &OpenTrial},
-      {"undo", kScene, "", "Take the last change back and go to the same time.", "undo", 0, 0,
+       "open results/pilot 0123456789abcdef", 2, 2, 0, nullptr, &OpenTrial},
+      {"undo", kScene, "", "Take the last change back and go to the same time.", "undo", 0, 0, -1,
        nullptr, &UndoChange},
-      {"diff", kScene, "", "Say what differs from the grasp and the defaults.", "diff", 0, 0,
+      {"diff", kScene, "", "Say what differs from the grasp and the defaults.", "diff", 0, 0, -1,
        nullptr, &ShowChanges},
       {"save", kScene, "FILE.yaml", "Write the grasp as it is now as a grasp file.",
-       "save my_grasp.yaml", 1, 1, nullptr, &SaveGrasp},
-      {"step", kTime, "[N]", "Go on by N steps of the physics (1).", "step 10", 0, 1, nullptr,
+       "save my_grasp.yaml", 1, 1, 0, nullptr, &SaveGrasp},
+      {"step", kTime, "[N]", "Go on by N steps of the physics (1).", "step 10", 0, 1, -1, nullptr,
        &StepTrial},
       {"run", kTime, "[to PHASE|contact|slip|end]",
-       "Go on to there (end); slips count from lift-off on.", "run to lift-off", 0, 2,
-       [](Shell&) { return ListRunTargets(); }, &RunTrial},
+       "Go on to there (end); slips count from lift-off on.", "run to lift-off", 0, 2, -1,
+       &ListTargets, &RunTrial},
       {"goto", kTime, "TIME", "Stand at this time, earlier or later (0 to 3600 s).", "goto 1.25s",
-       1, 1, nullptr, &GoToTime},
-      {"back", kTime, "[TIME]", "Go back by so much (0.1 s).", "back 0.5s", 0, 1, nullptr, &GoBack},
-      {"reset", kTime, "", "Stand at the start.", "reset", 0, 0, nullptr, &ResetTrial},
-      {"joints", kLook, "", "Angles, limits and commands of all joints.", "joints", 0, 0, nullptr,
-       &ShowJoints},
+       1, 1, -1, nullptr, &GoToTime},
+      {"back", kTime, "[TIME]", "Go back by so much (0.1 s).", "back 0.5s", 0, 1, -1, nullptr,
+       &GoBack},
+      {"reset", kTime, "", "Stand at the start.", "reset", 0, 0, -1, nullptr, &ResetTrial},
+      {"drive", kTime, "JOINT ANGLE", "From now on ask a drive for this position (deg, mm).",
+       "drive FFJ3 60", 2, 2, -1, &ListJoints, &DriveJoint},
+      {"live", kTime, "CARD|view|off", "Show this in real time while a trial goes on.",
+       "live contacts", 1, 1, -1, &ListCards, &ChooseLiveCard},
+      {"joints", kLook, "", "Angles, limits and commands of all joints.", "joints", 0, 0, -1,
+       nullptr, &ShowJoints},
       {"contacts", kLook, "", "Forces on the object, with the share of their cones.", "contacts", 0,
-       0, nullptr, &ShowContacts},
-      {"timing", kLook, "", "First touches, GCT, GFT and GOT.", "timing", 0, 0, nullptr,
+       0, -1, nullptr, &ShowContacts},
+      {"timing", kLook, "", "First touches, GCT, GFT and GOT.", "timing", 0, 0, -1, nullptr,
        &ShowTiming},
       {"stability", kLook, "", "Sigma, epsilon, and the pull that the grasp stands.", "stability",
-       0, 0, nullptr, &ShowStability},
+       0, 0, -1, nullptr, &ShowStability},
       {"view", kLook, "[grasp|front|back|left|right|top|free AZIMUTH ELEVATION [ZOOM]]",
-       "Draw the scene into the terminal (deg).", "view free 45 30 1.5", 0, 4,
-       [](Shell&) { return ListSceneViews(); }, &ViewScene},
+       "Draw the scene into the terminal (deg).", "view free 45 30 1.5", 0, 4, -1, &ListViews,
+       &ViewScene},
       {"shot", kLook, "FILE.png [VIEW]", "Write the same picture to a file.", "shot bulb.png top",
-       1, 5, nullptr, &ShootScene},
-      {"trials", kStudy, "[N]", "Run the draws 0 to N - 1 (10); compares with before.", "trials 20",
-       0, 1, nullptr, &RunTrials},
-      {"judge", kStudy, "", "Pull and twist the object until it leaves the hand.", "judge", 0, 0,
-       nullptr, &JudgeTrial},
+       1, 5, 0, &ListShotViews, &ShootScene},
+      {"film", kLook, "FILE.webp [VIEW]", "Write the whole trial as a moving picture.",
+       "film bulb.webp front", 1, 5, 0, &ListShotViews, &FilmTrial},
       {"why", kStudy, "", "Say why it ended so, and the nearest draw that succeeds.", "why", 0, 0,
-       nullptr, &ExplainTrial},
+       -1, nullptr, &ExplainTrial},
+      {"judge", kStudy, "", "Pull and twist the object until it leaves the hand.", "judge", 0, 0,
+       -1, nullptr, &JudgeTrial},
+      {"trials", kStudy, "[N]", "Run the draws 0 to N - 1 (10); compares with before.", "trials 20",
+       0, 1, -1, nullptr, &RunTrials},
+      {"optimise", kStudy, "1|2 [EVALUATIONS]",
+       "Learn the pre-grasp (1) or the target grasp (2, 200).", "optimise 1", 1, 2, -1, &ListSteps,
+       &OptimiseTrial},
+      {"report", kStudy, "FILE.html", "Write the trial that has ended as a page.",
+       "report bulb.html", 1, 1, 0, nullptr, &ReportTrial},
       {"note", kShell, "TEXT", "Keep a remark in the log.", "note the thumb slips first", 1,
-       kAnyNumber, nullptr, &TakeNote},
-      {"help", kShell, "[COMMAND]", "List the commands, or explain one.", "help run", 0, 1,
-       [](Shell&) { return ListCommandNames(); }, &ShowHelp},
-      {"quit", kShell, "", "Leave.", "quit", 0, 0, nullptr, &Leave}};
+       kAnyNumber, -1, nullptr, &TakeNote},
+      {"help", kShell, "[COMMAND]", "List the commands, or explain one.", "help run", 0, 1, -1,
+       &ListTopics, &ShowHelp},
+      {"quit", kShell, "", "Leave.", "quit", 0, 0, -1, nullptr, &Leave}};
   return commands;
 }
+
+namespace {
+
+/** What a command is for, and the names that it knows now. */
+std::string FormatCommandHelp(Shell& shell, const ShellCommand& command) {
+  std::string text =
+      FormatUsage(command) + "\n  " + command.help + "\n  example: " + command.example + "\n";
+  const Names names = command.list_names ? command.list_names(shell, 0) : Names();
+  if (names.empty()) return text;
+  std::string line = "  known:";
+  for (const std::string& name : names) {
+    if (line.size() + 1 + name.size() > kHelpWidth) {
+      text += line + "\n";
+      line = "        ";
+    }
+    line += " " + name;
+  }
+  return text + line + "\n";
+}
+
+}  // namespace
 
 void RunShellCommand(Shell& shell, const std::vector<std::string>& words) {
   const ShellCommand& command = FindCommand(words.front() == "?" ? "help" : words.front());
   const ShellArguments arguments(words.begin() + 1, words.end());
+  if (words.size() > 1 && words.back() == "?" && command.run != &TakeNote) {
+    return PrintResult(FormatCommandHelp(shell, command));
+  }
   const int count = static_cast<int>(arguments.size());
   if (count < command.min_arguments || count > command.max_arguments) {
     throw Error(ErrorKind::kUsage,
@@ -157,28 +244,32 @@ void RunShellCommand(Shell& shell, const std::vector<std::string>& words) {
 std::vector<std::string> FindCompletions(Shell& shell, const std::string& line) {
   const size_t start = line.find_last_of(" \t") + 1;  // npos + 1 is 0
   const std::string word = line.substr(start);
-  std::vector<std::string> names;
-  if (line.find_first_not_of(" \t") >= start) {
+  std::istringstream before(line.substr(0, start));
+  Names words;
+  for (std::string given; before >> given;) words.push_back(given);
+  Names names;
+  if (words.empty()) {
     names = ListCommandNames();
   } else {
-    const std::string first = line.substr(line.find_first_not_of(" \t"));
     for (const ShellCommand& command : ListShellCommands()) {
-      if (first.substr(0, first.find_first_of(" \t")) != command.name) continue;
-      if (command.list_names) names = command.list_names(shell);
+      if (MakeComparable(words.front()) != command.name) continue;
+      const size_t index = words.size() - 1;
+      if (command.list_names) names = command.list_names(shell, index);
+      if (static_cast<int>(index) != command.file_argument) continue;
+      for (const std::string& file : ListFiles(word)) names.push_back(file);
     }
   }
   names.erase(std::remove_if(names.begin(), names.end(),
                              [&](const std::string& name) { return name.rfind(word, 0) != 0; }),
               names.end());
   std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 
-void ShowHelp(Shell&, const ShellArguments& arguments) {
+void ShowHelp(Shell& shell, const ShellArguments& arguments) {
   if (!arguments.empty()) {
-    const ShellCommand& command = FindCommand(arguments[0]);
-    return PrintResult(FormatUsage(command) + "\n  " + command.help +
-                       "\n  example: " + command.example + "\n");
+    return PrintResult(FormatCommandHelp(shell, FindCommand(arguments[0])));
   }
   std::string text, group;
   for (const ShellCommand& command : ListShellCommands()) {
@@ -187,9 +278,9 @@ void ShowHelp(Shell&, const ShellArguments& arguments) {
     group = command.group;
     text += fmt::format("  {:<10} {}\n", command.name, command.help);
   }
-  PrintResult(
-      text +
-      "\nhelp COMMAND says more. Beginnings are enough: con, sta. Ctrl-C stops what runs.\n");
+  PrintResult(text +
+              "\nhelp COMMAND, or COMMAND ?, says more. Beginnings are enough: con, sta.\n"
+              "Ctrl-C stops what runs.\n");
 }
 
 void TakeNote(Shell&, const ShellArguments&) {}

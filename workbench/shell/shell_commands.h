@@ -19,7 +19,9 @@ struct ShellCommand {
   const char* help;       ///< one sentence, with units and ranges
   const char* example;
   int min_arguments, max_arguments;
-  std::vector<std::string> (*list_names)(Shell& shell);  ///< for completion; null: nothing known
+  int file_argument;  ///< index of the one that may be a file; -1: none
+  /** Known names of argument `index`; null: none. */
+  std::vector<std::string> (*list_names)(Shell& shell, size_t index);
   void (*run)(Shell& shell, const ShellArguments& arguments);
 };
 
@@ -30,7 +32,8 @@ const std::vector<ShellCommand>& ListShellCommands();
 @throws Error(kUsage) with suggestions; Error of what it does, which then has changed nothing. */
 void RunShellCommand(Shell& shell, const std::vector<std::string>& words);
 
-/** What a line may go on with: names that begin with the word it ends with, sorted. */
+/** What a line may go on with: names and files that begin with the word it ends with, sorted. Loads
+nothing. */
 std::vector<std::string> FindCompletions(Shell& shell, const std::string& line);
 
 /** Commands by file. */
@@ -39,9 +42,10 @@ void ChooseHand(Shell& shell, const ShellArguments& arguments);
 void ChooseObject(Shell& shell, const ShellArguments& arguments);
 void ChooseGrasp(Shell& shell, const ShellArguments& arguments);
 void ChooseDraw(Shell& shell, const ShellArguments& arguments);
-void MoveObject(Shell& shell, const ShellArguments& arguments);
-void TurnObject(Shell& shell, const ShellArguments& arguments);
+void MoveThing(Shell& shell, const ShellArguments& arguments);
+void TurnThing(Shell& shell, const ShellArguments& arguments);
 void SetJoint(Shell& shell, const ShellArguments& arguments);
+void DriveJoint(Shell& shell, const ShellArguments& arguments);
 void ChangeSetting(Shell& shell, const ShellArguments& arguments);
 void OpenTrial(Shell& shell, const ShellArguments& arguments);
 void UndoChange(Shell& shell, const ShellArguments& arguments);
@@ -56,6 +60,7 @@ std::vector<std::string> ListRunTargets();
 void GoToTime(Shell& shell, const ShellArguments& arguments);
 void GoBack(Shell& shell, const ShellArguments& arguments);
 void ResetTrial(Shell& shell, const ShellArguments& arguments);
+void ChooseLiveCard(Shell& shell, const ShellArguments& arguments);
 ///@}
 ///@{ look_commands.cc
 void ShowScene(Shell& shell, const ShellArguments& arguments);
@@ -65,11 +70,16 @@ void ShowTiming(Shell& shell, const ShellArguments& arguments);
 void ShowStability(Shell& shell, const ShellArguments& arguments);
 void ViewScene(Shell& shell, const ShellArguments& arguments);
 void ShootScene(Shell& shell, const ShellArguments& arguments);
+void FilmTrial(Shell& shell, const ShellArguments& arguments);
 ///@}
 ///@{ trial_commands.cc
 void RunTrials(Shell& shell, const ShellArguments& arguments);
 void JudgeTrial(Shell& shell, const ShellArguments& arguments);
 void ExplainTrial(Shell& shell, const ShellArguments& arguments);
+///@}
+///@{ optimise_commands.cc, report_command.cc
+void OptimiseTrial(Shell& shell, const ShellArguments& arguments);
+void ReportTrial(Shell& shell, const ShellArguments& arguments);
 ///@}
 ///@{ shell_commands.cc
 void ShowHelp(Shell& shell, const ShellArguments& arguments);

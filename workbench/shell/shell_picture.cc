@@ -6,35 +6,26 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <memory>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/render/animation.h"
 #include "core/render/hand_scene.h"
+#include "workbench/status_region.h"
 
 namespace graspbench {
 namespace {
 
-struct TerminalSize {
-  int columns = 80, rows = 24;
-};
+constexpr double kReach = 0.35;  // what is farther from the hand does not shrink a film [m]
 
-TerminalSize FindTerminalSize() {
-  struct winsize size {};
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) {
-    return {};
-  }
-  return {size.ws_col, size.ws_row};
-}
-
-bool IsPlain() {
-  const char* term = std::getenv("TERM");
-  const char* no_color = std::getenv("NO_COLOR");
-  return !::isatty(STDOUT_FILENO) || !term || std::string(term) == "dumb" ||
-         (no_color && *no_color);
+Scene MakeSceneNow(ShellScene& scene) {
+  const TrialSetup& setup = scene.setup();
+  World& world = scene.course().world();
+  return MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
+                        world.CalcObjectPose());
 }
 
 template <class T, void (*kUnref)(T*)>
@@ -44,31 +35,74 @@ struct Unref {
 template <class T, void (*kUnref)(T*)>
 using Chafa = std::unique_ptr<T, Unref<T, kUnref>>;
 
-/** The best of what the terminal understands. */
-void ChooseMode(ChafaTermInfo* terminal, ChafaCanvasConfig* config) {
-  const char* colours = std::getenv("COLORTERM");
-  const bool has_all_colours =
-      colours && (std::string(colours) == "truecolor" || std::string(colours) == "24bit");
-  const bool is_inside_tmux = std::getenv("TMUX") != nullptr;
+std::vector<std::string> ListEnvironment() {
+  std::vector<std::string> environment;
+  for (char** entry = environ; *entry; ++entry) environment.emplace_back(*entry);
+  return environment;
+}
+
+/** Empty: not set. */
+std::string FindVariable(const std::vector<std::string>& environment, const std::string& name) {
+  for (const std::string& entry : environment) {
+    if (entry.compare(0, name.size() + 1, name + "=") == 0) return entry.substr(name.size() + 1);
+  }
+  return {};
+}
+
+/** What chafa knows of the terminal that the environment names. */
+Chafa<ChafaTermInfo, chafa_term_info_unref> DetectTerminal(
+    const std::vector<std::string>& environment) {
+  std::vector<char*> entries;
+  for (const std::string& entry : environment) entries.push_back(const_cast<char*>(entry.c_str()));
+  entries.push_back(nullptr);
+  return Chafa<ChafaTermInfo, chafa_term_info_unref>(
+      chafa_term_db_detect(chafa_term_db_get_default(), entries.data()));
+}
+
+/** In pixels, of the picture that is drawn: a cell is twice as high as wide. */
+struct CellSize {
+  int width = 4, height = 8;
+};
+
+/** Of a terminal that shows pixels: its own, where it tells. */
+CellSize FindPixelCell() {
+  struct winsize size {};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0 ||
+      size.ws_xpixel < size.ws_col || size.ws_ypixel < size.ws_row) {
+    return {8, 16};
+  }
+  return {std::min(size.ws_xpixel / size.ws_col, 20), std::min(size.ws_ypixel / size.ws_row, 40)};
+}
+
+void SetCharacters(ChafaCanvasConfig* config, ChafaSymbolMap* symbols) {
+  chafa_symbol_map_add_by_tags(symbols, CHAFA_SYMBOL_TAG_ASCII);
+  chafa_canvas_config_set_canvas_mode(config, CHAFA_CANVAS_MODE_FGBG);
+  chafa_canvas_config_set_fg_color(config, 0x000000);
+  chafa_canvas_config_set_bg_color(config, 0xffffff);
+  chafa_canvas_config_set_dither_mode(config, CHAFA_DITHER_MODE_DIFFUSION);
+}
+
+void SetColours(PictureForm form, const std::vector<std::string>& environment,
+                ChafaCanvasConfig* config, ChafaSymbolMap* symbols) {
+  chafa_symbol_map_add_by_tags(symbols, CHAFA_SYMBOL_TAG_BLOCK);
+  chafa_symbol_map_add_by_tags(symbols, CHAFA_SYMBOL_TAG_SPACE);
+  const std::string colours = FindVariable(environment, "COLORTERM");
+  const bool has_all_colours = colours == "truecolor" || colours == "24bit";
   chafa_canvas_config_set_canvas_mode(
       config, has_all_colours ? CHAFA_CANVAS_MODE_TRUECOLOR : CHAFA_CANVAS_MODE_INDEXED_240);
-  if (is_inside_tmux) return;
-  if (chafa_term_info_have_seq(terminal, CHAFA_TERM_SEQ_BEGIN_KITTY_IMMEDIATE_IMAGE_V1)) {
-    chafa_canvas_config_set_pixel_mode(config, CHAFA_PIXEL_MODE_KITTY);
-  } else if (chafa_term_info_have_seq(terminal, CHAFA_TERM_SEQ_BEGIN_SIXELS)) {
-    chafa_canvas_config_set_pixel_mode(config, CHAFA_PIXEL_MODE_SIXELS);
-  }
+  chafa_canvas_config_set_pixel_mode(config, form == PictureForm::kKitty ? CHAFA_PIXEL_MODE_KITTY
+                                             : form == PictureForm::kSixel
+                                                 ? CHAFA_PIXEL_MODE_SIXELS
+                                                 : CHAFA_PIXEL_MODE_SYMBOLS);
 }
 
 }  // namespace
 
 Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, int height,
                          RenderQuality quality) {
-  const TrialSetup& setup = scene.setup();
-  World& world = scene.course().world();
-  const Scene drawn = MakeGraspScene(setup.hand, world.state().q, world.state().X_WH, setup.object,
-                                     world.CalcObjectPose());
-  const Camera camera = PlaceCamera(view, {drawn}, *setup.hand, world.state().q, world.state().X_WH,
+  const WorldState& state = scene.course().world().state();
+  const Scene drawn = MakeSceneNow(scene);
+  const Camera camera = PlaceCamera(view, {drawn}, *scene.setup().hand, state.q, state.X_WH,
                                     static_cast<double>(width) / height);
   Easel& easel = quality == RenderQuality::kDraft ? draft_ : full_;
   if (!easel.renderer || width != easel.width || height != easel.height) {
@@ -77,32 +111,41 @@ Image ScenePainter::Draw(ShellScene& scene, const SceneView& view, int width, in
   return easel.renderer->Render(drawn, camera);
 }
 
-std::string ScenePainter::DrawForTerminal(ShellScene& scene, const SceneView& view) {
-  const TerminalSize size = FindTerminalSize();
-  // Two lines stay for the words below and the prompt; a cell is twice as high as wide.
-  const int columns = std::clamp(size.columns, 20, 200), rows = std::clamp(size.rows - 2, 8, 60);
-  constexpr int kCellWidth = 4, kCellHeight = 8;
+PictureForm ChoosePictureForm(bool is_terminal, const std::vector<std::string>& environment) {
+  const std::string term = FindVariable(environment, "TERM");
+  if (!is_terminal || term.empty() || term == "dumb" ||
+      !FindVariable(environment, "NO_COLOR").empty()) {
+    return PictureForm::kCharacters;
+  }
+  const bool is_inside_another = !FindVariable(environment, "TMUX").empty() ||
+                                 term.rfind("tmux", 0) == 0 || term.rfind("screen", 0) == 0;
+  if (is_inside_another) return PictureForm::kBlocks;
+  const auto terminal = DetectTerminal(environment);
+  const auto can = [&terminal](ChafaTermSeq sequence) {
+    return chafa_term_info_have_seq(terminal.get(), sequence);
+  };
+  if (can(CHAFA_TERM_SEQ_BEGIN_KITTY_IMMEDIATE_IMAGE_V1)) return PictureForm::kKitty;
+  return can(CHAFA_TERM_SEQ_BEGIN_SIXELS) ? PictureForm::kSixel : PictureForm::kBlocks;
+}
+
+std::string ScenePainter::DrawCells(ShellScene& scene, const SceneView& view, PictureForm form,
+                                    int columns, int rows) {
+  const bool has_pixels = form == PictureForm::kSixel || form == PictureForm::kKitty;
+  const CellSize cell = has_pixels ? FindPixelCell() : CellSize();
   const Image image =
-      Draw(scene, view, columns * kCellWidth, rows * kCellHeight, RenderQuality::kDraft);
+      Draw(scene, view, columns * cell.width, rows * cell.height, RenderQuality::kDraft);
 
   const Chafa<ChafaCanvasConfig, chafa_canvas_config_unref> config(chafa_canvas_config_new());
   chafa_canvas_config_set_geometry(config.get(), columns, rows);
-  chafa_canvas_config_set_cell_geometry(config.get(), kCellWidth, kCellHeight);
+  chafa_canvas_config_set_cell_geometry(config.get(), cell.width, cell.height);
   const Chafa<ChafaSymbolMap, chafa_symbol_map_unref> symbols(chafa_symbol_map_new());
   Chafa<ChafaTermInfo, chafa_term_info_unref> terminal(chafa_term_info_new());
-  if (IsPlain()) {
-    chafa_symbol_map_add_by_tags(symbols.get(), CHAFA_SYMBOL_TAG_ASCII);
-    chafa_canvas_config_set_canvas_mode(config.get(), CHAFA_CANVAS_MODE_FGBG);
-    chafa_canvas_config_set_fg_color(config.get(), 0x000000);
-    chafa_canvas_config_set_bg_color(config.get(), 0xffffff);
-    chafa_canvas_config_set_dither_mode(config.get(), CHAFA_DITHER_MODE_DIFFUSION);
+  if (form == PictureForm::kCharacters) {
+    SetCharacters(config.get(), symbols.get());
   } else {
-    char** environment = g_get_environ();
-    terminal.reset(chafa_term_db_detect(chafa_term_db_get_default(), environment));
-    g_strfreev(environment);
-    chafa_symbol_map_add_by_tags(symbols.get(), CHAFA_SYMBOL_TAG_BLOCK);
-    chafa_symbol_map_add_by_tags(symbols.get(), CHAFA_SYMBOL_TAG_SPACE);
-    ChooseMode(terminal.get(), config.get());
+    const std::vector<std::string> environment = ListEnvironment();
+    terminal = DetectTerminal(environment);
+    SetColours(form, environment, config.get(), symbols.get());
   }
   chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
   const Chafa<ChafaCanvas, chafa_canvas_unref> canvas(chafa_canvas_new(config.get()));
@@ -112,6 +155,56 @@ std::string ScenePainter::DrawForTerminal(ShellScene& scene, const SceneView& vi
   std::string result(text->str, text->len);
   g_string_free(text, TRUE);
   return result + "\n";
+}
+
+std::string ScenePainter::DrawForTerminal(ShellScene& scene, const SceneView& view) {
+  const TerminalSize size = FindTerminalSize(stdout);
+  // Two lines stay for the words below and the prompt.
+  return DrawCells(scene, view, ChoosePictureForm(::isatty(STDOUT_FILENO), ListEnvironment()),
+                   std::clamp(size.columns, 20, 200), std::clamp(size.rows - 2, 8, 60));
+}
+
+std::vector<std::string> ScenePainter::DrawLive(ShellScene& scene, const SceneView& view,
+                                                int num_lines) {
+  const TerminalSize size = FindTerminalSize(stdout);
+  const PictureForm form = ChoosePictureForm(::isatty(STDOUT_FILENO), ListEnvironment());
+  std::istringstream text(DrawCells(scene, view, std::min(form, PictureForm::kBlocks),
+                                    std::clamp(size.columns - 1, 20, 200),
+                                    std::clamp(size.rows - num_lines, 8, 60)));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+void SceneFilm::Add(ShellScene& scene) {
+  if (frames_.empty()) {
+    const WorldState& state = scene.course().world().state();
+    hand_ = scene.setup().hand;
+    q_ = state.q;
+    X_WH_ = state.X_WH;
+  }
+  frames_.push_back({MakeSceneNow(scene), scene.time()});
+}
+
+std::string SceneFilm::Encode(const SceneView& view, int width, int height,
+                              const std::function<bool(size_t num_drawn)>& tell) const {
+  std::vector<Scene> seen;
+  for (const Frame& frame : frames_) {
+    seen.push_back(frame.scene);
+    Drawable& object = seen.back().drawables.back();
+    const Drawable& root = seen.back().drawables.front();
+    object.must_be_seen = (object.X_WM.translation() - root.X_WM.translation()).norm() < kReach;
+  }
+  const Camera camera =
+      PlaceCamera(view, seen, *hand_, q_, X_WH_, static_cast<double>(width) / height);
+  Renderer renderer(width, height);
+  AnimatedWebp film(width, height);
+  for (size_t i = 0; i < frames_.size(); ++i) {
+    film.Add(renderer.Render(frames_[i].scene, camera), frames_[i].time - frames_[0].time);
+    if (!tell(i + 1)) return {};
+  }
+  constexpr double kLastPicture = 1.0;  // [s]
+  return film.Finish(frames_.back().time - frames_[0].time + kLastPicture);
 }
 
 std::string DescribeView(ShellScene& scene, const SceneView& view) {

@@ -2,14 +2,28 @@
 /** @file
 The scene as a picture, in a file or in the cells of a terminal. */
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/render/scene.h"
 #include "workbench/scene_view.h"
 #include "workbench/shell/shell_scene.h"
 
 namespace graspbench {
+
+/** How a terminal shows a picture. */
+enum class PictureForm {
+  kCharacters,  ///< without colour and without any escape sequence
+  kBlocks,      ///< coloured
+  kSixel,       ///< pixels
+  kKitty        ///< pixels
+};
+/** The best one: pixels where the environment names a terminal that can, blocks on any other,
+characters in a pipe, under NO_COLOR and in a dumb terminal. tmux and screen show blocks, whatever
+they run in. @param environment  "NAME=value". */
+PictureForm ChoosePictureForm(bool is_terminal, const std::vector<std::string>& environment);
 
 /** Draws a scene again and again: meshes are uploaded once for each size of picture. */
 class ScenePainter {
@@ -18,17 +32,43 @@ class ScenePainter {
   Image Draw(ShellScene& scene, const SceneView& view, int width, int height,
              RenderQuality quality = RenderQuality::kFull);
 
-  /** In the form that the terminal on stdout shows best: pixels where it says that it can (kitty,
-  sixel), else coloured blocks; characters without colour, and without any escape sequence, in a
-  pipe, under NO_COLOR and in a dumb terminal. @throws as Draw. */
+  /** In the form that the terminal on stdout shows best, over its whole width. @throws as Draw. */
   std::string DrawForTerminal(ShellScene& scene, const SceneView& view);
+  /** Lines for a StatusRegion: the same in blocks or characters, a column and `num_lines` lines
+  smaller than the terminal. @throws as Draw. */
+  std::vector<std::string> DrawLive(ShellScene& scene, const SceneView& view, int num_lines);
 
  private:
+  std::string DrawCells(ShellScene& scene, const SceneView& view, PictureForm form, int columns,
+                        int rows);
+
   struct Easel {
     std::unique_ptr<Renderer> renderer;
     int width = 0, height = 0;  // of its pictures
   };
   Easel full_, draft_;
+};
+
+/** The pictures of a course, from one camera that sees all of them. */
+class SceneFilm {
+ public:
+  /** @pre of the same hand and object as those before; later. */
+  void Add(ShellScene& scene);
+  size_t size() const { return frames_.size(); }
+  /** An animated WebP file in real time. `tell` hears how many pictures are drawn and gives false
+  to stop. @returns empty when stopped. @throws as Draw. */
+  std::string Encode(const SceneView& view, int width, int height,
+                     const std::function<bool(size_t num_drawn)>& tell) const;
+
+ private:
+  struct Frame {
+    Scene scene;
+    double time = 0.0;  // since the start [s]
+  };
+  std::vector<Frame> frames_;
+  std::shared_ptr<const Hand> hand_;
+  Eigen::VectorXd q_;  // in the first one
+  Pose X_WH_ = Pose::Identity();
 };
 
 /** One line of what is to be seen. */

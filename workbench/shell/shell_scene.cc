@@ -1,9 +1,13 @@
 #include "workbench/shell/shell_scene.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <limits>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/grasp/placement.h"
 #include "core/hand/coupling.h"
 #include "core/physics/implicit_world.h"
 #include "datasets/session/session_plan.h"
@@ -31,6 +35,30 @@ TrialSetup MakeDrawnSetup(const SceneChoice& choice, const SessionInputs& inputs
   return setup;
 }
 
+/** Whether `a` loads the same things as `b`, none of which a user may have changed meanwhile. */
+bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
+  for (const SessionConfig* config : {&a.config, &b.config}) {
+    for (const auto* names : {&config->hands, &config->objects, &config->grasps}) {
+      if (std::filesystem::exists(names->front())) return false;
+    }
+  }
+  return a.config.hands == b.config.hands && a.config.objects == b.config.objects &&
+         a.folder.empty() && b.folder.empty() &&
+         ConfigToJson(a.config.model) == ConfigToJson(b.config.model);
+}
+
+/** Moves the place at which the hand grasps, and from where it comes. */
+void ApplyHandPlace(const HandPlace& place, const TrialSetup& setup, StandardGrasp& grasp) {
+  Placement placement = CalcPlacement(*setup.hand, grasp, *setup.object);
+  const Eigen::Vector3d middle(0.0, 0.0, 0.5 * setup.object->size.z());
+  const Eigen::Matrix3d R = MakeRotationRpy(place.angles.x(), place.angles.y(), place.angles.z());
+  placement.X_WH = MakePose(R * placement.X_WH.linear(),
+                            middle + R * (placement.X_WH.translation() - middle) + place.shift);
+  placement.approach_W = R * placement.approach_W;
+  grasp.placement = placement;
+  grasp.object = setup.object->id;
+}
+
 void ApplyEdit(const Hand& hand, const JointEdit& edit, StandardGrasp& grasp) {
   const int index = hand.FindJoint(edit.joint);
   GRASPBENCH_DEMAND(index >= 0, edit.joint);
@@ -47,11 +75,28 @@ TrialSetup MakeChosenSetup(const SceneChoice& choice, const SessionInputs& input
     setup.draw.offset_y = choice.place->y;
     setup.draw.offset_yaw = choice.place->yaw;
   }
+  if (choice.learned) setup.grasp = *choice.learned;
   for (const JointEdit& edit : choice.joints) ApplyEdit(*setup.hand, edit, setup.grasp);
+  if (choice.hand_place) ApplyHandPlace(*choice.hand_place, setup, setup.grasp);
+  for (const DriveEdit& edit : choice.drives) {
+    setup.drives.push_back({edit.time, setup.hand->FindJoint(edit.joint), edit.position});
+  }
   return setup;
 }
 
 }  // namespace
+
+std::string FindStandardId(const StandardGrasp& grasp) {
+  std::string found = grasp.id;
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (taxon.id == grasp.id) return taxon.id;
+    if (taxon.type == grasp.type && taxon.approach_distance == grasp.approach_distance &&
+        taxon.alpha == grasp.alpha && found == grasp.id) {
+      found = taxon.id;
+    }
+  }
+  return found;
+}
 
 SceneChoice SceneChoice::MakeDefault() {
   SceneChoice choice;
@@ -62,35 +107,47 @@ SceneChoice SceneChoice::MakeDefault() {
 }
 
 void ShellScene::Choose(const SceneChoice& choice) {
-  SessionInputs inputs = LoadSessionInputs(choice.config, FieldUse::kNow, choice.folder);
-  auto setup = std::make_unique<TrialSetup>(MakeChosenSetup(choice, inputs, choice.draw));
-  auto runner = std::make_unique<TrialRunner>(setup->hand, setup->object);
+  auto inputs = inputs_;
+  if (!inputs || !LoadsTheSame(choice, choice_)) {
+    inputs = std::make_shared<SessionInputs>(
+        LoadSessionInputs(choice.config, FieldUse::kNow, choice.folder));
+  }
+  auto setup = std::make_unique<TrialSetup>(MakeChosenSetup(choice, *inputs, choice.draw));
   auto course = std::make_unique<TrialCourse>(
       std::make_unique<ImplicitWorld>(*setup->hand, *setup->object, setup->sim), *setup);
   course->Begin();
   choice_ = choice;
-  inputs_ = std::move(inputs);
+  if (inputs != inputs_) runner_.reset();
   course_ = std::move(course);  // before the setup and objects that the older one refers to
-  runner_ = std::move(runner);
+  inputs_ = std::move(inputs);
   setup_ = std::move(setup);
   spacing_ = kFirstSpacing;
+  end_time_ = std::numeric_limits<double>::infinity();
   instants_.clear();
   instants_.push_back(course_->Save());
 }
 
 StandardGrasp ShellScene::unedited_grasp() const {
-  return MakeDrawnSetup(choice_, inputs_, std::nullopt).grasp;
+  return choice_.learned ? *choice_.learned : MakeDrawnSetup(choice_, *inputs_, std::nullopt).grasp;
+}
+
+TrialRunner& ShellScene::runner() {
+  if (!runner_) runner_ = std::make_unique<TrialRunner>(setup_->hand, setup_->object);
+  return *runner_;
 }
 
 TrialSetup ShellScene::MakeSetup(std::optional<int> draw) const {
-  TrialSetup setup = MakeChosenSetup(choice_, inputs_, draw);
+  TrialSetup setup = MakeChosenSetup(choice_, *inputs_, draw);
   setup.hand = setup_->hand;  // those of the runner
   setup.object = setup_->object;
   return setup;
 }
 
 bool ShellScene::Advance() {
-  if (!course_->Advance()) return false;
+  if (!course_->Advance()) {
+    end_time_ = time();
+    return false;
+  }
   KeepInstant();
   return true;
 }
@@ -108,12 +165,13 @@ void ShellScene::KeepInstant() {
 
 void ShellScene::GoTo(double target, const std::function<bool()>& stops) {
   const double slack = 0.5 * setup_->sim.step;
+  const bool to_the_end = target > end_time_ - slack;  // which some trials reach without a step
   const auto later = std::find_if(
       instants_.begin() + 1, instants_.end(),
       [&](const TrialInstant& instant) { return instant.notes.time > target + slack; });
   const TrialInstant& nearest = *(later - 1);
   if (target < time() - slack || nearest.notes.time > time()) course_->Restore(nearest);
-  while (time() < target - slack && !stops() && Advance()) {
+  while ((time() < target - slack || to_the_end) && !stops() && Advance()) {
   }
 }
 

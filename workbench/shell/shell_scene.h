@@ -33,20 +33,42 @@ struct ObjectPlace {
   double yaw = 0.0;  ///< [rad]
 };
 
+/** Where the hand stands instead of where the grasp puts it, as it is approached and left too. */
+struct HandPlace {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< in W [m]
+  /** About the axes of W through the middle of the object at its nominal place, x first, z last
+  [rad]. */
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+};
+
+/** A drive that was given another command while the trial went on. */
+struct DriveEdit {
+  double time = 0.0;  ///< since the start [s]
+  std::string joint;
+  double position = 0.0;  ///< [rad], of a prismatic joint [m]
+};
+
 struct SceneChoice {
   SessionConfig config;     ///< with one hand, one object and one grasp
   std::string folder;       ///< of the session it was opened from; empty: of its own
   std::optional<int> draw;  ///< the session's number of the trial, from 0; unset: no variation
   std::optional<ObjectPlace> place;
+  std::optional<StandardGrasp> learned;  ///< instead of the grasp of the configuration
+  std::optional<HandPlace> hand_place;
   std::vector<JointEdit> joints;
+  std::vector<DriveEdit> drives;  ///< by time
 
   /** TUM Hand, golf ball, its best grasp, no variation. */
   static SceneChoice MakeDefault();
 };
 
+/** Of the standard grasp that a grasp was made from: the one of its type, distance and alpha. */
+std::string FindStandardId(const StandardGrasp& grasp);
+
 class ShellScene {
  public:
-  /** Loads what is chosen and stands at the start of its trial.
+  /** Loads what is chosen, as far as it is not loaded, and stands at the start of its trial. What
+  stands in files of the user is read anew.
   @throws Error when that cannot be; the scene is then as it was. */
   void Choose(const SceneChoice& choice);
   const SceneChoice& choice() const { return choice_; }
@@ -57,8 +79,8 @@ class ShellScene {
   /** What another draw of the same choice would be. */
   TrialSetup MakeSetup(std::optional<int> draw) const;
   /** All that the hand can do. */
-  const std::vector<StandardGrasp>& grasps() const { return inputs_.hands.front().grasps; }
-  TrialRunner& runner() { return *runner_; }
+  const std::vector<StandardGrasp>& grasps() const { return inputs_->hands.front().grasps; }
+  TrialRunner& runner();
 
   TrialCourse& course() { return *course_; }
   const TrialNotes& notes() const { return course_->notes(); }
@@ -75,12 +97,13 @@ class ShellScene {
   void KeepInstant();
 
   SceneChoice choice_;
-  SessionInputs inputs_;
-  std::unique_ptr<TrialSetup> setup_;  // the course refers to it
-  std::unique_ptr<TrialRunner> runner_;
+  std::shared_ptr<const SessionInputs> inputs_;
+  std::unique_ptr<TrialSetup> setup_;    // the course refers to it
+  std::unique_ptr<TrialRunner> runner_;  // null: made when it is needed
   std::unique_ptr<TrialCourse> course_;
   std::vector<TrialInstant> instants_;  // by time; the first is the start
   double spacing_ = 0.0;                // of the instants [s]
+  double end_time_ = 0.0;               // of the trial [s]; infinite: not reached yet
 };
 
 }  // namespace graspbench

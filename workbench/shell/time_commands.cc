@@ -1,11 +1,13 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
@@ -21,7 +23,7 @@ constexpr int kMaxSteps = 1000000;
 /** Says what happens while a trial goes on: phases, first touches, the outcome. */
 class Narrator {
  public:
-  explicit Narrator(Shell& shell) : scene_(shell.scene()) { Catch(); }
+  explicit Narrator(Shell& shell) : scene_(shell.scene()), display_(shell) { Catch(); }
 
   void Tell() {
     const TrialNotes& notes = scene_.notes();
@@ -35,6 +37,7 @@ class Narrator {
       has_touched_[d] = true;
       Print(contact.time, "first touch of " + contact.digit.str());
     }
+    display_.Tick();
   }
 
  private:
@@ -44,11 +47,12 @@ class Narrator {
       has_touched_.push_back(!std::isnan(contact.time));
     }
   }
-  static void Print(double time, const std::string& what) {
-    PrintResult(fmt::format("{:>8} s  {}\n", FormatFixed(time, 3), what));
+  void Print(double time, const std::string& what) {
+    display_.Say(fmt::format("{:>8} s  {}\n", FormatFixed(time, 3), what));
   }
 
   ShellScene& scene_;
+  LiveDisplay display_;
   size_t num_phases_ = 0;
   std::vector<bool> has_touched_;
 };
@@ -56,12 +60,14 @@ class Narrator {
 /** Until `ends`, the trial's end, or Ctrl-C. */
 void Advance(Shell& shell, const std::function<bool()>& ends) {
   ShellScene& scene = shell.scene();
-  Narrator narrator(shell);
-  bool goes_on = true;
-  while (goes_on && !shell.IsStopped()) {
-    goes_on = scene.Advance();
-    narrator.Tell();
-    if (ends()) break;
+  {
+    Narrator narrator(shell);
+    bool goes_on = true;
+    while (goes_on && !shell.IsStopped()) {
+      goes_on = scene.Advance();
+      narrator.Tell();
+      if (ends()) break;
+    }
   }
   PrintResult(FormatStatus(scene));
 }
@@ -111,11 +117,27 @@ std::vector<std::string> ListRunTargets() {
   return targets;
 }
 
+namespace {
+
+/** A target by its name or the beginning of a single one. */
+std::string FindRunTarget(const std::string& given) {
+  std::vector<std::string> found;
+  for (const std::string& name : ListRunTargets()) {
+    if (name == given) return name;
+    if (name.rfind(given, 0) == 0) found.push_back(name);
+  }
+  if (found.size() == 1) return found.front();
+  throw Error(ErrorKind::kUsage,
+              "\"" + given + "\" is nothing to run to" + SuggestNames(given, ListRunTargets()));
+}
+
+}  // namespace
+
 void RunTrial(Shell& shell, const ShellArguments& arguments) {
-  const std::string target = arguments.empty() ? "end" : ToLower(arguments.back());
   if (arguments.size() == 2 && ToLower(arguments[0]) != "to") {
     throw Error(ErrorKind::kUsage, "\"" + arguments[0] + "\" is unknown here; see: help run");
   }
+  const std::string target = arguments.empty() ? "end" : FindRunTarget(ToLower(arguments.back()));
   DemandTimeLeft(shell);
   const ShellScene& scene = shell.scene();
   if (target == "end") return Advance(shell, [] { return false; });
@@ -127,15 +149,11 @@ void RunTrial(Shell& shell, const ShellArguments& arguments) {
     const size_t count = CountTouched(scene);
     return Advance(shell, [&] { return CountTouched(scene) > count; });
   }
-  for (const PhaseRow& row : kPhases) {
-    if (target != row.name) continue;
-    if (scene.notes().phase >= row.value) {
-      throw Error(ErrorKind::kUsage, "the " + target + " has begun; see: goto, reset");
-    }
-    return Advance(shell, [&] { return scene.notes().phase >= row.value; });
+  const Phase phase = RowFromName(kPhases, target, "phase").value;
+  if (scene.notes().phase >= phase) {
+    throw Error(ErrorKind::kUsage, "the " + target + " has begun; see: goto, reset");
   }
-  throw Error(ErrorKind::kUsage,
-              "\"" + target + "\" is nothing to run to" + SuggestNames(target, ListRunTargets()));
+  Advance(shell, [&] { return scene.notes().phase >= phase; });
 }
 
 void GoToTime(Shell& shell, const ShellArguments& arguments) {
@@ -150,6 +168,16 @@ void GoBack(Shell& shell, const ShellArguments& arguments) {
   ShellScene& scene = shell.scene();
   scene.GoTo(std::max(0.0, scene.time() - duration), [&shell] { return shell.IsStopped(); });
   PrintResult(FormatStatus(scene));
+}
+
+void ChooseLiveCard(Shell& shell, const ShellArguments& arguments) {
+  const std::string name = ToLower(arguments[0]);
+  const std::vector<std::string> known = ListLiveCards();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + arguments[0] + "\" is no live card" + SuggestNames(name, known));
+  }
+  shell.live_card = name == "off" ? "" : name;
 }
 
 void ResetTrial(Shell& shell, const ShellArguments&) {

@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
+#include "workbench/plain_text.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
@@ -20,15 +21,21 @@ namespace graspbench {
 namespace {
 
 constexpr int kMaxTrials = 10000;
-constexpr double kJustBefore = 0.01;  // [s]
-constexpr int kNumNeighbours = 10;    // draws among which a successful one is looked for
+constexpr double kWellBefore = 0.5, kJustBefore = 0.01;  // [s]
+constexpr double kFullUse = 0.99;                        // of a friction cone
+constexpr int kNumNeighbours = 10;  // draws among which a successful one is looked for
 
 /** The choice's trials of the draws 0 to count - 1, or as many as there was time for. */
 std::vector<TrialResult> RunDraws(Shell& shell, int count) {
   std::vector<TrialResult> results;
+  int num_successes = 0;
   for (int draw = 0; draw < count && !shell.IsStopped(); ++draw) {
+    shell.region.Show({fmt::format("trial {} of {}, success {}", draw + 1, count,
+                                   MakePlainText(FormatRate(num_successes, draw)))});
     results.push_back(shell.scene().runner().Run(shell.scene().MakeSetup(draw)));
+    num_successes += IsSuccess(results.back().outcome);
   }
+  shell.region.Clear();
   return results;
 }
 
@@ -91,19 +98,80 @@ std::string FormatComparison(const DrawnTrials& trials_before,
       FormatFixed(100.0 * change.low, 1), FormatFixed(100.0 * change.high, 1));
 }
 
-/** The last contact that slipped or was lost, in the time that `goto` takes. */
-std::string DescribeLastEvent(const TrialResult& result, double closure_start) {
-  const ContactEvent* last = nullptr;
-  for (const ContactEvent& event : result.contact_events) {
-    const bool is_loss =
-        event.kind == ContactEventKind::kSlip || event.kind == ContactEventKind::kLost;
-    if (is_loss) last = &event;
+/** Of all points of a link. */
+struct LinkForce {
+  double normal = 0.0;      // [N]
+  double cone_share = 0.0;  // of the friction cone in use
+};
+
+LinkForce FindLinkForce(ShellScene& scene, const std::string& link) {
+  std::vector<HandContact> contacts;
+  scene.course().world().FindHandContacts(contacts);
+  LinkForce force;
+  double most_friction = 0.0;
+  Eigen::Vector3d friction_W = Eigen::Vector3d::Zero();
+  for (const HandContact& contact : contacts) {
+    if (scene.setup().hand->links[static_cast<size_t>(contact.link)].name != link) continue;
+    force.normal += contact.normal_force;
+    friction_W += contact.friction_W;
+    most_friction += contact.mu * contact.normal_force;
   }
-  if (last == nullptr) return "no contact slipped or was lost\n";
-  const std::string time = FormatFixed(last->time + closure_start, 3);
-  return fmt::format("last     {} of {} ({}) at {} s; its forces just before: goto {}, contacts\n",
-                     NameOf(last->kind), last->digit, last->link, time,
-                     FormatFixed(last->time + closure_start - kJustBefore, 3));
+  if (most_friction > 0.0) force.cone_share = friction_W.norm() / most_friction;
+  return force;
+}
+
+/** The first contact that gave way from lift-off on, else the last one that did before; null: none.
+*/
+const ContactEvent* FindFailure(const TrialResult& result) {
+  double lift_off = std::numeric_limits<double>::infinity();
+  for (const PhaseStart& phase : result.phases) {
+    if (phase.name == NameOf(Phase::kLiftOff)) lift_off = phase.time;
+  }
+  const ContactEvent* failure = nullptr;
+  for (const ContactEvent& event : result.contact_events) {
+    if (event.kind != ContactEventKind::kSlip && event.kind != ContactEventKind::kLost) continue;
+    failure = &event;
+    if (event.time >= lift_off) break;
+  }
+  return failure;
+}
+
+/** What gave way, in the time that `goto` takes, and how its forces came there. */
+std::string DescribeFailure(ShellScene& scene, const TrialResult& result) {
+  const ContactEvent* failure = FindFailure(result);
+  if (failure == nullptr) return "failed   no contact slipped or was lost\n";
+  const double end = scene.time(), time = failure->time + scene.notes().closure_start;
+  const auto never = [] { return false; };
+  scene.GoTo(std::max(time - kWellBefore, 0.0), never);
+  double limit_since = scene.time();
+  while (scene.time() < time - kJustBefore && scene.Advance()) {
+    if (FindLinkForce(scene, failure->link).cone_share < kFullUse) limit_since = scene.time();
+  }
+  const LinkForce force = FindLinkForce(scene, failure->link);
+  scene.GoTo(end, never);
+  return fmt::format(
+      "failed   {} ({}) {} at {} s\n         just before: normal force {} N, {} of its friction "
+      "cone in use{}\n         all forces then: goto {}, contacts\n",
+      failure->digit, failure->link,
+      failure->kind == ContactEventKind::kSlip ? "slipped" : "let go", FormatFixed(time, 3),
+      FormatFixed(force.normal, 2), MakePlainText(FormatPercent(force.cone_share)),
+      force.cone_share < kFullUse ? "" : ", all of it since " + FormatFixed(limit_since, 3) + " s",
+      FormatFixed(time - kJustBefore, 3));
+}
+
+/** Of what holds at the end. */
+std::string DescribeWeakest(ShellScene& scene) {
+  std::string weakest;
+  LinkForce most;
+  for (const HandLink& link : scene.setup().hand->links) {
+    const LinkForce force = FindLinkForce(scene, link.name);
+    if (force.normal <= 0.0 || force.cone_share < most.cone_share) continue;
+    most = force;
+    weakest = link.name;
+  }
+  if (weakest.empty()) return {};
+  return fmt::format("weakest  {}: normal force {} N, {} of its friction cone in use\n", weakest,
+                     FormatFixed(most.normal, 2), MakePlainText(FormatPercent(most.cone_share)));
 }
 
 std::string DescribeMissing(const TrialResult& result) {
@@ -127,6 +195,9 @@ std::string DescribeNeighbour(Shell& shell) {
   const double radius = 0.5 * scene.setup().object->size.x();
   int nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
+  if (scene.choice().place) {
+    return "nearest  the object was put by hand, so there is no draw to compare with\n";
+  }
   const std::vector<TrialResult> results = RunDraws(shell, kNumNeighbours);
   for (int draw = 0; draw < static_cast<int>(results.size()); ++draw) {
     if (!IsSuccess(results[static_cast<size_t>(draw)].outcome)) continue;
@@ -135,8 +206,10 @@ std::string DescribeNeighbour(Shell& shell) {
     distance = candidate;
     nearest = draw;
   }
-  if (nearest < 0)
+  if (results.empty()) return {};  // stopped
+  if (nearest < 0) {
     return fmt::format("nearest  none of the draws 0 to {} succeeds\n", results.size() - 1);
+  }
   return fmt::format("nearest  draw {} succeeds; its object stands {} mm from this one\n", nearest,
                      FormatFixed(MmFromM(distance), 1));
 }
@@ -158,6 +231,7 @@ void RunTrials(Shell& shell, const ShellArguments& arguments) {
     text += FormatComparison(*shell.trials, results);
   }
   shell.trials = DrawnTrials{choice, shell.scene().setup().grasp.id, results};
+  shell.comparison = text;
   PrintResult(text);
 }
 
@@ -185,8 +259,13 @@ void ExplainTrial(Shell& shell, const ShellArguments&) {
   const TrialResult result = scene.course().End();
   std::string text = "outcome  " + std::string(NameOf(result.outcome));
   text += (result.reason.empty() ? "" : ": " + result.reason) + "\n";
-  text += DescribeMissing(result) + DescribeLastEvent(result, scene.notes().closure_start);
-  if (!IsSuccess(result.outcome)) text += DescribeNeighbour(shell);
+  text += DescribeMissing(result);
+  if (IsSuccess(result.outcome)) {
+    text += DescribeWeakest(scene);
+  } else {
+    text += DescribeFailure(scene, result) + DescribeNeighbour(shell);
+  }
+  shell.explanation = text;
   PrintResult(text);
 }
 

@@ -1,7 +1,6 @@
 #include "core/hand/import/find_mesh.h"
 
-#include <algorithm>
-#include <cctype>
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -36,12 +35,6 @@ Address ParseAddress(std::string text) {
   }
   if (StartsWith(text, "file://")) text = text.substr(7);
   return {"", text};
-}
-
-std::string ToLower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /** A file of the folder with this name in other letters; empty: none. */

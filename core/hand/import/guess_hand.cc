@@ -199,14 +199,9 @@ void Guesser::PlacePads() {
   }
 }
 
-std::string MakeSmall(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 /** The digit that a link's or joint's name tells: "TH", "FF", ...; empty: none. */
 std::string FindNamedDigit(const std::string& name) {
-  const std::string text = MakeSmall(name);
+  const std::string text = ToLower(name);
   const std::vector<std::pair<const char*, const char*>> words = {
       {"thumb", "TH"},   {"daumen", "TH"},        {"index", "FF"},        {"forefinger", "FF"},
       {"pointer", "FF"}, {"middle_finger", "MF"}, {"middlefinger", "MF"}, {"ring", "RF"},

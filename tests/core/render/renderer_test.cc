@@ -304,8 +304,8 @@ TEST(RendererTest, LooksStraightDownWithWorldYUpwards) {
   EXPECT_TRUE(IsBackground(image, kWidth / 2, kHeight - v));
 }
 
-// The picture in which every pixel is either a thing or the table is that of the full quality but for
-// the outlines; the table is lit everywhere.
+// A pixel shows the thing or the table as in full quality, but for the outlines; the table is lit
+// everywhere.
 TEST(RendererTest, DraftShowsTheSameThingsWithoutShadows) {
   Scene scene;
   scene.drawables.push_back({std::make_shared<TriMesh>(MakeSphere(0.03, 192)),

@@ -7,6 +7,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "tests/datasets/session/fake_session.h"
+
 namespace graspbench {
 namespace {
 
@@ -34,7 +36,8 @@ void WaitForPrompts(int terminal, size_t count, std::string& shown) {
 }
 
 /** What the editor reads on a terminal of its own on which `keys` are typed, a line in brackets. */
-std::string Type(const std::vector<std::string>& keys) {
+std::string Type(const std::vector<std::string>& keys,
+                 const std::filesystem::path& history_file = {}) {
   int answers[2];
   if (::pipe(answers) != 0) return "no pipe";
   int terminal = -1;
@@ -44,9 +47,12 @@ std::string Type(const std::vector<std::string>& keys) {
     action.sa_handler = &IgnoreInterrupt;
     ::sigaction(SIGINT, &action, nullptr);
     ::setenv("TERM", "xterm", 1);
-    LineEditor editor("> ", [](const std::string& line) {
-      return line == "co" ? std::vector<std::string>{"contacts"} : std::vector<std::string>();
-    });
+    LineEditor editor(
+        "> ",
+        [](const std::string& line) {
+          return line == "co" ? std::vector<std::string>{"contacts"} : std::vector<std::string>();
+        },
+        history_file);
     std::string lines;
     while (const std::optional<std::string> line = editor.Read()) lines += "[" + *line + "]";
     if (::write(answers[1], lines.data(), lines.size()) < 0) ::_exit(1);
@@ -78,6 +84,28 @@ TEST(LineEditor, KeepsLettersBeyondAscii) {
 
 TEST(LineEditor, CompletesAndRemembers) {
   EXPECT_EQ(Type({"co\t\n", "\x10\n", "\x04"}), "[contacts ][contacts]");
+}
+
+TEST(LineEditor, HistoryOutlivesTheEditor) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "state" / "history";
+  EXPECT_EQ(Type({"run\n", "goto 1\n", "\x04"}, file), "[run][goto 1]");
+  EXPECT_EQ(Type({"\x10\x10\n", "\x10\n", "\x04"}, file), "[run][run]");
+  EXPECT_EQ(std::filesystem::status(file).permissions() & std::filesystem::perms::others_all,
+            std::filesystem::perms::none);
+  EXPECT_EQ(Type({"run\n", "\x04"}, "/proc/nowhere/history"), "[run]");
+}
+
+TEST(LineEditor, TheHistoryStandsInTheFolderOfStates) {
+  ::setenv("HOME", "/home/somebody", 1);
+  ::unsetenv("XDG_STATE_HOME");
+  EXPECT_EQ(FindHistoryFile(), "/home/somebody/.local/state/graspbench/history");
+  ::setenv("XDG_STATE_HOME", "/states", 1);
+  EXPECT_EQ(FindHistoryFile(), "/states/graspbench/history");
+  ::setenv("XDG_STATE_HOME", "relative", 1);  // to be ignored by its specification
+  EXPECT_EQ(FindHistoryFile(), "/home/somebody/.local/state/graspbench/history");
+  ::unsetenv("HOME");
+  EXPECT_EQ(FindHistoryFile(), "");
 }
 
 TEST(LineEditor, CtrlCGivesTheLineUp) {

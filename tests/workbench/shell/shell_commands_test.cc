@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_words.h"
 
@@ -17,9 +19,40 @@ TEST(ShellCommands, CompletesWhatFits) {
   EXPECT_EQ(FindCompletions(shell, " hand s"), Names({"shadow"}));
   EXPECT_EQ(FindCompletions(shell, "joint FFq"), Names({"FFq1", "FFq2", "FFq3"}));
   EXPECT_EQ(FindCompletions(shell, "set sim.st"), Names({"sim.step_s"}));
+  EXPECT_EQ(FindCompletions(shell, "HAND s"), Names({"shadow"}));
+  EXPECT_EQ(FindCompletions(shell, "hand shadow s"), Names());
+  EXPECT_EQ(FindCompletions(shell, "run to sta"), Names({"stabilisation"}));
+  EXPECT_EQ(FindCompletions(shell, "joint FFq2 30 "), Names({"pre", "target"}));
+  EXPECT_EQ(FindCompletions(shell, "turn hand "), Names({"x", "y", "z"}));
+  EXPECT_EQ(FindCompletions(shell, "view t"), Names({"top"}));
+  EXPECT_EQ(FindCompletions(shell, "live o"), Names({"off"}));
+  EXPECT_EQ(FindCompletions(shell, "help fi"), Names({"film"}));
   EXPECT_EQ(FindCompletions(shell, "undo x"), Names());
   EXPECT_EQ(FindCompletions(shell, "nothing x"), Names());
   EXPECT_GT(FindCompletions(shell, "").size(), 20u);
+}
+
+TEST(ShellCommands, CompletesFilesWhereOneIsExpected) {
+  const TemporaryFolder folder;
+  const std::string top = folder.path().string() + "/";
+  std::filesystem::create_directories(folder.path() / "grasps");
+  WriteFileAtomically(folder.path() / "great.yaml", "");
+  WriteFileAtomically(folder.path() / ".hidden", "");
+  Shell shell;
+  EXPECT_EQ(FindCompletions(shell, "grasp " + top + "gr"),
+            Names({top + "grasps/", top + "great.yaml"}));
+  EXPECT_EQ(FindCompletions(shell, "save " + top), Names({top + "grasps/", top + "great.yaml"}));
+  EXPECT_EQ(FindCompletions(shell, "save " + top + "none/"), Names());
+  EXPECT_EQ(FindCompletions(shell, "goto " + top), Names());
+}
+
+TEST(ShellCommands, AQuestionMarkAsksForHelp) {
+  Shell shell;
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(shell.Execute("hand ?"), Shell::Reply::kDone);
+  const std::string help = testing::internal::GetCapturedStdout();
+  EXPECT_NE(help.find("hand HAND"), std::string::npos) << help;
+  EXPECT_NE(help.find("shadow"), std::string::npos) << help;
 }
 
 TEST(ShellCommands, EveryExampleFitsItsCommand) {

@@ -40,5 +40,47 @@ TEST(ShellPicture, ViewsDiffer) {
   }
 }
 
+TEST(ShellPicture, PixelsOnlyWhereTheTerminalSaysSo) {
+  const auto choose = [](const std::vector<std::string>& environment) {
+    return ChoosePictureForm(true, environment);
+  };
+  using Form = PictureForm;
+  EXPECT_EQ(choose({"TERM=xterm-256color", "COLORTERM=truecolor"}), Form::kBlocks);
+  EXPECT_EQ(choose({"TERM=xterm-kitty"}), Form::kKitty);
+  EXPECT_EQ(choose({"TERM=foot"}), Form::kSixel);
+  EXPECT_EQ(choose({"TERM=mlterm", "MLTERM=3.9.0"}), Form::kSixel);
+  EXPECT_EQ(choose({"TERM=tmux-256color", "TMUX=/tmp/tmux-0/default,1,0", "KITTY_PID=7"}),
+            Form::kBlocks);
+  EXPECT_EQ(choose({"TERM=screen-256color", "MLTERM=3.9.0"}), Form::kBlocks);
+  EXPECT_EQ(choose({"TERM=xterm-kitty", "NO_COLOR=1"}), Form::kCharacters);
+  EXPECT_EQ(choose({"TERM=xterm-kitty", "NO_COLOR="}), Form::kKitty);
+  EXPECT_EQ(choose({"TERM=dumb"}), Form::kCharacters);
+  EXPECT_EQ(choose({}), Form::kCharacters);
+  EXPECT_EQ(ChoosePictureForm(false, {"TERM=xterm-kitty"}), Form::kCharacters);
+}
+
+TEST(ShellPicture, AFilmHasAPictureForEveryScene) {
+  ShellScene scene;
+  scene.Choose(SceneChoice::MakeDefault());
+  SceneFilm film;
+  for (int i = 0; i < 3; ++i) {
+    film.Add(scene);
+    scene.GoTo(scene.time() + 0.1, [] { return false; });
+  }
+  size_t told = 0;
+  const auto tell = [&told](size_t num_drawn) {
+    told = num_drawn;
+    return true;
+  };
+  const std::string bytes = film.Encode(SceneView(), 64, 48, tell);
+  EXPECT_EQ(told, 3u);
+  size_t num_frames = 0;  // chunks of the container
+  for (size_t at = bytes.find("ANMF"); at != bytes.npos; at = bytes.find("ANMF", at + 4)) {
+    ++num_frames;
+  }
+  EXPECT_EQ(num_frames, 3u);
+  EXPECT_EQ(film.Encode(SceneView(), 64, 48, [](size_t) { return false; }), "");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -60,6 +60,11 @@ TEST(ShellScene, GoingBackAndForthChangesNothing) {
   scene.GoTo(1e6, Never);
   EXPECT_TRUE(scene.is_over());
   EXPECT_EQ(ToJson(scene.course().End()), result);
+  scene.GoTo(0.5 * end, Never);
+  scene.GoTo(scene.time(), Never);
+  EXPECT_FALSE(scene.is_over());
+  scene.GoTo(end, Never);  // the time at which it was over is its end
+  EXPECT_TRUE(scene.is_over());
 }
 
 TEST(ShellScene, WhatCannotBeChosenLeavesTheScene) {

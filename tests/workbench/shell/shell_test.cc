@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/random.h"
+#include "core/grasp/placement.h"
+#include "tests/workbench/shell/shell_fuzz.h"
 
 namespace graspbench {
 namespace {
@@ -12,30 +13,17 @@ using Names = std::vector<std::string>;
 /** A shell whose words nobody reads. */
 class ShellTest : public testing::Test {
  protected:
-  ShellTest() {
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-  }
-  ~ShellTest() override {
-    testing::internal::GetCapturedStdout();
-    testing::internal::GetCapturedStderr();
-  }
-  /** All that a command can change. */
-  Json Describe() {
-    const SceneChoice& choice = shell_.scene().choice();
-    Json joints = Json::array();
-    for (const JointEdit& edit : choice.joints) joints.push_back({edit.joint, edit.position});
-    return {ToJson(choice.config), choice.draw.value_or(-1), choice.place.has_value(), joints,
-            shell_.scene().time(), shell_.num_changes()};
-  }
+  std::string Describe() { return DescribeShell(shell_); }
 
+  Silence silence_;
   Shell shell_;
 };
 
 TEST_F(ShellTest, UndoTakesEveryChangeBack) {
-  const Json start = Describe();
-  const Names lines = {"object can", "draw 2",        "move 5 5",
-                       "turn 10",    "joint FFq2 30", "set seed 7"};
+  const std::string start = Describe();
+  const Names lines = {"object can",      "draw 2",        "move 5 5",
+                       "turn 10",         "joint FFq2 30", "set seed 7",
+                       "move hand 1 2 3", "turn hand y 5", "drive FFq2 10"};
   for (const std::string& line : lines) {
     EXPECT_EQ(shell_.Execute(line), Shell::Reply::kDone) << line;
   }
@@ -58,31 +46,48 @@ TEST_F(ShellTest, UndoStandsAtTheSameTime) {
 }
 
 TEST_F(ShellTest, RefusedLinesChangeNothing) {
-  const Names words = {"hand",    "object", "grasp", "draw",     "move",       "turn", "joint",
-                       "set",     "open",   "goto",  "run",      "step",       "back", "view",
-                       "shot",    "save",   "FFq2",  "can",      "g9",         "-1",   "1e308",
-                       "nan",     "to",     "slip",  "'",        "\"",         "#",    "free",
-                       "12.5deg", "5",      "x.png", "/nowhere", "sim.step_s", "seed", "\xff\xfe",
-                       "\x1b[2J", "none",   "quit!", ";",        "%s%n"};
-  RandomStream random("shell", "lines");
-  int num_refused = 0;
-  for (int i = 0; i < 1500; ++i) {
-    std::string line;
-    const int count = 1 + static_cast<int>(random.NextUniform(0.0, 4.0));
-    for (int w = 0; w < count; ++w) {
-      const auto index = static_cast<size_t>(random.NextUniform(0.0, 1.0) * words.size());
-      line += words[index] + " ";
-    }
-    // Pictures and files are tried elsewhere.
-    if (line.rfind("view", 0) == 0 || line.rfind("shot", 0) == 0) continue;
-    const Json before = Describe();
-    const Shell::Reply reply = shell_.Execute(line);
-    EXPECT_NE(reply, Shell::Reply::kQuit) << line;
-    if (reply != Shell::Reply::kRefused) continue;
-    ++num_refused;
-    EXPECT_EQ(Describe(), before) << line;
-  }
-  EXPECT_GT(num_refused, 700);
+  const FuzzCount count = FuzzShell(shell_, "thousands", 10000);
+  EXPECT_GT(count.num_refused, 5000);
+  EXPECT_GT(count.num_done, 500);
+}
+
+TEST_F(ShellTest, ADriveGoesWhereItIsAsked) {
+  shell_.Execute("goto 0.3");
+  const int joint = shell_.scene().setup().hand->FindJoint("FFq2");
+  const auto angle = [&] { return shell_.scene().course().world().state().q[joint]; };
+  const double then = angle();
+  EXPECT_EQ(shell_.Execute("drive FFq2 70"), Shell::Reply::kDone);
+  EXPECT_EQ(angle(), then);  // up to now nothing is different
+  shell_.Execute("goto 0.9");
+  EXPECT_NEAR(shell_.scene().notes().command.q[joint], 70.0 * M_PI / 180.0, 1e-9);
+  const double driven = angle();
+  EXPECT_GT(driven, then + 0.3);
+  shell_.Execute("undo");
+  EXPECT_LT(angle(), driven - 0.1);
+  EXPECT_EQ(shell_.Execute("drive FFq4 10"), Shell::Reply::kRefused);  // it follows
+}
+
+TEST_F(ShellTest, TheHandStandsWhereItIsPut) {
+  const Pose X_WH = shell_.scene().course().world().state().X_WH;
+  EXPECT_EQ(shell_.Execute("move hand 4 -5 6"), Shell::Reply::kDone);
+  shell_.Execute("goto 0.6");
+  const Eigen::Vector3d moved = shell_.scene().setup().grasp.placement->X_WH.translation();
+  shell_.Execute("undo");
+  const Placement before = CalcPlacement(*shell_.scene().setup().hand, shell_.scene().setup().grasp,
+                                         *shell_.scene().setup().object);
+  EXPECT_LT((moved - before.X_WH.translation() - Eigen::Vector3d(0.004, -0.005, 0.006)).norm(),
+            1e-12);
+  // A quarter about z through the object's middle takes x to y.
+  shell_.Execute("turn hand z 90");
+  const Placement turned = *shell_.scene().setup().grasp.placement;
+  const Eigen::Vector3d p = before.X_WH.translation(), q = turned.X_WH.translation();
+  EXPECT_LT((q - Eigen::Vector3d(-p.y(), p.x(), p.z())).norm(), 1e-12);
+  EXPECT_LT((turned.X_WH.linear().col(0) - Eigen::Vector3d(-before.X_WH.linear()(1, 0),
+                                                           before.X_WH.linear()(0, 0),
+                                                           before.X_WH.linear()(2, 0)))
+                .norm(),
+            1e-12);
+  EXPECT_NE(X_WH.matrix(), shell_.scene().course().world().state().X_WH.matrix());
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "reports/trial_page.h"
+
+#include <gtest/gtest.h>
+
+#include "core/shape/primitives.h"
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+TrialPageData MakeData() {
+  Hand hand;
+  hand.id = "box";
+  hand.name = "Box Hand";
+  hand.links.resize(1);
+  hand.visuals.push_back({0, MakeRoundedBox({0.05, 0.05, 0.1}, 0.005), {0.4f, 0.4f, 0.4f}});
+  GraspObject can;
+  can.id = can.name = "can";
+  can.mesh = MakeRoundedBox({0.06, 0.06, 0.1}, 0.005);
+  TrialPageData data;
+  data.hand = std::make_shared<const Hand>(hand);
+  data.object = std::make_shared<const GraspObject>(can);
+  data.record.plan = {"0123456789abcdef", "box", "can", "g3", 4};
+  data.record.result.outcome = Outcome::kDroppedWhileHolding;
+  data.record.result.reason = "it fell after 0.3 s";
+  data.record.result.stability.sigma = 1.25;
+  data.record.result.grip_force = 7.5;
+  SceneSnapshot snapshot;
+  snapshot.X_WH = MakePose(Eigen::Vector3d(0.0, 0.0, 0.3));
+  data.record.result.snapshots = {snapshot};
+  data.cards = {{"Scene", "a <b> & c\n"}};
+  data.script = {"note </pre><script>alert(1)</script>", "run"};
+  return data;
+}
+
+int CountElements(const tinyxml2::XMLNode& node, const std::string& name) {
+  int count = 0;
+  for (const auto* child = node.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    count += (child->Name() == name) + CountElements(*child, name);
+  }
+  return count;
+}
+
+TEST(TrialPage, SaysHowItEndedAndHowToGetThere) {
+  const std::string page = MakeTrialPage(MakeData());
+  for (const char* text :
+       {"Box Hand, can, power (g3)", "Outcome: dropped while holding: it fell after 0.3 s.", "1.25",
+        "7.50", "a &lt;b&gt; &amp; c", "note &lt;/pre&gt;&lt;script&gt;"}) {
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(page, MakeTrialPage(MakeData()));
+}
+
+TEST(TrialPage, IsWellFormedWithoutScripts) {
+  const std::string page = MakeTrialPage(MakeData());
+  ExpectSoundPage(page);
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  EXPECT_EQ(CountElements(document, "script"), 0);
+  EXPECT_EQ(CountElements(document, "section"), 5);
+  EXPECT_EQ(CountElements(document, "img"), 1);
+}
+
+TEST(TrialPage, ATrialWithoutPicturesAndContactsIsAPageToo) {
+  TrialPageData data = MakeData();
+  data.record.result.snapshots.clear();
+  data.cards.clear();
+  data.script.clear();
+  const std::string page = MakeTrialPage(data);
+  EXPECT_NE(page.find("Nothing touched the object."), std::string::npos);
+  EXPECT_NE(page.find("before its first picture"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,44 @@
+#include "workbench/folder_status.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+TEST(FolderStatus, CountsWhatIsFinished) {
+  const TemporaryFolder folder;
+  const std::vector<PlannedTrial> plan = CreateFakeSession(folder.path() / "s", 2);
+  const auto read = [&] { return ReadFolderStatus(folder.path() / "s", 600.0); };
+  const int num_all = static_cast<int>(plan.size());
+  EXPECT_EQ(read().num_done, 0);
+  EXPECT_EQ(read().num_all, num_all);
+  EXPECT_FALSE(read().is_finished);
+  {
+    JournalWriter journal(folder.path() / "s", 0);
+    journal.Append(MakeFakeRecord(plan[0]));
+  }
+  const FolderStatus one = read();
+  EXPECT_EQ(one.num_done, 1);
+  const std::string first =
+      (folder.path() / "s").string() + ": 1 of " + std::to_string(num_all) + " trials finished\n";
+  EXPECT_EQ(one.text.substr(0, first.size()), first);
+  EXPECT_EQ(one.json.at("finished"), 1);
+  EXPECT_EQ(one.damage, "");
+  {
+    JournalWriter journal(folder.path() / "s", 0);
+    for (size_t i = 1; i < plan.size(); ++i) journal.Append(MakeFakeRecord(plan[i]));
+  }
+  EXPECT_TRUE(read().is_finished);
+}
+
+TEST(FolderStatus, AnotherFolderIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(ReadFolderStatus(folder.path(), 600.0), Error);
+}
+
+}  // namespace
+}  // namespace graspbench

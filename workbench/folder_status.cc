@@ -1,0 +1,107 @@
+#include "workbench/folder_status.h"
+
+#include <set>
+
+#include "core/base/text.h"
+#include "datasets/campaign/campaign_progress.h"
+#include "datasets/journal/store_kind.h"
+#include "datasets/session/worker_log.h"
+#include "workbench/experiments/shell_quote.h"
+#include "workbench/progress_tables.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+void AddNote(const std::string& note, FolderStatus& status) {
+  status.notes += (status.notes.empty() ? "note: " : "\nnote: ") + note;
+}
+
+void AddUnchecked(const std::set<std::string>& labels, FolderStatus& status) {
+  if (!labels.empty()) AddNote(DescribeUnchecked(labels), status);
+}
+
+void AddDamage(const fs::path& folder, const std::vector<Damage>& damages, int num_bad_lines,
+               FolderStatus& status) {
+  if (!status.damage.empty() || (damages.empty() && num_bad_lines == 0)) return;
+  const std::string lines =
+      num_bad_lines > 0
+          ? FormatCount(num_bad_lines, "damaged line is", "damaged lines are") + " left out"
+          : "\"" + folder.string() + "\" is damaged";
+  status.damage =
+      lines + "; see graspbench verify " + QuoteForShell(folder.string()) + FormatDamage(damages);
+}
+
+void AddSession(const fs::path& folder, const SessionProgress& progress, FolderStatus& status) {
+  status.text += folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
+                 FormatCount(progress.num_trials, "trial") + " finished\n" +
+                 FormatShards(progress.shards, "trials");
+  status.num_done = progress.num_finished;
+  status.num_all = progress.num_trials;
+  status.is_finished = progress.num_finished >= progress.num_trials;
+  if (progress.judge) {
+    if (status.is_finished) {
+      status.num_done = progress.judge->num_judged;
+      status.num_all = progress.judge->num_held;
+    }
+    status.text += "\n" + std::to_string(progress.judge->num_judged) + " of " +
+                   FormatCount(progress.judge->num_held, "held grasp") + " judged\n" +
+                   FormatShards(progress.judge->shards, "held grasps");
+    status.is_finished &= progress.judge->num_judged >= progress.judge->num_held;
+  }
+  AddUnchecked(progress.unchecked, status);
+  if (progress.num_foreign_lines > 0) {
+    AddNote(FormatCount(progress.num_foreign_lines, "record is", "records are") +
+                " of trials that the plan does not have; nobody reads them",
+            status);
+  }
+  AddDamage(folder, progress.damages, progress.num_bad_lines, status);
+}
+
+void AddCampaign(const fs::path& folder, const CampaignProgress& progress, FolderStatus& status) {
+  status.text += folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
+                 FormatCount(progress.num_scenes, "scene") + " finished" +
+                 (progress.num_searches > 0
+                      ? "; " + FormatCount(progress.num_searches, "search", "searches") + " begun"
+                      : "") +
+                 "\n" + FormatShards(progress.shards, "scenes");
+  status.num_done = progress.num_finished;
+  status.num_all = progress.num_scenes;
+  AddUnchecked(progress.unchecked, status);
+  AddDamage(folder, progress.damages, 0, status);
+  if (progress.benchmark) AddSession(folder / "benchmark", *progress.benchmark, status);
+  status.is_finished &= progress.num_finished >= progress.num_scenes;
+}
+
+void AddScene(const fs::path& folder, const SceneProgress& progress, FolderStatus& status) {
+  status.text = folder.string() + ": " + (progress.is_finished ? "" : "not ") + "finished, " +
+                FormatCount(progress.num_answers, "evaluation") + " kept" +
+                (progress.age ? ", the last " + FormatFixed(*progress.age, 0) + " s ago" : "") +
+                "\n";
+  status.json = {{"answers", progress.num_answers},
+                 {"finished", progress.is_finished},
+                 {"age_s", progress.age ? Json(*progress.age) : Json(nullptr)}};
+  status.is_finished = progress.is_finished;
+}
+
+}  // namespace
+
+FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after) {
+  FolderStatus status;
+  const StoreKind* kind = FindStoreKind(folder);
+  if (kind == &kCampaignStore) {
+    const CampaignProgress progress = ReadCampaignProgress(folder, stale_after);
+    status.json = MakeStatusJson(progress);
+    AddCampaign(folder, progress, status);
+  } else if (kind == &kSceneStore) {
+    AddScene(folder, ReadSceneProgress(folder), status);
+  } else {
+    const SessionProgress progress = ReadProgress(folder, stale_after);
+    status.json = MakeStatusJson(progress);
+    AddSession(folder, progress, status);
+  }
+  return status;
+}
+
+}  // namespace graspbench

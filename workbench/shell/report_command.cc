@@ -1,0 +1,44 @@
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "reports/trial_page.h"
+#include "workbench/experiments/output_folder.h"
+#include "workbench/shell/shell.h"
+#include "workbench/shell/shell_cards.h"
+#include "workbench/shell/shell_commands.h"
+#include "workbench/terminal.h"
+
+namespace graspbench {
+
+void ReportTrial(Shell& shell, const ShellArguments& arguments) {
+  const std::string& file = arguments[0];
+  if (std::filesystem::path(file).extension() != ".html") {
+    throw Error(ErrorKind::kUsage, "\"" + file + "\" does not end in .html");
+  }
+  CheckOutputFile(file);
+  ShellScene& scene = shell.scene();
+  if (!scene.is_over()) throw Error(ErrorKind::kUsage, "the trial goes on; first: run");
+  const TrialSetup& setup = scene.setup();
+  TrialPageData data;
+  data.hand = setup.hand;
+  data.object = setup.object;
+  data.record.plan.hand = setup.hand->id;
+  data.record.plan.object = setup.object->id;
+  data.record.plan.grasp = setup.grasp.id;
+  data.record.plan.trial = scene.choice().draw.value_or(0);
+  data.record.result = scene.course().End();
+  data.cards = {
+      {"Scene", FormatScene(scene)},
+      {"Changes", FormatChanges(scene)},
+      {"Why", shell.explanation.empty() ? "not asked for; see: why\n" : shell.explanation},
+      {"Contacts", FormatContacts(scene)},
+      {"Stability", FormatStability(scene)},
+      {"Joints", FormatJoints(scene)}};
+  if (!shell.comparison.empty()) data.cards.emplace_back("Draws", shell.comparison);
+  data.script = shell.script();
+  WriteFileAtomically(file, MakeTrialPage(data));
+  PrintResult(file + "\n");
+}
+
+}  // namespace graspbench
