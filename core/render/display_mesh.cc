@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSamePlace = 1e-7;         // [m]
-constexpr double kFirstJoin = 1.0 / 256.0;  // of a mesh's diagonal
+constexpr double kSamePlace = 1e-7;  // [m]
+constexpr double kFirstJoin = 0.5;   // of the edge that is wanted
 constexpr double kSliver = 1e-6;  // of twice the area to the longest edge squared; no normal below
 
 double CalcAngle(const Vector3d& a, const Vector3d& b) {
@@ -91,11 +91,16 @@ DisplayMesh MakeDisplayMesh(const TriMesh& original, double crease_angle) {
 
 TriMesh MakeCoarseMesh(const TriMesh& mesh, int max_triangles) {
   if (mesh.num_triangles() <= max_triangles) return mesh;
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : mesh.vertices) box.extend(p);
+  double area = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const Vector3d& p = mesh.vertices[t[0]];
+    area += 0.5 * (mesh.vertices[t[1]] - p).cross(mesh.vertices[t[2]] - p).norm();
+  }
+  // The edge of so many equal triangles of the same area; a few of them may be joined by less.
+  const double edge = std::sqrt(4.0 / std::sqrt(3.0) * area / std::max(max_triangles, 1));
   TriMesh coarse = mesh;
   // Joined from what was joined before, so that all rounds together cost little more than the first.
-  for (double distance = kFirstJoin * box.diagonal().norm();
+  for (double distance = kFirstJoin * edge;
        coarse.num_triangles() > max_triangles && distance > 0.0; distance *= M_SQRT2) {
     coarse = WeldVertices(coarse, distance);
   }

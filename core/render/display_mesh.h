@@ -27,8 +27,8 @@ Wuethrich 1998). Vertices at the same place count as one, so a seam in the file 
 Triangles without area are left out. */
 DisplayMesh MakeDisplayMesh(const TriMesh& mesh, double crease_angle);
 
-/** The mesh with its vertices joined over the shortest distance, of a row of powers of sqrt 2, that
-leaves at most `max_triangles`; as it is when it has no more. What is left of a very small number may
+/** The mesh with its vertices joined over a distance, of a row of powers of sqrt 2, that leaves at
+most `max_triangles`; as it is when it has no more. What is left of a very small number may
 be nothing. @pre finite vertices */
 TriMesh MakeCoarseMesh(const TriMesh& mesh, int max_triangles);
 

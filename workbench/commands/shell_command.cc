@@ -106,8 +106,9 @@ ExitCode RunShell(const ShellOptions& options) {
   }
   if (!options.file.empty()) return Converse(shell, log, ReadFrom(script));
   if (!::isatty(STDIN_FILENO)) return Converse(shell, log, ReadFrom(std::cin));
-  ShowScene(shell, {});
-  PrintResult("help lists the commands, Tab completes names, Ctrl-C stops what runs\n");
+  const SessionConfig& first = shell.choice().config;
+  PrintResult("hand " + first.hands.front() + ", object " + first.objects.front() +
+              "; help lists the commands, Tab completes names, Ctrl-C stops what runs\n");
   LineEditor editor(
       "graspbench> ", [&shell](const std::string& line) { return FindCompletions(shell, line); },
       FindHistoryFile());

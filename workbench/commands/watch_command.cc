@@ -26,7 +26,7 @@ struct WatchOptions {
   double interval = 1.0;       // [s]
 };
 
-constexpr std::chrono::milliseconds kNap(50);  // Ctrl-C is heard between two
+constexpr std::chrono::milliseconds kSignalInterval(50);  // Ctrl-C is heard between two
 
 std::vector<std::string> ListLines(const FolderStatus& status, const Pace& pace) {
   std::vector<std::string> lines;
@@ -59,7 +59,7 @@ ExitCode Watch(const WatchOptions& options) {
     const auto next = Clock::now() + std::chrono::duration<double>(options.interval);
     while (Clock::now() < next) {
       if (stop) return kExitOk;  // the run itself goes on
-      std::this_thread::sleep_for(kNap);
+      std::this_thread::sleep_for(kSignalInterval);
     }
   }
 }

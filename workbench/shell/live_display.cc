@@ -1,5 +1,6 @@
 #include "workbench/shell/live_display.h"
 
+#include <algorithm>
 #include <sstream>
 #include <thread>
 
@@ -11,8 +12,8 @@ namespace graspbench {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval(200);
-constexpr std::chrono::milliseconds kNap(20);  // Ctrl-C is heard between two
-constexpr int kLinesBeside = 3;                // of a picture: its words, the status, the cursor
+constexpr std::chrono::milliseconds kNap(5);  // Ctrl-C is heard between two
+constexpr int kLinesBeside = 3;               // of a picture: its words, the status, the cursor
 
 struct LiveCard {
   const char* name;
@@ -38,7 +39,10 @@ std::vector<std::string> ListLiveCards() {
 }
 
 LiveDisplay::LiveDisplay(Shell& shell)
-    : shell_(shell), start_time_(shell.scene().time()), start_(Clock::now()), shown_(start_) {}
+    : shell_(shell),
+      start_time_(shell.scene().time()),
+      start_(Clock::now()),
+      next_(start_ + kInterval) {}
 
 void LiveDisplay::Say(const std::string& line) {
   shell_.region.Clear();
@@ -48,9 +52,10 @@ void LiveDisplay::Say(const std::string& line) {
 void LiveDisplay::Tick() {
   if (!shell_.region.can_redraw()) return;
   if (!shell_.live_card.empty()) WaitForTheClock();
-  if (Clock::now() - shown_ < kInterval) return;
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = std::max(next_ + kInterval, now);
   Show();
-  shown_ = Clock::now();
 }
 
 /** A simulated second lasts a second at least. */

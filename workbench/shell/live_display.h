@@ -34,7 +34,7 @@ class LiveDisplay {
   Shell& shell_;
   const double start_time_;  // of the trial [s]
   const Clock::time_point start_;
-  Clock::time_point shown_;
+  Clock::time_point next_;
 };
 
 }  // namespace graspbench

@@ -88,7 +88,7 @@ void Take(Shell& shell, const SceneChoice& choice) {
 
 void ChooseHand(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
-  SceneChoice choice = shell.scene().choice();
+  SceneChoice choice = shell.choice();
   choice.config.hands = {FindId(JoinName(arguments), ListHands(),
                                 [](const std::string& id) { return LoadHand(id).name; })};
   ForgetEdits(choice);
@@ -98,7 +98,7 @@ void ChooseHand(Shell& shell, const ShellArguments& arguments) {
 
 void ChooseObject(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
-  SceneChoice choice = shell.scene().choice();
+  SceneChoice choice = shell.choice();
   choice.config.objects = {FindId(JoinName(arguments), ListObjects(), [](const std::string& id) {
     return LoadObject(id, FieldUse::kLater)->name;
   })};
@@ -112,14 +112,14 @@ void ChooseObject(Shell& shell, const ShellArguments& arguments) {
 
 void ChooseGrasp(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
-  SceneChoice choice = shell.scene().choice();
+  SceneChoice choice = shell.choice();
   choice.config.grasps = {FindGraspId(JoinName(arguments))};
   ForgetEdits(choice);
   Take(shell, choice);
 }
 
 void ChooseDraw(Shell& shell, const ShellArguments& arguments) {
-  SceneChoice choice = shell.scene().choice();
+  SceneChoice choice = shell.choice();
   choice.place.reset();
   choice.draw.reset();
   if (ToLower(arguments.front()) != "none") {

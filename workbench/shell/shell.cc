@@ -73,7 +73,10 @@ const std::atomic<bool>& GetShellInterrupt() { return is_interrupted; }
 
 bool TakeShellInterrupt() { return is_interrupted.exchange(false); }
 
-Shell::Shell() { scene_.Choose(SceneChoice::MakeDefault()); }
+ShellScene& Shell::scene() {
+  if (!scene_.is_loaded()) scene_.Choose(scene_.choice());
+  return scene_;
+}
 
 bool Shell::IsStopped() const {
   was_stopped_ = was_stopped_ || is_interrupted.load();
@@ -89,7 +92,7 @@ void Shell::Change(const SceneChoice& choice) {
 }
 
 void Shell::ChangeNow(const SceneChoice& choice) {
-  const double time = scene_.time();
+  const double time = scene().time();
   Change(choice);
   scene_.GoTo(time, [this] { return IsStopped(); });
 }

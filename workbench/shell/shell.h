@@ -26,14 +26,14 @@ class Shell {
  public:
   enum class Reply { kDone, kRefused, kQuit };
 
-  /** @throws Error when the first scene cannot be loaded. */
-  Shell();
-
   /** Carries out one line; what is wrong with it is said, and nothing has changed then.
   @param where  stands before the message: "line 3: ". */
   Reply Execute(const std::string& line, const std::string& where = "");
 
-  ShellScene& scene() { return scene_; }
+  /** The first one is loaded when somebody asks for it. @throws Error when that cannot be. */
+  ShellScene& scene();
+  /** What the scene is or will be made of; loads nothing. */
+  const SceneChoice& choice() const { return scene_.choice(); }
   /** Takes another choice, which `Undo` takes back; the trial starts anew. */
   void Change(const SceneChoice& choice);
   /** The same, and the trial stands at the time at which it stood. */

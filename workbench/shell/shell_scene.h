@@ -72,6 +72,7 @@ class ShellScene {
   @throws Error when that cannot be; the scene is then as it was. */
   void Choose(const SceneChoice& choice);
   const SceneChoice& choice() const { return choice_; }
+  bool is_loaded() const { return course_ != nullptr; }
   /** @pre of all below: Choose was called. */
   const TrialSetup& setup() const { return *setup_; }
   /** The chosen grasp without the joints set by hand. */
@@ -96,7 +97,7 @@ class ShellScene {
  private:
   void KeepInstant();
 
-  SceneChoice choice_;
+  SceneChoice choice_ = SceneChoice::MakeDefault();
   std::shared_ptr<const SessionInputs> inputs_;
   std::unique_ptr<TrialSetup> setup_;    // the course refers to it
   std::unique_ptr<TrialRunner> runner_;  // null: made when it is needed

@@ -17,7 +17,7 @@
 namespace graspbench {
 namespace {
 
-constexpr double kMaxTime = 3600.0;  // [s]
+constexpr double kLatestTime = 3600.0;  // [s]
 constexpr int kMaxSteps = 1000000;
 
 /** Says what happens while a trial goes on: phases, first touches, the outcome. */
@@ -157,14 +157,14 @@ void RunTrial(Shell& shell, const ShellArguments& arguments) {
 }
 
 void GoToTime(Shell& shell, const ShellArguments& arguments) {
-  const double time = ParseNumber(arguments[0], "the time", "s", 0.0, kMaxTime);
+  const double time = ParseNumber(arguments[0], "the time", "s", 0.0, kLatestTime);
   shell.scene().GoTo(time, [&shell] { return shell.IsStopped(); });
   PrintResult(FormatStatus(shell.scene()));
 }
 
 void GoBack(Shell& shell, const ShellArguments& arguments) {
   const double duration =
-      arguments.empty() ? 0.1 : ParseNumber(arguments[0], "the time", "s", 0.0, kMaxTime);
+      arguments.empty() ? 0.1 : ParseNumber(arguments[0], "the time", "s", 0.0, kLatestTime);
   ShellScene& scene = shell.scene();
   scene.GoTo(std::max(0.0, scene.time() - duration), [&shell] { return shell.IsStopped(); });
   PrintResult(FormatStatus(scene));

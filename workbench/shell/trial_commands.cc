@@ -155,7 +155,9 @@ std::string DescribeFailure(ShellScene& scene, const TrialResult& result) {
       failure->digit, failure->link,
       failure->kind == ContactEventKind::kSlip ? "slipped" : "let go", FormatFixed(time, 3),
       FormatFixed(force.normal, 2), MakePlainText(FormatPercent(force.cone_share)),
-      force.cone_share < kFullUse ? "" : ", all of it since " + FormatFixed(limit_since, 3) + " s",
+      force.cone_share < kFullUse
+          ? ""
+          : "\n         all of it since " + FormatFixed(limit_since, 3) + " s",
       FormatFixed(time - kJustBefore, 3));
 }
 
