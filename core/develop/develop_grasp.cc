@@ -10,23 +10,24 @@
 namespace graspbench {
 namespace {
 
-constexpr int kFinalists = 5;
-
 /** How a budget is spent. */
 struct Plan {
   int num_racing;       ///< proposals
-  int num_evaluations;  ///< of the search
   int num_shapes;       ///< of an evaluation
+  int num_finalists;    ///< beside the proposal
+  int num_evaluations;  ///< of the search
+
+  int CountRace() const { return num_racing * num_shapes / 2 + (num_racing / 3 + 1) * num_shapes; }
+  int CountFinals() const { return (num_finalists + 1) * 2 * num_shapes + kNumTrainingShapes; }
 };
 
 Plan MakePlan(int budget) {
   Plan plan;
   plan.num_racing = std::clamp(budget / 40, 2, 32);
   plan.num_shapes = budget < 200 ? 4 : kNumTrainingShapes;
-  const int race = plan.num_racing * plan.num_shapes / 2 +
-                   (plan.num_racing / 3 + 1) * plan.num_shapes;
-  const int finals = (kFinalists + 1) * 2 * plan.num_shapes + kNumTrainingShapes;
-  plan.num_evaluations = std::max(1, (budget - race - finals) / plan.num_shapes);
+  plan.num_finalists = std::clamp(budget / 100, 1, 5);
+  plan.num_evaluations =
+      std::max(1, (budget - plan.CountRace() - plan.CountFinals()) / plan.num_shapes);
   return plan;
 }
 
@@ -104,9 +105,7 @@ size_t RunRace(const std::vector<ProposedGrasp>& proposals, const Plan& plan, Co
 
 int CountDevelopTrials(int budget) {
   const Plan plan = MakePlan(budget);
-  return plan.num_racing * plan.num_shapes / 2 + (plan.num_racing / 3 + 1) * plan.num_shapes +
-         plan.num_evaluations * plan.num_shapes + (kFinalists + 1) * 2 * plan.num_shapes +
-         kNumTrainingShapes;
+  return plan.CountRace() + plan.num_evaluations * plan.num_shapes + plan.CountFinals();
 }
 
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,
@@ -133,11 +132,10 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
   for (const Individual& one : search.individuals) fitness.push_back(one.fitness);
   std::vector<StandardGrasp> finalists = {developed.proposed.grasp};
   for (const size_t k : SortByScore(fitness)) {
-    if (static_cast<int>(finalists.size()) > kFinalists) break;
+    if (static_cast<int>(finalists.size()) > plan.num_finalists) break;
     if (k > 0) finalists.push_back(changes.Apply(search.individuals[k].genome));
   }
-  const std::vector<double> scores =
-      course.Score("finals", finalists, 0, plan.num_shapes, {3, 4});
+  const std::vector<double> scores = course.Score("finals", finalists, 0, plan.num_shapes, {3, 4});
   const size_t best = SortByScore(scores).front();
   developed.proposed_score = scores.front();
   developed.score = scores[best];

@@ -23,7 +23,7 @@ same questions. */
 namespace graspbench {
 
 struct DevelopConfig {
-  int budget = 4000;  ///< trials of all grasps together, about
+  int budget = 3000;  ///< trials of all grasps together, about
   int seed = 1;
 
   template <class V>
@@ -51,8 +51,8 @@ using RunDevelopTrials =
 inline constexpr int kNumTrainingShapes = 12;
 
 struct DevelopedGrasp {
-  ProposedGrasp proposed;  ///< what geometry gave, and the race chose
-  StandardGrasp grasp;     ///< what came of it
+  ProposedGrasp proposed;                    ///< what geometry gave, and the race chose
+  StandardGrasp grasp;                       ///< what came of it
   double proposed_score = 0.0, score = 0.0;  ///< in the finals
   int num_trials = 0;                        ///< in all
   std::vector<DevelopTrial> check;           ///< a trial of each shape

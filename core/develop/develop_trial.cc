@@ -57,9 +57,8 @@ double CalcMeanScore(const std::vector<DevelopTrial>& trials) {
 }
 
 int CountSuccesses(const std::vector<DevelopTrial>& trials) {
-  return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const DevelopTrial& t) {
-    return IsSuccess(t.outcome);
-  }));
+  return static_cast<int>(std::count_if(
+      trials.begin(), trials.end(), [](const DevelopTrial& t) { return IsSuccess(t.outcome); }));
 }
 
 }  // namespace graspbench

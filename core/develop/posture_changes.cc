@@ -11,7 +11,7 @@
 namespace graspbench {
 namespace {
 
-constexpr double kFirstStep = RadFromDeg(5.0);
+constexpr double kFirstStep = RadFromDeg(3.0);
 constexpr double kMostChange = RadFromDeg(30.0);
 
 double CalcUnit(const HandJoint& joint) {
@@ -39,8 +39,8 @@ PostureChanges::PostureChanges(const Hand& hand, StandardGrasp grasp)
       const HandJoint& joint = hand.joints[static_cast<size_t>(joints[k])];
       Move move{joints[k], CalcUnit(joint)};
       if (static_cast<int>(d) != opposing) {
-        const auto [known, is_new] = group_of_build.emplace(std::pair(joints.size(), k),
-                                                            groups_.size());
+        const auto [known, is_new] =
+            group_of_build.emplace(std::pair(joints.size(), k), groups_.size());
         if (!is_new) {
           std::vector<Move>& group = groups_[known->second];
           const HandJoint& first = hand.joints[static_cast<size_t>(group.front().joint)];

@@ -15,18 +15,18 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // By how much a rule may be missed before it matters.
-constexpr double kLength = 0.005;     // [m]
-constexpr double kHeight = 0.004;     // of pads at one level [m]
-constexpr double kStraight = 0.004;   // aside from the way to each other [m]
-constexpr double kFacing = 0.5;       // change of a unit normal, met
-constexpr double kFacingOpen = 1.2;   // open
-constexpr double kWideGap = 0.015;    // of neighbouring pads beyond what is asked [m]
-constexpr double kCosine = 0.2;       // of fingertips
-constexpr double kShare = 0.008;      // of the thumb's way [m]
-constexpr double kEase = 8.0;         // ranges of a joint
-constexpr double kDeepestTip = 0.012; // tips below their pads [m]
-constexpr double kAbovePads = 0.008;  // all the rest of the hand [m]
-constexpr double kOutside = 0.05;     // ranges beyond a limit
+constexpr double kLength = 0.005;      // [m]
+constexpr double kHeight = 0.004;      // of pads at one level [m]
+constexpr double kStraight = 0.004;    // aside from the way to each other [m]
+constexpr double kFacing = 0.5;        // change of a unit normal, met
+constexpr double kFacingOpen = 1.2;    // open
+constexpr double kWideGap = 0.015;     // of neighbouring pads beyond what is asked [m]
+constexpr double kCosine = 0.2;        // of fingertips
+constexpr double kShare = 0.008;       // of the thumb's way [m]
+constexpr double kEase = 8.0;          // ranges of a joint
+constexpr double kDeepestTip = 0.012;  // tips below their pads [m]
+constexpr double kAbovePads = 0.008;   // all the rest of the hand [m]
+constexpr double kOutside = 0.05;      // ranges beyond a limit
 
 }  // namespace
 
@@ -109,9 +109,9 @@ PostureRules::Stand PostureRules::CalcStand(const VectorXd& q, const Vector3d& a
   for (const ContactSphere& ball : hand_.contact_spheres) {
     const auto link = static_cast<size_t>(ball.link);
     const double depth = (X_HL[link] * ball.p_LS).dot(approach_H) + ball.radius;
-    double& deepest = is_tip_[link]                   ? stand.tips
+    double& deepest = is_tip_[link]                  ? stand.tips
                       : ball.link == hand_.palm_link ? stand.palm
-                                                      : stand.rest;
+                                                     : stand.rest;
     deepest = std::max(deepest, depth);
   }
   return stand;
@@ -119,8 +119,8 @@ PostureRules::Stand PostureRules::CalcStand(const VectorXd& q, const Vector3d& a
 
 int PostureRules::num_residuals() const {
   const int num_fingers = static_cast<int>(fingers_.size());
-  const int of_stand = 1 + 1 + 2 * num_fingers + 3 * (num_fingers + 1) + (num_fingers + 1) +
-                       (num_fingers - 1) + 3;
+  const int of_stand =
+      1 + 1 + 2 * num_fingers + 3 * (num_fingers + 1) + (num_fingers + 1) + (num_fingers - 1) + 3;
   const int num_joints = static_cast<int>(joints_.size());
   return 3 * of_stand + 2 + 2 * (num_fingers + 1) + 1 + 2 * num_joints * 2;
 }
@@ -130,8 +130,7 @@ void PostureRules::AddStand(const Stand& stand, const Vector3d& approach_H, bool
   const auto add = [&](double value) { residuals.push_back(value); };
   const auto add_beyond = [&](double value) { residuals.push_back(std::max(0.0, value)); };
   const auto add_facing = [&](const Vector3d& nhat_H, const Vector3d& towards_H) {
-    const Vector3d wanted =
-        std::cos(aim_.lift) * towards_H - std::sin(aim_.lift) * approach_H;
+    const Vector3d wanted = std::cos(aim_.lift) * towards_H - std::sin(aim_.lift) * approach_H;
     const Vector3d off = (nhat_H - wanted) / (is_open ? kFacingOpen : kFacing);
     for (int k = 0; k < 3; ++k) add(off[k]);
   };
@@ -164,8 +163,7 @@ void PostureRules::AddStand(const Stand& stand, const Vector3d& approach_H, bool
 
 VectorXd PostureRules::CalcResiduals(const VectorXd& x) const {
   const PosturePair pair = MakePair(x);
-  const Vector3d approach_H =
-      std::cos(pair.tilt) * normal_H_ + std::sin(pair.tilt) * forward_H_;
+  const Vector3d approach_H = std::cos(pair.tilt) * normal_H_ + std::sin(pair.tilt) * forward_H_;
   VectorXd q_half = 0.5 * (pair.q_open + pair.q_met);
   ApplyCoupling(hand_, q_half);
   const Stand open = CalcStand(pair.q_open, approach_H);

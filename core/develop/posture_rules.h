@@ -66,8 +66,8 @@ class PostureRules {
  private:
   struct Stand;  // what the rules ask of one posture
   Stand CalcStand(const Eigen::VectorXd& q, const Eigen::Vector3d& approach_H) const;
-  void AddStand(const Stand& stand, const Eigen::Vector3d& approach_H, bool is_open,
-                double opening, std::vector<double>& residuals) const;
+  void AddStand(const Stand& stand, const Eigen::Vector3d& approach_H, bool is_open, double opening,
+                std::vector<double>& residuals) const;
 
   const Hand& hand_;
   PostureAim aim_;
@@ -75,7 +75,7 @@ class PostureRules {
   std::vector<int> joints_;
   std::vector<const Digit*> fingers_;  // without the opposing digit
   const Digit* opposing_;
-  std::vector<bool> is_tip_;           // by link: carries a pad that grasps
+  std::vector<bool> is_tip_;  // by link: carries a pad that grasps
   Eigen::Vector3d normal_H_, forward_H_;
 };
 

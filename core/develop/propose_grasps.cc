@@ -20,23 +20,30 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-
 /** What is drawn for a grasp type. Lengths in metres but for `reach`, in lengths of a finger. */
 struct AimRanges {
   const char* taxon;
+  int least_digits;
   int num_digits;  ///< 0: all
   DrawnRange opening, meeting, reach;
   bool is_reach_exact;
   DrawnRange lift_deg, tips_down, grip;
   DrawnRange pad_gap;
 };
+// clang-format off
 constexpr AimRanges kAimRanges[] = {
-    {"g1", 0, {0.06, 0.11}, {0.006, 0.012}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14}, {0.018, 0.03}},
-    {"g2", 2, {0.04, 0.08}, {0.004, 0.01}, {0.4, 0.8}, false, {-5, 10}, {0.4, 0.9}, {3, 9}, {0.02, 0.02}},
-    {"g3", 0, {0.08, 0.13}, {0.01, 0.04}, {0.3, 0.6}, true, {0, 35}, {0.0, 0.7}, {6, 20}, {0.018, 0.035}},
-    {"g4", 2, {0.02, 0.045}, {0.002, 0.006}, {0.4, 0.8}, false, {-5, 5}, {0.6, 0.95}, {3, 9}, {0.02, 0.02}},
-    {"g5", 3, {0.06, 0.1}, {0.006, 0.015}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14}, {0.02, 0.04}},
+    {"g1", 3, 0, {0.06, 0.11}, {0.006, 0.012}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14},
+     {0.018, 0.03}},
+    {"g2", 2, 2, {0.04, 0.08}, {0.004, 0.01}, {0.4, 0.8}, false, {-5, 10}, {0.4, 0.9}, {3, 9},
+     {0.02, 0.02}},
+    {"g3", 2, 0, {0.08, 0.13}, {0.01, 0.04}, {0.3, 0.6}, true, {0, 35}, {0.0, 0.7}, {6, 20},
+     {0.018, 0.035}},
+    {"g4", 2, 2, {0.02, 0.045}, {0.002, 0.006}, {0.4, 0.8}, false, {-5, 5}, {0.6, 0.95}, {3, 9},
+     {0.02, 0.02}},
+    {"g5", 3, 3, {0.06, 0.1}, {0.006, 0.015}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14},
+     {0.02, 0.04}},
 };
+// clang-format on
 
 const AimRanges& FindRanges(const GraspTaxon& taxon) {
   for (const AimRanges& ranges : kAimRanges) {
@@ -201,8 +208,7 @@ void RoundGrasp(const Hand& hand, StandardGrasp& grasp) {
 }
 
 bool CanDevelop(const Hand& hand, const GraspTaxon& taxon) {
-  const int num_digits = FindRanges(taxon).num_digits;
-  return static_cast<int>(hand.digits.size()) >= (num_digits == 0 ? 2 : num_digits);
+  return static_cast<int>(hand.digits.size()) >= FindRanges(taxon).least_digits;
 }
 
 VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
@@ -225,15 +231,15 @@ VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
   for (const Digit& digit : hand.digits) {
     if (!std::count(digits.begin(), digits.end(), digit.id)) continue;
     const std::vector<int> joints = FindDrivenJoints(hand, digit);
-    const Vector3d f_H = &digit == &opposing ? Vector3d(grip * across_H)
-                                             : Vector3d(-grip / num_fingers * across_H);
+    const Vector3d f_H =
+        &digit == &opposing ? Vector3d(grip * across_H) : Vector3d(-grip / num_fingers * across_H);
     const VectorXd torques = CalcPadJacobian(hand, digit, q_met, joints).transpose() * f_H;
     for (size_t k = 0; k < joints.size(); ++k) {
       const HandJoint& joint = hand.joints[static_cast<size_t>(joints[k])];
       const double most = kMostTorque * joint.drive.torque_limit;
       const double torque = std::clamp(torques[static_cast<Eigen::Index>(k)], -most, most);
-      q[joints[k]] = std::clamp(q[joints[k]] + torque / joint.drive.stiffness, joint.lower,
-                                joint.upper);
+      q[joints[k]] =
+          std::clamp(q[joints[k]] + torque / joint.drive.stiffness, joint.lower, joint.upper);
     }
   }
   ApplyCoupling(hand, q);
@@ -248,9 +254,8 @@ std::vector<ProposedGrasp> ProposeGrasps(const Hand& hand, const GraspTaxon& tax
   for (int k = 0; k < num_drawn; ++k) {
     proposed.push_back(ProposeOne(hand, taxon, closing, pairs, stream));
   }
-  std::stable_sort(
-      proposed.begin(), proposed.end(),
-      [](const ProposedGrasp& a, const ProposedGrasp& b) { return a.miss < b.miss; });
+  std::stable_sort(proposed.begin(), proposed.end(),
+                   [](const ProposedGrasp& a, const ProposedGrasp& b) { return a.miss < b.miss; });
   proposed.resize(std::min(proposed.size(), static_cast<size_t>(num_kept)));
   return proposed;
 }

@@ -35,8 +35,8 @@ inline constexpr int kGraspDecimals = 2;
 /** Postures and tilt as hand.yaml will hold them, so that what was tried is what is read. */
 void RoundGrasp(const Hand& hand, StandardGrasp& grasp);
 
-/** Whether the hand has the digits: two for the precision grasp with two and the pinch, three for
-the rest. */
+/** Whether the hand has the digits: three for all finger precision and the three finger special, two
+for the rest. The pinch is one of pads with a small opening, not of a finger's side. */
 bool CanDevelop(const Hand& hand, const GraspTaxon& taxon);
 
 /** The best `num_kept` of `num_drawn` draws, best first. @pre CanDevelop. */

@@ -58,11 +58,12 @@ constexpr ShapeRow kShapes[] = {
     {"g5", Family::kBox, {60, 120}, {30, 46}, {20, 36}, {200, 600}},
     {"g5", Family::kCylinder, {}, {36, 56}, {40, 70}, {150, 600}},
 };
-constexpr DrawnRange kFriction = {0.25, 0.5};     ///< static
-constexpr double kDynamicShare = 0.85;       ///< of the static coefficient
-constexpr double kEdge = 0.0008;             ///< radius of boxes' edges [m]
-constexpr double kFlatSpot = 0.001;          ///< cut off a sphere's bottom [m]
-constexpr double kHole = 0.7;                ///< of a ring's width
+constexpr DrawnRange kFriction = {0.25, 0.5};  ///< static
+constexpr double kDynamicShare = 0.85;         ///< of the static coefficient
+constexpr double kEdge = 0.0008;               ///< radius of boxes' edges [m]
+constexpr double kFlatSpot = 0.001;            ///< cut off a sphere's bottom [m]
+constexpr double kLikeAJudge = 0.002;          ///< in length, width and height [m]
+constexpr double kHole = 0.7;                  ///< of a ring's width
 
 TriMesh MakeFlatSphere(double diameter) {
   constexpr int kSteps = 20;
@@ -130,16 +131,34 @@ TriMesh MakeShapeMesh(Family family, const Vector3d& size) {
   return MakeRingShape(size.y(), size.z());
 }
 
-std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::string& id,
-                                             double largest, RandomStream stream) {
+Vector3d DrawSize(const ShapeRow& row, double largest, RandomStream& stream) {
   Vector3d size(MFromMm(row.length_mm.Draw(stream)), MFromMm(row.width_mm.Draw(stream)),
                 MFromMm(row.height_mm.Draw(stream)));
-  const double density = row.density.Draw(stream);
-  const double friction = kFriction.Draw(stream);
   if (size.y() > largest) size *= largest / size.y();
   if (row.length_mm.high == 0.0) size.x() = size.y();
   if (row.height_mm.high == 0.0) size.z() = size.y();
+  return size;
+}
 
+/** Draws until the size is no judge's; after some hundred draws it is taken as it is: a tiny hand's
+shapes are all alike. */
+Vector3d DrawOtherSize(const ShapeRow& row, double largest, const std::vector<Vector3d>& judges,
+                       RandomStream& stream) {
+  constexpr int kMostDraws = 200;
+  Vector3d size = DrawSize(row, largest, stream);
+  const auto is_judge = [&](const Vector3d& judge) {
+    return (size - judge).cwiseAbs().maxCoeff() < kLikeAJudge;
+  };
+  for (int k = 0; k < kMostDraws && std::any_of(judges.begin(), judges.end(), is_judge); ++k) {
+    size = DrawSize(row, largest, stream);
+  }
+  return size;
+}
+
+std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::string& id,
+                                             const Vector3d& size, RandomStream& stream) {
+  const double density = row.density.Draw(stream);
+  const double friction = kFriction.Draw(stream);
   auto object = std::make_shared<GraspObject>();
   object->id = id;
   object->mesh = MakeShapeMesh(row.family, size);
@@ -151,10 +170,10 @@ std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::str
   object->mass_properties = CalcSolidMassProperties(object->mesh, mass);
   object->surface.friction_static = friction;
   object->surface.friction_dynamic = kDynamicShare * friction;
-  object->name = fmt::format("{}, {:.0f} x {:.0f} x {:.0f} mm, {:.0f} g",
-                             kFamilyNames[static_cast<size_t>(row.family)],
-                             MmFromM(object->size.x()), MmFromM(object->size.y()),
-                             MmFromM(object->size.z()), GFromKg(mass));
+  object->name =
+      fmt::format("{}, {:.0f} x {:.0f} x {:.0f} mm, {:.0f} g",
+                  kFamilyNames[static_cast<size_t>(row.family)], MmFromM(object->size.x()),
+                  MmFromM(object->size.y()), MmFromM(object->size.z()), GFromKg(mass));
   object->content_hash = CalcHashHex(fmt::format("{} {:a} {:a} {:a} {:a} {:a}", object->name,
                                                  size.x(), size.y(), size.z(), mass, friction));
   return object;
@@ -163,7 +182,8 @@ std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::str
 }  // namespace
 
 std::vector<std::shared_ptr<const GraspObject>> MakeShapes(const GraspTaxon& taxon, ShapeUse use,
-                                                           int seed, int count, double largest) {
+                                                           int seed, int count, double largest,
+                                                           const std::vector<Vector3d>& judges) {
   std::vector<const ShapeRow*> rows;
   for (const ShapeRow& row : kShapes) {
     if (taxon.id == row.taxon) rows.push_back(&row);
@@ -173,9 +193,9 @@ std::vector<std::shared_ptr<const GraspObject>> MakeShapes(const GraspTaxon& tax
   std::vector<std::shared_ptr<const GraspObject>> shapes;
   for (int k = 0; k < count; ++k) {
     const ShapeRow& row = *rows[static_cast<size_t>(k) % rows.size()];
-    shapes.push_back(MakeShape(row, fmt::format("{}-{}-{}", name, taxon.id, k), largest,
-                               RandomStream(fmt::format("{} {} {}", seed, taxon.id, k),
-                                            name + " shape")));
+    RandomStream stream(fmt::format("{} {} {}", seed, taxon.id, k), name + " shape");
+    const Vector3d size = DrawOtherSize(row, largest, judges, stream);
+    shapes.push_back(MakeShape(row, fmt::format("{}-{}-{}", name, taxon.id, k), size, stream));
   }
   return shapes;
 }

@@ -22,33 +22,17 @@ bool IsInside(const std::string& line) {
   return line.empty() || line[0] == ' ' || line[0] == '\t' || line[0] == '}';
 }
 
-/** In the mean of the pads, as the grasp is from above [m]. */
-double CalcOpening(const Hand& hand, const StandardGrasp& grasp) {
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand, grasp.q_pre);
-  const int opposing = FindOpposingDigit(hand, grasp);
-  Eigen::Vector3d across = Eigen::Vector3d::Zero();
-  for (size_t d = 0; d < hand.digits.size(); ++d) {
-    for (const std::string& id : grasp.digits) {
-      if (id != hand.digits[d].id) continue;
-      const Eigen::Vector3d p_HPad = CalcPadState(hand, hand.digits[d], X_HL).p_HPad;
-      const double share = 1.0 / (static_cast<double>(grasp.digits.size()) - 1.0);
-      across += static_cast<int>(d) == opposing ? Eigen::Vector3d(-p_HPad) : share * p_HPad;
-    }
-  }
-  const Eigen::Vector3d approach_H = CalcApproachDirection(hand, grasp.tilt);
-  return (across - across.dot(approach_H) * approach_H).norm();
-}
-
 }  // namespace
 
 std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& developed) {
   const PostureAim& aim = developed.proposed.aim;
   return fmt::format(
       "Geometry: pads {:.0f} mm apart that face each other, {:.0f} mm below the palm, the thumb "
-      "going {:.0f} % of the way, a grip of {:.0f} N. Simulation: score {:.2f}, after changes {:.2f} "
+      "going {:.0f} % of the way, a grip of {:.0f} N. Simulation: score {:.2f}, after changes "
+      "{:.2f} "
       "(above 1: all held), pads now {:.0f} mm apart. Held {} of {} shapes not met before.",
       MmFromM(aim.opening), MmFromM(aim.reach), 100.0 * aim.thumb_share, developed.proposed.grip,
-      developed.proposed_score, developed.score, MmFromM(CalcOpening(hand, developed.grasp)),
+      developed.proposed_score, developed.score, MmFromM(CalcPreGraspWidth(hand, developed.grasp)),
       CountSuccesses(developed.check), developed.check.size());
 }
 

@@ -165,6 +165,12 @@ Vector3d CalcApproachDirection(const Hand& hand, double tilt) {
   return std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
 }
 
+double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp) {
+  const Pads pads = CalcPads(hand, grasp, CalcLinkPoses(hand, grasp.q_pre));
+  const Vector3d apart = pads.p_HFingers - pads.p_HThumb;
+  return apart.cross(CalcApproachDirection(hand, grasp.tilt)).norm();
+}
+
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size,
                         const Vector3d& p_OOcm) {
   GRASPBENCH_DEMAND(object_size.minCoeff() > 0.0, "an object's sizes must be positive");

@@ -51,9 +51,8 @@ std::vector<CapsulePair> FindCapsulePairs(const Hand& hand) {
 
 double CalcCapsuleGap(const Hand& hand, const CapsulePair& pair, const std::vector<Pose>& X_HL) {
   const LinkCapsule &a = hand.capsules[pair.a], &b = hand.capsules[pair.b];
-  const ClosestPoints nearest =
-      FindClosestPoints(X_HL[a.link] * a.p_LA, X_HL[a.link] * a.p_LB, X_HL[b.link] * b.p_LA,
-                        X_HL[b.link] * b.p_LB);
+  const ClosestPoints nearest = FindClosestPoints(X_HL[a.link] * a.p_LA, X_HL[a.link] * a.p_LB,
+                                                  X_HL[b.link] * b.p_LA, X_HL[b.link] * b.p_LB);
   return (nearest.on_a - nearest.on_b).norm() - a.radius - b.radius;
 }
 

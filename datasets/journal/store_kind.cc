@@ -101,7 +101,8 @@ const StoreKind kDevelopmentStore = {
     /*keeps_torn_lines=*/false};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
-  for (const StoreKind* kind : {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore}) {
+  for (const StoreKind* kind :
+       {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore}) {
     std::error_code status;
     if (fs::exists(folder / kind->file, status)) return kind;
   }

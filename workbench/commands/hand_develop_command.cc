@@ -18,10 +18,10 @@ std::string FormatDeveloped(const std::vector<DevelopedGrasp>& developed) {
   for (const DevelopedGrasp& one : developed) {
     std::string digits;
     for (const std::string& id : one.grasp.digits) digits += (digits.empty() ? "" : " ") + id;
-    table.AddRow({one.grasp.id, digits, std::to_string(one.num_trials),
-                  FormatFixed(one.proposed_score, 2), FormatFixed(one.score, 2),
-                  std::to_string(CountSuccesses(one.check)) + " of " +
-                      std::to_string(one.check.size())});
+    table.AddRow(
+        {one.grasp.id, digits, std::to_string(one.num_trials), FormatFixed(one.proposed_score, 2),
+         FormatFixed(one.score, 2),
+         std::to_string(CountSuccesses(one.check)) + " of " + std::to_string(one.check.size())});
   }
   return table.Format();
 }

@@ -12,6 +12,7 @@
 #include "datasets/scene/development_store.h"
 #include "datasets/session/input_copies.h"
 #include "datasets/session/session_plan.h"
+#include "objects/catalogue.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {
@@ -114,8 +115,8 @@ class GraspTrials {
     for (size_t k = 0; k < places.size(); ++k) {
       const auto& [r, t, shape] = places[k];
       records[r].trials.resize(requests[r].trials.size());
-      records[r].trials[t] = MakeDevelopTrial(
-          requests[r].grasp, *shapes_[static_cast<size_t>(shape)], results[k]);
+      records[r].trials[t] =
+          MakeDevelopTrial(requests[r].grasp, *shapes_[static_cast<size_t>(shape)], results[k]);
     }
     for (const DevelopmentRecord& record : records) {
       if (!journal_.Find(record.request)) added.push_back(record);
@@ -159,8 +160,18 @@ void PrepareFolder(const DevelopHandRequest& request, const Hand& hand,
   staged.Commit();
 }
 
+/** Sizes of the catalogue's objects, which judge hands. */
+std::vector<Eigen::Vector3d> ListJudges() {
+  std::vector<Eigen::Vector3d> sizes;
+  for (const std::string& id : ListObjects()) {
+    sizes.push_back(LoadObject(id, FieldUse::kLater)->size);
+  }
+  return sizes;
+}
+
 std::vector<std::shared_ptr<const GraspObject>> MakeAllShapes(
-    const GraspTaxon& taxon, int seed, const std::vector<ProposedGrasp>& proposals) {
+    const GraspTaxon& taxon, int seed, const std::vector<ProposedGrasp>& proposals,
+    const std::vector<Eigen::Vector3d>& judges) {
   double widest = 0.0;
   for (const ProposedGrasp& proposed : proposals) {
     widest = std::max(widest, proposed.aim.opening);
@@ -168,7 +179,7 @@ std::vector<std::shared_ptr<const GraspObject>> MakeAllShapes(
   std::vector<std::shared_ptr<const GraspObject>> shapes;
   for (const ShapeUse use : {ShapeUse::kTraining, ShapeUse::kValidation}) {
     for (const auto& shape :
-         MakeShapes(taxon, use, seed, kNumTrainingShapes, kLargestShape * widest)) {
+         MakeShapes(taxon, use, seed, kNumTrainingShapes, kLargestShape * widest, judges)) {
       shapes.push_back(CompleteObject(shape));
     }
   }
@@ -197,13 +208,14 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   stage.num_trials = CountDevelopTrials(budget) * stage.num_all;
   observer.BeginStage(stage);
   BatchStatus status;
+  const std::vector<Eigen::Vector3d> judges = ListJudges();
   int num_asked = 0;
   std::vector<DevelopedGrasp> developed;
   for (const GraspTaxon* taxon : taxa) {
     const std::string stream = std::to_string(request.config.seed) + " " + taxon->id;
     const std::vector<ProposedGrasp> proposals =
         ProposeGrasps(*hand, *taxon, kNumDrawn, kNumKept, RandomStream(stream, "proposals"));
-    GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals),
+    GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
                        journal, pool, num_asked);
     const auto run = [&](const std::vector<DevelopRequest>& requests) {
       auto answers = trials.Run(requests);

@@ -21,7 +21,7 @@ The same request again continues what was stopped. */
 namespace graspbench {
 
 struct DevelopHandRequest {
-  std::string hand;            ///< by id or folder
+  std::string hand;  ///< by id or folder
   std::filesystem::path out;
   DevelopConfig config;
   int num_workers = 1;

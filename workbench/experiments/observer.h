@@ -16,7 +16,16 @@ starts one passes an observer. */
 
 namespace graspbench {
 
-enum class StageKind { kRun, kJudge, kOptimisation, kBenchmark, kComparison, kBasin, kVariant, kDevelopment };
+enum class StageKind {
+  kRun,
+  kJudge,
+  kOptimisation,
+  kBenchmark,
+  kComparison,
+  kBasin,
+  kVariant,
+  kDevelopment
+};
 struct StageRow {
   StageKind value;
   const char* name;

@@ -44,7 +44,8 @@ void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& pr
   const Hand& hand = imported.hand;
   for (int index = 0; index < static_cast<int>(hand.links.size()); ++index) {
     const HandLink& link = hand.links[index];
-    if (link.parent != hand.palm_link || link.joint < 0 || hand.FindDigitOfLink(index) < 0) continue;
+    if (link.parent != hand.palm_link || link.joint < 0 || hand.FindDigitOfLink(index) < 0)
+      continue;
     double deepest = 0.0;
     const auto blocks = [&](const CollisionShape& shape) {
       if (shape.link != index) return false;
@@ -57,11 +58,12 @@ void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& pr
       if (!blocks(shape)) kept.push_back(shape);
     }
     if (kept.size() == imported.shapes.size()) continue;
-    problems.Warn(file, 0,
-                  fmt::format("link \"{}\": {} of its balls and capsules would meet the palm within "
-                              "the limits of joint \"{}\", by up to {:.1f} mm; left out of contact",
-                              link.name, imported.shapes.size() - kept.size(),
-                              hand.joints[link.joint].name, MmFromM(deepest)));
+    problems.Warn(
+        file, 0,
+        fmt::format("link \"{}\": {} of its balls and capsules would meet the palm within "
+                    "the limits of joint \"{}\", by up to {:.1f} mm; left out of contact",
+                    link.name, imported.shapes.size() - kept.size(), hand.joints[link.joint].name,
+                    MmFromM(deepest)));
     imported.shapes = std::move(kept);
   }
 }
