@@ -52,12 +52,10 @@ TEST_F(DevelopHandTest, AGripperGetsItsGraspsWhateverTheWorkersAndWhereverItStop
   const std::string journal = ReadFile(out("one") / "development" / "journal.jsonl");
   const std::string result = ReadFile(out("one") / "development" / "result.json");
 
-  // Stopped in the middle of a line, as by a kill.
-  fs::copy(out("one"), out("two"), fs::copy_options::recursive);
-  fs::remove(out("two") / "development" / "result.json");
-  fs::remove(out("two") / "development" / "manifest.json");
-  fs::copy_file(folder_.path() / "gripper" / "hand.yaml", out("two") / "hand.yaml",
-                fs::copy_options::overwrite_existing);
+  // Stopped at once, then in the middle of a line, as by a kill.
+  stop_ = true;
+  EXPECT_THROW(Develop("two", 2), Error);
+  stop_ = false;
   WriteFile(out("two") / "development" / "journal.jsonl", journal.substr(0, journal.size() / 2));
   Develop("two", 2);
   EXPECT_EQ(ReadFile(out("two") / "development" / "journal.jsonl"), journal);
