@@ -2,8 +2,8 @@
 /** @file
 Develops one grasp of a hand: geometry proposes, simulation on training shapes decides.
 
-    race      the best proposals grasp a few shapes, the better ones more of them, the best ones again
-              with other draws
+    race      the best proposals grasp a few shapes, the better ones more of them, the best ones
+              again with other draws
     search    CMA-ES among small changes of the winner's postures (posture_changes.h), mean score
     finals    the best of the search and the winner as it was, on draws that neither has seen
     check     the chosen one on shapes that nothing has seen

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Grasps from geometry alone: many aims drawn for a grasp type (which finger opposes the thumb, how wide,
-how far from the palm, who does how much of the way), for each the pair of postures that keeps the
+Grasps from geometry alone: many aims drawn for a grasp type (which finger opposes the thumb, how
+wide, how far from the palm, who does how much of the way), for each the pair of postures that keeps the
 rules best, and the squeeze behind it.
 
 The pads of the met posture would only touch. So the target goes beyond it by what the drives give

@@ -25,10 +25,9 @@ namespace graspbench {
 /** Shapes of another purpose share no stream of random numbers. */
 enum class ShapeUse { kTraining, kValidation };
 
-/** @param largest  what the hand can take between its pads [m]: no width is larger, except of a power
-grasp.
-@param judges  sizes of the objects that will judge the hand: what comes within 2 mm of one in length,
-width and height is drawn again.
+/** @param largest  what the hand can take between its pads [m]: no width is larger.
+@param judges  sizes of the objects that will judge the hand: what comes within 2 mm of one in
+length, width and height is drawn again.
 @returns objects without a distance field, called "training-g1-0", ..; their names say what they
 are: "box, 71 x 33 x 30 mm, 34 g". */
 std::vector<std::shared_ptr<const GraspObject>> MakeShapes(

@@ -48,8 +48,8 @@ Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp,
 turned about the fingers' flexion axis by `tilt` towards the fingertips. */
 Eigen::Vector3d CalcApproachDirection(const Hand& hand, double tilt);
 
-/** Between the opposing pad and the mean of the others in the pre-grasp, seen along the approach from
-above: what is wider does not fit [m]. */
+/** Between the opposing pad and the mean of the others in the pre-grasp, seen along the approach
+from above: what is wider does not fit [m]. */
 double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp);
 
 /** @param object_size  length, width, height of the object as it rests [m], all > 0.

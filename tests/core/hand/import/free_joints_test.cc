@@ -17,7 +17,8 @@ CollisionShape MakeBall(int link, const Vector3d& centre, double radius) {
   return shape;
 }
 
-/** A ball for a palm; a finger that turns about z, 40 mm beside it, with a ball 20 mm from its axis. */
+/** A ball for a palm; 40 mm beside it a finger that turns about z, with a ball 20 mm from its axis.
+ */
 ImportedHand MakeImported(double upper) {
   ImportedHand imported;
   Hand& hand = imported.hand;
