@@ -116,19 +116,6 @@ double CalcWayBack(const Hand& hand, const StandardGrasp& grasp, const GraspObje
   return back;
 }
 
-/** The palm's normal, turned about the flexion axis by the tilt: towards the fingertips, whichever
-way the axis points. */
-Vector3d CalcApproach(const Hand& hand, double tilt) {
-  Vector3d fingertips_H = Vector3d::Zero();
-  const std::vector<Pose> X_HL_rest = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
-  for (const Digit& digit : hand.digits) {
-    if (!digit.is_thumb) fingertips_H += X_HL_rest[digit.distal_link] * digit.p_LTip;
-  }
-  Vector3d forward_H = hand.palm_normal.cross(CalcFlexionAxis(hand)).normalized();
-  if (forward_H.dot(fingertips_H) < 0.0) forward_H = -forward_H;
-  return std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
-}
-
 /** Raises the hand until it is clear of the table on its whole `course`. What is thinner than the
 lowest grasp is picked off the table: there the fingertips may slide on it until they meet the
 object. */
@@ -167,6 +154,23 @@ Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp,
   return q;
 }
 
+Vector3d CalcApproachDirection(const Hand& hand, double tilt) {
+  Vector3d fingertips_H = Vector3d::Zero();
+  const std::vector<Pose> X_HL_rest = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const Digit& digit : hand.digits) {
+    if (!digit.is_thumb) fingertips_H += X_HL_rest[digit.distal_link] * digit.p_LTip;
+  }
+  Vector3d forward_H = hand.palm_normal.cross(CalcFlexionAxis(hand)).normalized();
+  if (forward_H.dot(fingertips_H) < 0.0) forward_H = -forward_H;
+  return std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
+}
+
+double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp) {
+  const Pads pads = CalcPads(hand, grasp, CalcLinkPoses(hand, grasp.q_pre));
+  const Vector3d apart = pads.p_HFingers - pads.p_HThumb;
+  return apart.cross(CalcApproachDirection(hand, grasp.tilt)).norm();
+}
+
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size,
                         const Vector3d& p_OOcm) {
   GRASPBENCH_DEMAND(object_size.minCoeff() > 0.0, "an object's sizes must be positive");
@@ -176,7 +180,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   const bool from_side = grasp.type == GraspType::kPower && height > CalcReach(hand);
 
   const Vector3d lateral_H = CalcFlexionAxis(hand);
-  const Vector3d approach_H = CalcApproach(hand, from_side ? 0.0 : grasp.tilt);
+  const Vector3d approach_H = CalcApproachDirection(hand, from_side ? 0.0 : grasp.tilt);
 
   // The opening seen along the approach.
   const auto across = [&](const Vector3d& v) -> Vector3d {

@@ -44,6 +44,14 @@ inline constexpr double kTableClearance = 0.0005;
 /** The posture at closing parameter s in [0, 1], coupled joints included. */
 Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s);
 
+/** Unit, in H: the direction in which the hand comes to an object from above; the palm's normal,
+turned about the fingers' flexion axis by `tilt` towards the fingertips. */
+Eigen::Vector3d CalcApproachDirection(const Hand& hand, double tilt);
+
+/** Between the opposing pad and the mean of the others in the pre-grasp, seen along the approach
+from above: what is wider does not fit [m]. */
+double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp);
+
 /** @param object_size  length, width, height of the object as it rests [m], all > 0.
 @param p_OOcm  its centre of mass [m]. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,

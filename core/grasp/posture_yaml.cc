@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/hand/coupling.h"
@@ -39,18 +40,33 @@ void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& fi
   ApplyCoupling(hand, q);
 }
 
-std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q) {
+std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals) {
   std::string text;
   for (const Digit& digit : hand.digits) {
     text += (text.empty() ? "" : ", ") + digit.id + ": [";
     const char* separator = "";
     for (const int joint : FindDrivenJoints(hand, digit)) {
-      text += fmt::format("{}{:.6f}", separator, ShownFromPosition(hand.joints[joint], q[joint]));
+      text += fmt::format("{}{:.{}f}", separator, ShownFromPosition(hand.joints[joint], q[joint]),
+                          decimals);
       separator = ", ";
     }
     text += "]";
   }
   return "{" + text + "}";
+}
+
+Eigen::VectorXd RoundPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  Eigen::VectorXd rounded = q;
+  for (int j = 0; j < hand.num_joints(); ++j) {
+    const HandJoint& joint = hand.joints[j];
+    const double value = joint.is_prismatic ? MmFromM(q[j]) : DegFromRad(q[j]);
+    const double written = std::round(value * scale) / scale;
+    rounded[j] = std::clamp(joint.is_prismatic ? MFromMm(written) : RadFromDeg(written),
+                            joint.lower, joint.upper);
+  }
+  ApplyCoupling(hand, rounded);
+  return rounded;
 }
 
 void CheckGraspDigits(const Hand& hand, const std::vector<std::string>& digits, YamlMap& map) {

@@ -19,8 +19,11 @@ namespace graspbench {
 void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& file,
                  const std::string& where, Diagnostics& problems, Eigen::VectorXd& q);
 
-/** On one line, with six decimals, so that what is read is written again as it was. */
-std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q);
+/** On one line; with six decimals what is read is written again as it was. */
+std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals = 6);
+
+/** The posture that is read when `q` was written with so many decimals. */
+Eigen::VectorXd RoundPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals);
 
 /** The key "digits" of a grasp: at least two, all of this hand. */
 void CheckGraspDigits(const Hand& hand, const std::vector<std::string>& digits, YamlMap& map);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/units.h"
+#include "core/hand/self_contact.h"
 #include "core/physics/combine_surfaces.h"
 
 namespace graspbench {
@@ -18,36 +19,6 @@ constexpr double kTableMargin = 0.008;
 /** Counts as the load of a point that has just touched, so that new ones share alike [N]. */
 constexpr double kUnknownLoad = 1e-6;
 
-struct ClosestPoints {
-  Vector3d on_a, on_b;
-};
-
-/** Nearest points of two segments (Ericson 2005, section 5.1.9). */
-ClosestPoints FindClosestPoints(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0,
-                                const Vector3d& b1) {
-  const Vector3d da = a1 - a0, db = b1 - b0, r = a0 - b0;
-  const double aa = da.squaredNorm(), bb = db.squaredNorm(), br = db.dot(r);
-  constexpr double kPoint = 1e-18;
-  double s = 0.0, t = 0.0;
-  if (aa <= kPoint) {
-    t = bb <= kPoint ? 0.0 : std::clamp(br / bb, 0.0, 1.0);
-  } else {
-    const double ar = da.dot(r);
-    if (bb <= kPoint) {
-      s = std::clamp(-ar / aa, 0.0, 1.0);
-    } else {
-      const double ab = da.dot(db), denominator = aa * bb - ab * ab;
-      s = denominator > kPoint ? std::clamp((ab * br - ar * bb) / denominator, 0.0, 1.0) : 0.0;
-      t = (ab * s + br) / bb;
-      if (t < 0.0 || t > 1.0) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = std::clamp((ab * t - ar) / aa, 0.0, 1.0);
-      }
-    }
-  }
-  return {a0 + s * da, b0 + t * db};
-}
-
 }  // namespace
 
 Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig& config)
@@ -57,7 +28,7 @@ Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig&
       field_(object.field.get()),
       support_(object.mesh) {
   GroupSpheres();
-  FindCapsulePairs(hand);
+  FindPairs(hand);
   CombineMaterials(hand, object.surface, config);
   Reset();
 }
@@ -82,24 +53,14 @@ void Collider::GroupSpheres() {
   }
 }
 
-/** Fingers against each other and against the palm; a finger cannot reach itself, and what touches
-in the rest posture is built that way. */
-void Collider::FindCapsulePairs(const Hand& hand) {
-  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
-  for (int a = 0; a < static_cast<int>(capsules_.size()); ++a) {
-    for (int b = a + 1; b < static_cast<int>(capsules_.size()); ++b) {
-      const LinkCapsule &ca = capsules_[a], &cb = capsules_[b];
-      if (hand.FindDigitOfLink(ca.link) == hand.FindDigitOfLink(cb.link)) continue;
-      const ClosestPoints rest =
-          FindClosestPoints(X_HL[ca.link] * ca.p_LA, X_HL[ca.link] * ca.p_LB,
-                            X_HL[cb.link] * cb.p_LA, X_HL[cb.link] * cb.p_LB);
-      if ((rest.on_a - rest.on_b).norm() <= ca.radius + cb.radius) continue;
-      CapsulePair& pair = pairs_.emplace_back();
-      pair.a = a;
-      pair.b = b;
-      pair.reach = 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm()) + ca.radius +
-                   cb.radius + kMargin;
-    }
+void Collider::FindPairs(const Hand& hand) {
+  for (const CapsulePair& meeting : FindCapsulePairs(hand)) {
+    const LinkCapsule &ca = capsules_[meeting.a], &cb = capsules_[meeting.b];
+    SelfPair& pair = pairs_.emplace_back();
+    pair.a = meeting.a;
+    pair.b = meeting.b;
+    pair.reach = 0.5 * ((ca.p_LB - ca.p_LA).norm() + (cb.p_LB - cb.p_LA).norm()) + ca.radius +
+                 cb.radius + kMargin;
   }
 }
 
@@ -113,7 +74,7 @@ void Collider::CombineMaterials(const Hand& hand, const SurfaceMaterial& object,
   SurfaceMaterial object_underside = object;  // its friction is that against a hand
   object_underside.friction_static = object_underside.friction_dynamic = kUnset;
   object_table_ = CombineSurfaces(object_underside, table, config);
-  for (CapsulePair& pair : pairs_) {
+  for (SelfPair& pair : pairs_) {
     pair.material = CombineSurfaces(
         MakeSelfSurface(hand.links[capsules_[pair.a].link].surface, config),
         MakeSelfSurface(hand.links[capsules_[pair.b].link].surface, config), config);
@@ -281,7 +242,7 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, int step_number,
     placed.middle = 0.5 * (placed.a + placed.b);
   }
   for (size_t p = 0; p < pairs_.size(); ++p) {
-    const CapsulePair& pair = pairs_[p];
+    const SelfPair& pair = pairs_[p];
     const PlacedCapsule &placed_a = placed_capsules_[pair.a], &placed_b = placed_capsules_[pair.b];
     if ((placed_a.middle - placed_b.middle).squaredNorm() > pair.reach * pair.reach) continue;
     const LinkCapsule &a = capsules_[pair.a], &b = capsules_[pair.b];

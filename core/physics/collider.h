@@ -42,14 +42,14 @@ class Collider {
   double CalcLowestPoint(const Pose& X_WO) const { return support_.CalcLowestPoint(X_WO); }
 
  private:
-  struct CapsulePair {
+  struct SelfPair {
     int a, b;      // indices into capsules_
     double reach;  // middles farther apart belong to capsules that are no contact [m]
     ContactMaterial material;
   };
 
   void GroupSpheres();
-  void FindCapsulePairs(const Hand& hand);
+  void FindPairs(const Hand& hand);
   void CombineMaterials(const Hand& hand, const SurfaceMaterial& object, const SimConfig& config);
   static void AddJointRows(const HandDynamics& dynamics, int link, double sign,
                            ContactPoint& contact);
@@ -77,7 +77,7 @@ class Collider {
   };
   std::vector<LinkSpheres> link_spheres_;
   std::vector<LinkCapsule> capsules_;
-  std::vector<CapsulePair> pairs_;
+  std::vector<SelfPair> pairs_;
   struct PlacedCapsule {
     Eigen::Vector3d a, b, middle;  // of its axis, in W
   };

@@ -86,9 +86,23 @@ const StoreKind kCampaignStore = {
     /*keeps_torn_lines=*/false,
     /*shared_journals=*/{"workers/*-*.jsonl"},
     /*outputs=*/{"report"}};
+const StoreKind kDevelopmentStore = {
+    /*name=*/"development",
+    /*file=*/"development.json",
+    /*schema=*/1,
+    /*oldest_schema=*/1,
+    /*sealed_schema=*/1,
+    /*command=*/"graspbench hand develop",
+    /*remedy=*/"develop the hand anew into another folder",
+    /*files=*/{"development.json"},
+    /*derived=*/{"result.json"},
+    /*journals=*/{"journal.jsonl"},
+    /*stores=*/{},
+    /*keeps_torn_lines=*/false};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
-  for (const StoreKind* kind : {&kCampaignStore, &kSessionStore, &kSceneStore}) {
+  for (const StoreKind* kind :
+       {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore}) {
     std::error_code status;
     if (fs::exists(folder / kind->file, status)) return kind;
   }

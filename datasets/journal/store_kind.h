@@ -40,6 +40,7 @@ struct StoreKind {
 extern const StoreKind kSessionStore;
 extern const StoreKind kSceneStore;
 extern const StoreKind kCampaignStore;
+extern const StoreKind kDevelopmentStore;
 
 /** The kind whose frozen configuration the folder holds; null: none. */
 const StoreKind* FindStoreKind(const std::filesystem::path& folder);

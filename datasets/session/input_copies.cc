@@ -74,16 +74,6 @@ std::vector<std::string> ListNamed(const fs::path& path, const std::regex& patte
   return names;
 }
 
-void CopyHand(const fs::path& from, const fs::path& to) {
-  static const std::regex kMesh("filename\\s*=\\s*[\"']([^\"']+)[\"']");
-  std::vector<std::string> files = {"hand.urdf", "hand.yaml"};
-  for (const std::string& mesh : ListNamed(from / "hand.urdf", kMesh)) {
-    // A name in a comment may stand for nothing.
-    if (fs::is_regular_file(from / mesh)) files.push_back(mesh);
-  }
-  CopyFiles(from, to, files);
-}
-
 void CopyObject(const fs::path& from, const fs::path& to) {
   std::vector<std::string> files = {"object.yaml", LoadObjectFile(from / "object.yaml").mesh};
   if (fs::path(files[1]).extension() == ".gltf") {
@@ -102,6 +92,16 @@ bool IsGraspFile(const std::string& name) {
   constexpr std::string_view kEnding = ".yaml";
   return name.size() > kEnding.size() &&
          name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
+}
+
+void CopyHand(const fs::path& from, const fs::path& to) {
+  static const std::regex kMesh("filename\\s*=\\s*[\"']([^\"']+)[\"']");
+  std::vector<std::string> files = {"hand.urdf", "hand.yaml"};
+  for (const std::string& mesh : ListNamed(from / "hand.urdf", kMesh)) {
+    // A name in a comment may stand for nothing.
+    if (fs::is_regular_file(from / mesh)) files.push_back(mesh);
+  }
+  CopyFiles(from, to, files);
 }
 
 void CopyInputs(const SessionConfig& config, const fs::path& folder) {

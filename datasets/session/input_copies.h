@@ -25,6 +25,10 @@ bool IsGraspFile(const std::string& name);
 named from outside its hand's or object's folder; Error(kIo). */
 void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder);
 
+/** hand.urdf, hand.yaml and the meshes that hand.urdf names, into the folder `to`.
+@throws Error(kUsage) for a file that is named from outside the folder; Error(kIo). */
+void CopyHand(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /** Where to load an input from: its copy in the store's folder, else the name itself.
 @param folder  empty: there is no store yet. */
 std::string FindHandInput(const std::string& name, const std::filesystem::path& folder);

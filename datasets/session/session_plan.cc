@@ -8,6 +8,7 @@
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/base/text.h"
+#include "core/grasp/placement.h"
 
 namespace graspbench {
 namespace {
@@ -54,15 +55,23 @@ const StandardGrasp* FindGrasp(const SessionHand& hand, const GraspObject& objec
   return grasp == hand.grasps.end() ? nullptr : &*grasp;
 }
 
+/** What an open hand needs beside an object that lies up to 5 mm aside [m]. */
+constexpr double kRoomBetweenPads = 0.01;
+
 const StandardGrasp& FindBestGrasp(const SessionHand& hand, const GraspObject& object) {
   const auto best = object.best_grasp.find(hand.hand->id);
   if (best != object.best_grasp.end()) {
     if (const StandardGrasp* grasp = FindGrasp(hand, object, best->second)) return *grasp;
   }
+  const StandardGrasp* first = nullptr;
   for (const std::string& id : object.grasp_order) {
-    if (const StandardGrasp* grasp = FindGrasp(hand, object, id)) return *grasp;
+    const StandardGrasp* grasp = FindGrasp(hand, object, id);
+    if (!grasp) continue;
+    const double width = CalcPreGraspWidth(*hand.hand, *grasp);
+    if (grasp->placement || width >= object.size.y() + kRoomBetweenPads) return *grasp;
+    if (!first) first = grasp;
   }
-  return hand.grasps.front();
+  return first ? *first : hand.grasps.front();
 }
 
 /** The id that a name in the configuration stands for. */

@@ -16,7 +16,16 @@ starts one passes an observer. */
 
 namespace graspbench {
 
-enum class StageKind { kRun, kJudge, kOptimisation, kBenchmark, kComparison, kBasin, kVariant };
+enum class StageKind {
+  kRun,
+  kJudge,
+  kOptimisation,
+  kBenchmark,
+  kComparison,
+  kBasin,
+  kVariant,
+  kDevelopment
+};
 struct StageRow {
   StageKind value;
   const char* name;
@@ -30,7 +39,8 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kBenchmark, "benchmark", "trial", "trials", "run"},
     {StageKind::kComparison, "comparison", "search", "searches", "run"},
     {StageKind::kBasin, "basin", "sample", "samples", "run"},
-    {StageKind::kVariant, "variant", "trial", "trials", "run"}};
+    {StageKind::kVariant, "variant", "trial", "trials", "run"},
+    {StageKind::kDevelopment, "development", "grasp", "grasps", "develop"}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
 #include "core/hand/import/read_foreign_urdf.h"
 #include "core/hand/import/write_hand.h"
@@ -24,6 +25,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   imported.hand.name = foreign.name;
   GuessHand(source.file, imported, problems);
   if (has_failed()) return {};
+  FreeJoints(source.file, imported, problems);
 
   ImportedFiles result;
   const Hand& hand = imported.hand;

@@ -262,7 +262,7 @@ std::string FormatYaml(const Hand& hand, const std::string& source) {
   text += FormatDigits(hand) + "\n";
   const std::string followers = FormatFollowers(hand);
   text += followers + (followers.empty() ? "" : "\n") + FormatDrives(hand);
-  return text + "\n# grasps: none yet; see the README, A new hand.\n";
+  return text + "\n# grasps: none yet; graspbench hand develop FOLDER --out DIR finds them.\n";
 }
 
 std::string FormatReadme(const ImportedHand& imported, const std::string& source,

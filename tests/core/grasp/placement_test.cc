@@ -14,6 +14,19 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Straight fingers of the TUM Hand: bases 80 mm apart, pads 7 mm inside of each.
+TEST(PreGraspWidthTest, IsThatOfThePadsAcrossTheApproach) {
+  const Hand hand = LoadHand("tum");
+  StandardGrasp grasp = LoadStandardGrasps(hand).front();
+  grasp.q_pre.setZero();
+  grasp.tilt = 0.0;
+  EXPECT_NEAR(CalcPreGraspWidth(hand, grasp), 0.08 - 2.0 * 0.007, 1e-9);
+  grasp.tilt = RadFromDeg(60.0);  // what lies along the approach is not seen
+  const Vector3d apart(0.066, 0.0, 0.0);
+  const double along = apart.dot(CalcApproachDirection(hand, grasp.tilt));
+  EXPECT_NEAR(CalcPreGraspWidth(hand, grasp), std::sqrt(0.066 * 0.066 - along * along), 1e-9);
+}
+
 struct Case {
   const char* hand;
   const char* grasp;

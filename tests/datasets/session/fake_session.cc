@@ -14,11 +14,22 @@ SessionHand MakeFakeHand(const std::string& id, int num_joints, double joint_acc
   hand->content_hash = "content of " + id;
   hand->joint_accuracy = joint_accuracy;
   hand->joints.resize(static_cast<size_t>(num_joints));
+  hand->links.resize(1);
+  for (const double x : {-0.05, 0.05}) {  // pads 100 mm apart
+    Digit digit;
+    digit.id = x < 0.0 ? "TH" : "FF";
+    digit.is_thumb = x < 0.0;
+    digit.links = {0};
+    digit.distal_link = 0;
+    digit.p_LPad = Eigen::Vector3d(x, 0.0, 0.0);
+    hand->digits.push_back(digit);
+  }
   SessionHand session_hand;
   session_hand.hand = hand;
   for (const std::string& grasp_id : grasps) {
     StandardGrasp grasp;
     grasp.id = grasp_id;
+    grasp.digits = {"TH", "FF"};
     grasp.q_pre = Eigen::VectorXd::Zero(num_joints);
     grasp.q_target = Eigen::VectorXd::Ones(num_joints);
     session_hand.grasps.push_back(grasp);

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/grasp/placement.h"
+#include "core/hand/load_hand.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -55,6 +57,29 @@ TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {
   EXPECT_EQ(ListCells(MakePlan(SessionConfig(), inputs)),
             (std::vector<std::string>{"tum mug g3", "tum pencil g3", "mine mug pinch",
                                       "mine pencil pinch"}));
+}
+
+TEST(SessionPlan, BestOpensWiderThanTheObject) {
+  auto hand = std::make_shared<Hand>(LoadHand("tum"));
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands = {{hand, LoadStandardGrasps(*hand)}};
+  const auto width_of = [&](size_t grasp) {
+    return CalcPreGraspWidth(*hand, inputs.hands.front().grasps[grasp]);
+  };
+  hand->id = "mine";
+  const double narrow = width_of(3), wide = width_of(0);  // g4, g1
+  ASSERT_LT(narrow + 0.03, wide);
+  const auto find_best = [&](double object_width) {
+    auto box = MakeFakeObject("box");
+    box->size = Eigen::Vector3d(0.1, object_width, 0.03);
+    box->grasp_order = {"g4", "g1"};
+    inputs.objects = {box};
+    return MakePlan(SessionConfig(), inputs).front().grasp;
+  };
+  EXPECT_EQ(find_best(narrow - 0.011), "g4");
+  EXPECT_EQ(find_best(narrow - 0.009), "g1");
+  EXPECT_EQ(find_best(wide - 0.011), "g1");
+  EXPECT_EQ(find_best(wide - 0.009), "g4");  // none does
 }
 
 TEST(SessionPlan, AGraspOfOneObjectIsTriedOnThatObjectBesideTheBestOne) {

@@ -1,0 +1,68 @@
+#pragma once
+/** @file
+Develops one grasp of a hand: geometry proposes, simulation on training shapes decides.
+
+    race      the best proposals grasp a few shapes, the better ones more of them, the best ones
+              again with other draws
+    search    CMA-ES among small changes of the winner's postures (posture_changes.h), mean score
+    finals    the best of the search and the winner as it was, on draws that neither has seen
+    check     the chosen one on shapes that nothing has seen
+
+How it scores is in develop_trial.h, the shapes in training_shapes.h. The simulation is asked, so
+that the caller runs the trials on its threads and keeps a journal; the same answers lead to the
+same questions. */
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/develop/develop_trial.h"
+#include "core/develop/propose_grasps.h"
+#include "core/grasp/standard_grasp.h"
+
+namespace graspbench {
+
+struct DevelopConfig {
+  int budget = 3000;  ///< trials of all grasps together, about
+  int seed = 1;
+
+  template <class V>
+  void Visit(V&& v) {
+    v("budget", budget);
+    v("seed", seed);
+  }
+};
+
+/** One grasp on some shapes. */
+struct DevelopRequest {
+  struct Trial {
+    int shape = 0;  ///< index into the shapes; those for the check follow those for training
+    int draw = 0;   ///< of the variation between trials
+  };
+  std::string stage;  ///< "race", "search", "finals", "check"
+  StandardGrasp grasp;
+  std::vector<Trial> trials;
+};
+/** The trials of each request, in the order of the requests. */
+using RunDevelopTrials =
+    std::function<std::vector<std::vector<DevelopTrial>>(const std::vector<DevelopRequest>&)>;
+
+/** Shapes of a grasp: so many to train on, then as many to check with. */
+inline constexpr int kNumTrainingShapes = 12;
+
+struct DevelopedGrasp {
+  ProposedGrasp proposed;                    ///< what geometry gave, and the race chose
+  StandardGrasp grasp;                       ///< what came of it
+  double proposed_score = 0.0, score = 0.0;  ///< in the finals
+  int num_trials = 0;                        ///< in all
+  std::vector<DevelopTrial> check;           ///< a trial of each shape
+};
+
+/** About how many trials DevelopGrasp asks for. */
+int CountDevelopTrials(int budget);
+
+/** @param budget  of trials of this grasp.  @pre `proposals` is not empty, best first. */
+DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,
+                            int budget, int seed, const RunDevelopTrials& run);
+
+}  // namespace graspbench

@@ -1,0 +1,64 @@
+#include "core/develop/develop_trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kFirmness = 0.3;
+constexpr double kPalm = 0.2;
+constexpr double kTouching = 0.3;
+constexpr double kLifting = 0.2;
+constexpr double kSlightPull = 0.2;  // [N]
+
+bool TouchesPalmAtEnd(const TrialResult& result) {
+  bool touches = false;
+  for (const ContactEvent& event : result.contact_events) {
+    if (event.digit != "palm") continue;
+    if (event.kind == ContactEventKind::kLost) touches = false;
+    if (event.kind == ContactEventKind::kTouch || event.kind == ContactEventKind::kRegained) {
+      touches = true;
+    }
+  }
+  return touches;
+}
+
+}  // namespace
+
+DevelopTrial MakeDevelopTrial(const StandardGrasp& grasp, const GraspObject& object,
+                              const TrialResult& result) {
+  DevelopTrial trial;
+  trial.outcome = result.outcome;
+  if (IsNumericalFailure(result.outcome)) return trial;
+  if (IsSuccess(result.outcome)) {
+    const double weight = object.mass_properties.mass * kStandardGravity;
+    const double sigma = std::isfinite(result.stability.sigma) ? result.stability.sigma : 0.0;
+    const double x = std::max(0.0, sigma) / (weight + kSlightPull);
+    trial.score = 1.0 + kFirmness * x / (1.0 + x);
+    if (grasp.palm_may_touch && TouchesPalmAtEnd(result)) trial.score += kPalm;
+    return trial;
+  }
+  int num_touched = 0;
+  for (const DigitContact& contact : result.contacts) num_touched += !std::isnan(contact.time);
+  if (!result.contacts.empty()) {
+    trial.score = kTouching * num_touched / static_cast<double>(result.contacts.size());
+  }
+  trial.score += kLifting * std::clamp(result.lift_height / grasp.approach_distance, 0.0, 1.0);
+  return trial;
+}
+
+double CalcMeanScore(const std::vector<DevelopTrial>& trials) {
+  double sum = 0.0;
+  for (const DevelopTrial& trial : trials) sum += trial.score;
+  return trials.empty() ? 0.0 : sum / static_cast<double>(trials.size());
+}
+
+int CountSuccesses(const std::vector<DevelopTrial>& trials) {
+  return static_cast<int>(std::count_if(
+      trials.begin(), trials.end(), [](const DevelopTrial& t) { return IsSuccess(t.outcome); }));
+}
+
+}  // namespace graspbench

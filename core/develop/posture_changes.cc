@@ -1,0 +1,85 @@
+#include "core/develop/posture_changes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/develop/propose_grasps.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kFirstStep = RadFromDeg(3.0);
+constexpr double kMostChange = RadFromDeg(30.0);
+
+double CalcUnit(const HandJoint& joint) {
+  return joint.is_prismatic ? (joint.upper - joint.lower) / (0.5 * kPi) : 1.0;
+}
+
+/** The range of one is that of the other seen in a mirror, and has two different sides. */
+bool AreMirrored(const HandJoint& a, const HandJoint& b) {
+  const double near = 0.05 * (a.upper - a.lower);
+  return std::abs(a.lower + b.upper) < near && std::abs(a.upper + b.lower) < near &&
+         std::abs(a.lower + a.upper) > 2.0 * near;
+}
+
+}  // namespace
+
+PostureChanges::PostureChanges(const Hand& hand, StandardGrasp grasp)
+    : hand_(hand), grasp_(std::move(grasp)) {
+  const int opposing = FindOpposingDigit(hand, grasp_);
+  std::map<std::pair<size_t, size_t>, size_t> group_of_build;  // driven joints, place from base
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    const Digit& digit = hand.digits[d];
+    if (!std::count(grasp_.digits.begin(), grasp_.digits.end(), digit.id)) continue;
+    const std::vector<int> joints = FindDrivenJoints(hand, digit);
+    for (size_t k = 0; k < joints.size(); ++k) {
+      const HandJoint& joint = hand.joints[static_cast<size_t>(joints[k])];
+      Move move{joints[k], CalcUnit(joint)};
+      if (static_cast<int>(d) != opposing) {
+        const auto [known, is_new] =
+            group_of_build.emplace(std::pair(joints.size(), k), groups_.size());
+        if (!is_new) {
+          std::vector<Move>& group = groups_[known->second];
+          const HandJoint& first = hand.joints[static_cast<size_t>(group.front().joint)];
+          if (AreMirrored(first, joint)) move.per_unit = -move.per_unit;
+          group.push_back(move);
+          continue;
+        }
+      }
+      groups_.push_back({move});
+    }
+  }
+}
+
+SearchSpace PostureChanges::MakeSpace() const {
+  const auto size = static_cast<Eigen::Index>(2 * groups_.size() + 1);
+  SearchSpace space;
+  space.start = Eigen::VectorXd::Zero(size);
+  space.lower = Eigen::VectorXd::Constant(size, -kMostChange);
+  space.upper = Eigen::VectorXd::Constant(size, kMostChange);
+  space.step = kFirstStep;
+  return space;
+}
+
+StandardGrasp PostureChanges::Apply(const Eigen::VectorXd& change) const {
+  StandardGrasp grasp = grasp_;
+  const auto move = [&](const Move& moved, double by, Eigen::VectorXd& q) {
+    const HandJoint& joint = hand_.joints[static_cast<size_t>(moved.joint)];
+    q[moved.joint] = std::clamp(q[moved.joint] + moved.per_unit * by, joint.lower, joint.upper);
+  };
+  const auto size = static_cast<Eigen::Index>(groups_.size());
+  for (Eigen::Index g = 0; g < size; ++g) {
+    for (const Move& moved : groups_[static_cast<size_t>(g)]) {
+      move(moved, change[g], grasp.q_pre);
+      move(moved, change[size + g], grasp.q_target);
+    }
+  }
+  grasp.tilt += change[2 * size];
+  RoundGrasp(hand_, grasp);
+  return grasp;
+}
+
+}  // namespace graspbench

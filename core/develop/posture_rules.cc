@@ -1,0 +1,203 @@
+#include "core/develop/posture_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/grasp/placement.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// By how much a rule may be missed before it matters.
+constexpr double kLength = 0.005;      // [m]
+constexpr double kHeight = 0.004;      // of pads at one level [m]
+constexpr double kStraight = 0.004;    // aside from the way to each other [m]
+constexpr double kFacing = 0.5;        // change of a unit normal, met
+constexpr double kFacingOpen = 1.2;    // open
+constexpr double kWideGap = 0.015;     // of neighbouring pads beyond what is asked [m]
+constexpr double kCosine = 0.2;        // of fingertips
+constexpr double kShare = 0.008;       // of the thumb's way [m]
+constexpr double kEase = 8.0;          // ranges of a joint
+constexpr double kDeepestTip = 0.012;  // tips below their pads [m]
+constexpr double kAbovePads = 0.008;   // all the rest of the hand [m]
+constexpr double kOutside = 0.05;      // ranges beyond a limit
+
+}  // namespace
+
+/** Heights are along the approach: larger is nearer to the table. */
+struct PostureRules::Stand {
+  PadState thumb;
+  std::vector<PadState> fingers;
+  Vector3d p_HFingers = Vector3d::Zero();  ///< mean of their pads
+  double opening = 0.0;                    ///< across the approach [m]
+  Vector3d across_H = Vector3d::UnitX();   ///< unit, thumb to fingers
+  double height = 0.0;                     ///< of the pads, mean [m]
+  double tips = 0.0;                       ///< deepest of the links with pads [m]
+  double palm = 0.0;                       ///< deepest of the palm [m]
+  double rest = 0.0;                       ///< deepest of all other links [m]
+};
+
+PostureRules::PostureRules(const Hand& hand, const PostureAim& aim, const VectorXd& q_rest)
+    : hand_(hand), aim_(aim), q_rest_(q_rest), joints_(FindGraspJoints(hand, aim.digits)) {
+  StandardGrasp grasp;
+  grasp.digits = aim.digits;
+  opposing_ = &hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
+  is_tip_.resize(hand.links.size(), false);
+  for (const Digit& digit : hand.digits) {
+    if (!std::count(aim.digits.begin(), aim.digits.end(), digit.id)) continue;
+    is_tip_[static_cast<size_t>(digit.distal_link)] = true;
+    if (&digit != opposing_) fingers_.push_back(&digit);
+  }
+  GRASPBENCH_DEMAND(!fingers_.empty(), "a grasp needs two digits");
+  normal_H_ = CalcApproachDirection(hand, 0.0);
+  forward_H_ = CalcApproachDirection(hand, 0.5 * kPi);
+}
+
+PosturePair PostureRules::MakePair(const VectorXd& x) const {
+  PosturePair pair{q_rest_, q_rest_, x[x.size() - 1]};
+  const auto size = static_cast<Eigen::Index>(joints_.size());
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const int j = joints_[static_cast<size_t>(k)];
+    const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
+    const double range = joint.upper - joint.lower;
+    pair.q_open[j] = joint.lower + range * std::clamp(x[k], 0.0, 1.0);
+    pair.q_met[j] = joint.lower + range * std::clamp(x[size + k], 0.0, 1.0);
+  }
+  ApplyCoupling(hand_, pair.q_open);
+  ApplyCoupling(hand_, pair.q_met);
+  return pair;
+}
+
+VectorXd PostureRules::MakeCoordinates(const PosturePair& pair) const {
+  VectorXd x(num_coordinates());
+  const auto size = static_cast<Eigen::Index>(joints_.size());
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const int j = joints_[static_cast<size_t>(k)];
+    const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
+    const double range = std::max(joint.upper - joint.lower, 1e-9);
+    x[k] = (pair.q_open[j] - joint.lower) / range;
+    x[size + k] = (pair.q_met[j] - joint.lower) / range;
+  }
+  x[x.size() - 1] = pair.tilt;
+  return x;
+}
+
+PostureRules::Stand PostureRules::CalcStand(const VectorXd& q, const Vector3d& approach_H) const {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, q);
+  Stand stand;
+  stand.thumb = CalcPadState(hand_, *opposing_, X_HL);
+  stand.height = stand.thumb.p_HPad.dot(approach_H);
+  for (const Digit* finger : fingers_) {
+    stand.fingers.push_back(CalcPadState(hand_, *finger, X_HL));
+    stand.p_HFingers += stand.fingers.back().p_HPad / static_cast<double>(fingers_.size());
+    stand.height += stand.fingers.back().p_HPad.dot(approach_H);
+  }
+  stand.height /= static_cast<double>(fingers_.size() + 1);
+  Vector3d across = stand.p_HFingers - stand.thumb.p_HPad;
+  across -= across.dot(approach_H) * approach_H;
+  stand.opening = across.norm();
+  stand.across_H = stand.opening > 1e-6 ? Vector3d(across / stand.opening)
+                                        : Vector3d(approach_H.unitOrthogonal());
+  stand.palm = hand_.p_HCentre.dot(approach_H);
+  stand.tips = stand.rest = stand.palm;
+  for (const ContactSphere& ball : hand_.contact_spheres) {
+    const auto link = static_cast<size_t>(ball.link);
+    const double depth = (X_HL[link] * ball.p_LS).dot(approach_H) + ball.radius;
+    double& deepest = is_tip_[link]                  ? stand.tips
+                      : ball.link == hand_.palm_link ? stand.palm
+                                                     : stand.rest;
+    deepest = std::max(deepest, depth);
+  }
+  return stand;
+}
+
+int PostureRules::num_residuals() const {
+  const int num_fingers = static_cast<int>(fingers_.size());
+  const int of_stand =
+      1 + 1 + 2 * num_fingers + 3 * (num_fingers + 1) + (num_fingers + 1) + (num_fingers - 1) + 3;
+  const int num_joints = static_cast<int>(joints_.size());
+  return 3 * of_stand + 2 + 2 * (num_fingers + 1) + 1 + 2 * num_joints * 2;
+}
+
+void PostureRules::AddStand(const Stand& stand, const Vector3d& approach_H, bool is_open,
+                            double opening, std::vector<double>& residuals) const {
+  const auto add = [&](double value) { residuals.push_back(value); };
+  const auto add_beyond = [&](double value) { residuals.push_back(std::max(0.0, value)); };
+  const auto add_facing = [&](const Vector3d& nhat_H, const Vector3d& towards_H) {
+    const Vector3d wanted = std::cos(aim_.lift) * towards_H - std::sin(aim_.lift) * approach_H;
+    const Vector3d off = (nhat_H - wanted) / (is_open ? kFacingOpen : kFacing);
+    for (int k = 0; k < 3; ++k) add(off[k]);
+  };
+  const auto calc_height = [&](const PadState& pad) { return pad.p_HPad.dot(approach_H); };
+
+  add((stand.opening - opening) / kLength);
+  add((calc_height(stand.thumb) - stand.p_HFingers.dot(approach_H)) / kHeight);
+  add_facing(stand.thumb.nhat_H, stand.across_H);
+  add_beyond((aim_.tips_down - stand.thumb.axis_H.dot(approach_H)) / kCosine);
+  for (const PadState& pad : stand.fingers) {
+    const Vector3d off = pad.p_HPad - stand.p_HFingers;
+    add(off.dot(approach_H) / kHeight);
+    add(off.dot(stand.across_H) / kLength);
+    add_facing(pad.nhat_H, -stand.across_H);
+    add_beyond((aim_.tips_down - pad.axis_H.dot(approach_H)) / kCosine);
+  }
+  const Vector3d lateral_H = approach_H.cross(stand.across_H);
+  std::vector<double> places;
+  for (const PadState& pad : stand.fingers) places.push_back(pad.p_HPad.dot(lateral_H));
+  std::sort(places.begin(), places.end());
+  for (size_t k = 1; k < places.size(); ++k) {
+    const double gap = places[k] - places[k - 1] - aim_.pad_gap;
+    add(gap / (gap < 0.0 ? kLength : kWideGap));
+  }
+  add_beyond((stand.tips - stand.height - kDeepestTip) / kLength);
+  add_beyond((stand.rest - stand.height + kAbovePads) / kLength);
+  const double reach = stand.height - stand.palm - aim_.reach;
+  aim_.is_reach_exact ? add(reach / kLength) : add_beyond(-reach / kLength);
+}
+
+VectorXd PostureRules::CalcResiduals(const VectorXd& x) const {
+  const PosturePair pair = MakePair(x);
+  const Vector3d approach_H = std::cos(pair.tilt) * normal_H_ + std::sin(pair.tilt) * forward_H_;
+  VectorXd q_half = 0.5 * (pair.q_open + pair.q_met);
+  ApplyCoupling(hand_, q_half);
+  const Stand open = CalcStand(pair.q_open, approach_H);
+  const Stand half = CalcStand(q_half, approach_H);
+  const Stand met = CalcStand(pair.q_met, approach_H);
+
+  std::vector<double> residuals;
+  AddStand(open, approach_H, true, aim_.opening, residuals);
+  AddStand(half, approach_H, false, 0.5 * (aim_.opening + aim_.meeting), residuals);
+  AddStand(met, approach_H, false, aim_.meeting, residuals);
+  residuals.push_back((open.height - half.height) / kHeight);
+  residuals.push_back((half.height - met.height) / kHeight);
+  const Vector3d lateral_H = approach_H.cross(half.across_H);
+  for (const Stand* end : {&open, &met}) {
+    const auto add_aside = [&](const Vector3d& p_HEnd, const Vector3d& p_HHalf) {
+      residuals.push_back((p_HEnd - p_HHalf).dot(lateral_H) / kStraight);
+    };
+    add_aside(end->thumb.p_HPad, half.thumb.p_HPad);
+    for (size_t f = 0; f < fingers_.size(); ++f) {
+      add_aside(end->fingers[f].p_HPad, half.fingers[f].p_HPad);
+    }
+  }
+  const double thumb_way = (met.thumb.p_HPad - open.thumb.p_HPad).dot(half.across_H);
+  residuals.push_back((thumb_way - aim_.thumb_share * (aim_.opening - aim_.meeting)) / kShare);
+  const auto size = static_cast<Eigen::Index>(joints_.size());
+  for (Eigen::Index k = 0; k < 2 * size; ++k) {
+    const HandJoint& joint =
+        hand_.joints[static_cast<size_t>(joints_[static_cast<size_t>(k % size)])];
+    const double range = std::max(joint.upper - joint.lower, 1e-9);
+    const double rest = (std::clamp(0.0, joint.lower, joint.upper) - joint.lower) / range;
+    residuals.push_back((x[k] - rest) / kEase);
+    residuals.push_back((x[k] - std::clamp(x[k], 0.0, 1.0)) / kOutside);
+  }
+  return Eigen::Map<const VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
+}
+
+}  // namespace graspbench

@@ -1,0 +1,263 @@
+#include "core/develop/propose_grasps.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include "core/base/units.h"
+#include "core/develop/drawn_range.h"
+#include "core/grasp/placement.h"
+#include "core/grasp/posture_yaml.h"
+#include "core/hand/closing.h"
+#include "core/hand/coupling.h"
+#include "core/hand/self_contact.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/** What is drawn for a grasp type. Lengths in metres but for `reach`, in lengths of a finger. */
+struct AimRanges {
+  const char* taxon;
+  int least_digits;
+  int num_digits;  ///< 0: all
+  DrawnRange opening, meeting, reach;
+  bool is_reach_exact;
+  DrawnRange lift_deg, tips_down, grip;
+  DrawnRange pad_gap;
+};
+// clang-format off
+constexpr AimRanges kAimRanges[] = {
+    {"g1", 3, 0, {0.06, 0.11}, {0.006, 0.012}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14},
+     {0.018, 0.03}},
+    {"g2", 2, 2, {0.04, 0.08}, {0.004, 0.01}, {0.4, 0.8}, false, {-5, 10}, {0.4, 0.9}, {3, 9},
+     {0.02, 0.02}},
+    {"g3", 2, 0, {0.08, 0.13}, {0.01, 0.04}, {0.3, 0.6}, true, {0, 35}, {0.0, 0.7}, {6, 20},
+     {0.018, 0.035}},
+    {"g4", 2, 2, {0.02, 0.045}, {0.002, 0.006}, {0.4, 0.8}, false, {-5, 5}, {0.6, 0.95}, {3, 9},
+     {0.02, 0.02}},
+    {"g5", 3, 3, {0.06, 0.1}, {0.006, 0.015}, {0.4, 0.8}, false, {-5, 15}, {0.3, 0.8}, {4, 14},
+     {0.02, 0.04}},
+};
+// clang-format on
+
+const AimRanges& FindRanges(const GraspTaxon& taxon) {
+  for (const AimRanges& ranges : kAimRanges) {
+    if (taxon.id == ranges.taxon) return ranges;
+  }
+  throw Error(ErrorKind::kNotFound, "no rules to develop a grasp \"" + taxon.id + "\"");
+}
+
+/** The thumb (without one, the first digit) and as many others as the grasp has, in the hand's
+order. */
+std::vector<std::string> DrawDigits(const Hand& hand, int num_digits, RandomStream& stream) {
+  const int num_all = static_cast<int>(hand.digits.size());
+  if (num_digits == 0) num_digits = num_all;
+  int thumb = 0;
+  for (int d = 0; d < num_all; ++d) {
+    if (hand.digits[static_cast<size_t>(d)].is_thumb) thumb = d;
+  }
+  std::vector<int> others;
+  for (int d = 0; d < num_all; ++d) {
+    if (d != thumb) others.push_back(d);
+  }
+  while (static_cast<int>(others.size()) > num_digits - 1) {
+    others.erase(others.begin() + stream.NextIndex(static_cast<int>(others.size())));
+  }
+  std::vector<std::string> digits;
+  for (int d = 0; d < num_all; ++d) {
+    if (d == thumb || std::count(others.begin(), others.end(), d)) {
+      digits.push_back(hand.digits[static_cast<size_t>(d)].id);
+    }
+  }
+  return digits;
+}
+
+PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, RandomStream& stream) {
+  PostureAim aim;
+  aim.digits = DrawDigits(hand, ranges.num_digits, stream);
+  aim.opening = ranges.opening.Draw(stream);
+  aim.meeting = ranges.meeting.Draw(stream);
+  aim.thumb_share = stream.NextUniform(0.35, 0.65);
+  aim.reach = CalcFingerLength(hand) * ranges.reach.Draw(stream);
+  aim.is_reach_exact = ranges.is_reach_exact;
+  aim.lift = RadFromDeg(ranges.lift_deg.Draw(stream));
+  aim.tips_down = ranges.tips_down.Draw(stream);
+  aim.pad_gap = ranges.pad_gap.Draw(stream);
+  return aim;
+}
+
+/** Where a search starts: closing joints open and half closed, all others somewhere about their
+rest. */
+PosturePair DrawStart(const Hand& hand, const std::vector<int>& closing, RandomStream& stream) {
+  PosturePair start;
+  start.q_open = CalcClosedPosture(hand, closing, stream.NextUniform(0.0, 0.4));
+  start.q_met = CalcClosedPosture(hand, closing, stream.NextUniform(0.3, 0.8));
+  for (int j = 0; j < hand.num_joints(); ++j) {
+    const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+    const double away = 0.5 * stream.NextUniform(-1.0, 1.0) * (joint.upper - joint.lower);
+    if (closing[static_cast<size_t>(j)] != 0 || joint.coupled_to >= 0) continue;
+    const double rest = std::clamp(0.0, joint.lower, joint.upper);
+    start.q_open[j] = start.q_met[j] = std::clamp(rest + away, joint.lower, joint.upper);
+  }
+  start.tilt = RadFromDeg(stream.NextUniform(-10.0, 60.0));
+  return start;
+}
+
+/** The rules as Eigen's solver wants them. */
+struct RuleFunctor {
+  using Scalar = double;
+  using InputType = VectorXd;
+  using ValueType = VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  const PostureRules& rules;
+  int inputs() const { return rules.num_coordinates(); }
+  int values() const { return rules.num_residuals(); }
+  int operator()(const VectorXd& x, VectorXd& residuals) const {
+    residuals = rules.CalcResiduals(x);
+    return 0;
+  }
+};
+
+PosturePair SolvePair(const PostureRules& rules, const PosturePair& start, double& miss) {
+  constexpr double kDifference = 1e-8;  // squared step of the finite differences
+  constexpr int kMaxCalls = 200;
+  RuleFunctor functor{rules};
+  Eigen::NumericalDiff<RuleFunctor> differences(functor, kDifference);
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<RuleFunctor>> solver(differences);
+  solver.parameters.maxfev = kMaxCalls;
+  solver.parameters.ftol = solver.parameters.xtol = 1e-4;
+  VectorXd x = rules.MakeCoordinates(start);
+  solver.minimize(x);
+  miss = rules.CalcResiduals(x).norm();
+  return rules.MakePair(x);
+}
+
+/** How deep links are inside each other on the way from open to met, fingertips that grasp aside:
+they are to meet [m]. */
+double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
+                   const std::vector<CapsulePair>& pairs, const PosturePair& pair) {
+  const auto is_tip = [&](int link) {
+    const int d = hand.FindDigitOfLink(link);
+    return d >= 0 && hand.digits[static_cast<size_t>(d)].distal_link == link &&
+           std::count(digits.begin(), digits.end(), hand.digits[static_cast<size_t>(d)].id) > 0;
+  };
+  double overlap = 0.0;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    VectorXd q = pair.q_open + share * (pair.q_met - pair.q_open);
+    ApplyCoupling(hand, q);
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+    double deepest = 0.0;
+    for (const CapsulePair& capsules : pairs) {
+      const double gap = CalcCapsuleGap(hand, capsules, X_HL);
+      if (-gap <= deepest) continue;
+      if (share > 0.5 && is_tip(hand.capsules[static_cast<size_t>(capsules.a)].link) &&
+          is_tip(hand.capsules[static_cast<size_t>(capsules.b)].link)) {
+        continue;
+      }
+      deepest = -gap;
+    }
+    overlap += deepest;
+  }
+  return overlap;
+}
+
+ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, const std::vector<int>& closing,
+                         const std::vector<CapsulePair>& pairs, RandomStream& stream) {
+  constexpr double kOverlap = 0.002;  // that matters [m]
+  const AimRanges& ranges = FindRanges(taxon);
+  ProposedGrasp proposed;
+  proposed.aim = DrawAim(hand, ranges, stream);
+  proposed.grip = ranges.grip.Draw(stream);
+  const PosturePair start = DrawStart(hand, closing, stream);
+  // Fingers that do not grasp stay open or are folded.
+  const bool are_folded = stream.NextIndex(2) == 1;
+  const VectorXd q_rest = CalcClosedPosture(hand, closing, are_folded ? 1.0 : 0.0);
+  const PostureRules rules(hand, proposed.aim, q_rest);
+  const PosturePair pair = SolvePair(rules, start, proposed.miss);
+  proposed.miss += CalcOverlap(hand, proposed.aim.digits, pairs, pair) / kOverlap;
+
+  StandardGrasp& grasp = proposed.grasp;
+  grasp.id = taxon.id;
+  grasp.type = taxon.type;
+  grasp.approach_distance = taxon.approach_distance;
+  grasp.alpha = taxon.alpha;
+  grasp.tilt = pair.tilt;
+  grasp.digits = proposed.aim.digits;
+  grasp.palm_may_touch = taxon.type == GraspType::kPower;
+  grasp.q_pre = pair.q_open;
+  grasp.q_target = CalcSqueeze(hand, grasp.digits, pair.q_met,
+                               CalcApproachDirection(hand, pair.tilt), proposed.grip);
+  RoundGrasp(hand, grasp);
+  return proposed;
+}
+
+}  // namespace
+
+void RoundGrasp(const Hand& hand, StandardGrasp& grasp) {
+  const double scale = std::pow(10.0, kGraspDecimals);
+  grasp.tilt = RadFromDeg(std::round(DegFromRad(grasp.tilt) * scale) / scale);
+  grasp.q_pre = RoundPosture(hand, grasp.q_pre, kGraspDecimals);
+  grasp.q_target = RoundPosture(hand, grasp.q_target, kGraspDecimals);
+}
+
+bool CanDevelop(const Hand& hand, const GraspTaxon& taxon) {
+  return static_cast<int>(hand.digits.size()) >= FindRanges(taxon).least_digits;
+}
+
+VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
+                     const VectorXd& q_met, const Vector3d& approach_H, double grip) {
+  constexpr double kMostTorque = 0.5;  // of a drive's limit
+  StandardGrasp grasp;
+  grasp.digits = digits;
+  const Digit& opposing = hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q_met);
+  const double num_fingers = static_cast<double>(digits.size()) - 1.0;
+  const Vector3d p_HThumb = CalcPadState(hand, opposing, X_HL).p_HPad;
+  Vector3d across_H = -p_HThumb;
+  for (const Digit& digit : hand.digits) {
+    if (&digit == &opposing || !std::count(digits.begin(), digits.end(), digit.id)) continue;
+    across_H += CalcPadState(hand, digit, X_HL).p_HPad / num_fingers;
+  }
+  across_H -= across_H.dot(approach_H) * approach_H;
+  across_H.normalize();
+  VectorXd q = q_met;
+  for (const Digit& digit : hand.digits) {
+    if (!std::count(digits.begin(), digits.end(), digit.id)) continue;
+    const std::vector<int> joints = FindDrivenJoints(hand, digit);
+    const Vector3d f_H =
+        &digit == &opposing ? Vector3d(grip * across_H) : Vector3d(-grip / num_fingers * across_H);
+    const VectorXd torques = CalcPadJacobian(hand, digit, q_met, joints).transpose() * f_H;
+    for (size_t k = 0; k < joints.size(); ++k) {
+      const HandJoint& joint = hand.joints[static_cast<size_t>(joints[k])];
+      const double most = kMostTorque * joint.drive.torque_limit;
+      const double torque = std::clamp(torques[static_cast<Eigen::Index>(k)], -most, most);
+      q[joints[k]] =
+          std::clamp(q[joints[k]] + torque / joint.drive.stiffness, joint.lower, joint.upper);
+    }
+  }
+  ApplyCoupling(hand, q);
+  return q;
+}
+
+std::vector<ProposedGrasp> ProposeGrasps(const Hand& hand, const GraspTaxon& taxon, int num_drawn,
+                                         int num_kept, RandomStream stream) {
+  const std::vector<int> closing = FindClosing(hand);
+  const std::vector<CapsulePair> pairs = FindCapsulePairs(hand);
+  std::vector<ProposedGrasp> proposed;
+  for (int k = 0; k < num_drawn; ++k) {
+    proposed.push_back(ProposeOne(hand, taxon, closing, pairs, stream));
+  }
+  std::stable_sort(proposed.begin(), proposed.end(),
+                   [](const ProposedGrasp& a, const ProposedGrasp& b) { return a.miss < b.miss; });
+  proposed.resize(std::min(proposed.size(), static_cast<size_t>(num_kept)));
+  return proposed;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,51 @@
+#pragma once
+/** @file
+Grasps from geometry alone: many aims drawn for a grasp type (which finger opposes the thumb, how
+wide, how far from the palm, who does how much of the way), for each the pair of postures that keeps the
+rules best, and the squeeze behind it.
+
+The pads of the met posture would only touch. So the target goes beyond it by what the drives give
+way under the wanted grip: with f the force of a digit's pad towards the others and K the drives'
+stiffnesses,
+
+    q_target = q_met + K^-1 J^T f,
+
+each torque at most half of its drive's. The thumb's f is the sum of the others'. Source: statics;
+the rules are in posture_rules.h. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/develop/posture_rules.h"
+#include "core/grasp/standard_grasp.h"
+
+namespace graspbench {
+
+struct ProposedGrasp {
+  StandardGrasp grasp;
+  PostureAim aim;
+  double grip = 0.0;  ///< of the thumb with nothing between the pads [N]
+  double miss = 0.0;  ///< of the rules: root of the summed squared residuals; links inside
+                      ///< each other add to it
+};
+
+/** Of degrees and millimetres in hand.yaml. */
+inline constexpr int kGraspDecimals = 2;
+/** Postures and tilt as hand.yaml will hold them, so that what was tried is what is read. */
+void RoundGrasp(const Hand& hand, StandardGrasp& grasp);
+
+/** Whether the hand has the digits: three for all finger precision and the three finger special, two
+for the rest. The pinch is one of pads with a small opening, not of a finger's side. */
+bool CanDevelop(const Hand& hand, const GraspTaxon& taxon);
+
+/** The best `num_kept` of `num_drawn` draws, best first. @pre CanDevelop. */
+std::vector<ProposedGrasp> ProposeGrasps(const Hand& hand, const GraspTaxon& taxon, int num_drawn,
+                                         int num_kept, RandomStream stream);
+
+/** Target posture behind `q_met`. @param grip  of the opposing digit [N]. */
+Eigen::VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
+                            const Eigen::VectorXd& q_met, const Eigen::Vector3d& approach_H,
+                            double grip);
+
+}  // namespace graspbench

@@ -1,0 +1,37 @@
+#pragma once
+/** @file
+Things to develop grasps on: solids made on the spot, with sizes, densities and friction drawn
+between limits, so that no grasp is developed on what it is judged by. Five families,
+
+    sphere    with a flat spot of 1 mm to rest on
+    box       a plate when it is flat
+    cylinder  standing: a disc when it is flat
+    rod       a cylinder that lies, of 24 sides
+    ring      lying, its hole upright
+
+chosen by grasp type: the power grasp gets the large and the heavy, the precision grasp with two
+digits and the pinch the thin and the small, the others what is in between (Roethling 2007, section
+2.3). All limits are proposed by graspbench. */
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/grasp/standard_grasp.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+/** Shapes of another purpose share no stream of random numbers. */
+enum class ShapeUse { kTraining, kValidation };
+
+/** @param largest  what the hand can take between its pads [m]: no width is larger.
+@param judges  sizes of the objects that will judge the hand: what comes within 2 mm of one in
+length, width and height is drawn again.
+@returns objects without a distance field, called "training-g1-0", ..; their names say what they
+are: "box, 71 x 33 x 30 mm, 34 g". */
+std::vector<std::shared_ptr<const GraspObject>> MakeShapes(
+    const GraspTaxon& taxon, ShapeUse use, int seed, int count, double largest,
+    const std::vector<Eigen::Vector3d>& judges);
+
+}  // namespace graspbench

@@ -1,0 +1,78 @@
+#include "core/develop/write_grasps.h"
+
+#include <fmt/core.h>
+
+#include "core/base/units.h"
+#include "core/grasp/placement.h"
+#include "core/grasp/posture_yaml.h"
+
+namespace graspbench {
+namespace {
+
+constexpr char kSection[] = "grasps:";
+constexpr char kNone[] = "# grasps: none";
+constexpr char kMade[] = "# Standard grasps made by graspbench hand develop";
+
+bool StartsWith(const std::string& text, const std::string& head) {
+  return text.compare(0, head.size(), head) == 0;
+}
+
+/** Belongs to the section of a top-level key. */
+bool IsInside(const std::string& line) {
+  return line.empty() || line[0] == ' ' || line[0] == '\t' || line[0] == '}';
+}
+
+}  // namespace
+
+std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& developed) {
+  const PostureAim& aim = developed.proposed.aim;
+  return fmt::format(
+      "Geometry: pads {:.0f} mm apart that face each other, {:.0f} mm below the palm, the thumb "
+      "going {:.0f} % of the way, a grip of {:.0f} N. Simulation: score {:.2f}, after changes "
+      "{:.2f} "
+      "(above 1: all held), pads now {:.0f} mm apart. Held {} of {} shapes not met before.",
+      MmFromM(aim.opening), MmFromM(aim.reach), 100.0 * aim.thumb_share, developed.proposed.grip,
+      developed.proposed_score, developed.score, MmFromM(CalcPreGraspWidth(hand, developed.grasp)),
+      CountSuccesses(developed.check), developed.check.size());
+}
+
+std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
+                         const std::vector<DevelopedGrasp>& developed) {
+  std::string text = fmt::format(
+      "{}, seed {}, some {} trials: proposed\n# by geometry, chosen and improved in simulation on "
+      "shapes made for it, none of them an object of\n# the catalogue. Degrees (of slides "
+      "millimetres), driven joints of each digit from base to tip.\n{}\n",
+      kMade, config.seed, config.budget, kSection);
+  for (const DevelopedGrasp& one : developed) {
+    const StandardGrasp& grasp = one.grasp;
+    std::string digits;
+    for (const std::string& id : grasp.digits) digits += (digits.empty() ? "" : ", ") + id;
+    text += fmt::format("  {}:\n    digits: [{}]\n    tilt_deg: {:.{}f}\n", grasp.id, digits,
+                        DegFromRad(grasp.tilt), kGraspDecimals);
+    if (grasp.palm_may_touch) text += "    palm_may_touch: true\n";
+    text += "    pre_deg: " + FormatPosture(hand, grasp.q_pre, kGraspDecimals) +
+            "\n    target_deg: " + FormatPosture(hand, grasp.q_target, kGraspDecimals) +
+            "\n    changed: >-\n      " + DescribeDevelopment(hand, one) + "\n";
+  }
+  return text;
+}
+
+std::string ReplaceGrasps(const std::string& hand_yaml, const std::string& section) {
+  std::string kept;
+  bool is_inside = false, is_comment_of_ours = false;
+  for (size_t start = 0; start < hand_yaml.size();) {
+    const size_t end = std::min(hand_yaml.find('\n', start), hand_yaml.size());
+    const std::string line = hand_yaml.substr(start, end - start);
+    start = end + 1;
+    is_comment_of_ours = StartsWith(line, kMade) || (is_comment_of_ours && StartsWith(line, "#"));
+    is_inside = StartsWith(line, kSection) || (is_inside && IsInside(line));
+    if (is_inside || is_comment_of_ours || StartsWith(line, kNone)) continue;
+    kept += line + "\n";
+  }
+  while (kept.size() > 1 && kept[kept.size() - 1] == '\n' && kept[kept.size() - 2] == '\n') {
+    kept.pop_back();
+  }
+  return kept + "\n" + section;
+}
+
+}  // namespace graspbench

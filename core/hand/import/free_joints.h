@@ -1,0 +1,18 @@
+#pragma once
+/** @file
+Frees joints at the palm that their own contact shapes would block: a finger's first link that sits
+in the palm's housing meets it, as balls and capsules, within the limits that the description gives
+the joint. The limits are the description's, the shapes an approximation; so the shapes of that link
+which meet the palm by more than half a millimetre are left out of contact, and told. */
+
+#include <string>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/import/weld_links.h"
+
+namespace graspbench {
+
+/** @pre the digits are known. */
+void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& problems);
+
+}  // namespace graspbench

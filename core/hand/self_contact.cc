@@ -1,0 +1,59 @@
+#include "core/hand/self_contact.h"
+
+#include <algorithm>
+
+namespace graspbench {
+
+using Eigen::Vector3d;
+
+ClosestPoints FindClosestPoints(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0,
+                                const Vector3d& b1) {
+  const Vector3d da = a1 - a0, db = b1 - b0, r = a0 - b0;
+  const double aa = da.squaredNorm(), bb = db.squaredNorm(), br = db.dot(r);
+  constexpr double kPoint = 1e-18;
+  double s = 0.0, t = 0.0;
+  if (aa <= kPoint) {
+    t = bb <= kPoint ? 0.0 : std::clamp(br / bb, 0.0, 1.0);
+  } else {
+    const double ar = da.dot(r);
+    if (bb <= kPoint) {
+      s = std::clamp(-ar / aa, 0.0, 1.0);
+    } else {
+      const double ab = da.dot(db), denominator = aa * bb - ab * ab;
+      s = denominator > kPoint ? std::clamp((ab * br - ar * bb) / denominator, 0.0, 1.0) : 0.0;
+      t = (ab * s + br) / bb;
+      if (t < 0.0 || t > 1.0) {
+        t = std::clamp(t, 0.0, 1.0);
+        s = std::clamp((ab * t - ar) / aa, 0.0, 1.0);
+      }
+    }
+  }
+  return {a0 + s * da, b0 + t * db};
+}
+
+std::vector<CapsulePair> FindCapsulePairs(const Hand& hand) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  const std::vector<LinkCapsule>& capsules = hand.capsules;
+  std::vector<CapsulePair> pairs;
+  for (int a = 0; a < static_cast<int>(capsules.size()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(capsules.size()); ++b) {
+      const LinkCapsule &ca = capsules[a], &cb = capsules[b];
+      if (hand.FindDigitOfLink(ca.link) == hand.FindDigitOfLink(cb.link)) continue;
+      const ClosestPoints rest =
+          FindClosestPoints(X_HL[ca.link] * ca.p_LA, X_HL[ca.link] * ca.p_LB,
+                            X_HL[cb.link] * cb.p_LA, X_HL[cb.link] * cb.p_LB);
+      if ((rest.on_a - rest.on_b).norm() <= ca.radius + cb.radius) continue;
+      pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
+double CalcCapsuleGap(const Hand& hand, const CapsulePair& pair, const std::vector<Pose>& X_HL) {
+  const LinkCapsule &a = hand.capsules[pair.a], &b = hand.capsules[pair.b];
+  const ClosestPoints nearest = FindClosestPoints(X_HL[a.link] * a.p_LA, X_HL[a.link] * a.p_LB,
+                                                  X_HL[b.link] * b.p_LA, X_HL[b.link] * b.p_LB);
+  return (nearest.on_a - nearest.on_b).norm() - a.radius - b.radius;
+}
+
+}  // namespace graspbench

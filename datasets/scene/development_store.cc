@@ -1,0 +1,108 @@
+#include "datasets/scene/development_store.h"
+
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "datasets/journal/checked_line.h"
+#include "datasets/session/frozen_folder.h"
+#include "datasets/session/session_plan.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+Json MakeDevelopedJson(const DevelopedGrasp& developed) {
+  const ProposedGrasp& proposed = developed.proposed;
+  Json check = Json::array();
+  for (const DevelopTrial& trial : developed.check) check.push_back(RecordToJson(trial));
+  return Json{{"grasp", ToJson(developed.grasp)},
+              {"proposed", ToJson(proposed.grasp)},
+              {"aim",
+               {{"opening_m", proposed.aim.opening},
+                {"meeting_m", proposed.aim.meeting},
+                {"thumb_share", proposed.aim.thumb_share},
+                {"reach_m", proposed.aim.reach},
+                {"lift_rad", proposed.aim.lift},
+                {"tips_down", proposed.aim.tips_down},
+                {"grip_n", proposed.grip}}},
+              {"miss", proposed.miss},
+              {"proposed_score", developed.proposed_score},
+              {"score", developed.score},
+              {"trials", developed.num_trials},
+              {"check_successes", CountSuccesses(developed.check)},
+              {"check", check}};
+}
+
+}  // namespace
+
+bool HasDevelopment(const fs::path& folder) { return HasFrozen(kDevelopmentStore, folder); }
+
+void CreateDevelopment(const fs::path& folder, const DevelopmentConfig& config) {
+  WriteFrozen(kDevelopmentStore, folder, ConfigToJson(config));
+}
+
+void CheckSameDevelopment(const fs::path& folder, const DevelopmentConfig& config) {
+  Diagnostics problems;
+  const auto there =
+      ConfigFromJson<DevelopmentConfig>(LoadFrozen(kDevelopmentStore, folder).config,
+                                        (folder / kDevelopmentStore.file).string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
+  const std::string text = ListDifferences(FindConfigDifferences(there, config));
+  if (text.empty()) return;
+  throw Error(ErrorKind::kUsage, "\"" + folder.string() +
+                                     "\" was started with another hand or other settings (there "
+                                     "and now):" +
+                                     text + "\nuse those, or choose another folder with --out");
+}
+
+void WriteDevelopmentResult(const fs::path& folder, const Hand& hand,
+                            const std::vector<DevelopedGrasp>& developed) {
+  Json grasps = Json::array();
+  for (const DevelopedGrasp& one : developed) grasps.push_back(MakeDevelopedJson(one));
+  const Json result = {{"hand", hand.id}, {"grasps", grasps}};
+  WriteFileAtomically(folder / "result.json", FormatJson(result, 2) + "\n");
+  SealStore(kDevelopmentStore, folder);
+}
+
+std::string FormatDevelopmentLine(const DevelopmentRecord& record) {
+  return FormatCheckedLine(RecordToJson(record));
+}
+
+DevelopmentRecord ParseDevelopmentLine(std::string_view line) {
+  const Json json = ParseCheckedLine(line);
+  try {
+    DevelopmentRecord record;
+    ReadRecord(json, record);
+    return record;
+  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
+    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+  }
+}
+
+DevelopmentJournal::DevelopmentJournal(const fs::path& path) : file_(path) {
+  uintmax_t good_end = 0;
+  ForEachLineOfFile(path, [&](const FileLine& line) {
+    if (!line.is_whole || line.start != good_end) return;  // behind one that is not good
+    try {
+      DevelopmentRecord record = ParseDevelopmentLine(line.text);
+      if (record.request != static_cast<int>(stored_.size())) return;
+      stored_.push_back(std::move(record));
+      good_end = line.start + line.text.size() + 1;
+    } catch (const Error&) {  // asked again
+    }
+  });
+  file_.Truncate(good_end);
+}
+
+const DevelopmentRecord* DevelopmentJournal::Find(int request) const {
+  return request < static_cast<int>(stored_.size()) ? &stored_[static_cast<size_t>(request)]
+                                                    : nullptr;
+}
+
+void DevelopmentJournal::Append(const std::vector<DevelopmentRecord>& records) {
+  std::string lines;
+  for (const DevelopmentRecord& record : records) lines += FormatDevelopmentLine(record) + "\n";
+  file_.Append(lines);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,110 @@
+#include "core/develop/develop_grasp.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/units.h"
+#include "core/hand/load_hand.h"
+
+namespace graspbench {
+namespace {
+
+/** A world without physics: the nearer a grasp's target is to a hidden one, the better. */
+class HiddenTarget {
+ public:
+  HiddenTarget(const Hand& hand, const std::vector<ProposedGrasp>& proposals)
+      : hidden_(proposals.at(3).grasp.q_target) {
+    for (int j = 0; j < hand.num_joints(); ++j) {
+      if (hand.joints[static_cast<size_t>(j)].coupled_to < 0) hidden_[j] += RadFromDeg(4.0);
+    }
+  }
+  double Score(const StandardGrasp& grasp) const {
+    return 1.3 * std::exp(-(grasp.q_target - hidden_).norm());
+  }
+  RunDevelopTrials MakeRun() {
+    return [this](const std::vector<DevelopRequest>& requests) {
+      std::vector<std::vector<DevelopTrial>> answers;
+      for (const DevelopRequest& request : requests) {
+        for (const auto& trial : request.trials) {
+          places_[request.stage].insert({trial.shape, trial.draw});
+          ++num_trials_;
+        }
+        const double score = Score(request.grasp);
+        answers.emplace_back(
+            request.trials.size(),
+            DevelopTrial{score > 1.0 ? Outcome::kSuccess : Outcome::kNoContact, score});
+      }
+      return answers;
+    };
+  }
+
+  std::map<std::string, std::set<std::pair<int, int>>> places_;  // by stage: shape, draw
+  int num_trials_ = 0;
+
+ private:
+  Eigen::VectorXd hidden_;
+};
+
+class DevelopGraspTest : public testing::Test {
+ protected:
+  DevelopGraspTest()
+      : hand_(LoadHand("tum")),
+        proposals_(ProposeGrasps(hand_, FindGraspTaxon("g1"), 12, 12, RandomStream("1", "test"))) {}
+
+  Hand hand_;
+  std::vector<ProposedGrasp> proposals_;
+};
+
+TEST_F(DevelopGraspTest, TheRaceFindsTheBestProposalAndTheSearchABetterOne) {
+  HiddenTarget world(hand_, proposals_);
+  const DevelopedGrasp developed = DevelopGrasp(hand_, proposals_, 2000, 1, world.MakeRun());
+  for (const ProposedGrasp& other : proposals_) {
+    EXPECT_LE(world.Score(other.grasp), world.Score(developed.proposed.grasp));
+  }
+  EXPECT_GT(world.Score(developed.grasp), world.Score(developed.proposed.grasp));
+  EXPECT_NEAR(developed.score, world.Score(developed.grasp), 1e-12);
+  EXPECT_NEAR(developed.proposed_score, world.Score(developed.proposed.grasp), 1e-12);
+  EXPECT_EQ(developed.num_trials, world.num_trials_);
+}
+
+// What decides and what checks has not been seen before.
+TEST_F(DevelopGraspTest, FinalsHaveOtherDrawsAndTheCheckOtherShapes) {
+  HiddenTarget world(hand_, proposals_);
+  DevelopGrasp(hand_, proposals_, 1000, 1, world.MakeRun());
+  for (const char* stage : {"race", "search"}) {
+    for (const auto& [shape, draw] : world.places_[stage]) {
+      EXPECT_LT(shape, kNumTrainingShapes) << stage;
+      EXPECT_EQ(world.places_["finals"].count({shape, draw}), 0u) << stage;
+    }
+  }
+  for (const auto& [shape, draw] : world.places_["check"]) EXPECT_GE(shape, kNumTrainingShapes);
+  EXPECT_EQ(world.places_["check"].size(), static_cast<size_t>(kNumTrainingShapes));
+}
+
+TEST_F(DevelopGraspTest, KeepsTheBudgetAndRepeatsItself) {
+  for (const int budget : {20, 400, 1500}) {
+    HiddenTarget world(hand_, proposals_);
+    const DevelopedGrasp a = DevelopGrasp(hand_, proposals_, budget, 1, world.MakeRun());
+    const DevelopedGrasp b = DevelopGrasp(hand_, proposals_, budget, 1, world.MakeRun());
+    EXPECT_EQ(a.grasp.q_target, b.grasp.q_target);
+    EXPECT_LE(a.num_trials, CountDevelopTrials(budget)) << budget;
+    EXPECT_LE(CountDevelopTrials(budget), std::max(100.0, 1.2 * budget)) << budget;
+  }
+}
+
+// Nothing to learn from: the proposal stays as it is.
+TEST_F(DevelopGraspTest, WithoutABetterOneTheProposalIsKept) {
+  const auto run = [](const std::vector<DevelopRequest>& requests) {
+    std::vector<std::vector<DevelopTrial>> answers;
+    for (const DevelopRequest& request : requests) answers.emplace_back(request.trials.size());
+    return answers;
+  };
+  const DevelopedGrasp developed = DevelopGrasp(hand_, proposals_, 400, 1, run);
+  EXPECT_EQ(developed.grasp.q_target, proposals_.front().grasp.q_target);
+}
+
+}  // namespace
+}  // namespace graspbench

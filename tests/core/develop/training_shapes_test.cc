@@ -1,0 +1,85 @@
+#include "core/develop/training_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/shape/mesh_check.h"
+#include "tests/objects/catalogue_table.h"
+
+namespace graspbench {
+namespace {
+
+/** Volume in closed form; of a box without its rounded edges, of round things of a circle. */
+double CalcTrueVolume(const GraspObject& shape) {
+  const Eigen::Vector3d& s = shape.size;
+  const double circle = kPi / 4.0 * s.y() * s.y();
+  if (shape.name.rfind("box", 0) == 0) return s.prod();
+  if (shape.name.rfind("sphere", 0) == 0) return kPi / 6.0 * std::pow(s.y(), 3);
+  if (shape.name.rfind("rod", 0) == 0) return circle * s.x();
+  if (shape.name.rfind("ring", 0) == 0) return circle * s.z() * (1.0 - 0.7 * 0.7);
+  return circle * s.z();
+}
+
+TEST(TrainingShapesTest, AreSolidsOfTheirKind) {
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    for (const auto& shape : MakeShapes(taxon, ShapeUse::kTraining, 1, 12, 1.0, {})) {
+      EXPECT_TRUE(CheckMesh(shape->mesh).problems.empty()) << shape->name;
+      const double volume = CalcVolume(shape->mesh);
+      EXPECT_NEAR(volume / CalcTrueVolume(*shape), 1.0, 0.025) << shape->name;
+      const double density = shape->mass_properties.mass / volume;
+      EXPECT_GE(density, 80.0) << shape->name;
+      EXPECT_LE(density, 1300.0) << shape->name;
+      EXPECT_LT(shape->surface.friction_dynamic, shape->surface.friction_static);
+      EXPECT_GE(shape->size.x(), shape->size.y() - 1e-4) << shape->name;
+      Eigen::Vector3d low = Eigen::Vector3d::Ones(), high = -low;
+      int num_at_bottom = 0;
+      for (const Eigen::Vector3d& p : shape->mesh.vertices) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+        num_at_bottom += p.z() < -0.5 * shape->size.z() + 1e-6;
+      }
+      EXPECT_LT((low + high).norm(), 1e-9) << shape->name;
+      EXPECT_LT((high - low - shape->size).norm(), 1e-9) << shape->name;
+      EXPECT_GE(num_at_bottom, 4) << shape->name << " does not rest on a face";
+    }
+  }
+}
+
+// The claim on which every figure of a developed hand rests.
+TEST(TrainingShapesTest, NoneIsAnObjectOfTheBenchmark) {
+  std::vector<Eigen::Vector3d> judges;
+  for (const CatalogueRow& row : ListCatalogueRows()) {
+    judges.emplace_back(MFromMm(row.length_mm), MFromMm(row.width_mm), MFromMm(row.height_mm));
+  }
+  for (int seed = 1; seed <= 10; ++seed) {
+    for (const GraspTaxon& taxon : ListGraspTaxa()) {
+      for (const ShapeUse use : {ShapeUse::kTraining, ShapeUse::kValidation}) {
+        for (const auto& shape : MakeShapes(taxon, use, seed, 12, 1.0, judges)) {
+          for (const Eigen::Vector3d& judge : judges) {
+            // 1 mm is cut off a sphere.
+            EXPECT_GT((shape->size - judge).cwiseAbs().maxCoeff(), 0.00099)
+                << shape->name << ", seed " << seed << ", and " << judge.transpose();
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(TrainingShapesTest, FitTheHandAndDifferByUseAndSeed) {
+  const GraspTaxon& taxon = FindGraspTaxon("g1");
+  for (const auto& shape : MakeShapes(taxon, ShapeUse::kTraining, 1, 12, 0.03, {})) {
+    EXPECT_LE(shape->size.y(), 0.0301) << shape->name;
+  }
+  const auto make = [&](ShapeUse use, int seed) {
+    return MakeShapes(taxon, use, seed, 3, 1.0, {});
+  };
+  EXPECT_EQ(make(ShapeUse::kTraining, 1)[2]->size, make(ShapeUse::kTraining, 1)[2]->size);
+  EXPECT_NE(make(ShapeUse::kTraining, 1)[2]->size, make(ShapeUse::kTraining, 2)[2]->size);
+  EXPECT_NE(make(ShapeUse::kTraining, 1)[2]->size, make(ShapeUse::kValidation, 1)[2]->size);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,68 @@
+#include "core/hand/import/free_joints.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+CollisionShape MakeBall(int link, const Vector3d& centre, double radius) {
+  CollisionShape shape;
+  shape.link = link;
+  shape.X_LS = MakePose(centre);
+  shape.size = Vector3d::Constant(2.0 * radius);
+  return shape;
+}
+
+/** A ball for a palm; 40 mm beside it a finger that turns about z, with a ball 20 mm from its axis.
+ */
+ImportedHand MakeImported(double upper) {
+  ImportedHand imported;
+  Hand& hand = imported.hand;
+  hand.links.resize(2);
+  hand.links[0].name = "palm";
+  hand.links[1].name = "finger";
+  hand.links[1].parent = 0;
+  hand.links[1].joint = 0;
+  hand.links[1].X_PJ = MakePose(Vector3d(0.04, 0, 0));
+  hand.links[1].axis = Vector3d::UnitZ();
+  HandJoint joint;
+  joint.name = "turn";
+  joint.link = 1;
+  joint.upper = upper;
+  hand.joints = {joint};
+  Digit digit;
+  digit.links = {1};
+  digit.distal_link = 1;
+  hand.digits = {digit};
+  imported.shapes = {MakeBall(0, Vector3d::Zero(), 0.015), MakeBall(1, Vector3d(0.02, 0, 0), 0.008),
+                     MakeBall(1, Vector3d::Zero(), 0.005)};
+  return imported;
+}
+
+// Turned by half a circle the ball is 20 mm from the palm's middle, 3 mm too near.
+TEST(FreeJointsTest, AShapeThatBlocksItsJointIsLeftOut) {
+  ImportedHand imported = MakeImported(kPi);
+  Diagnostics problems;
+  FreeJoints("hand.urdf", imported, problems);
+  ASSERT_EQ(imported.shapes.size(), 2u);
+  EXPECT_EQ(imported.shapes[0].link, 0);
+  EXPECT_NEAR(imported.shapes[1].size.x(), 0.01, 1e-12);  // that about the axis stays
+  EXPECT_EQ(problems.Format(),
+            "hand.urdf: warning: link \"finger\": 1 of its balls and capsules would meet the palm "
+            "within the limits of joint \"turn\", by up to 3.0 mm; left out of contact");
+}
+
+TEST(FreeJointsTest, WithinItsLimitsNothingChanges) {
+  ImportedHand imported = MakeImported(0.5 * kPi);
+  Diagnostics problems;
+  FreeJoints("hand.urdf", imported, problems);
+  EXPECT_EQ(imported.shapes.size(), 3u);
+  EXPECT_EQ(problems.Format(), "");
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,80 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "core/base/text.h"
+#include "workbench/commands/command.h"
+#include "workbench/experiments/develop_hand.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/shell_quote.h"
+#include "workbench/terminal_observer.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatDeveloped(const std::vector<DevelopedGrasp>& developed) {
+  TextTable table({"grasp", "digits", "trials", "score by geometry", "developed", "unseen shapes"});
+  for (const DevelopedGrasp& one : developed) {
+    std::string digits;
+    for (const std::string& id : one.grasp.digits) digits += (digits.empty() ? "" : " ") + id;
+    table.AddRow(
+        {one.grasp.id, digits, std::to_string(one.num_trials), FormatFixed(one.proposed_score, 2),
+         FormatFixed(one.score, 2),
+         std::to_string(CountSuccesses(one.check)) + " of " + std::to_string(one.check.size())});
+  }
+  return table.Format();
+}
+
+void Develop(const DevelopHandRequest& request) {
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer(
+      [&](const Stage& stage) {
+        return request.out.string() + ": " + DescribeTasks(stage) + ", about " +
+               FormatCount(stage.num_trials, "trial") + " on " +
+               FormatCount(request.num_workers, "worker");
+      },
+      stop);
+  try {
+    const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer, stop);
+    PrintResult(FormatDeveloped(developed) + "\nhand     " + request.out.string() +
+                "\nnext     graspbench run --hand " + QuoteForShell(request.out.string()) +
+                " --grasp all --out results/NAME\n");
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInterrupted) throw;
+    throw Error(ErrorKind::kInterrupted,
+                "stopped; finished trials are kept. The same command again continues");
+  }
+}
+
+}  // namespace
+
+void AddHandDevelopCommand(CLI::App& program, ExitCode&) {
+  const auto request = std::make_shared<DevelopHandRequest>();
+  CLI::App& command = AddSubcommand(
+      *program.get_subcommand("hand"), "develop",
+      "Find a hand's grasps g1 to g5, by geometry, then in simulation on shapes made for it.",
+      "  graspbench hand develop allegro --out allegro-developed\n"
+      "  graspbench hand develop shadow --budget 20000 --seed 2 --out shadow-developed");
+  command.add_option("hand", request->hand, "id, or folder with hand.urdf and hand.yaml")
+      ->required()
+      ->option_text("HAND");
+  command
+      .add_option("--out", request->out,
+                  "folder for the hand with its grasps; the same command again continues it")
+      ->required()
+      ->option_text("DIR");
+  command.add_option("--budget", request->config.budget, "trials of all grasps together, about")
+      ->check(CLI::Range(100, 10000000))
+      ->option_text("N")
+      ->capture_default_str();
+  command.add_option("--seed", request->config.seed, "another seed gives another development")
+      ->check(CLI::Range(0, 2147483647))
+      ->option_text("N")
+      ->capture_default_str();
+  AddJobsOption(command, request->num_workers);
+  AddTrialTimeoutOption(command, request->trial_time_limit);
+  command.callback([request] { Develop(*request); });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,244 @@
+#include "workbench/experiments/develop_hand.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
+#include "core/develop/training_shapes.h"
+#include "core/develop/write_grasps.h"
+#include "core/hand/load_hand.h"
+#include "datasets/scene/development_store.h"
+#include "datasets/session/input_copies.h"
+#include "datasets/session/session_plan.h"
+#include "objects/catalogue.h"
+#include "workbench/experiments/output_folder.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kDevelopment[] = "development";
+constexpr int kNumDrawn = 800;         ///< proposals of a grasp, by geometry alone
+constexpr int kNumKept = 32;           ///< of these
+constexpr double kLargestShape = 0.8;  ///< of the widest opening that was proposed
+constexpr double kHoldTime = 0.7;      ///< shorter than the benchmark's: what slips, slips soon [s]
+
+/** Answers what the development of one grasp asks: from the journal, else by simulation. */
+class GraspTrials {
+ public:
+  GraspTrials(std::shared_ptr<const Hand> hand, const DevelopmentConfig& config,
+              std::vector<std::shared_ptr<const GraspObject>> shapes, DevelopmentJournal& journal,
+              TrialPool& pool, int& num_asked)
+      : hand_(std::move(hand)),
+        config_(config),
+        shapes_(std::move(shapes)),
+        journal_(journal),
+        pool_(pool),
+        num_asked_(num_asked) {}
+
+  std::vector<std::vector<DevelopTrial>> Run(const std::vector<DevelopRequest>& requests) {
+    std::vector<DevelopmentRecord> records;
+    for (const DevelopRequest& request : requests) {
+      DevelopmentRecord record{num_asked_++, request.stage, CalcId(request), {}};
+      if (const DevelopmentRecord* stored = journal_.Find(record.request)) {
+        CheckSame(*stored, record);
+        record.trials = stored->trials;
+      }
+      records.push_back(std::move(record));
+    }
+    Simulate(requests, records);
+    std::vector<std::vector<DevelopTrial>> answers;
+    for (DevelopmentRecord& record : records) answers.push_back(std::move(record.trials));
+    return answers;
+  }
+
+ private:
+  std::string CalcId(const DevelopRequest& request) const {
+    Json trials = Json::array();
+    for (const DevelopRequest::Trial& trial : request.trials) {
+      trials.push_back({shapes_[static_cast<size_t>(trial.shape)]->content_hash, trial.draw});
+    }
+    return CalcHashHex(FormatJson({{"physics", kPhysicsVersion},
+                                   {"hand", hand_->content_hash},
+                                   {"grasp", ToJson(request.grasp)},
+                                   {"trials", trials}}));
+  }
+
+  static void CheckSame(const DevelopmentRecord& stored, const DevelopmentRecord& asked) {
+    if (stored.stage == asked.stage && stored.id == asked.id) return;
+    throw Error(ErrorKind::kUsage,
+                "the journal of the development was begun with another version of the hand, the "
+                "physics or the program; develop anew into another folder");
+  }
+
+  TrialSetup MakeSetup(const StandardGrasp& grasp, const DevelopRequest::Trial& trial) const {
+    TrialSetup setup;
+    setup.hand = hand_;
+    setup.object = shapes_[static_cast<size_t>(trial.shape)];
+    setup.grasp = grasp;
+    setup.strategy = config_.strategy;
+    setup.sim = config_.sim;
+    const Json names = {config_.develop.seed, setup.object->id, trial.draw};
+    setup.draw = DrawVariation(config_.variation, *hand_,
+                               RandomStream(FormatJson(names), "object pose of development"),
+                               RandomStream(FormatJson(names), "joint error of development"));
+    return setup;
+  }
+
+  /** Shape by shape, as a worker keeps the world of its last one. */
+  void Simulate(const std::vector<DevelopRequest>& requests,
+                std::vector<DevelopmentRecord>& records) {
+    struct Place {
+      size_t request, trial;
+      int shape;
+    };
+    std::vector<Place> places;
+    for (size_t r = 0; r < requests.size(); ++r) {
+      if (!records[r].trials.empty()) continue;
+      for (size_t t = 0; t < requests[r].trials.size(); ++t) {
+        places.push_back({r, t, requests[r].trials[t].shape});
+      }
+    }
+    if (places.empty()) return;
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.shape < b.shape; });
+    std::vector<TrialSetup> setups;
+    for (const Place& place : places) {
+      const DevelopRequest& request = requests[place.request];
+      setups.push_back(MakeSetup(request.grasp, request.trials[place.trial]));
+    }
+    const std::vector<TrialResult> results = pool_.Run(setups);
+    std::vector<DevelopmentRecord> added;
+    for (size_t k = 0; k < places.size(); ++k) {
+      const auto& [r, t, shape] = places[k];
+      records[r].trials.resize(requests[r].trials.size());
+      records[r].trials[t] =
+          MakeDevelopTrial(requests[r].grasp, *shapes_[static_cast<size_t>(shape)], results[k]);
+    }
+    for (const DevelopmentRecord& record : records) {
+      if (!journal_.Find(record.request)) added.push_back(record);
+    }
+    journal_.Append(added);
+  }
+
+  std::shared_ptr<const Hand> hand_;
+  const DevelopmentConfig& config_;
+  std::vector<std::shared_ptr<const GraspObject>> shapes_;
+  DevelopmentJournal& journal_;
+  TrialPool& pool_;
+  int& num_asked_;
+};
+
+std::vector<const GraspTaxon*> FindTaxa(const Hand& hand) {
+  std::vector<const GraspTaxon*> taxa;
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    if (CanDevelop(hand, taxon)) taxa.push_back(&taxon);
+  }
+  if (taxa.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + hand.id + "\" has " + std::to_string(hand.digits.size()) +
+                    " digits; a grasp needs two at least, and they stand under `digits` of its "
+                    "hand.yaml");
+  }
+  return taxa;
+}
+
+/** A new folder with a copy of the hand, or the same development in it. */
+void PrepareFolder(const DevelopHandRequest& request, const Hand& hand,
+                   const DevelopmentConfig& config) {
+  if (HasDevelopment(request.out / kDevelopment)) {
+    CheckSameDevelopment(request.out / kDevelopment, config);
+    return;
+  }
+  StagedFolder staged({request.out, "", false, {hand.folder}});
+  CopyHand(hand.folder, staged.path());
+  MakeFolder(staged.path() / kDevelopment);
+  CreateDevelopment(staged.path() / kDevelopment, config);
+  staged.Commit();
+}
+
+/** Sizes of the catalogue's objects, which judge hands. */
+std::vector<Eigen::Vector3d> ListJudges() {
+  std::vector<Eigen::Vector3d> sizes;
+  for (const std::string& id : ListObjects()) {
+    sizes.push_back(LoadObject(id, FieldUse::kLater)->size);
+  }
+  return sizes;
+}
+
+std::vector<std::shared_ptr<const GraspObject>> MakeAllShapes(
+    const GraspTaxon& taxon, int seed, const std::vector<ProposedGrasp>& proposals,
+    const std::vector<Eigen::Vector3d>& judges) {
+  double widest = 0.0;
+  for (const ProposedGrasp& proposed : proposals) {
+    widest = std::max(widest, proposed.aim.opening);
+  }
+  std::vector<std::shared_ptr<const GraspObject>> shapes;
+  for (const ShapeUse use : {ShapeUse::kTraining, ShapeUse::kValidation}) {
+    for (const auto& shape :
+         MakeShapes(taxon, use, seed, kNumTrainingShapes, kLargestShape * widest, judges)) {
+      shapes.push_back(CompleteObject(shape));
+    }
+  }
+  return shapes;
+}
+
+}  // namespace
+
+std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer,
+                                        const std::atomic<bool>& stop) {
+  const auto hand = std::make_shared<const Hand>(LoadHand(request.hand));
+  const std::vector<const GraspTaxon*> taxa = FindTaxa(*hand);
+  const int budget = request.config.budget / static_cast<int>(taxa.size());
+  DevelopmentConfig config;
+  config.hand = hand->id;
+  config.hand_content = hand->content_hash;
+  config.develop = request.config;
+  config.strategy.hold_time = kHoldTime;
+  PrepareFolder(request, *hand, config);
+
+  DevelopmentJournal journal(request.out / kDevelopment / "journal.jsonl");
+  TrialPool pool(request.num_workers, stop, request.trial_time_limit);
+  Stage stage;
+  stage.kind = StageKind::kDevelopment;
+  stage.num_all = stage.num_left = static_cast<int>(taxa.size());
+  stage.num_trials = CountDevelopTrials(budget) * stage.num_all;
+  observer.BeginStage(stage);
+  BatchStatus status;
+  const std::vector<Eigen::Vector3d> judges = ListJudges();
+  int num_asked = 0;
+  std::vector<DevelopedGrasp> developed;
+  for (const GraspTaxon* taxon : taxa) {
+    const std::string stream = std::to_string(request.config.seed) + " " + taxon->id;
+    const std::vector<ProposedGrasp> proposals =
+        ProposeGrasps(*hand, *taxon, kNumDrawn, kNumKept, RandomStream(stream, "proposals"));
+    GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
+                       journal, pool, num_asked);
+    const auto run = [&](const std::vector<DevelopRequest>& requests) {
+      auto answers = trials.Run(requests);
+      for (const auto& answer : answers) {
+        status.num_done += static_cast<int>(answer.size());
+        for (const DevelopTrial& trial : answer) ++status.outcomes[trial.outcome];
+      }
+      status.busy = {PlannedTrial{"", hand->id, "", taxon->id + "  " + requests.front().stage,
+                                  status.num_done}};
+      observer.ShowStatus(status, stage.num_trials);
+      return answers;
+    };
+    developed.push_back(DevelopGrasp(*hand, proposals, budget, request.config.seed, run));
+  }
+  observer.ShowStatus(status, status.num_done);
+  observer.EndStage();
+
+  const fs::path yaml = request.out / "hand.yaml";
+  WriteFileAtomically(
+      yaml, ReplaceGrasps(ReadFile(yaml), FormatGrasps(*hand, request.config, developed)));
+  LoadStandardGrasps(LoadHand(request.out.string()));  // or a fault of ours
+  WriteDevelopmentResult(request.out / kDevelopment, *hand, developed);
+  return developed;
+}
+
+}  // namespace graspbench
