@@ -59,6 +59,16 @@ std::string FormatBar(const ProgressState& state) {
   return "[" + std::string(filled, '#') + std::string(kLength - filled, '-') + "]";
 }
 
+void AddOutcomes(const ProgressState& state, size_t width, std::vector<std::string>& lines) {
+  lines.push_back("  success  " + FormatSuccess(state));
+  std::string head = "  failed   ";
+  for (const std::string& text :
+       FormatFailures(state, width - std::min<size_t>(width, head.size()))) {
+    lines.push_back(head + text);
+    head.assign(head.size(), ' ');
+  }
+}
+
 }  // namespace
 
 void Pace::Add(double time, int num_done) {
@@ -84,18 +94,12 @@ std::string FormatDuration(double duration) {
 std::vector<std::string> FormatBlock(const ProgressState& state, int width) {
   const std::string remaining = FormatRemaining(state);
   std::vector<std::string> lines = {
-      "  trials   " + FormatBar(state) + " " + std::to_string(state.num_done) + " of " +
-          std::to_string(state.num_planned),
-      "  pace     " + (std::isfinite(state.rate) ? FormatFixed(state.rate, 1) : "-") + " trials/s" +
-          (remaining.empty() ? "" : ", " + remaining),
-      "  success  " + FormatSuccess(state),
+      "  done     " + FormatBar(state) + " " + std::to_string(state.num_done) + " of " +
+          std::to_string(state.num_planned) + " " + state.counted,
+      "  pace     " + (std::isfinite(state.rate) ? FormatFixed(state.rate, 1) : "-") + " " +
+          state.counted + "/s" + (remaining.empty() ? "" : ", " + remaining),
   };
-  const std::string head = "  failed   ";
-  for (const std::string& text :
-       FormatFailures(state, static_cast<size_t>(width) - std::min<size_t>(width, head.size()))) {
-    const bool is_first = lines.size() == 3;
-    lines.push_back((is_first ? head : std::string(head.size(), ' ')) + text);
-  }
+  if (state.tells_success) AddOutcomes(state, static_cast<size_t>(width), lines);
   const size_t num_shown = std::min(state.workers.size(), kMaxWorkersShown);
   for (size_t i = 0; i < num_shown; ++i) {
     lines.push_back("  worker " + std::to_string(i + 1) + " " +
@@ -110,23 +114,30 @@ std::vector<std::string> FormatBlock(const ProgressState& state, int width) {
 
 std::string FormatLine(const ProgressState& state) {
   const std::string remaining = FormatRemaining(state);
-  return std::to_string(state.num_done) + " of " + std::to_string(state.num_planned) + " trials" +
-         (std::isfinite(state.rate) ? ", " + FormatFixed(state.rate, 1) + " trials/s" : "") +
-         (remaining.empty() ? "" : ", " + remaining) + "; success " + FormatSuccess(state) +
+  std::string line = std::to_string(state.num_done) + " of " + std::to_string(state.num_planned) +
+                     " " + state.counted;
+  if (std::isfinite(state.rate)) {
+    line += ", " + FormatFixed(state.rate, 1) + " " + state.counted + "/s";
+  }
+  if (!remaining.empty()) line += ", " + remaining;
+  if (!state.tells_success) return line;
+  return line + "; success " + FormatSuccess(state) +
          "; failed: " + FormatFailures(state, std::string::npos).front();
 }
 
-Progress::Progress(std::FILE* stream, int num_planned, std::map<Outcome, int> before)
+Progress::Progress(std::FILE* stream, const Stage& stage)
     : stream_(stream),
       region_(stream),
-      num_planned_(num_planned),
-      before_(std::move(before)),
+      stage_(stage),
       last_shown_(region_.can_redraw() ? -kTerminalInterval : 0.0) {}
 
 ProgressState Progress::MakeState() const {
   ProgressState state;
-  state.num_planned = num_planned_;
-  state.outcomes = before_;
+  const StageRow& row = RowOf(kStages, stage_.kind);
+  state.counted = row.counted;
+  state.tells_success = row.tells_success;
+  state.num_planned = stage_.num_trials;
+  state.outcomes = stage_.before;
   for (const auto& [outcome, count] : status_.outcomes) state.outcomes[outcome] += count;
   state.num_done = std::accumulate(state.outcomes.begin(), state.outcomes.end(), 0,
                                    [](int sum, const auto& item) { return sum + item.second; });

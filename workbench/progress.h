@@ -30,6 +30,8 @@ class Pace {
 
 /** The session as a whole: what earlier runs finished counts as done. */
 struct ProgressState {
+  std::string counted = "trials";
+  bool tells_success = true;  ///< else outcomes are left out
   int num_planned = 0;
   int num_done = 0;
   std::map<Outcome, int> outcomes;
@@ -48,11 +50,10 @@ std::string FormatDuration(double duration);
 
 class Progress {
  public:
-  /** @param before  outcomes of the trials that earlier runs finished. */
-  Progress(std::FILE* stream, int num_planned, std::map<Outcome, int> before);
+  Progress(std::FILE* stream, const Stage& stage);
 
   /** There turned out to be more or fewer trials. */
-  void SetPlanned(int num_planned) { num_planned_ = num_planned; }
+  void SetPlanned(int num_planned) { stage_.num_trials = num_planned; }
   /** Shows the status when it is time to. @param time  since the start [s]. */
   void Show(const BatchStatus& status, double time);
   /** Shows the last status once more and leaves the cursor below it. */
@@ -66,8 +67,7 @@ class Progress {
 
   std::FILE* stream_;
   StatusRegion region_;
-  int num_planned_;
-  std::map<Outcome, int> before_;
+  Stage stage_;
   BatchStatus status_;
   Pace pace_;
   double last_shown_;

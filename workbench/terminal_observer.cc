@@ -14,7 +14,7 @@ void TerminalObserver::BeginStage(const Stage& stage) {
   if (describe_) PrintMessage(describe_(stage));
   if (stage.num_left == 0) return;
   start_ = std::chrono::steady_clock::now();
-  progress_.emplace(stderr, stage.num_trials, stage.before);
+  progress_.emplace(stderr, stage);
 }
 
 void TerminalObserver::ShowStatus(const BatchStatus& status, int num_trials) {

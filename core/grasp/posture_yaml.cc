@@ -60,10 +60,8 @@ Eigen::VectorXd RoundPosture(const Hand& hand, const Eigen::VectorXd& q, int dec
   Eigen::VectorXd rounded = q;
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];
-    const double value = joint.is_prismatic ? MmFromM(q[j]) : DegFromRad(q[j]);
-    const double written = std::round(value * scale) / scale;
-    rounded[j] = std::clamp(joint.is_prismatic ? MFromMm(written) : RadFromDeg(written),
-                            joint.lower, joint.upper);
+    const double written = std::round(ShownFromPosition(joint, q[j]) * scale) / scale;
+    rounded[j] = std::clamp(PositionFromShown(joint, written), joint.lower, joint.upper);
   }
   ApplyCoupling(hand, rounded);
   return rounded;

@@ -38,13 +38,25 @@ TEST(Pace, IsTheRateOfTheLastHalfMinute) {
 TEST(FormatBlock, ShowsAllThatMatters) {
   const std::vector<std::string> lines = FormatBlock(MakeState(), 200);
   ASSERT_EQ(lines.size(), 6u);
-  EXPECT_EQ(lines[0], "  trials   [#########---------------------] 132 of 420");
+  EXPECT_EQ(lines[0], "  done     [#########---------------------] 132 of 420 trials");
   EXPECT_EQ(lines[1], "  pace     3.2 trials/s, 1 min 30 s left");
   EXPECT_NE(lines[2].find("120 of 132"), std::string::npos) << lines[2];
   EXPECT_NE(lines[2].find("84.8 to 94.7 %"), std::string::npos) << lines[2];
   EXPECT_EQ(lines[3], "  failed   no contact 3, pushed away 9");
   EXPECT_EQ(lines[4], "  worker 1 shadow  can  g3  #4");
   EXPECT_EQ(lines[5], "  worker 2 idle");
+}
+
+// What the judge runs again has succeeded before; that is no result of the judge's.
+TEST(FormatBlock, OutcomesThatSayNothingAreLeftOut) {
+  ProgressState state = MakeState();
+  state.counted = "held grasps";
+  state.tells_success = false;
+  const std::vector<std::string> lines = FormatBlock(state, 200);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "  done     [#########---------------------] 132 of 420 held grasps");
+  EXPECT_EQ(lines[1], "  pace     3.2 held grasps/s, 1 min 30 s left");
+  EXPECT_EQ(FormatLine(state), "132 of 420 held grasps, 3.2 held grasps/s, 1 min 30 s left");
 }
 
 TEST(FormatBlock, NeverWrapsAndNeverGrowsWithoutBound) {

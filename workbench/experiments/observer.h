@@ -31,16 +31,18 @@ struct StageRow {
   const char* name;
   const char *task, *tasks;  // one and several of what is counted
   const char* verb;          // what is done to them
+  const char* counted;       // what its progress counts, several
+  bool tells_success;        // whether the outcomes of these say how good the result is
 };
 inline constexpr StageRow kStages[] = {
-    {StageKind::kRun, "run", "trial", "trials", "run"},
-    {StageKind::kJudge, "judge", "held grasp", "held grasps", "judge"},
-    {StageKind::kOptimisation, "optimisation", "scene", "scenes", "optimise"},
-    {StageKind::kBenchmark, "benchmark", "trial", "trials", "run"},
-    {StageKind::kComparison, "comparison", "search", "searches", "run"},
-    {StageKind::kBasin, "basin", "sample", "samples", "run"},
-    {StageKind::kVariant, "variant", "trial", "trials", "run"},
-    {StageKind::kDevelopment, "development", "grasp", "grasps", "develop"}};
+    {StageKind::kRun, "run", "trial", "trials", "run", "trials", true},
+    {StageKind::kJudge, "judge", "held grasp", "held grasps", "judge", "held grasps", false},
+    {StageKind::kOptimisation, "optimisation", "scene", "scenes", "optimise", "evaluations", false},
+    {StageKind::kBenchmark, "benchmark", "trial", "trials", "run", "trials", true},
+    {StageKind::kComparison, "comparison", "search", "searches", "run", "evaluations", false},
+    {StageKind::kBasin, "basin", "sample", "samples", "run", "samples", true},
+    {StageKind::kVariant, "variant", "trial", "trials", "run", "trials", true},
+    {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

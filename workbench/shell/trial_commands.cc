@@ -187,11 +187,6 @@ std::string DescribeMissing(const TrialResult& result) {
   return text;
 }
 
-double CalcDistance(const TrialDraw& a, const TrialDraw& b, double radius) {
-  const double yaw = radius * std::abs(a.offset_yaw - b.offset_yaw);
-  return std::hypot(a.offset_x - b.offset_x, a.offset_y - b.offset_y, yaw);
-}
-
 std::string DescribeNeighbour(Shell& shell) {
   ShellScene& scene = shell.scene();
   const double radius = 0.5 * scene.setup().object->size.x();
@@ -203,7 +198,8 @@ std::string DescribeNeighbour(Shell& shell) {
   const std::vector<TrialResult> results = RunDraws(shell, kNumNeighbours);
   for (int draw = 0; draw < static_cast<int>(results.size()); ++draw) {
     if (!IsSuccess(results[static_cast<size_t>(draw)].outcome)) continue;
-    const double candidate = CalcDistance(scene.MakeSetup(draw).draw, scene.setup().draw, radius);
+    const double candidate =
+        CalcDrawDistance(scene.MakeSetup(draw).draw, scene.setup().draw, radius);
     if (candidate >= distance) continue;
     distance = candidate;
     nearest = draw;
