@@ -60,8 +60,10 @@ std::string FormatObject(const GraspObject& object) {
 }
 
 std::string FormatMeshSummary(const std::string& path, const MeshReport& report) {
-  return (report.problems.empty() ? "" : FormatProblems(report) + "\n") + path + ": " +
-         FormatCount(report.num_triangles, "triangle") + ", " +
+  std::string text;
+  for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
+  if (!report.problems.empty()) text += FormatProblems(report) + "\n";
+  return text + path + ": " + FormatCount(report.num_triangles, "triangle") + ", " +
          (report.is_closed ? "closed" : FormatCount(report.num_open_edges, "open edge")) + ", " +
          FormatSizeInMm(report.extent, 1) + " mm; " +
          (report.problems.empty() ? "can be used\n" : "cannot be used\n");

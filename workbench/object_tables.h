@@ -21,7 +21,7 @@ DescribedObjects DescribeObjects();
 Json MakeObjectJson(const GraspObject& object);
 std::string FormatObject(const GraspObject& object);
 
-/** The problems, then what the mesh is and whether it can be used. */
+/** The warnings, the problems, then what the mesh is and whether it can be used. */
 std::string FormatMeshSummary(const std::string& path, const MeshReport& report);
 
 }  // namespace graspbench

@@ -108,6 +108,12 @@ void PrintFault(const std::string& message) {
   PrintMessage("graspbench: " + message);
 }
 
+/** A program that asked for JSON gets it also when the command line was wrong. */
+bool IsJsonTyped(int argc, const char* const* argv) {
+  return std::any_of(argv, argv + argc,
+                     [](const char* word) { return word == std::string("--json"); });
+}
+
 /** Messages are lines; a name that holds a line feed could pass for one of them. */
 void RefuseLineFeeds(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
@@ -286,7 +292,9 @@ int RunProgram(int argc, const char* const* argv) {
       PrintResult(help.str());
       return kExitOk;
     }
-    PrintFault(Explain(fault, program));
+    const std::string text = Explain(fault, program);
+    if (IsJsonTyped(argc, argv)) PrintJson({{"error", text}});
+    PrintFault(text);
     return kExitUsage;
   } catch (const Error& error) {
     PrintFault(error.what());

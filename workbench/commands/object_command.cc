@@ -87,11 +87,12 @@ ExitCode ReportMesh(const MeshCheckOptions& options) {
   return report.problems.empty() ? kExitOk : kExitBadInput;
 }
 
-/** With --json the answer is JSON also when the file cannot be read. */
-ExitCode CheckObject(const MeshCheckOptions& options) {
-  if (!options.json) return ReportMesh(options);
+/** With --json the answer is JSON also when there is a fault. */
+template <class Answer>
+ExitCode AnswerInJson(bool json, const Answer& answer) {
+  if (!json) return answer();
   try {
-    return ReportMesh(options);
+    return answer();
   } catch (const Error& error) {
     PrintJson({{"usable", false}, {"problems", {error.what()}}});
     return ExitCodeOf(error.kind());
@@ -124,9 +125,12 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
       ->required()
       ->option_text("OBJECT");
   show.add_flag("--json", *json, "print one JSON object");
-  show.callback([id, json] {
-    const auto object = LoadObject(*id);
-    *json ? PrintJson(MakeObjectJson(*object)) : PrintResult(FormatObject(*object));
+  show.callback([id, json, &exit_code] {
+    exit_code = AnswerInJson(*json, [&] {
+      const auto object = LoadObject(*id);
+      *json ? PrintJson(MakeObjectJson(*object)) : PrintResult(FormatObject(*object));
+      return kExitOk;
+    });
   });
 
   CLI::App& check = AddSubcommand(group, "check", "Report whether a mesh can be used, and why not.",
@@ -143,7 +147,9 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
   check.add_flag("--repair", options->repair,
                  "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
   check.add_flag("--json", options->json, "print one JSON object");
-  check.callback([options, &exit_code] { exit_code = CheckObject(*options); });
+  check.callback([options, &exit_code] {
+    exit_code = AnswerInJson(options->json, [&] { return ReportMesh(*options); });
+  });
 }
 
 }  // namespace graspbench
