@@ -69,4 +69,18 @@ std::string FormatMeshSummary(const std::string& path, const MeshReport& report)
          (report.problems.empty() ? "can be used\n" : "cannot be used\n");
 }
 
+std::string FormatRepair(const std::string& path, const MeshFileRepair& repair) {
+  std::string text;
+  for (const std::string& action : repair.actions) text += "repair: " + action + "\n";
+  if (repair.is_written) {
+    text += FormatMeshSummary(path, repair.report);
+  } else if (repair.actions.empty()) {
+    text += "repair: nothing could be repaired without guessing; no file written\n";
+  } else {
+    text += FormatProblems(repair.report) +
+            "\nrepair: the result could not be used either; no file written\n";
+  }
+  return text;
+}
+
 }  // namespace graspbench
