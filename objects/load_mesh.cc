@@ -44,6 +44,13 @@ std::string FindFormat(const std::string& name) {
   if (format == "3ds") Fail(name, ": 3DS is not read, its axes are not certain" + advice);
   if (format == "dxf") Fail(name, ": DXF is not read, its axes are not certain" + advice);
   if (format == "dae") Fail(name, ": COLLADA is not read, its reader is not safe" + advice);
+  if (!format.empty() && format.size() <= 5 &&
+      std::all_of(format.begin(), format.end(), [](unsigned char c) { return std::isalnum(c); })) {
+    std::string known_as = format;
+    std::transform(format.begin(), format.end(), known_as.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    Fail(name, ": " + known_as + " is not read" + advice);
+  }
   Fail(name, " has an ending that names no known format" + advice);
 }
 

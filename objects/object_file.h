@@ -24,6 +24,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 #include <string>
 #include <vector>
 
+#include "core/base/file_keys.h"
 #include "core/base/units.h"
 #include "core/shape/surface_material.h"
 #include "objects/length_unit.h"
@@ -48,5 +49,10 @@ struct ObjectFile {
 
 /** @throws Error(kNotFound, kIo); Error(kFormat) listing every problem with its line. */
 ObjectFile LoadObjectFile(const std::filesystem::path& path);
+/** The same for text in memory; `file` is its name in messages. */
+ObjectFile ParseObjectFile(const std::string& text, const std::string& file);
+
+/** The keys of object.yaml, whose ranges the reader checks. */
+const FileKeys& ListObjectKeys();
 
 }  // namespace graspbench

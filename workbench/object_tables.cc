@@ -60,11 +60,27 @@ std::string FormatObject(const GraspObject& object) {
 }
 
 std::string FormatMeshSummary(const std::string& path, const MeshReport& report) {
-  return (report.problems.empty() ? "" : FormatProblems(report) + "\n") + path + ": " +
-         FormatCount(report.num_triangles, "triangle") + ", " +
+  std::string text;
+  for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
+  if (!report.problems.empty()) text += FormatProblems(report) + "\n";
+  return text + path + ": " + FormatCount(report.num_triangles, "triangle") + ", " +
          (report.is_closed ? "closed" : FormatCount(report.num_open_edges, "open edge")) + ", " +
          FormatSizeInMm(report.extent, 1) + " mm; " +
          (report.problems.empty() ? "can be used\n" : "cannot be used\n");
+}
+
+std::string FormatRepair(const std::string& path, const MeshFileRepair& repair) {
+  std::string text;
+  for (const std::string& action : repair.actions) text += "repair: " + action + "\n";
+  if (repair.is_written) {
+    text += FormatMeshSummary(path, repair.report);
+  } else if (repair.actions.empty()) {
+    text += "repair: nothing could be repaired without guessing; no file written\n";
+  } else {
+    text += FormatProblems(repair.report) +
+            "\nrepair: the result could not be used either; no file written\n";
+  }
+  return text;
 }
 
 }  // namespace graspbench

@@ -21,7 +21,10 @@ DescribedObjects DescribeObjects();
 Json MakeObjectJson(const GraspObject& object);
 std::string FormatObject(const GraspObject& object);
 
-/** The problems, then what the mesh is and whether it can be used. */
+/** The warnings, the problems, then what the mesh is and whether it can be used. */
 std::string FormatMeshSummary(const std::string& path, const MeshReport& report);
+
+/** What a repair did, and the summary of what it has written to `path`. */
+std::string FormatRepair(const std::string& path, const MeshFileRepair& repair);
 
 }  // namespace graspbench

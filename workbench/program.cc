@@ -10,11 +10,13 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/escape.h"
 #include "core/base/text.h"
+#include "datasets/session/scene_names.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/machine.h"
 #include "workbench/experiments/shell_quote.h"
@@ -103,9 +105,30 @@ void RefuseEmptyNames(CLI::App& command) {
   }
 }
 
+/** Wherever a command takes an id, it takes the name too. */
+void AcceptNames(CLI::App& command) {
+  const std::pair<const char*, std::string (*)(const std::string&)> kinds[] = {
+      {"hand", &FindHandId}, {"object", &FindObjectId}, {"grasp", &FindGraspId}};
+  for (CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    for (const auto& [kind, find_id] : kinds) {
+      if (name == kind || name == std::string("--") + kind) option->transform(find_id);
+    }
+  }
+  for (CLI::App* subcommand : command.get_subcommands([](CLI::App*) { return true; })) {
+    AcceptNames(*subcommand);
+  }
+}
+
 void PrintFault(const std::string& message) {
   std::fflush(stdout);
   PrintMessage("graspbench: " + message);
+}
+
+/** A program that asked for JSON gets it also when the command line was wrong. */
+bool IsJsonTyped(int argc, const char* const* argv) {
+  return std::any_of(argv, argv + argc,
+                     [](const char* word) { return word == std::string("--json"); });
 }
 
 /** Messages are lines; a name that holds a line feed could pass for one of them. */
@@ -271,6 +294,7 @@ int RunProgram(int argc, const char* const* argv) {
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
+    AcceptNames(program);
     RefuseLineFeeds(argc, argv);
     if (argc == 1 && ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)) {
       program.parse(std::vector<std::string>{"shell"});
@@ -286,7 +310,9 @@ int RunProgram(int argc, const char* const* argv) {
       PrintResult(help.str());
       return kExitOk;
     }
-    PrintFault(Explain(fault, program));
+    const std::string text = Explain(fault, program);
+    if (IsJsonTyped(argc, argv)) PrintJson({{"error", text}});
+    PrintFault(text);
     return kExitUsage;
   } catch (const Error& error) {
     PrintFault(error.what());

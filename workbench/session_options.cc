@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "datasets/session/scene_names.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
 
 void SessionOptions::AddTo(CLI::App& command) {
-  command.add_option("session", session_file_, "session file (YAML); absent: the benchmark")
-      ->option_text("SESSION.YAML");
+  command
+      .add_option("session", session_file_,
+                  "session file: YAML, or session.json of a session; absent: the benchmark")
+      ->option_text("SESSION");
   AddSceneOptions(command, given_);
   AddListOption(command, "--grasp", given_.grasps, "best, all, ids or grasp files: g1,my.yaml",
                 "G,..");
@@ -36,6 +39,7 @@ SessionConfig SessionOptions::MakeConfig() const {
   SessionConfig config;
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
   for (const std::string& setting : settings_) ApplySetting(setting, config);
+  ReplaceNames(config);  // those of options are ids already
   if (IsGiven("--hand")) config.hands = given_.hands;
   if (IsGiven("--object")) config.objects = given_.objects;
   if (IsGiven("--grasp")) config.grasps = given_.grasps;

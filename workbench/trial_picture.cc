@@ -14,8 +14,8 @@
 namespace graspbench {
 namespace {
 
-constexpr double kMaxTime = 3600.0;      // [s]
-constexpr double kLongestArrow = 0.045;  // [m]
+constexpr double kLatestInstant = 3600.0;  // [s]
+constexpr double kLongestArrow = 0.045;    // [m]
 
 std::vector<std::string> ListInstantNames() {
   std::vector<std::string> names;
@@ -75,7 +75,7 @@ const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::strin
   const std::string wanted = name.empty() ? FindDefaultInstant(traced) : ToLower(name);
   if (!wanted.empty() &&
       (std::isdigit(static_cast<unsigned char>(wanted[0])) || wanted[0] == '.')) {
-    const double time = ParseNumber(wanted, "the time", "s", 0.0, kMaxTime);
+    const double time = ParseNumber(wanted, "the time", "s", 0.0, kLatestInstant);
     const double end = traced.trace.back().time;
     if (time > end) {
       throw Error(ErrorKind::kUsage,

@@ -1,6 +1,9 @@
 #include "core/base/config.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace graspbench {
 namespace {
@@ -125,6 +128,64 @@ YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::st
     end = dot;
   }
   return node;
+}
+
+namespace {
+
+const Json& FindValue(const Json& config, const std::string& full_key) {
+  const Json* value = &config;
+  size_t begin = 0;
+  for (size_t dot = full_key.find('.'); dot != full_key.npos; dot = full_key.find('.', begin)) {
+    value = &value->at(full_key.substr(begin, dot - begin));
+    begin = dot + 1;
+  }
+  return value->at(full_key.substr(begin));
+}
+
+std::string FormatDefault(const Json& value) {
+  if (value.is_number() && std::isnan(value.get<double>())) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) {
+    std::string text;
+    for (const Json& item : value) text += (text.empty() ? "" : ", ") + FormatDefault(item);
+    return value.empty() ? "" : "[" + text + "]";
+  }
+  return FormatJson(value);
+}
+
+}  // namespace
+
+FileKeys CompleteKeys(const Json& defaults, const std::vector<std::string>& names,
+                      const FileKeys& keys) {
+  FileKeys rows;
+  for (const std::string& name : names) {
+    const FileKey* row = FindFileKey(keys, name);
+    rows.push_back(row != nullptr ? *row : FileKey{name, "", ""});
+    if (rows.back().fallback.empty())
+      rows.back().fallback = FormatDefault(FindValue(defaults, name));
+  }
+  return rows;
+}
+
+std::vector<std::pair<std::string, std::string>> FindOutOfRange(
+    const Json& config, const Json& defaults, const std::vector<std::string>& names,
+    const FileKeys& keys) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const std::string& name : names) {
+    const FileKey* row = FindFileKey(keys, name);
+    if (row == nullptr || FormatRange(*row).empty()) continue;
+    const Json &value = FindValue(config, name), &usual = FindValue(defaults, name);
+    const bool may_be_unset = usual.is_number() && std::isnan(usual.get<double>());
+    const Json list = value.is_array() ? value : Json::array({value});
+    for (const Json& item : list) {
+      const double number = NumberFrom(item);
+      if (IsInRange(*row, number) || (std::isnan(number) && may_be_unset)) continue;
+      found.emplace_back(
+          name, fmt::format("{:.10g} is out of range; expected {}", number, FormatRange(*row)));
+      break;
+    }
+  }
+  return found;
 }
 
 void FindDifferences(const Json& a, const Json& b, const std::string& where,

@@ -22,6 +22,7 @@ such struct. A list of texts may be given as one text with commas: "tum, shadow"
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/file_keys.h"
 #include "core/base/json.h"
 #include "core/base/yaml.h"
 
@@ -149,6 +150,14 @@ class KeyLister {
 @throws Error(kUsage) when it is not of that form or the key is not known. */
 YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known);
 
+/** Default values put into rows, in their order; a key without row gets one without meaning. */
+FileKeys CompleteKeys(const Json& defaults, const std::vector<std::string>& names,
+                      const FileKeys& keys);
+
+std::vector<std::pair<std::string, std::string>> FindOutOfRange(
+    const Json& config, const Json& defaults, const std::vector<std::string>& names,
+    const FileKeys& keys);
+
 /** @pre both are made by ConfigToJson from the same struct. */
 void FindDifferences(const Json& a, const Json& b, const std::string& where,
                      std::vector<std::string>& differences);
@@ -190,6 +199,22 @@ std::vector<std::string> ListConfigKeys(Config config) {
   std::vector<std::string> keys;
   config.Visit(internal::KeyLister("", keys));
   return keys;
+}
+
+/** The rows of a configuration's keys, in the order of its fields, with the defaults of `config`.
+ */
+template <class Config>
+FileKeys DescribeConfig(const Config& config, const FileKeys& keys) {
+  return internal::CompleteKeys(ConfigToJson(config), ListConfigKeys(config), keys);
+}
+
+/** Every number that is not in the range of its row, unless it is not given: its key, and "-1 is
+out of range; expected 0 to 1". */
+template <class Config>
+std::vector<std::pair<std::string, std::string>> FindOutOfRange(const Config& config,
+                                                                const FileKeys& keys) {
+  return internal::FindOutOfRange(ConfigToJson(config), ConfigToJson(Config()),
+                                  ListConfigKeys(config), keys);
 }
 
 /** Applies "sim.step_s=0.001". @throws Error(kUsage) naming the known keys or the expected type. */

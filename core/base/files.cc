@@ -17,7 +17,17 @@ namespace fs = std::filesystem;
 
 fs::path FindDataRoot() {
   const char* home = std::getenv("GRASPBENCH_HOME");
-  return home && *home ? fs::path(home) : fs::path(GRASPBENCH_SOURCE_DIR);
+  if (home && *home) return fs::path(home);
+  // As installed, wherever that was moved to; else where it was built.
+  static const fs::path root = [] {
+    std::error_code status;
+    const fs::path program = fs::read_symlink("/proc/self/exe", status);
+    const fs::path installed = program.parent_path().parent_path() / "share" / "graspbench";
+    return fs::is_directory(installed / "objects" / "catalogue", status)
+               ? installed
+               : fs::path(GRASPBENCH_SOURCE_DIR);
+  }();
+  return root;
 }
 
 fs::path FindCacheRoot() {

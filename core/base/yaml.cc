@@ -1,8 +1,11 @@
 #include "core/base/yaml.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "core/base/files.h"
 
@@ -23,8 +26,23 @@ YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnosti
 
 int LineOf(const YAML::Node& node) { return node.IsDefined() ? node.Mark().line + 1 : 0; }
 
-YamlMap::YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems)
-    : node_(node), file_(std::move(file)), where_(std::move(where)), problems_(&problems) {
+namespace {
+
+thread_local KeyRecorder* recorder = nullptr;
+
+}  // namespace
+
+KeyRecorder::KeyRecorder() : outer_(std::exchange(recorder, this)) {}
+KeyRecorder::~KeyRecorder() { recorder = outer_; }
+
+YamlMap::YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems,
+                 const FileKeys* keys, std::string prefix)
+    : node_(node),
+      file_(std::move(file)),
+      where_(std::move(where)),
+      keys_(keys),
+      prefix_(std::move(prefix)),
+      problems_(&problems) {
   if (!node_.IsMap()) {
     problems_->Fail(file_, LineOf(node_), where_ + ": expected a map of keys and values");
     node_ = YAML::Node(YAML::NodeType::Map);
@@ -36,7 +54,19 @@ bool YamlMap::Has(const std::string& key) const {
   return node[key].IsDefined();
 }
 
+void YamlMap::Note(const std::string& key, const std::string& fallback, Needed needed) const {
+  if (recorder == nullptr || keys_ == nullptr) return;
+  FileKeys& keys = recorder->keys_;
+  if (FindFileKey(keys, prefix_ + key) != nullptr) return;
+  keys.push_back({prefix_ + key, needed == Needed::kYes ? kRequired : fallback, ""});
+}
+
 YAML::Node YamlMap::Child(const std::string& key, Needed needed) {
+  Note(key, "", needed);
+  return Find(key, needed);
+}
+
+YAML::Node YamlMap::Find(const std::string& key, Needed needed) {
   known_.push_back(key);
   const YAML::Node& node = node_;
   const YAML::Node child = node[key];
@@ -66,6 +96,31 @@ bool IsFinite(const T&) {
   return true;
 }
 
+std::string FormatValue(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+std::string FormatValue(int value) { return std::to_string(value); }
+std::string FormatValue(bool value) { return value ? "true" : "false"; }
+std::string FormatValue(const std::string& value) { return value; }
+std::string FormatValue(const Eigen::Vector3d& value) {
+  return value.allFinite() ? fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z()) : "";
+}
+template <class T>
+std::string FormatValue(const std::vector<T>& values) {
+  std::string text;
+  for (const T& value : values) text += (text.empty() ? "" : ", ") + FormatValue(value);
+  return values.empty() ? "" : "[" + text + "]";
+}
+
+std::vector<double> ListNumbers(double value) { return {value}; }
+std::vector<double> ListNumbers(int value) { return {static_cast<double>(value)}; }
+std::vector<double> ListNumbers(const Eigen::Vector3d& value) {
+  return {value.x(), value.y(), value.z()};
+}
+std::vector<double> ListNumbers(const std::vector<double>& values) { return values; }
+template <class T>
+std::vector<double> ListNumbers(const T&) {
+  return {};
+}
+
 void Convert(const YAML::Node& node, Eigen::Vector3d& value) {
   const auto numbers = node.as<std::vector<double>>();
   if (numbers.size() != 3) throw YAML::Exception(node.Mark(), "three numbers");
@@ -80,13 +135,20 @@ void Convert(const YAML::Node& node, T& value) {
 
 template <class T>
 void YamlMap::ReadAs(const std::string& key, T& value, const char* expected, Needed needed) {
-  const YAML::Node child = Child(key, needed);
+  Note(key, FormatValue(value), needed);
+  const YAML::Node child = Find(key, needed);
   if (!child.IsDefined() || child.IsNull()) return;
   try {
     T read{};
     Convert(child, read);
     if (!IsFinite(read)) throw YAML::Exception(child.Mark(), "not finite");
     value = read;
+    const FileKey* row = keys_ == nullptr ? nullptr : FindFileKey(*keys_, prefix_ + key);
+    for (const double number : ListNumbers(read)) {
+      if (row == nullptr || IsInRange(*row, number)) continue;
+      Fail(key, fmt::format("{:.10g} is out of range; expected {}", number, FormatRange(*row)));
+      break;
+    }
   } catch (const YAML::Exception&) {
     Fail(key, std::string("expected ") + expected);
   }

@@ -18,6 +18,7 @@ YAML with positions: every wrong key or value is reported with file and line, al
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/file_keys.h"
 
 namespace graspbench {
 
@@ -36,8 +37,11 @@ int LineOf(const YAML::Node& node);
 
 class YamlMap {
  public:
-  /** @param where  what this map is, for messages: "grasp g2". */
-  YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems);
+  /** @param where   what this map is, for messages: "grasp g2".
+  @param keys    the format's rows: numbers must lie in their ranges. Null: none.
+  @param prefix  of this map's keys there: "palm.". */
+  YamlMap(const YAML::Node& node, std::string file, std::string where, Diagnostics& problems,
+          const FileKeys* keys = nullptr, std::string prefix = "");
 
   bool Has(const std::string& key) const;
   void Read(const std::string& key, std::string& value, Needed needed = Needed::kYes);
@@ -58,12 +62,32 @@ class YamlMap {
  private:
   template <class T>
   void ReadAs(const std::string& key, T& value, const char* expected, Needed needed);
+  YAML::Node Find(const std::string& key, Needed needed);
+  void Note(const std::string& key, const std::string& fallback, Needed needed) const;
 
   YAML::Node node_;
   std::string file_;
   std::string where_;
+  const FileKeys* keys_;
+  std::string prefix_;
   Diagnostics* problems_;
   std::vector<std::string> known_;
+};
+
+/** For tests: while it lives, what maps with rows are asked for on this thread. */
+class KeyRecorder {
+ public:
+  KeyRecorder();
+  ~KeyRecorder();
+  KeyRecorder(const KeyRecorder&) = delete;
+  KeyRecorder& operator=(const KeyRecorder&) = delete;
+  /** In the order of asking, each once; without meaning and range. */
+  const FileKeys& keys() const { return keys_; }
+
+ private:
+  friend class YamlMap;
+  FileKeys keys_;
+  KeyRecorder* outer_;
 };
 
 }  // namespace graspbench

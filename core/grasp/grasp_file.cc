@@ -6,6 +6,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/grasp/grasp_keys.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/posture_yaml.h"
 
@@ -35,7 +36,7 @@ Quaterniond MakeQuaternion(const Pose& X) {
 }
 
 Placement ReadPlacement(const YAML::Node& node, const std::string& file, Diagnostics& problems) {
-  YamlMap map(node, file, "placement", problems);
+  YamlMap map(node, file, "placement", problems, &ListGraspFileKeys(), "placement.");
   Placement placement;
   Vector3d p_WH = Vector3d::Zero();
   std::vector<double> wxyz = {1.0, 0.0, 0.0, 0.0};
@@ -58,9 +59,6 @@ Placement ReadPlacement(const YAML::Node& node, const std::string& file, Diagnos
     map.Fail("approach", "expected a direction of length one, found length " +
                              FormatFixed(placement.approach_W.norm(), 3));
     return placement;
-  }
-  if (!(placement.closing_at_contact >= 0.0 && placement.closing_at_contact <= 1.0)) {
-    map.Fail("closing_at_contact", "expected a number from 0 to 1");
   }
   placement.X_WH = MakePose(quaternion.normalized().toRotationMatrix(), p_WH);
   placement.approach_W.normalize();
@@ -125,7 +123,7 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
   const YAML::Node root = ParseYaml(text, file, problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the grasp cannot be read");
 
-  YamlMap map(root, file, "grasp", problems);
+  YamlMap map(root, file, "grasp", problems, &ListGraspFileKeys());
   ReadHeader(map);
   GraspFile result;
   StandardGrasp& grasp = result.grasp;

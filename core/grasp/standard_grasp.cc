@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/base/yaml.h"
+#include "core/grasp/grasp_keys.h"
 #include "core/grasp/posture_yaml.h"
 
 namespace graspbench {
@@ -13,7 +14,7 @@ namespace {
 StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& node,
                         const std::string& file, Diagnostics& problems) {
   const std::string where = "grasp " + taxon.id;
-  YamlMap map(node, file, where, problems);
+  YamlMap map(node, file, where, problems, &ListHandGraspKeys(), "grasps.ID.");
   StandardGrasp grasp;
   grasp.id = taxon.id;
   grasp.type = taxon.type;

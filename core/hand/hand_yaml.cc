@@ -11,32 +11,23 @@
 namespace graspbench {
 namespace {
 
-constexpr double kLargestOffset = 1.0;  // [m] of a point from its link
-
 class HandYamlReader {
  public:
   HandYamlReader(std::string file, const UrdfOutline& outline, Hand& hand, Diagnostics& problems)
       : file_(std::move(file)), outline_(outline), hand_(hand), problems_(problems) {}
 
   void Read(const YAML::Node& root) {
-    YamlMap map(root, file_, "hand", problems_);
+    YamlMap map(root, file_, "hand", problems_, &ListHandKeys());
     map.Read("name", hand_.name);
     ReadPalm(map.Child("palm"));
     double accuracy_deg = 0.0;
     map.Read("joint_accuracy_deg", accuracy_deg);
-    if (accuracy_deg < 0.0 || accuracy_deg > 45.0) {
-      map.Fail("joint_accuracy_deg", "expected 0 to 45 degrees");
-    }
     hand_.joint_accuracy = RadFromDeg(accuracy_deg);
     double slide_accuracy_mm = 0.0;
     map.Read("slide_accuracy_mm", slide_accuracy_mm, Needed::kNo);
-    if (slide_accuracy_mm < 0.0 || slide_accuracy_mm > 20.0) {
-      map.Fail("slide_accuracy_mm", "expected 0 to 20 millimetres");
-    }
     hand_.slide_accuracy = MFromMm(slide_accuracy_mm);
     double pad_torsion_radius = 0.004;
     map.Read("pad_torsion_radius_m", pad_torsion_radius, Needed::kNo);
-    if (pad_torsion_radius < 0.0) map.Fail("pad_torsion_radius_m", "must not be negative");
     ReadDigits(map.Child("digits"));
     for (const Digit& digit : hand_.digits) {
       if (digit.distal_link < 0) continue;
@@ -44,7 +35,7 @@ class HandYamlReader {
     }
     const YAML::Node surfaces = map.Child("surfaces", Needed::kNo);
     if (map.Has("surfaces")) ReadSurfaces(surfaces);
-    if (map.Has("coupling")) ReadCoupling(map.Child("coupling"));
+    if (map.Has("coupling")) ReadCoupling(map.Child("coupling", Needed::kNo));
     const YAML::Node mimic = map.Child("mimic", Needed::kNo);
     if (map.Has("mimic")) ReadMimic(mimic);
     CheckCoupledTo();
@@ -94,7 +85,7 @@ class HandYamlReader {
 
 void HandYamlReader::ReadPalm(const YAML::Node& node) {
   if (!node.IsDefined() || node.IsNull()) return;
-  YamlMap map(node, file_, "palm", problems_);
+  YamlMap map(node, file_, "palm", problems_, &ListHandKeys(), "palm.");
   std::string link;
   map.Read("link", link);
   map.Read("centre_m", hand_.p_HCentre);
@@ -103,7 +94,6 @@ void HandYamlReader::ReadPalm(const YAML::Node& node) {
   if (!link.empty() && CheckName(link, "link", LineOf(node), "palm")) {
     hand_.palm_link = std::max(0, hand_.FindLink(link));
   }
-  if (hand_.p_HCentre.norm() > kLargestOffset) map.Fail("centre_m", "farther than 1 m away");
   if (hand_.palm_normal.norm() < 1e-6) {
     map.Fail("normal", "has no direction");
   } else {
@@ -113,7 +103,8 @@ void HandYamlReader::ReadPalm(const YAML::Node& node) {
 
 void HandYamlReader::ReadDigit(const YAML::Node& node) {
   Digit& digit = hand_.digits.emplace_back();
-  YamlMap map(node, file_, "digit " + std::to_string(hand_.digits.size()), problems_);
+  YamlMap map(node, file_, "digit " + std::to_string(hand_.digits.size()), problems_,
+              &ListHandKeys(), "digits.");
   std::vector<std::string> links;
   map.Read("id", digit.id);
   map.Read("name", digit.name);
@@ -125,9 +116,6 @@ void HandYamlReader::ReadDigit(const YAML::Node& node) {
   map.FinishKnownKeys();
   const std::string where = "digit " + digit.id;
   if (map.Has("links") && links.empty()) map.Fail("links", "a digit needs at least one link");
-  if (std::max(digit.p_LTip.norm(), digit.p_LPad.norm()) > kLargestOffset) {
-    map.Fail("tip_m", "tip and pad lie within 1 m of the last link's frame");
-  }
   for (const std::string& name : links) {
     if (!CheckName(name, "link", line, where)) continue;
     const auto [taken, is_new] = digit_of_link_.emplace(name, digit.id);
@@ -165,7 +153,7 @@ void HandYamlReader::ReadDigits(const YAML::Node& node) {
 }
 
 void HandYamlReader::ReadCoupling(const YAML::Node& node) {
-  YamlMap map(node, file_, "coupling", problems_);
+  YamlMap map(node, file_, "coupling", problems_, &ListHandKeys(), "coupling.");
   std::string rule;
   map.Read("rule", rule);
   map.Read("fixed_ratio", hand_.fixed_coupling_ratio, Needed::kNo);
@@ -180,9 +168,6 @@ void HandYamlReader::ReadCoupling(const YAML::Node& node) {
     std::vector<std::string> names;
     for (CouplingRule r : rules) names.push_back(NameOf(r));
     map.Fail("rule", "unknown rule \"" + rule + "\"" + SuggestNames(rule, names));
-  }
-  if (hand_.fixed_coupling_ratio <= 0.0 || hand_.fixed_coupling_ratio > 1.0) {
-    map.Fail("fixed_ratio", "expected a number above 0, at most 1");
   }
   if (!joints.IsDefined() || joints.IsNull()) return;
   if (!joints.IsMap()) {
@@ -223,9 +208,8 @@ void HandYamlReader::CheckCoupledTo() {
 }
 
 void HandYamlReader::ReadMimic(const YAML::Node& node) {
-  constexpr double kLargestRatio = 100.0;
   for (const YAML::Node& item : Items(node, "mimic")) {
-    YamlMap map(item, file_, "mimic", problems_);
+    YamlMap map(item, file_, "mimic", problems_, &ListHandKeys(), "mimic.");
     std::string name, follows;
     double ratio = 1.0, offset_deg = 0.0, offset_mm = 0.0;
     map.Read("joint", name);
@@ -240,9 +224,7 @@ void HandYamlReader::ReadMimic(const YAML::Node& node) {
         CheckName(name, "joint", line, where) && CheckName(follows, "joint", line, where);
     if (!knows_both) continue;
     if (!coupled_.insert(name).second) problems_.Fail(file_, line, where + ": named twice");
-    if (ratio == 0.0 || std::abs(ratio) > kLargestRatio) {
-      map.Fail("ratio", "expected a number other than 0, at most 100");
-    }
+    if (ratio == 0.0) map.Fail("ratio", "expected a number other than 0");
     const int joint = hand_.FindJoint(name), other = hand_.FindJoint(follows);
     if (joint < 0 || other < 0) continue;
     HandJoint& follower = hand_.joints[joint];
@@ -264,7 +246,7 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
   int number = 0;
   for (const YAML::Node& item : Items(node, "drives")) {
     const std::string where = "drives, entry " + std::to_string(++number);
-    YamlMap map(item, file_, where, problems_);
+    YamlMap map(item, file_, where, problems_, &ListHandKeys(), "drives.");
     std::vector<std::string> joints;
     const double unset = std::nan("");  // reported when missing, and no value to judge
     JointDrive drive = {unset, unset, unset};
@@ -277,11 +259,6 @@ void HandYamlReader::ReadDrives(const YAML::Node& node) {
     map.Read(damping, drive.damping);
     map.Read(limit, drive.torque_limit);
     map.FinishKnownKeys();
-    for (const auto& [key, value] :
-         {std::pair{stiffness, drive.stiffness}, {limit, drive.torque_limit}}) {
-      if (value <= 0.0) map.Fail(key, "must be positive");
-    }
-    if (drive.damping < 0.0) map.Fail(damping, "must not be negative");
     for (const std::string& name : joints) {
       if (!CheckName(name, "joint", LineOf(item), where)) continue;
       if (coupled_.count(name) != 0) {
@@ -314,7 +291,7 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
   int number = 0;
   for (const YAML::Node& item : Items(node, "surfaces")) {
     const std::string where = "surfaces, entry " + std::to_string(++number);
-    YamlMap map(item, file_, where, problems_);
+    YamlMap map(item, file_, where, problems_, &ListHandKeys(), "surfaces.");
     std::vector<std::string> links;
     map.Read("links", links);
     SurfaceMaterial surface;
@@ -334,6 +311,55 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
 }
 
 }  // namespace
+
+// One line a key.
+const FileKeys& ListHandKeys() {
+  static const FileKeys keys = [] {
+    FileKeys rows = {
+        {"name", kRequired, "what a person calls it"},
+        {"palm", kRequired, "where the palm is"},
+        {"palm.link", kRequired, "link of hand.urdf"},
+        {"palm.centre_m", kRequired, "middle of the palm's surface, in the palm's frame", -1, 1},
+        {"palm.normal", kRequired, "direction out of the palm, in the palm's frame"},
+        {"joint_accuracy_deg", kRequired, "half-width of every drive's error, drawn for each trial",
+         0, 45},
+        {"slide_accuracy_mm", "0", "the same of drives of joints that slide", 0, 20},
+        {"pad_torsion_radius_m", "0.004",
+         "of the links that carry the pads: resists turning on the spot", 0},
+        {"digits", kRequired, "list, in the order of the joints"},
+        {"digits.id", kRequired, "short name: TH, FF, MF, RF, LF or another"},
+        {"digits.name", kRequired, "what a person calls it"},
+        {"digits.thumb", "false", "true of one digit: it opposes the others"},
+        {"digits.links", kRequired, "links of hand.urdf from base to tip; the last has the pad"},
+        {"digits.tip_m", kRequired, "in the last link", -1, 1},
+        {"digits.pad_m", kRequired, "middle of the pad's surface, in the last link", -1, 1},
+        {"coupling", "", "joints that follow the one before them in their finger; else none"},
+        {"coupling.rule", kRequired, "middle-first, even or fixed"},
+        {"coupling.fixed_ratio", "0.8", "of rule fixed", kAboveZero, 1},
+        {"coupling.joints", kRequired, "distal joint: the middle joint that it follows"},
+        {"mimic", "", "list of joints that a linkage ties to any other; else none"},
+        {"mimic.joint", kRequired, "the joint that follows"},
+        {"mimic.follows", kRequired, "a joint with a drive"},
+        {"mimic.ratio", kRequired, "of its angle or way to the other's; not 0", -100, 100},
+        {"mimic.offset_deg", "0", "where the other joint is at 0"},
+        {"mimic.offset_mm", "0", "the same of a joint that slides"},
+        {"drives", kRequired, "list; every joint that follows no other stands in one entry"},
+        {"drives.joints", kRequired, "joints of hand.urdf with such a drive"},
+        {"drives.stiffness_nm_per_rad", kRequired, "of joints that turn", kAboveZero},
+        {"drives.damping_nms_per_rad", kRequired, "of joints that turn", 0},
+        {"drives.torque_limit_nm", kRequired, "of joints that turn", kAboveZero},
+        {"drives.stiffness_n_per_m", kRequired, "of joints that slide", kAboveZero},
+        {"drives.damping_ns_per_m", kRequired, "of joints that slide", 0},
+        {"drives.force_limit_n", kRequired, "of joints that slide", kAboveZero},
+        {"surfaces", "", "list of links whose surface is not as the session has it"},
+        {"surfaces.links", kRequired, "links of hand.urdf"},
+    };
+    for (const FileKey& row : ListSurfaceKeys(Needed::kNo, "surfaces.")) rows.push_back(row);
+    rows.push_back({"grasps", "", "the standard grasps, by g1 to g5"});
+    return rows;
+  }();
+  return keys;
+}
 
 void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
                   Hand& hand, Diagnostics& problems) {

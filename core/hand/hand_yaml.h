@@ -42,6 +42,7 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
 #include <string>
 
 #include "core/base/diagnostics.h"
+#include "core/base/file_keys.h"
 #include "core/hand/hand.h"
 #include "core/hand/urdf_check.h"
 
@@ -52,5 +53,8 @@ read from the URDF. Names are checked against `outline`; so a hand whose URDF is
 all problems of its hand.yaml reported. */
 void ReadHandYaml(const std::string& text, const std::string& file, const UrdfOutline& outline,
                   Hand& hand, Diagnostics& problems);
+
+/** The keys of hand.yaml but for its grasps (core/grasp/grasp_keys.h). */
+const FileKeys& ListHandKeys();
 
 }  // namespace graspbench

@@ -70,8 +70,10 @@ void LineCrossings::Find(double u, double v, std::vector<Crossing>& crossings) c
     const Eigen::Vector3d normal = (mesh_->vertices[t[1]] - a).cross(mesh_->vertices[t[2]] - a);
     const Eigen::Vector2d along(normal[(axis_ + 1) % 3], normal[(axis_ + 2) % 3]);
     const Eigen::Vector2d offset = p - Flatten(t[0]);
-    // Seen from above it runs counter-clockwise, so its front looks up the axis: a way out.
-    crossings.push_back({a[axis_] - along.dot(offset) / normal[axis_], is_left ? -1 : 1});
+    // Seen from above it runs counter-clockwise, so its front looks up the axis: a way out. One
+    // without area that rounding puts on the line is met at a corner.
+    const double rise = normal[axis_] == 0.0 ? 0.0 : along.dot(offset) / normal[axis_];
+    crossings.push_back({a[axis_] - rise, is_left ? -1 : 1});
   }
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
     return a.at != b.at ? a.at < b.at : a.winding > b.winding;

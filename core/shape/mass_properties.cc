@@ -4,6 +4,11 @@
 
 namespace graspbench {
 
+double CalcArea(const TriMesh& mesh, const Eigen::Vector3i& triangle) {
+  const Eigen::Vector3d& a = mesh.vertices[triangle[0]];
+  return 0.5 * (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a).norm();
+}
+
 double CalcVolume(const TriMesh& mesh) {
   double six_volumes = 0.0;
   for (const Eigen::Vector3i& t : mesh.triangles) {

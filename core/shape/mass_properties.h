@@ -14,6 +14,9 @@ struct MassProperties {
   Eigen::Matrix3d I_OOcm = Eigen::Matrix3d::Zero();  ///< about Ocm, axes of O [kg m^2]
 };
 
+/** Of one triangle [m^2]. */
+double CalcArea(const TriMesh& mesh, const Eigen::Vector3i& triangle);
+
 /** Signed volume [m^3]; negative when the mesh is inside out. */
 double CalcVolume(const TriMesh& mesh);
 

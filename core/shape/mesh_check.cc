@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/base/units.h"
@@ -17,9 +19,9 @@
 namespace graspbench {
 namespace {
 
-constexpr int kMaxListed = 4;          // places reported per problem
-constexpr int kMaxCrossings = 1000;    // then counting stops
-constexpr double kMinFlatness = 1e-9;  // volume against the cube of the extent: flat below
+constexpr int kMaxListed = 4;              // places reported per problem
+constexpr int64_t kMaxCrossings = 200000;  // then counting stops
+constexpr double kMinFlatness = 1e-9;      // volume against the cube of the extent: flat below
 
 std::string FormatPoint(const Eigen::Vector3d& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", MmFromM(p.x()), MmFromM(p.y()), MmFromM(p.z()));
@@ -27,15 +29,17 @@ std::string FormatPoint(const Eigen::Vector3d& p) {
 
 // "a, b, c and 9 more".
 template <class Item, class Format>
-std::string FormatList(const std::vector<Item>& items, const Format& format) {
+std::string FormatList(const std::vector<Item>& items, const Format& format, int64_t count) {
   std::string text;
   for (size_t i = 0; i < items.size() && i < kMaxListed; ++i) {
     text += (i ? ", " : "") + format(items[i]);
   }
-  if (items.size() > kMaxListed) {
-    text += " and " + std::to_string(items.size() - kMaxListed) + " more";
-  }
+  if (count > kMaxListed) text += " and " + std::to_string(count - kMaxListed) + " more";
   return text;
+}
+template <class Item, class Format>
+std::string FormatList(const std::vector<Item>& items, const Format& format) {
+  return FormatList(items, format, static_cast<int64_t>(items.size()));
 }
 
 // Twice the area against the square of the longest edge.
@@ -86,9 +90,16 @@ bool AreCrossing(const TriMesh& mesh, const Eigen::Vector3i& s, const Eigen::Vec
   return false;
 }
 
-std::vector<std::pair<int, int>> FindCrossings(const TriMesh& mesh) {
+struct Crossings {
+  int64_t count = 0;
+  std::vector<std::pair<int, int>> first;  // some of them
+  std::vector<bool> is_folded;             // by shell: some are within it
+};
+
+Crossings FindCrossings(const TriMesh& mesh, const Shells& shells) {
   const TriangleTree tree(mesh);
-  std::vector<std::pair<int, int>> crossings;
+  Crossings crossings;
+  crossings.is_folded.assign(shells.count, false);
   std::vector<int> near;
   for (int i = 0; i < mesh.num_triangles(); ++i) {
     const Eigen::Vector3i& t = mesh.triangles[i];
@@ -98,16 +109,27 @@ std::vector<std::pair<int, int>> FindCrossings(const TriMesh& mesh) {
     tree.FindNear(box, near);
     std::sort(near.begin(), near.end());
     for (const int j : near) {
-      if (j > i && AreCrossing(mesh, t, mesh.triangles[j])) crossings.emplace_back(i, j);
+      if (j <= i || !AreCrossing(mesh, t, mesh.triangles[j])) continue;
+      ++crossings.count;
+      if (crossings.first.size() < kMaxListed) crossings.first.emplace_back(i, j);
+      const int shell = shells.of_triangle[i];
+      if (shells.of_triangle[j] == shell) crossings.is_folded[shell] = true;
     }
-    if (crossings.size() >= kMaxCrossings) break;
+    if (crossings.count >= kMaxCrossings) {
+      crossings.is_folded.assign(shells.count, true);
+      break;
+    }
   }
   return crossings;
 }
 
+// Which of the two ways around its corners does a triangle run?
+bool IsEven(const Eigen::Vector3i& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
+
 class Checker {
  public:
-  explicit Checker(const TriMesh& mesh) : mesh_(mesh) {}
+  explicit Checker(const TriMesh& mesh)
+      : mesh_(mesh), edges_(ListEdges(mesh)), is_whole_(IsWhole(edges_)) {}
 
   MeshReport Check() {
     report_.num_triangles = mesh_.num_triangles();
@@ -176,34 +198,49 @@ class Checker {
 
   void CheckFaces() {
     std::vector<int> degenerate;
-    std::vector<std::pair<std::array<int, 3>, int>> faces;
+    std::map<std::array<int, 3>, std::vector<int>> piles;  // faces on the same corners
     for (int i = 0; i < mesh_.num_triangles(); ++i) {
       const Eigen::Vector3i& t = mesh_.triangles[i];
       if (IsDegenerate(mesh_, t)) degenerate.push_back(i);
       std::array<int, 3> corners = {t[0], t[1], t[2]};
       std::sort(corners.begin(), corners.end());
-      faces.emplace_back(corners, i);
+      piles[corners].push_back(i);
     }
     const auto format_face = [&](int face) { return FormatFace(face); };
     if (!degenerate.empty()) {
       Warn(FormatCount(degenerate.size(), "triangle has", "triangles have") +
            " no area: " + FormatList(degenerate, format_face) + " [mm]");
     }
-    std::sort(faces.begin(), faces.end());
-    std::vector<int> duplicates;
-    for (size_t i = 1; i < faces.size(); ++i) {
-      if (faces[i].first == faces[i - 1].first) duplicates.push_back(faces[i].second);
+    std::vector<int> duplicates, shared;
+    TriMesh single = {mesh_.vertices, {}};  // without copies
+    for (const auto& [corners, pile] : piles) {
+      const bool is_alike = std::all_of(pile.begin(), pile.end(), [&](int face) {
+        return IsEven(mesh_.triangles[face]) == IsEven(mesh_.triangles[pile[0]]);
+      });
+      std::vector<int>& found = is_alike && is_whole_ ? shared : duplicates;
+      found.insert(found.end(), pile.begin() + 1, pile.end());
+      single.triangles.push_back(mesh_.triangles[pile[0]]);
     }
+    if (!shared.empty() && IsWhole(ListEdges(single))) {  // nobody needs them
+      duplicates.insert(duplicates.end(), shared.begin(), shared.end());
+      shared.clear();
+    }
+    std::sort(duplicates.begin(), duplicates.end());
+    std::sort(shared.begin(), shared.end());
     if (!duplicates.empty()) {
       Add(MeshFault::kDuplicate,
           FormatCount(duplicates.size(), "triangle exists", "triangles exist") + " twice: " +
               FormatList(duplicates, format_face) + " [mm]; delete the copies, or repair");
     }
+    if (!shared.empty()) {
+      Warn(FormatCount(shared.size(), "triangle is", "triangles are") +
+           " part of several bodies: " + FormatList(shared, format_face) + " [mm]");
+    }
   }
 
   void CheckEdges() {
     std::vector<MeshEdge> open, crowded, shared, opposed;
-    for (const MeshEdge& edge : ListEdges(mesh_)) {
+    for (const MeshEdge& edge : edges_) {
       const int count = edge.num_forward + edge.num_backward;
       if (count == 1) open.push_back(edge);
       if (count > 2) (edge.num_forward == edge.num_backward ? shared : crowded).push_back(edge);
@@ -211,7 +248,7 @@ class Checker {
     }
     report_.num_open_edges = static_cast<int>(open.size());
     report_.is_closed = open.empty() && crowded.empty();
-    is_consistent_ = opposed.empty();
+    are_parts_joined_ = !shared.empty();
     const auto format_edge = [&](const MeshEdge& edge) { return FormatEdge(edge); };
     if (!open.empty()) {
       Add(MeshFault::kOpen,
@@ -241,7 +278,7 @@ class Checker {
   }
 
   void CheckVolume() {
-    if (!IsOriented()) return;
+    if (!is_whole_) return;
     report_.volume = CalcVolume(mesh_);
     const double cube = std::pow(report_.extent.maxCoeff(), 3);
     if (!(std::abs(report_.volume) > kMinFlatness * cube)) {
@@ -263,12 +300,15 @@ class Checker {
     int num_inverted = 0;
     for (const TriMesh& shell : parts_) {
       if (CalcVolume(shell) >= 0.0) continue;
-      const Eigen::Vector3d& p = mesh_.vertices[shell.triangles.front()[0]];
-      int winding = 0;
-      for (const TriMesh& other : parts_) {
-        if (&other != &shell) winding += CalcWinding(other, p);
+      for (const Eigen::Vector3d& p : SampleSurface(shell)) {
+        int winding = 0;
+        for (const TriMesh& other : parts_) {
+          if (&other != &shell) winding += CalcWinding(other, p);
+        }
+        if (winding >= 1) continue;
+        ++num_inverted;
+        break;
       }
-      if (winding < 1) ++num_inverted;
     }
     if (num_inverted > 0) {
       Add(MeshFault::kInverted, std::to_string(num_inverted) + " of " +
@@ -278,39 +318,42 @@ class Checker {
   }
 
   void CheckCrossings() {
-    const std::vector<std::pair<int, int>> crossings = FindCrossings(mesh_);
-    if (!crossings.empty() && !AreFoldsSmall(crossings)) {
+    const Crossings crossings = FindCrossings(mesh_, shells_);
+    if (crossings.count > 0 && !AreFoldsSmall(crossings)) {
       Add(MeshFault::kSelfCrossing,
           FormatCrossings(crossings) + "; unite the parts (boolean union) in a modelling program");
       return;
     }
-    if (!report_.problems.empty() || (crossings.empty() && shells_.count == 1)) return;
+    if (!report_.problems.empty()) return;
+    if (crossings.count == 0 && shells_.count == 1 && !are_parts_joined_) return;
     report_.overlap = CalcOverlap(mesh_);
     report_.volume -= report_.overlap.volume;
     report_.centroid = CalcSolidMassProperties(mesh_, 1.0, report_.overlap).p_OOcm;
-    const double share = report_.overlap.absolute_volume / report_.volume;
-    char text[120];
-    std::snprintf(text, sizeof text, "%.2g %% of the volume %s more than once and taken once",
-                  100.0 * share,
-                  shells_.count > 1 ? "lies in several parts, counted" : "is counted");
-    if (!crossings.empty()) {
+    const auto format_share = [&](double volume) {
+      return fmt::format("{:.3g} % of the volume", 100.0 * volume / report_.volume);
+    };
+    if (!(report_.overlap.inverted_volume < kMaxFoldedShare * report_.volume)) {
+      Add(MeshFault::kInverted, format_share(report_.overlap.inverted_volume) +
+                                    " lies in a surface that is inside out; flip its faces, or "
+                                    "repair");
+      return;
+    }
+    const std::string text =
+        format_share(report_.overlap.absolute_volume) +
+        (shells_.count > 1 ? " lies in several parts, counted" : " is counted") +
+        " more than once and taken once";
+    if (crossings.count > 0) {
       Warn(FormatCrossings(crossings) + ": " + text);
-    } else if (share > 0.0) {
+    } else if (report_.overlap.absolute_volume > 0.0) {
       Warn(text);
     }
   }
 
   // Does no part that cuts through itself count much of its volume wrongly?
-  bool AreFoldsSmall(const std::vector<std::pair<int, int>>& crossings) const {
-    if (!IsOriented() || shells_.count > kMaxShells) return false;
-    const bool is_cut_short = crossings.size() >= kMaxCrossings;
-    std::vector<bool> is_folded(parts_.size(), is_cut_short);
-    for (const auto& [a, b] : crossings) {
-      if (shells_.of_triangle[a] == shells_.of_triangle[b])
-        is_folded[shells_.of_triangle[a]] = true;
-    }
+  bool AreFoldsSmall(const Crossings& crossings) const {
+    if (!is_whole_ || shells_.count > kMaxShells) return false;
     for (size_t i = 0; i < parts_.size(); ++i) {
-      if (!is_folded[i]) continue;
+      if (!crossings.is_folded[i]) continue;
       TriMesh part = parts_[i];
       const double volume = CalcVolume(part);
       if (volume < 0.0) {  // a cavity: as the body that would fill it
@@ -321,20 +364,21 @@ class Checker {
     return true;
   }
 
-  std::string FormatCrossings(const std::vector<std::pair<int, int>>& crossings) const {
+  std::string FormatCrossings(const Crossings& crossings) const {
     const auto format_pair = [&](const std::pair<int, int>& pair) {
       return FormatFace(pair.first) + " and face " + std::to_string(pair.second + 1);
     };
-    return (crossings.size() >= kMaxCrossings ? "at least " : "") +
-           FormatCount(crossings.size(), "pair of triangles cuts", "pairs of triangles cut") +
-           " through each other: " + FormatList(crossings, format_pair) + " [mm]";
+    return (crossings.count >= kMaxCrossings ? "at least " : "") +
+           FormatCount(crossings.count, "pair of triangles cuts", "pairs of triangles cut") +
+           " through each other: " + FormatList(crossings.first, format_pair, crossings.count) +
+           " [mm]";
   }
 
-  bool IsOriented() const { return report_.is_closed && is_consistent_; }
-
   const TriMesh& mesh_;
+  const std::vector<MeshEdge> edges_;
+  const bool is_whole_;            // as many triangles one way as the other at every edge
+  bool are_parts_joined_ = false;  // at edges
   MeshReport report_;
-  bool is_consistent_ = false;
   Shells shells_;
   std::vector<TriMesh> parts_;  // empty when there are too many
 };

@@ -30,4 +30,9 @@ std::vector<MeshEdge> ListEdges(const TriMesh& mesh) {
   return edges;
 }
 
+bool IsWhole(const std::vector<MeshEdge>& edges) {
+  return std::all_of(edges.begin(), edges.end(),
+                     [](const MeshEdge& edge) { return edge.num_forward == edge.num_backward; });
+}
+
 }  // namespace graspbench

@@ -25,4 +25,7 @@ inline constexpr double kMinAspect = 1e-7;
 /** Ordered by (from, to). In a closed, consistent mesh both counts are 1 everywhere. */
 std::vector<MeshEdge> ListEdges(const TriMesh& mesh);
 
+/** As many triangles in one direction as in the other at every edge? */
+bool IsWhole(const std::vector<MeshEdge>& edges);
+
 }  // namespace graspbench

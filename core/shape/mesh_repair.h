@@ -16,16 +16,17 @@ struct MeshRepair {
   std::vector<std::string> actions;  ///< what was done, one sentence each; empty: nothing
 };
 
-/** Holes with more edges than this stay open. */
-inline constexpr int kMaxHoleEdges = 64;
-/** Holes longer around than this share of the mesh's largest extent stay open: while loading, and
-when a repair is asked for. */
-inline constexpr double kMaxMendedHole = 0.2;
-inline constexpr double kMaxRepairedHole = 1.0;
+/** Holes of a larger share of the surface stay open: while loading, and when a repair is asked for.
+Closing the first sort changes a ball's volume by less than 0.1 %. */
+inline constexpr double kMaxMendedHole = 0.01;
+inline constexpr double kMaxRepairedHole = 0.05;
+/** Seams gape less than this share of the mesh's largest extent. */
+inline constexpr double kMaxMendedSeam = 1e-3;
+inline constexpr double kMaxRepairedSeam = 5e-3;
 
 /** What every user of a mesh gets without asking: faces that lie on each other in opposite
-directions removed, copies dropped, sheets that hang on the surface removed, small holes closed with
-a fan about their middle.
+directions, copies, sheets that hang on the surface, walls across its inside and loose sheets
+removed (useless_faces.h), seams and small holes closed (fill_holes.h).
 @pre valid indices; a mesh with non-finite vertices comes back as it is. */
 MeshRepair MendMesh(const TriMesh& mesh);
 

@@ -14,12 +14,14 @@ namespace graspbench {
 struct Overlap {
   double volume = 0.0;                               ///< [m^3], signed
   double absolute_volume = 0.0;                      ///< [m^3], where signs do not cancel
+  double inverted_volume = 0.0;                      ///< [m^3], where the surface winds backwards
   Eigen::Vector3d first = Eigen::Vector3d::Zero();   ///< of p_RP [m^4]
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< of p_RP p_RP^T [m^5]
 };
 
-/** By 512 x 512 lines along z: exact along each, midpoint rule across, so the error falls with the
-size of the overlap itself; none without overlap. About half a second.
+/** By 317,811 lines along z: exact along each, across them the rule of Fibonacci's lattice, which
+spreads them most evenly and along no edge of a box (Niederreiter 1992, ch. 5). Off by some 1e-5 of
+the bounding box's area times the height of the overlap; none without overlap. About half a second.
 @pre every edge has as many triangles in either direction. */
 Overlap CalcOverlap(const TriMesh& mesh);
 

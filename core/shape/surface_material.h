@@ -6,11 +6,15 @@ a contact are combined says core/physics/combine_surfaces.h.
 Stiffness is that of one contact point, f = k x, not of a material as such: a link has as many
 points as its surface has balls. */
 
+#include <string>
+#include <vector>
+
 #include "core/base/units.h"
 
 namespace graspbench {
 
 enum class Needed;
+struct FileKey;
 class YamlMap;
 
 /** Values that were left out are NaN: the other side of the contact, or the session, gives them. */
@@ -29,6 +33,9 @@ struct SurfaceMaterial {
     v("torsion_radius_m", torsion_radius, 0.0, 0.1);
   }
 };
+
+/** The rows of these keys (core/base/file_keys.h). @param prefix  of each: "surfaces.". */
+std::vector<FileKey> ListSurfaceKeys(Needed friction, const std::string& prefix);
 
 /** Reads the keys that are there into `surface` and reports what is out of range. Friction comes as
 a pair, the static coefficient not below the dynamic one. */

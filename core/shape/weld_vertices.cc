@@ -58,15 +58,16 @@ class VertexGrid {
 
 }  // namespace
 
-TriMesh WeldVertices(const TriMesh& mesh, double tolerance) {
+TriMesh WeldVertices(const TriMesh& mesh, double tolerance, const std::vector<bool>& may_join) {
   VertexGrid grid(tolerance);
   std::vector<Eigen::Vector3d> distinct;
   std::vector<int> welded(mesh.vertices.size());
   for (size_t i = 0; i < mesh.vertices.size(); ++i) {
-    welded[i] = grid.FindNear(mesh.vertices[i], distinct);
+    const bool is_free = may_join.empty() || may_join[i];
+    welded[i] = is_free ? grid.FindNear(mesh.vertices[i], distinct) : -1;
     if (welded[i] >= 0) continue;
     welded[i] = static_cast<int>(distinct.size());
-    grid.Store(mesh.vertices[i], welded[i]);
+    if (is_free) grid.Store(mesh.vertices[i], welded[i]);
     distinct.push_back(mesh.vertices[i]);
   }
 

@@ -11,7 +11,8 @@ inline constexpr double kRelativeWeldTolerance = 1e-6;
 
 /** Vertices within `tolerance` [m] of an earlier one become that one; triangles that lose a corner
 and vertices that no triangle uses are dropped. The order of what remains is kept.
+@param may_join  by vertex; those that may not stay as they are. Empty: all may.
 @pre finite vertices, valid indices, tolerance > 0. */
-TriMesh WeldVertices(const TriMesh& mesh, double tolerance);
+TriMesh WeldVertices(const TriMesh& mesh, double tolerance, const std::vector<bool>& may_join = {});
 
 }  // namespace graspbench

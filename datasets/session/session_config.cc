@@ -1,61 +1,15 @@
 #include "datasets/session/session_config.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <string_view>
+#include <filesystem>
 
 #include "core/base/config.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/base/units.h"
+#include "datasets/session/session_keys.h"
 
 namespace graspbench {
 namespace {
-
-/** Every number of a session and what it may be. The limits keep the simulation stable and short;
-they are wider than anything sensible. */
-struct Range {
-  std::string_view key;
-  double low;
-  double high;
-};
-constexpr Range kRanges[] = {
-    {"trials", 1, 100000},
-    {"seed", 0, 2147483647},
-    {"variation.offset_m", 0, 0.1},
-    {"variation.yaw_rad", 0, kPi},
-    {"strategy.placing_time_s", 0.05, 60},
-    {"strategy.closure_time_s", 0.05, 60},
-    {"strategy.closure_patience_s", 0, 60},
-    {"strategy.stabilisation_min_time_s", 0, 60},
-    {"strategy.stabilisation_max_time_s", 0, 60},
-    {"strategy.lift_time_s", 0.05, 60},
-    {"strategy.hold_time_s", 0, 60},
-    {"sim.step_s", 1e-4, 1e-2},
-    {"sim.contact_stiffness_n_per_m", 100, 1e7},
-    {"sim.tangential_stiffness_n_per_m", 100, 1e7},
-    {"sim.table_friction_static", 0, 2},
-    {"sim.table_friction_dynamic", 0, 2},
-    {"sim.hand_friction_static", 0, 2},
-    {"sim.hand_friction_dynamic", 0, 2},
-    {"sim.arm_stiffness_n_per_m", 100, 1e7},
-    {"sim.arm_angular_stiffness_nm_per_rad", 10, 1e6},
-    {"sim.arm_damping_time_s", 0, 1},
-    {"sim.arm_force_limit_n", 1, 1e6},
-    {"sim.arm_moment_limit_nm", 0.1, 1e6},
-    {"model.mass_scale", 0.01, 100},
-    {"model.friction_scale", 0, 10},
-    {"model.pad_torsion_scale", 0, 10},
-    {"model.drive_torque_scale", 0.01, 100},
-    {"model.joint_error_scale", 0, 10},
-};
-
-Json FindValue(const Json& config, const std::string& full_key) {
-  const size_t dot = full_key.find('.');
-  if (dot == std::string::npos) return config.at(full_key);
-  return FindValue(config.at(full_key.substr(0, dot)), full_key.substr(dot + 1));
-}
 
 void CheckNames(const std::string& key, const std::vector<std::string>& names,
                 const std::vector<std::string>& words_for_many,
@@ -84,16 +38,8 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   CheckNames("hands", config.hands, {"all"}, problems);
   CheckNames("objects", config.objects, {"all"}, problems);
   CheckNames("grasps", config.grasps, {"all"}, problems);
-  const Json json = ToJson(config);
-  for (const std::string& key : ListConfigKeys(config)) {
-    const auto range = std::find_if(std::begin(kRanges), std::end(kRanges),
-                                    [&](const Range& r) { return r.key == key; });
-    if (range == std::end(kRanges)) continue;
-    const double value = FindValue(json, key).get<double>();
-    if (!(value >= range->low && value <= range->high)) {  // catches NaN too
-      problems.push_back({key, fmt::format("{:.10g} is out of range; expected {:.10g} to {:.10g}",
-                                           value, range->low, range->high)});
-    }
+  for (const auto& [key, text] : FindOutOfRange(config, ListSessionKeys())) {
+    problems.push_back({key, text});
   }
   if (config.strategy.stabilisation_min_time > config.strategy.stabilisation_max_time) {
     problems.push_back({"strategy.stabilisation_min_time_s",
@@ -128,7 +74,24 @@ SessionConfig LoadSessionConfig(const std::string& path) {
   return ParseSessionConfig(ReadFile(path), path);
 }
 
+namespace {
+
+/** What a session has written: a complete configuration, alone or in its session.json. */
+SessionConfig ParseFrozenConfig(const std::string& text, const std::string& file) {
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (json.is_discarded()) {
+    throw Error(ErrorKind::kFormat, file + ": not valid JSON; it may be cut off");
+  }
+  const bool is_session = json.is_object() && json.contains("config");
+  SessionConfig config = SessionConfigFromJson(is_session ? json.at("config") : json, file);
+  CheckSessionConfig(config);
+  return config;
+}
+
+}  // namespace
+
 SessionConfig ParseSessionConfig(const std::string& text, const std::string& file) {
+  if (std::filesystem::path(file).extension() == ".json") return ParseFrozenConfig(text, file);
   Diagnostics problems;
   SessionConfig config;
   const YAML::Node root = ParseYaml(text, file, problems);

@@ -9,6 +9,7 @@
 #include "core/base/config.h"
 #include "core/base/files.h"
 #include "human_study/recording/importers/delimited_text.h"
+#include "human_study/study/study_keys.h"
 #include "human_study/study/study_table.h"
 #include "objects/catalogue.h"
 
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr double kLeastNear = 1e-3;         // [m]
 constexpr const char* kAutomatic = "auto";  // contact.detector: chosen by what is known
 
 constexpr const char* kDigitIds[] = {"TH", "FF", "MF", "RF", "LF"};
@@ -36,11 +38,6 @@ class ConfigChecker {
 
   void Fail(const std::string& key, const std::string& text) {
     problems_->Fail(file_, FindConfigLine(root_, key), key + ": " + text);
-  }
-  void CheckRange(const std::string& key, double value, double low, double high) {
-    if (value >= low && value <= high) return;  // NaN fails
-    Fail(key, FormatJson(JsonNumber(value)) + " is out of range; expected " + FormatJson(low) +
-                  " to " + FormatJson(high));
   }
   void CheckName(const std::string& key, const std::string& name,
                  const std::vector<std::string>& known) {
@@ -90,12 +87,10 @@ void CheckMultiverse(const StudyConfig& config, ConfigChecker& check) {
   check_names("multiverse.detector", multiverse.detector,
               ConfigChecker::ListIds(ContactDetectorList()));
   check_names("multiverse.opening", multiverse.opening, ConfigChecker::ListIds(HandOpeningList()));
-  for (const double cutoff : multiverse.cutoff) {
-    check.CheckRange("multiverse.cutoff_hz", cutoff, 0.5, 1000.0);
-  }
 }
 
-void CheckAnalysis(const AnalysisOptions& options, ConfigChecker& check) {
+/** @param are_numbers_good  else there is nothing more to say of them. */
+void CheckAnalysis(const AnalysisOptions& options, bool are_numbers_good, ConfigChecker& check) {
   check.CheckName("movement.rule", options.movement.rule,
                   ConfigChecker::ListIds(MovementRuleList()));
   check.CheckName("lift_off.rule", options.lift_off.rule,
@@ -106,6 +101,7 @@ void CheckAnalysis(const AnalysisOptions& options, ConfigChecker& check) {
   std::vector<std::string> detectors = ConfigChecker::ListIds(ContactDetectorList());
   detectors.push_back(kAutomatic);
   check.CheckName("contact.detector", options.contact.detector, detectors);
+  if (!are_numbers_good) return;
   try {
     AnalysisOptions settled = options;
     if (settled.contact.detector == kAutomatic)
@@ -139,13 +135,8 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
   for (const std::string& measure : config.measures) {
     check.CheckName("measures", measure, ConfigChecker::ListIds(TrialMeasureList()));
   }
-  for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
-    const double offset = config.pad_offsets[digit];
-    if (std::isnan(offset)) continue;
-    check.CheckRange(std::string("pad_offsets_m.") + NameOfDigit(digit), offset, 0.0, 0.05);
-  }
   if (config.cut.near != 0.0 || config.cut.far != 0.0) {
-    check.CheckRange("cut.near_m", config.cut.near, 1e-3, 10.0);
+    if (config.cut.near < kLeastNear) check.Fail("cut.near_m", "expected 0, or at least 0.001 m");
     if (!(config.cut.far > config.cut.near)) {
       check.Fail("cut.far_m", "must be larger than cut.near_m");
     }
@@ -153,13 +144,10 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
       check.Fail("cut", "cutting needs the object's markers: markers.object is empty");
     }
   }
-  check.CheckRange("cleaning.max_gap_s", config.cleaning.max_gap, 0.0, 5.0);
-  check.CheckRange("cleaning.max_companion_gap_s", config.cleaning.max_companion_gap, 0.0, 5.0);
-  check.CheckRange("cleaning.rest_share", config.cleaning.rest_share, 0.01, 0.9);
-  check.CheckRange("removal.max_disagreement_s", config.removal.max_disagreement, 0.0, 10.0);
-  check.CheckRange("bias_trials", config.bias_trials, 0, 10000);
+  const auto out_of_range = FindOutOfRange(config, ListStudyKeys());
+  for (const auto& [key, text] : out_of_range) check.Fail(key, text);
   CheckMultiverse(config, check);
-  CheckAnalysis(config.analysis, check);
+  CheckAnalysis(config.analysis, out_of_range.empty(), check);
 }
 
 std::vector<Factor> ReadFactors(const StudyConfig& config, StudyTable& table) {

@@ -43,11 +43,13 @@ inline void FuzzJournalLine(const std::string& text) {
 }
 
 inline void FuzzSessionYaml(const std::string& text) {
-  try {
-    const Json frozen = ToJson(ParseSessionConfig(text, "fuzz"));
-    GRASPBENCH_DEMAND(FormatJson(ToJson(SessionConfigFromJson(frozen))) == FormatJson(frozen),
-                      FormatJson(frozen));
-  } catch (const Error&) {
+  for (const char* file : {"fuzz.yaml", "fuzz.json"}) {
+    try {
+      const Json frozen = ToJson(ParseSessionConfig(text, file));
+      GRASPBENCH_DEMAND(FormatJson(ToJson(SessionConfigFromJson(frozen))) == FormatJson(frozen),
+                        FormatJson(frozen));
+    } catch (const Error&) {
+    }
   }
   try {
     SessionConfig config;

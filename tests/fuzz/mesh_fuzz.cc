@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   for (const char* name : kNames) {
     try {
       const TriMesh mesh = ParseMesh(bytes, name, LengthUnit::kMm);
-      for (const MeshReport& report : {CheckMesh(mesh), CheckMesh(RepairMesh(mesh).mesh)}) {
+      for (const MeshReport& report : {MakeUsable(mesh).report, CheckMesh(RepairMesh(mesh).mesh)}) {
         GRASPBENCH_DEMAND(!report.problems.empty() || report.volume > 0.0,
                           std::to_string(report.volume));
       }

@@ -148,8 +148,10 @@ TEST(LoadMeshTest, OtherFormatsAreRefusedByName) {
             "mesh \"a.DXF\": DXF is not read, its axes are not certain" + advice);
   EXPECT_EQ(FindMessage("x", "a.dae"),
             "mesh \"a.dae\": COLLADA is not read, its reader is not safe" + advice);
-  for (const char* name :
-       {"notes.txt", "a.off", "a.smd", "a.assbin", "a.3mf", "mesh", "a.stl.zip"}) {
+  EXPECT_EQ(FindMessage("x", "a.off"), "mesh \"a.off\": OFF is not read" + advice);
+  EXPECT_EQ(FindMessage("x", "a.stl.zip"), "mesh \"a.stl.zip\": ZIP is not read" + advice);
+  EXPECT_EQ(FindMessage("x", "a.3mf"), "mesh \"a.3mf\": 3MF is not read" + advice);
+  for (const char* name : {"a.assbin", "mesh", "a.x-y", "a."}) {
     EXPECT_EQ(FindMessage("x", name), "mesh \"" + std::string(name) +
                                           "\" has an ending that names no known format" + advice);
   }

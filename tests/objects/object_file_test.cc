@@ -69,7 +69,7 @@ TEST_F(ObjectFileTest, TellsEveryProblemAtItsLine) {
   };
   expect(3, "object, mesh_unit: expected m or mm, found \"inch\"");
   expect(4, "object, mass_kg: give either mass_kg or density_kg_per_m3");
-  expect(4, "object, mass_kg: expected a number from 0.0001 to 100");
+  expect(4, "object, mass_kg: -1 is out of range; expected 0.0001 to 100");
   expect(7, "object, friction_dynamic: is larger than friction_static; swap the two?");
   expect(8, "best_grasp, tum: no standard grasp \"g7\"; did you mean \"g1\"?");
   expect(9, "object: unknown key \"frictoin\"");

@@ -8,6 +8,7 @@
 #include "objects/catalogue.h"
 #include "objects/check_mesh_file.h"
 #include "objects/load_mesh.h"
+#include "objects/object_file.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/object_tables.h"
@@ -16,20 +17,6 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-void PrintRepair(const std::string& path, const MeshFileRepair& repair) {
-  std::string text;
-  for (const std::string& action : repair.actions) text += "repair: " + action + "\n";
-  if (repair.is_written) {
-    text += FormatMeshSummary(path, repair.report);
-  } else if (repair.actions.empty()) {
-    text += "repair: nothing could be repaired without guessing; no file written\n";
-  } else {
-    text += FormatProblems(repair.report) +
-            "\nrepair: the result could not be used either; no file written\n";
-  }
-  PrintResult(text);
-}
 
 const std::vector<std::string> kUnits = {NameOf(LengthUnit::kM), NameOf(LengthUnit::kMm)};
 
@@ -43,10 +30,10 @@ struct MeshCheckOptions {
 /** A folder is a whole object (object.yaml and mesh), anything else a mesh file. */
 CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
   if (fs::is_directory(options.path)) {
-    CheckedMeshFile file;
-    file.mesh = LoadObject(options.path)->mesh;  // in metres, mended
-    file.report = CheckMesh(file.mesh);
-    return file;
+    LoadObject(options.path, FieldUse::kLater);  // its other faults
+    const fs::path folder = options.path;
+    const ObjectFile file = LoadObjectFile(folder / "object.yaml");
+    return CheckMeshFile(folder / file.mesh, file.mesh_unit);
   }
   std::optional<LengthUnit> unit;
   if (!options.unit.empty())
@@ -81,17 +68,18 @@ ExitCode ReportMesh(const MeshCheckOptions& options) {
     json["repair"] = {{"file", repair.is_written ? Json(repaired) : Json(nullptr)},
                       {"actions", repair.actions},
                       {"result", FormatMeshReport(report)}};
-    if (!options.json) PrintRepair(repaired, repair);
+    if (!options.json) PrintResult(FormatRepair(repaired, repair));
   }
   if (options.json) PrintJson(json);
   return report.problems.empty() ? kExitOk : kExitBadInput;
 }
 
-/** With --json the answer is JSON also when the file cannot be read. */
-ExitCode CheckObject(const MeshCheckOptions& options) {
-  if (!options.json) return ReportMesh(options);
+/** With --json the answer is JSON also when there is a fault. */
+template <class Answer>
+ExitCode AnswerInJson(bool json, const Answer& answer) {
+  if (!json) return answer();
   try {
-    return ReportMesh(options);
+    return answer();
   } catch (const Error& error) {
     PrintJson({{"usable", false}, {"problems", {error.what()}}});
     return ExitCodeOf(error.kind());
@@ -124,9 +112,12 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
       ->required()
       ->option_text("OBJECT");
   show.add_flag("--json", *json, "print one JSON object");
-  show.callback([id, json] {
-    const auto object = LoadObject(*id);
-    *json ? PrintJson(MakeObjectJson(*object)) : PrintResult(FormatObject(*object));
+  show.callback([id, json, &exit_code] {
+    exit_code = AnswerInJson(*json, [&] {
+      const auto object = LoadObject(*id);
+      *json ? PrintJson(MakeObjectJson(*object)) : PrintResult(FormatObject(*object));
+      return kExitOk;
+    });
   });
 
   CLI::App& check = AddSubcommand(group, "check", "Report whether a mesh can be used, and why not.",
@@ -143,7 +134,9 @@ void AddObjectCommand(CLI::App& program, ExitCode& exit_code) {
   check.add_flag("--repair", options->repair,
                  "mend a mesh that cannot be used; writes NAME-repaired.obj if then it can");
   check.add_flag("--json", options->json, "print one JSON object");
-  check.callback([options, &exit_code] { exit_code = CheckObject(*options); });
+  check.callback([options, &exit_code] {
+    exit_code = AnswerInJson(options->json, [&] { return ReportMesh(*options); });
+  });
 }
 
 }  // namespace graspbench

@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/session/scene_names.h"
 #include "datasets/session/session_plan.h"
 #include "datasets/session/session_store.h"
 #include "objects/catalogue.h"
@@ -32,43 +33,11 @@ std::string JoinName(const ShellArguments& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/** What its file calls it; read once, as the files of the program do not change. */
-template <class LoadName>
-const std::string& FindName(const std::string& id, const LoadName& load) {
-  static std::map<std::string, std::string> names;
-  const auto [name, is_new] = names.try_emplace(id);
-  if (is_new) name->second = load(id);
-  return name->second;
-}
-
-/** A known id by its id or name, in any case; what is none of them, a path perhaps, as it is. */
-template <class LoadName>
-std::string FindId(const std::string& given, const std::vector<std::string>& ids,
-                   const LoadName& load_name) {
-  const std::string wanted = MakeComparable(given);
-  for (const std::string& id : ids) {
-    if (wanted == id) return id;
-  }
-  if (given.find('/') != given.npos || fs::exists(given)) return given;
-  for (const std::string& id : ids) {
-    if (wanted == MakeComparable(FindName(id, load_name))) return id;
-  }
-  return given;
-}
-
 /** One trial has one of each. */
 void RefuseAll(const std::string& name) {
   if (MakeComparable(name) == "all") {
     throw Error(ErrorKind::kUsage, "\"all\" is for sessions; expected one");
   }
-}
-
-std::string FindGraspId(const std::string& given) {
-  for (const GraspTaxon& taxon : ListGraspTaxa()) {
-    if (MakeComparable(given) == MakeComparable(taxon.name)) return taxon.id;
-    if (MakeComparable(given) == taxon.id) return taxon.id;
-  }
-  return given;
 }
 
 /** What was changed by hand belongs to one grasp. */
@@ -89,8 +58,7 @@ void Take(Shell& shell, const SceneChoice& choice) {
 void ChooseHand(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.choice();
-  choice.config.hands = {FindId(JoinName(arguments), ListHands(),
-                                [](const std::string& id) { return LoadHand(id).name; })};
+  choice.config.hands = {FindHandId(JoinName(arguments))};
   ForgetEdits(choice);
   choice.folder.clear();
   Take(shell, choice);
@@ -99,9 +67,7 @@ void ChooseHand(Shell& shell, const ShellArguments& arguments) {
 void ChooseObject(Shell& shell, const ShellArguments& arguments) {
   RefuseAll(JoinName(arguments));
   SceneChoice choice = shell.choice();
-  choice.config.objects = {FindId(JoinName(arguments), ListObjects(), [](const std::string& id) {
-    return LoadObject(id, FieldUse::kLater)->name;
-  })};
+  choice.config.objects = {FindObjectId(JoinName(arguments))};
   choice.place.reset();
   choice.folder.clear();
   if (choice.config.grasps.front() == "best" || choice.learned) {

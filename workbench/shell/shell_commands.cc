@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
+#include "datasets/session/scene_names.h"
 #include "objects/catalogue.h"
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"

@@ -42,14 +42,6 @@ std::vector<std::string> SplitWords(const std::string& line) {
   return words;
 }
 
-std::string MakeComparable(const std::string& name) {
-  std::string text = ToLower(name);
-  for (char& c : text) {
-    if (c == ' ' || c == '-') c = '_';
-  }
-  return text;
-}
-
 double ParseNumber(const std::string& word, const std::string& what, const std::string& unit,
                    double low, double high) {
   std::string digits = word;

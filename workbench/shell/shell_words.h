@@ -11,9 +11,6 @@ namespace graspbench {
 like; "#" at the start of a word begins a comment. @throws Error(kUsage) for a quote without end. */
 std::vector<std::string> SplitWords(const std::string& line);
 
-/** A name as it is compared: lower-case, blanks and hyphens as underscores. */
-std::string MakeComparable(const std::string& name);
-
 /** "1.25", or "1.25s" with the unit "s".
 @throws Error(kUsage) naming `what` and the range when it is no finite number within it. */
 double ParseNumber(const std::string& word, const std::string& what, const std::string& unit,

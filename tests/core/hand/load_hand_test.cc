@@ -309,11 +309,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
                 "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
                 "coupling, mimic, drives, grasps"},
-        BadHand{"yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
-                "hand.yaml:6: error: hand, joint_accuracy_deg: expected 0 to 45 degrees\n"
-                "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
-                "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-                "coupling, mimic, drives, grasps"},
+        BadHand{
+            "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
+            "hand.yaml:6: error: hand, joint_accuracy_deg: -1 is out of range; expected 0 to 45\n"
+            "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
+            "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
+            "coupling, mimic, drives, grasps"},
         BadHand{"yaml", "link: palm", "link: plam",
                 "hand.yaml:3: error: palm: hand.urdf has no link \"plam\". Known: palm, proximal, "
                 "distal, tip"},
@@ -330,8 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadHand{"yaml", "thumb: true", "thumb: false",
                 "hand.yaml:8: error: digits: one digit must have \"thumb: true\", found 0"},
         BadHand{"yaml", "tip_m: [0, 0, 0.018]", "tip_m: [0, 0, 18]",
-                "hand.yaml:12: error: digit 1, tip_m: tip and pad lie within 1 m of the last "
-                "link's frame"},
+                "hand.yaml:12: error: digit 1, tip_m: 18 is out of range; expected -1 to 1"},
         BadHand{"yaml", "rule: fixed", "rule: evn",
                 "hand.yaml:15: error: coupling, rule: unknown rule \"evn\"; did you mean \"even\"? "
                 "Known: middle-first, even, fixed"},
@@ -361,9 +361,9 @@ INSTANTIATE_TEST_SUITE_P(
             "stiffness_nm_per_rad, damping_nms_per_rad, torque_limit_nm"},
         BadHand{"yaml", "torque_limit_nm: 1", "torque_limit_nm: .nan",
                 "hand.yaml:22: error: drives, entry 1, torque_limit_nm: expected a finite number"},
-        BadHand{
-            "yaml", "damping_nms_per_rad: 0.1", "damping_nms_per_rad: -1",
-            "hand.yaml:21: error: drives, entry 1, damping_nms_per_rad: must not be negative"}));
+        BadHand{"yaml", "damping_nms_per_rad: 0.1", "damping_nms_per_rad: -1",
+                "hand.yaml:21: error: drives, entry 1, damping_nms_per_rad: -1 is out of range; "
+                "expected at least 0"}));
 
 }  // namespace
 }  // namespace graspbench

@@ -111,6 +111,8 @@ TEST(MeshRepairTest, FinsAreTakenOffAndTheSurfaceStaysClosed) {
     EXPECT_EQ(usable.actions.size(), 1u);
     EXPECT_NEAR(usable.report.volume, volume, 1e-12 * volume);
     EXPECT_EQ(usable.mesh.triangles, ball.triangles);
+    EXPECT_EQ(usable.mesh.vertices, ball.vertices);  // the tip does not count for the size
+    EXPECT_NEAR(usable.report.extent.maxCoeff(), 0.04, 1e-3);
   }
 }
 

@@ -27,6 +27,29 @@ TEST(OverlapTest, TwoBallsShareALens) {
   EXPECT_NEAR(overlap.absolute_volume, lens, 5e-3 * lens);
 }
 
+// Closed forms: sides along the axes are the worst case for lines on a grid.
+TEST(OverlapTest, TwoBoxesShareABox) {
+  const Eigen::Vector3d size(0.04, 0.03, 0.02);
+  for (const Eigen::Vector3d& offset :
+       {Eigen::Vector3d(0.02, 0.01, 0.005), Eigen::Vector3d(0.02, 0.0, 0.0),
+        Eigen::Vector3d(0.0, 0.0, 0.01), Eigen::Vector3d(0.0001, 0.0001, 0.0)}) {
+    const TriMesh box = MakeRoundedBox(size, 0.0);
+    const Overlap overlap = CalcOverlap(JoinMeshes(box, box, offset));
+    const double both = 2.0 * size.prod() - (size - offset).prod();
+    EXPECT_NEAR(overlap.volume, (size - offset).prod(), 1e-4 * both) << offset.transpose();
+    EXPECT_EQ(overlap.inverted_volume, 0.0);
+  }
+}
+
+TEST(OverlapTest, WhatIsInsideOutIsToldApart) {
+  const TriMesh box = MakeRoundedBox({0.04, 0.03, 0.02}, 0.0);
+  TriMesh turned = box;
+  for (Eigen::Vector3i& t : turned.triangles) std::swap(t[0], t[1]);
+  const Overlap overlap = CalcOverlap(JoinMeshes(box, turned, {0.03, 0.0, 0.0}));
+  EXPECT_NEAR(overlap.inverted_volume, 0.03 * 0.03 * 0.02, 1e-8);
+  EXPECT_NEAR(overlap.volume, -0.03 * 0.03 * 0.02, 1e-8);
+}
+
 // Two boxes that overlap by a third are the box around both: mass, centre and inertia in closed
 // form.
 TEST(OverlapTest, MassPropertiesCountItOnce) {

@@ -11,7 +11,9 @@ namespace {
 
 std::string FindProblems(const std::string& text, SurfaceMaterial& surface) {
   Diagnostics problems;
-  YamlMap map(ParseYaml(text, "surface.yaml", problems), "surface.yaml", "surface", problems);
+  const FileKeys keys = ListSurfaceKeys(Needed::kNo, "");
+  YamlMap map(ParseYaml(text, "surface.yaml", problems), "surface.yaml", "surface", problems,
+              &keys);
   ReadSurface(map, Needed::kNo, surface);
   map.FinishKnownKeys();
   try {
@@ -37,9 +39,10 @@ TEST(SurfaceMaterial, EveryProblemHasItsMessage) {
       "torsion_radius_m: -1\nstickiness: 2\n",
       surface);
   for (const char* expected :
-       {"surface.yaml:1: error: surface, contact_stiffness_n_per_m: expected 100 to 1e+07, found 1",
+       {"surface.yaml:1: error: surface, contact_stiffness_n_per_m: 1 is out of range; expected "
+        "100 to 10000000",
         "surface.yaml:3: error: surface, friction_dynamic: is larger than friction_static",
-        "surface.yaml:4: error: surface, torsion_radius_m: expected 0 to 0.1, found -1",
+        "surface.yaml:4: error: surface, torsion_radius_m: -1 is out of range; expected 0 to 0.1",
         "surface.yaml:5: error: surface: unknown key \"stickiness\""}) {
     EXPECT_NE(message.find(expected), std::string::npos) << message << "\nlacks\n" << expected;
   }

@@ -128,7 +128,7 @@ TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
   expect("markers: {thumb: t, index: [i, t]}\n",
          "study.yaml:1: error: markers.index: \"t\" is already markers.thumb");
   expect(markers + "cleaning:\n  max_gap_s: -1\n",
-         "study.yaml:3: error: cleaning.max_gap_s: -1.0 is out of range; expected 0.0 to 5.0");
+         "study.yaml:3: error: cleaning.max_gap_s: -1 is out of range; expected 0 to 5");
   expect(markers + "task: reach to grasp\n",
          "task: \"reach to grasp\"; expected letters and digits");
   expect(markers + "cut: {near_m: 0.1, far_m: 0.05}\n",

@@ -1,0 +1,43 @@
+#include "core/grasp/grasp_keys.h"
+
+namespace graspbench {
+
+const FileKeys& ListHandGraspKeys() {
+  static const FileKeys keys = {
+      {"grasps.ID.digits", kRequired, "ids of the digits that grasp; at least two"},
+      {"grasps.ID.tilt_deg", kRequired, "turn of the hand towards its fingertips, from above"},
+      {"grasps.ID.palm_may_touch", "false", "true of power grasps"},
+      {"grasps.ID.changed", "", "where the postures come from, for people"},
+      {"grasps.ID.pre_deg", kRequired,
+       "open posture: by digit, a value for each joint with a drive; of joints that slide in mm"},
+      {"grasps.ID.target_deg", kRequired, "closed posture, with nothing between the fingers"},
+  };
+  return keys;
+}
+
+const FileKeys& ListGraspFileKeys() {
+  static const FileKeys keys = {
+      {"format", kRequired, "graspbench grasp"},
+      {"format_version", kRequired, "1"},
+      {"made_from", kRequired, "the standard grasp whose type and approach it has: g1 to g5"},
+      {"id", kRequired, "its name; not that of a standard grasp"},
+      {"object", "", "the one object it is for; else any"},
+      {"digits", kRequired, "ids of the digits that grasp; at least two"},
+      {"tilt_deg", kRequired, "turn of the hand towards its fingertips, from above"},
+      {"palm_may_touch", "false", "true of power grasps"},
+      {"pre_deg", kRequired,
+       "open posture: by digit, a value for each joint with a drive; of joints that slide in mm"},
+      {"target_deg", kRequired, "closed posture, with nothing between the fingers"},
+      {"hand", kRequired, "id of the hand it is for"},
+      {"placement", "", "where the hand stands; else computed from the object's size"},
+      {"placement.position_m", kRequired,
+       "of the hand's base, the object at rest above the origin"},
+      {"placement.orientation_wxyz", kRequired, "of the hand's base, a unit quaternion"},
+      {"placement.approach", kRequired, "the way to the object, a unit vector"},
+      {"placement.closing_at_contact", kRequired, "share of the closure at the first contact", 0,
+       1},
+  };
+  return keys;
+}
+
+}  // namespace graspbench

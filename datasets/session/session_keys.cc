@@ -1,0 +1,57 @@
+#include "datasets/session/session_keys.h"
+
+#include "core/base/config.h"
+#include "core/base/units.h"
+#include "datasets/session/session_config.h"
+
+namespace graspbench {
+
+const FileKeys& ListSessionKeys() {
+  static const FileKeys rows = {
+      {"hands", "", "hands by id, name or folder, or all"},
+      {"objects", "", "objects by id, name or folder, or all"},
+      {"grasps", "", "standard grasps by id or name, grasp files (.yaml), best, or all"},
+      {"trials", "", "trials of each hand, object and grasp", 1, 100000},
+      {"seed", "", "another seed gives other draws", 0, 2147483647},
+      {"variation.offset_m", "",
+       "half-width of the object's place in x and y, drawn for each trial", 0, 0.1},
+      {"variation.yaw_rad", "", "half-width of its turn about the vertical, drawn likewise", 0,
+       kPi},
+      {"strategy.placing_time_s", "", "the open hand's way to the object", 0.05, 60},
+      {"strategy.closure_time_s", "", "from pre-grasp to target posture with nothing between", 0.05,
+       60},
+      {"strategy.closure_patience_s", "",
+       "at the target posture: how long missing digits are waited "
+       "for",
+       0, 60},
+      {"strategy.stabilisation_min_time_s", "", "at least this long before the lift", 0, 60},
+      {"strategy.stabilisation_max_time_s", "", "at most this long before the lift", 0, 60},
+      {"strategy.lift_time_s", "", "duration of the lift", 0.05, 60},
+      {"strategy.hold_time_s", "", "the object must be held so long after the lift", 0, 60},
+      {"sim.step_s", "", "of the physics", 1e-4, 1e-2},
+      {"sim.contact_stiffness_n_per_m", "", "normal, of one contact point", 100, 1e7},
+      {"sim.tangential_stiffness_n_per_m", "", "of one contact point before it slips", 100, 1e7},
+      {"sim.table_friction_static", "", "of object and fingers on the table", 0, 2},
+      {"sim.table_friction_dynamic", "", "likewise, sliding; at most the static one", 0, 2},
+      {"sim.hand_friction_static", "", "of the hand against itself, where its links say nothing", 0,
+       2},
+      {"sim.hand_friction_dynamic", "", "likewise, sliding; at most the static one", 0, 2},
+      {"sim.arm_stiffness_n_per_m", "", "of the arm at the hand's base", 100, 1e7},
+      {"sim.arm_angular_stiffness_nm_per_rad", "", "of the arm about the hand's base", 10, 1e6},
+      {"sim.arm_damping_time_s", "", "the arm's damping over its stiffness", 0, 1},
+      {"sim.arm_force_limit_n", "", "along each axis; a trial that reaches it ends", 1, 1e6},
+      {"sim.arm_moment_limit_nm", "", "about the hand's base, likewise", 0.1, 1e6},
+      {"model.mass_scale", "", "factor on every object's mass and inertia", 0.01, 100},
+      {"model.friction_scale", "", "factor on the friction of objects and links", 0, 10},
+      {"model.pad_torsion_scale", "", "factor on every torsion radius", 0, 10},
+      {"model.drive_torque_scale", "", "factor on the drives' torque limits", 0.01, 100},
+      {"model.joint_error_scale", "", "factor on the drives' error from trial to trial", 0, 10},
+      {"model.coupling_rule", "",
+       "of coupled joints: own (as hand.yaml says), middle-first, even or "
+       "fixed"},
+  };
+  static const FileKeys keys = DescribeConfig(SessionConfig(), rows);
+  return keys;
+}
+
+}  // namespace graspbench

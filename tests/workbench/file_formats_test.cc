@@ -1,0 +1,76 @@
+#include "workbench/file_formats.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/yaml.h"
+#include "core/grasp/grasp_file.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/load_hand.h"
+#include "objects/object_file.h"
+#include "workbench/new_files.h"
+
+namespace graspbench {
+namespace {
+
+const FileKeys& FindKeys(const std::string& name) {
+  for (const FileFormat& format : ListFileFormats()) {
+    if (format.name == name) return format.keys;
+  }
+  throw Error(ErrorKind::kNotFound, name);
+}
+
+// The reader asks for exactly the keys that have a row, with the defaults that stand there.
+void ExpectSameKeys(const FileKeys& read, const FileKeys& rows) {
+  for (const FileKey& key : read) {
+    const FileKey* row = FindFileKey(rows, key.key);
+    ASSERT_NE(row, nullptr) << key.key << " is read and has no row";
+    EXPECT_EQ(row->fallback, key.fallback) << key.key;
+  }
+  for (const FileKey& row : rows) {
+    EXPECT_NE(FindFileKey(read, row.key), nullptr) << row.key << " has a row and is not read";
+  }
+}
+
+TEST(FileFormatsTest, EveryKeyHasAMeaning) {
+  ASSERT_EQ(ListFileFormats().size(), 5u);
+  for (const FileFormat& format : ListFileFormats()) {
+    EXPECT_FALSE(format.keys.empty()) << format.name;
+    for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;
+  }
+}
+
+TEST(FileFormatsTest, ObjectsAreReadByTheirRows) {
+  KeyRecorder recorder;
+  EXPECT_THROW(ParseObjectFile("best_grasp: {}\n", "object.yaml"), Error);
+  ExpectSameKeys(recorder.keys(), FindKeys("object.yaml"));
+}
+
+TEST(FileFormatsTest, HandsAreReadByTheirRows) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "hand_read_by_its_rows";
+  std::filesystem::create_directories(folder);
+  const std::vector<NewFile> files = MakeNewFiles("hand");
+  const std::string yaml =
+      files[1].second + "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: [{}]\n";
+  KeyRecorder recorder;
+  Diagnostics problems;
+  ParseHand(files[0].second, yaml, folder, problems);
+  Diagnostics sliding;
+  ParseHand(files[0].second, "drives: [{stiffness_n_per_m: 1}]\n", folder, sliding);
+  for (const NewFile& file : files) WriteFile(folder / file.first, file.second);
+  LoadStandardGrasps(LoadHand(folder.string()));
+  ExpectSameKeys(recorder.keys(), FindKeys("hand.yaml"));
+}
+
+TEST(FileFormatsTest, GraspsAreReadByTheirRows) {
+  const Hand hand = LoadHand("tum");
+  KeyRecorder recorder;
+  EXPECT_THROW(ParseGraspFile("placement: {}\n", "grasp.yaml", {&hand}), Error);
+  ExpectSameKeys(recorder.keys(), FindKeys("grasp.yaml"));
+}
+
+}  // namespace
+}  // namespace graspbench

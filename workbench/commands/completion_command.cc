@@ -1,0 +1,27 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "workbench/command_line_text.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+
+void AddCompletionCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command = AddSubcommand(program, "completion",
+                                    "Print a script that completes command lines, or the man page.",
+                                    "  source <(graspbench completion bash)\n"
+                                    "  graspbench completion man >graspbench.1");
+  std::vector<std::string> names = ListShells();
+  names.emplace_back("man");
+  const auto name = std::make_shared<std::string>();
+  command.add_option("for", *name, ListNames(names))
+      ->required()
+      ->check(CLI::IsMember(names))
+      ->option_text("FOR");
+  command.callback([&program, name] {
+    PrintResult(*name == "man" ? FormatManPage(program) : FormatCompletion(program, *name));
+  });
+}
+
+}  // namespace graspbench

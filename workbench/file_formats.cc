@@ -1,0 +1,30 @@
+#include "workbench/file_formats.h"
+
+#include "core/grasp/grasp_keys.h"
+#include "core/hand/hand_yaml.h"
+#include "datasets/session/session_keys.h"
+#include "human_study/study/study_keys.h"
+#include "objects/object_file.h"
+
+namespace graspbench {
+
+const std::vector<FileFormat>& ListFileFormats() {
+  static const std::vector<FileFormat> formats = [] {
+    FileKeys hand = ListHandKeys();
+    hand.insert(hand.end(), ListHandGraspKeys().begin(), ListHandGraspKeys().end());
+    return std::vector<FileFormat>{
+        {"object.yaml", "a thing to grasp, beside its mesh", ListObjectKeys()},
+        {"hand.yaml", "what hand.urdf beside it cannot say", hand},
+        {"session.yaml",
+         "what graspbench run simulates; its session.json has all keys and is read, "
+         "too",
+         ListSessionKeys()},
+        {"study.yaml", "a study of people's grasps, for graspbench study run", ListStudyKeys()},
+        {"grasp.yaml", "a grasp of its own file, for graspbench run --grasp FILE",
+         ListGraspFileKeys()},
+    };
+  }();
+  return formats;
+}
+
+}  // namespace graspbench
