@@ -3,8 +3,8 @@
 Filmstrips: for every cell three pictures of one trial, from one camera, drawn off-screen, and as
 many of one trial of every other way in which the cell's trials ended.
 
-The first trial is the cell's first successful one, else its first one with snapshots. Within a strip
-the camera does not move; it stands as near as the scenes allow. */
+The first trial is the cell's first successful one, else its first one with snapshots. Within a
+strip the camera does not move; it stands as near as the scenes allow. */
 
 #include <map>
 #include <string>
@@ -57,9 +57,9 @@ std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, siz
                                 const std::shared_ptr<const GraspObject>& object, int width,
                                 int height);
 
-/** Of the cells that are drawn in full (shown_trials.h); the strips of other outcomes as long as there
-are not too many for one page. Never throws for a machine that cannot
-draw: the reason becomes a problem. */
+/** Of the cells that are drawn in full (shown_trials.h); the strips of other outcomes as long as
+there are not too many for one page. Never throws for a machine that cannot draw: the reason becomes
+a problem. */
 CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
                                 const SessionModels& models);
 

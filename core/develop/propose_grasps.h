@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Grasps from geometry alone: many aims drawn for a grasp type (which finger opposes the thumb, how
-wide, how far from the palm, who does how much of the way), for each the pair of postures that keeps the
-rules best, and the squeeze behind it.
+wide, how far from the palm, who does how much of the way), for each the pair of postures that keeps
+the rules best, and the squeeze behind it.
 
 The pads of the met posture would only touch. So the target goes beyond it by what the drives give
 way under the wanted grip: with f the force of a digit's pad towards the others and K the drives'
@@ -35,8 +35,8 @@ inline constexpr int kGraspDecimals = 2;
 /** Postures and tilt as hand.yaml will hold them, so that what was tried is what is read. */
 void RoundGrasp(const Hand& hand, StandardGrasp& grasp);
 
-/** Whether the hand has the digits: three for all finger precision and the three finger special, two
-for the rest. The pinch is one of pads with a small opening, not of a finger's side. */
+/** Whether the hand has the digits: three for all finger precision and the three finger special,
+two for the rest. The pinch is one of pads with a small opening, not of a finger's side. */
 bool CanDevelop(const Hand& hand, const GraspTaxon& taxon);
 
 /** The best `num_kept` of `num_drawn` draws, best first. @pre CanDevelop. */

@@ -11,9 +11,9 @@ namespace graspbench {
 /** "tum-can-g2:3", as FindPlannedTrial takes it. */
 std::string NameTrial(const PlannedTrial& planned);
 
-/** The planned trial of an id, of the first letters of one (4 at least, as long as they belong to one
-trial only), or of a cell's key and the number within the cell, from 0: "tum-can-g2:3". Case does not
-matter.
+/** The planned trial of an id, of the first letters of one (4 at least, as long as they belong to
+one trial only), or of a cell's key and the number within the cell, from 0: "tum-can-g2:3". Case
+does not matter.
 @throws Error(kNotFound) with what is known; Error(kUsage) when several trials begin so. */
 const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& name);
 
