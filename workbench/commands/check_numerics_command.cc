@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct CheckOptions {
+struct NumericsOptions {
   std::string folder;
   int trials = 1;
   int num_workers = 1;
@@ -31,7 +31,7 @@ class VariantLines : public Observer {
   }
 };
 
-void Check(const CheckOptions& options) {
+void Check(const NumericsOptions& options) {
   if (!options.out.empty()) CheckOutputFile(options.out);
   const Session session = LoadSession(options.folder);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
@@ -61,7 +61,7 @@ void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
                     "Run trials again with other numerics and list the verdicts that flip.",
                     "  graspbench check-numerics results/benchmark-1a2b3c4d\n"
                     "  graspbench check-numerics results/pilot --trials 10 --json");
-  const auto options = std::make_shared<CheckOptions>();
+  const auto options = std::make_shared<NumericsOptions>();
   command.add_option("folder", options->folder, "folder of the session")
       ->required()
       ->option_text("DIR");
