@@ -95,7 +95,9 @@ class ProgressOnPipe : public testing::Test {
 };
 
 TEST_F(ProgressOnPipe, WritesPlainLinesFromTimeToTime) {
-  Progress progress(file_, 1000, {});
+  Stage stage;
+  stage.num_trials = 1000;
+  Progress progress(file_, stage);
   BatchStatus status;
   for (int tick = 0; tick <= 350; ++tick) {  // 35 s at ten a second
     status.num_done = tick;
@@ -111,7 +113,10 @@ TEST_F(ProgressOnPipe, WritesPlainLinesFromTimeToTime) {
 }
 
 TEST_F(ProgressOnPipe, CountsWhatEarlierRunsFinished) {
-  Progress progress(file_, 20, {{Outcome::kSuccess, 4}});
+  Stage stage;
+  stage.num_trials = 20;
+  stage.before = {{Outcome::kSuccess, 4}};
+  Progress progress(file_, stage);
   BatchStatus status;
   status.num_done = 1;
   status.outcomes[Outcome::kSuccess] = 1;
