@@ -44,8 +44,9 @@ void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& pr
   const Hand& hand = imported.hand;
   for (int index = 0; index < static_cast<int>(hand.links.size()); ++index) {
     const HandLink& link = hand.links[index];
-    if (link.parent != hand.palm_link || link.joint < 0 || hand.FindDigitOfLink(index) < 0)
-      continue;
+    const int digit = hand.FindDigitOfLink(index);
+    if (link.parent != hand.palm_link || link.joint < 0 || digit < 0) continue;
+    if (hand.digits[static_cast<size_t>(digit)].distal_link == index) continue;  // it grasps
     double deepest = 0.0;
     const auto blocks = [&](const CollisionShape& shape) {
       if (shape.link != index) return false;

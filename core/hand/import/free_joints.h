@@ -3,7 +3,8 @@
 Frees joints at the palm that their own contact shapes would block: a finger's first link that sits
 in the palm's housing meets it, as balls and capsules, within the limits that the description gives
 the joint. The limits are the description's, the shapes an approximation; so the shapes of that link
-which meet the palm by more than half a millimetre are left out of contact, and told. */
+which meet the palm by more than half a millimetre are left out of contact, and told. A link that
+carries its digit's pad, as the jaw of a gripper does, keeps all of them. */
 
 #include <string>
 

@@ -17,12 +17,12 @@ CollisionShape MakeBall(int link, const Vector3d& centre, double radius) {
   return shape;
 }
 
-/** A ball for a palm; 40 mm beside it a finger that turns about z, with a ball 20 mm from its axis.
- */
+/** A ball for a palm; 40 mm beside it a finger that turns about z, with a ball 20 mm from its axis,
+and at its end a tip without shapes. */
 ImportedHand MakeImported(double upper) {
   ImportedHand imported;
   Hand& hand = imported.hand;
-  hand.links.resize(2);
+  hand.links.resize(3);
   hand.links[0].name = "palm";
   hand.links[1].name = "finger";
   hand.links[1].parent = 0;
@@ -33,10 +33,18 @@ ImportedHand MakeImported(double upper) {
   joint.name = "turn";
   joint.link = 1;
   joint.upper = upper;
-  hand.joints = {joint};
+  hand.links[2].name = "tip";
+  hand.links[2].parent = 1;
+  hand.links[2].joint = 1;
+  hand.links[2].X_PJ = MakePose(Vector3d(0.05, 0, 0));
+  hand.links[2].axis = Vector3d::UnitZ();
+  HandJoint bend;
+  bend.name = "bend";
+  bend.link = 2;
+  hand.joints = {joint, bend};
   Digit digit;
-  digit.links = {1};
-  digit.distal_link = 1;
+  digit.links = {1, 2};
+  digit.distal_link = 2;
   hand.digits = {digit};
   imported.shapes = {MakeBall(0, Vector3d::Zero(), 0.015), MakeBall(1, Vector3d(0.02, 0, 0), 0.008),
                      MakeBall(1, Vector3d::Zero(), 0.005)};
@@ -54,6 +62,17 @@ TEST(FreeJointsTest, AShapeThatBlocksItsJointIsLeftOut) {
   EXPECT_EQ(problems.Format(),
             "hand.urdf: warning: link \"finger\": 1 of its balls and capsules would meet the palm "
             "within the limits of joint \"turn\", by up to 3.0 mm; left out of contact");
+}
+
+// The jaw of a gripper slides on the palm itself: without its shapes nothing would grasp.
+TEST(FreeJointsTest, WhatCarriesThePadKeepsItsShapes) {
+  ImportedHand imported = MakeImported(kPi);
+  imported.hand.digits[0].links = {1};
+  imported.hand.digits[0].distal_link = 1;
+  Diagnostics problems;
+  FreeJoints("hand.urdf", imported, problems);
+  EXPECT_EQ(imported.shapes.size(), 3u);
+  EXPECT_EQ(problems.Format(), "");
 }
 
 TEST(FreeJointsTest, WithinItsLimitsNothingChanges) {
