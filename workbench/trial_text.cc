@@ -165,7 +165,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
-  text += "let go   " + FormatFirstFailure(trial.traced) + "\n";
+  if (!IsSuccess(result.outcome)) text += "let go   " + FormatFirstFailure(trial.traced) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
                         NameTrial(trial.nearest->plan),

@@ -14,7 +14,8 @@ constexpr size_t kMinLetters = 4;  // of an id that is cut short
 
 const std::string& HowToName() {
   static const std::string text =
-      "; a trial is named by the column trial_id of trials.csv, by its first letters, or by hand, "
+      "; a trial is named by the column trial_id of trials.csv, by the first four or more letters "
+      "of it, or by hand, "
       "object, grasp and number as tum-can-g2:3";
   return text;
 }

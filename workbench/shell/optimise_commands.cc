@@ -99,6 +99,9 @@ void OptimiseTrial(Shell& shell, const ShellArguments& arguments) {
                                        "\"; expected 1 (the pre-grasp) or 2 (the target of the "
                                        "opposing digit)");
   }
+  if (step == "1" && arguments.size() > 1) {
+    throw Error(ErrorKind::kUsage, "step 1 takes no number of evaluations; it ends by itself");
+  }
   const int evaluations =
       arguments.size() > 1
           ? ParseCount(arguments[1], "the number of evaluations", 1, kMaxEvaluations)

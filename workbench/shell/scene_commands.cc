@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/session/scene_names.h"
 #include "datasets/session/session_plan.h"
 #include "datasets/session/session_store.h"
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kMaxOffset_mm = 200.0;
+constexpr double kPrintedExact = 1e-6;  // of a joint position as it is shown
 
 /** "light bulb" given as two words is one name. */
 std::string JoinName(const ShellArguments& words) {
@@ -179,10 +181,11 @@ NamedPosition ParseJoint(const Hand& hand, const std::string& name, const std::s
       throw Error(ErrorKind::kUsage, "joint " + joint.name + " follows " +
                                          hand.joints[joint.coupled_to].name + "; set that one");
     }
-    const double shown =
-        ParseNumber(number, "the position of " + joint.name, ShownUnitOf(joint),
-                    ShownFromPosition(joint, joint.lower), ShownFromPosition(joint, joint.upper));
-    return {joint.name, PositionFromShown(joint, shown)};
+    // The limits as they are printed are within them, whatever the last bits are.
+    const double shown = ParseNumber(number, "the position of " + joint.name, ShownUnitOf(joint),
+                                     ShownFromPosition(joint, joint.lower) - kPrintedExact,
+                                     ShownFromPosition(joint, joint.upper) + kPrintedExact);
+    return {joint.name, std::clamp(PositionFromShown(joint, shown), joint.lower, joint.upper)};
   }
   throw Error(ErrorKind::kNotFound,
               "the " + hand.name + " has no joint \"" + name + "\"" + SuggestNames(name, known));
@@ -273,14 +276,7 @@ SceneChoice NarrowTo(const Session& session, const PlannedTrial& planned) {
 
 void OpenTrial(Shell& shell, const ShellArguments& arguments) {
   const Session session = LoadSession(arguments[0], OnDamage::kRefuse, RecordParts::kBrief);
-  std::vector<std::string> ids;
-  for (const PlannedTrial& planned : session.plan) {
-    if (planned.id == ToLower(arguments[1])) return Take(shell, NarrowTo(session, planned));
-    ids.push_back(planned.id);
-  }
-  throw Error(ErrorKind::kNotFound, "the session has no trial \"" + arguments[1] + "\"" +
-                                        SuggestNames(arguments[1], ids) +
-                                        "; the column trial_id of trials.csv has them");
+  Take(shell, NarrowTo(session, FindPlannedTrial(session, arguments[1])));
 }
 
 void UndoChange(Shell& shell, const ShellArguments&) {

@@ -149,7 +149,7 @@ const std::vector<ShellCommand>& ListShellCommands() {
        &ListJoints, &SetJoint},
       {"set", kScene, "[KEY [VALUE]]", "Change a setting of session files, or list them.",
        "set model.friction_scale 0.5", 0, 2, -1, &ListSettings, &ChangeSetting},
-      {"open", kScene, "DIR ID", "Take a trial of a session, with its copies of inputs.",
+      {"open", kScene, "DIR ID|CELL:N", "Take a trial of a session, with its copies of inputs.",
        "open results/pilot 0123456789abcdef", 2, 2, 0, nullptr, &OpenTrial},
       {"undo", kScene, "", "Take the last change back and go to the same time.", "undo", 0, 0, -1,
        nullptr, &UndoChange},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/text.h"
 #include "core/grasp/placement.h"
 #include "tests/workbench/shell/shell_fuzz.h"
 
@@ -43,6 +44,23 @@ TEST_F(ShellTest, UndoStandsAtTheSameTime) {
   shell_.Execute("undo");
   EXPECT_EQ(shell_.scene().time(), time);
   EXPECT_EQ(shell_.scene().course().world().state().q, q);
+}
+
+// Degrees of a limit in radians may end a bit beyond it.
+TEST_F(ShellTest, AJointTakesItsLimitsAsTheyArePrinted) {
+  shell_.Execute("hand shadow");
+  const Hand hand = *shell_.scene().setup().hand;
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to >= 0) continue;
+    for (const double limit : {joint.lower, joint.upper}) {
+      const std::string line =
+          "joint " + joint.name + " " + FormatFixed(ShownFromPosition(joint, limit), 1);
+      EXPECT_EQ(shell_.Execute(line), Shell::Reply::kDone) << line;
+      const Eigen::VectorXd& q = shell_.scene().setup().grasp.q_target;
+      EXPECT_LE(q[hand.FindJoint(joint.name)], joint.upper);
+      EXPECT_GE(q[hand.FindJoint(joint.name)], joint.lower);
+    }
+  }
 }
 
 TEST_F(ShellTest, RefusedLinesChangeNothing) {
