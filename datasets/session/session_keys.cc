@@ -1,7 +1,6 @@
 #include "datasets/session/session_keys.h"
 
 #include "core/base/config.h"
-#include "core/base/units.h"
 #include "datasets/session/session_config.h"
 
 namespace graspbench {
@@ -16,7 +15,7 @@ const FileKeys& ListSessionKeys() {
       {"variation.offset_m", "",
        "half-width of the object's place in x and y, drawn for each trial", 0, 0.1},
       {"variation.yaw_rad", "", "half-width of its turn about the vertical, drawn likewise", 0,
-       kPi},
+       3.1416},
       {"strategy.placing_time_s", "", "the open hand's way to the object", 0.05, 60},
       {"strategy.closure_time_s", "", "from pre-grasp to target posture with nothing between", 0.05,
        60},

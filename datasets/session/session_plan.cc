@@ -107,7 +107,9 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
       if (std::find(known.begin(), known.end(), grasp.id) == known.end()) known.push_back(grasp.id);
     }
   }
-  if (known.empty()) throw Error(ErrorKind::kUsage, "none of the session's hands has any grasp");
+  if (known.empty())
+    throw Error(ErrorKind::kUsage,
+                "none of the session's hands has any grasp; graspbench hand develop finds some");
   for (const std::string& name : config.grasps) {
     if (name == "best" || name == "all") continue;
     const std::string id = FindGraspId(inputs, name);

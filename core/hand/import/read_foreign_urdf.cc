@@ -81,6 +81,13 @@ class ForeignUrdfReader {
   std::vector<NamedMimic> mimics_;
 };
 
+/** True for the <origin> of a <joint>, false for those of shapes and masses, which can be guessed. */
+bool IsPlaceOfJoint(const XMLElement& element) {
+  const tinyxml2::XMLNode* parent = element.Parent();
+  return std::strcmp(element.Name(), "origin") == 0 && parent && parent->ToElement() &&
+         std::strcmp(parent->ToElement()->Name(), "joint") == 0;
+}
+
 template <size_t kCount>
 std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const char* attribute,
                                                       std::array<double, kCount> otherwise,
@@ -106,9 +113,15 @@ std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const
     at = next;
   }
   if (is_good && count == kCount) return numbers;
-  Warn(*element, where + ", <" + element->Name() + "> " + attribute + ": expected " +
-                     FormatCount(kCount, "finite number") + ", found \"" + text +
-                     "\"; taken as if it were not there");
+  const std::string fault = where + ", <" + element->Name() + "> " + attribute + ": expected " +
+                            FormatCount(kCount, "finite number") + ", found \"" + text + "\"";
+  if (std::strstr(text, "${")) {
+    Fail(*element, fault + ", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)");
+  } else if (IsPlaceOfJoint(*element)) {
+    Fail(*element, fault + "; without it nobody knows where the joint is");
+  } else {
+    Warn(*element, fault + "; taken as if it were not there");
+  }
   return otherwise;
 }
 
@@ -402,9 +415,11 @@ ForeignHand ForeignUrdfReader::Read(const std::string& text) {
   }
   XMLElement* robot = document.RootElement();
   if (!robot || std::strcmp(robot->Name(), "robot") != 0) {
+    const bool is_mjcf = robot && std::strcmp(robot->Name(), "mujoco") == 0;
     problems_.Fail(file_, robot ? robot->GetLineNum() : 0,
                    "not a URDF: the outermost element must be <robot>" +
-                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : ""));
+                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : "") +
+                       (is_mjcf ? ", a MuJoCo model, which is not read" : ""));
     return {};
   }
   for (XMLElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {

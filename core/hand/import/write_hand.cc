@@ -245,7 +245,7 @@ std::string FormatYaml(const Hand& hand, const std::string& source) {
                      "them, change what is\n"
                      "# wrong, then: graspbench hand check FOLDER. Metres, in the frame of the "
                      "link named. The format\n"
-                     "# is explained in core/hand/hand_yaml.h.\n";
+                     "# is explained by: graspbench help hand.yaml\n";
   text +=
       "name: " + QuoteYaml(hand.name) +
       "\npalm:\n  link: " + QuoteYaml(hand.links[hand.palm_link].name) +

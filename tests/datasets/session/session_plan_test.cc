@@ -244,7 +244,8 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
   inputs.hands = {MakeFakeHand("fist", 1, 0.0, {})};
   error = FindError(SessionConfig(), inputs);
   EXPECT_EQ(error.first, ErrorKind::kUsage);
-  EXPECT_EQ(error.second, "none of the session's hands has any grasp");
+  EXPECT_EQ(error.second,
+            "none of the session's hands has any grasp; graspbench hand develop finds some");
 
   config = SessionConfig();
   config.trials = 0;

@@ -92,6 +92,12 @@ INSTANTIATE_TEST_SUITE_P(
         OddUrdf{"<parent link=\"world\"/>", "<parent link=\"left\"/>",
                 "g.urdf:4: error: joint \"mount\" lies in a ring of joints; a hand is a "
                 "tree"},
+        OddUrdf{"origin xyz=\"0 0 0.06\"", "origin xyz=\"nan 0 0.06\"",
+                "g.urdf:33: error: joint \"slide_left\", <origin> xyz: expected 3 finite numbers, "
+                "found \"nan 0 0.06\"; without it nobody knows where the joint is"},
+        OddUrdf{"mass value=\"0.7\"", "mass value=\"${m}\"",
+                "g.urdf:10: error: link \"the hand\", <mass> value: expected 1 finite number, "
+                "found \"${m}\", a macro: expand the file first (xacro FILE.xacro > FILE.urdf)"},
         OddUrdf{"<link name=\"world\"/>", "<link name=\"world\"/><link name=\"loose\"/>",
                 "g.urdf:3: error: several roots: \"world\", \"loose\"; join all links into one "
                 "tree by <joint>s"}));
