@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/shell/grasp_cards.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
@@ -44,6 +45,22 @@ void ShowContacts(Shell& shell, const ShellArguments&) {
 }
 
 void ShowTiming(Shell& shell, const ShellArguments&) { PrintResult(FormatTiming(shell.scene())); }
+
+void ShowWrenchSpace(Shell& shell, const ShellArguments&) {
+  PrintResult(FormatWrenchSpace(shell.scene()));
+}
+
+std::vector<std::string> ListPostures() { return {"now", "pre", "target"}; }
+
+void ShowPads(Shell& shell, const ShellArguments& arguments) {
+  const std::string posture = arguments.empty() ? "now" : ToLower(arguments[0]);
+  const std::vector<std::string> known = ListPostures();
+  if (std::find(known.begin(), known.end(), posture) == known.end()) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + posture + "\" is no posture" + SuggestNames(posture, known));
+  }
+  PrintResult(FormatPads(shell.scene(), posture));
+}
 
 void ShowStability(Shell& shell, const ShellArguments&) {
   PrintResult(FormatStability(shell.scene()));

@@ -104,6 +104,7 @@ Names ListViews(Shell&, size_t index) { return index == 0 ? ListSceneViews() : N
 Names ListShotViews(Shell&, size_t index) { return index == 1 ? ListSceneViews() : Names(); }
 Names ListCards(Shell&, size_t index) { return index == 0 ? ListLiveCards() : Names(); }
 Names ListSteps(Shell&, size_t index) { return index == 0 ? Names{"1", "2"} : Names(); }
+Names ListPostureNames(Shell&, size_t index) { return index == 0 ? ListPostures() : Names(); }
 Names ListNone(Shell&, size_t index) { return index == 0 ? Names{"none"} : Names(); }
 Names ListTopics(Shell&, size_t index) { return index == 0 ? ListCommandNames() : Names(); }
 
@@ -179,6 +180,10 @@ const std::vector<ShellCommand>& ListShellCommands() {
        &ShowTiming},
       {"stability", kLook, "", "Sigma, epsilon, and the pull that the grasp stands.", "stability",
        0, 0, -1, nullptr, &ShowStability},
+      {"wrench", kLook, "", "What forces and moments the contacts can put on the object.", "wrench",
+       0, 0, -1, nullptr, &ShowWrenchSpace},
+      {"pose", kLook, "[now|pre|target]", "Where the pads are, where they face, the opening.",
+       "pose target", 0, 1, -1, &ListPostureNames, &ShowPads},
       {"view", kLook, "[grasp|front|back|left|right|top|free AZIMUTH ELEVATION [ZOOM]]",
        "Draw the scene into the terminal (deg).", "view free 45 30 1.5", 0, 4, -1, &ListViews,
        &ViewScene},

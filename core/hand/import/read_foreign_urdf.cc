@@ -81,7 +81,8 @@ class ForeignUrdfReader {
   std::vector<NamedMimic> mimics_;
 };
 
-/** True for the <origin> of a <joint>, false for those of shapes and masses, which can be guessed. */
+/** True for the <origin> of a <joint>, false for those of shapes and masses: these can be guessed.
+ */
 bool IsPlaceOfJoint(const XMLElement& element) {
   const tinyxml2::XMLNode* parent = element.Parent();
   return std::strcmp(element.Name(), "origin") == 0 && parent && parent->ToElement() &&
