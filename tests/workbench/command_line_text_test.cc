@@ -1,6 +1,7 @@
 #include "workbench/command_line_text.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
@@ -27,7 +28,8 @@ class CommandLineTextTest : public testing::Test {
   }
 
   fs::path Write(const std::string& shell) {
-    const fs::path file = fs::path(testing::TempDir()) / ("completion_test." + shell);
+    const fs::path file =
+        fs::path(testing::TempDir()) / (std::to_string(::getpid()) + "_completion." + shell);
     WriteFile(file, FormatCompletion(program_, shell));
     return file;
   }
@@ -36,7 +38,8 @@ class CommandLineTextTest : public testing::Test {
   }
   // What bash would offer after these words, the last of which is being typed.
   std::string Complete(const std::string& words) {
-    const fs::path file = Write("bash"), out = fs::path(testing::TempDir()) / "completion_test.out";
+    const fs::path file = Write("bash"), out = fs::path(testing::TempDir()) /
+                                               (std::to_string(::getpid()) + "_completion.out");
     const std::string script = ". " + file.string() + "; COMP_WORDS=(" + words +
                                "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _graspbench; echo "
                                "\"${COMPREPLY[*]}\" >" +

@@ -1,6 +1,7 @@
 #include "core/hand/import/find_mesh.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/files.h"
 
@@ -26,7 +27,8 @@ class FindMeshTest : public testing::Test {
     const FoundMesh found = FindMesh(address, root_ / "my_hand/urdf", packages, kEndings);
     return found.path.empty() ? "" : found.path.lexically_relative(root_).string();
   }
-  const fs::path root_ = fs::path(testing::TempDir()) / "find_mesh_test";
+  const fs::path root_ =
+      fs::path(testing::TempDir()) / ("find_mesh_test_" + std::to_string(::getpid()));
 };
 
 TEST_F(FindMeshTest, FindsWhatPeopleWrite) {

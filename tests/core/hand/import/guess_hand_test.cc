@@ -1,6 +1,7 @@
 #include "core/hand/import/guess_hand.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/files.h"
 #include "core/hand/load_hand.h"
@@ -17,7 +18,8 @@ Hand ImportModel(const std::string& id, Diagnostics& problems) {
   source.folder = folder;
   const ImportedFiles imported = ImportHand(ReadFile(folder / "hand.urdf"), source, "", problems);
   if (imported.files.empty()) return {};
-  const std::filesystem::path out = std::filesystem::path(testing::TempDir()) / ("guess_" + id);
+  const std::filesystem::path out = std::filesystem::path(testing::TempDir()) /
+                                    ("guess_" + id + "_" + std::to_string(::getpid()));
   MakeFolder(out);
   for (const char* name : {"hand.urdf", "hand.yaml"}) {
     WriteFile(out / name, imported.files.at(name));

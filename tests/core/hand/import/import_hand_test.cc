@@ -1,6 +1,7 @@
 #include "core/hand/import/import_hand.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/files.h"
 #include "core/hand/load_hand.h"
@@ -36,7 +37,8 @@ TEST_P(PublishedHandTest, ImportsUneditedAndLoads) {
   const ImportedFiles imported = ImportHand(ReadFile(file), source, "", problems);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   EXPECT_EQ(imported.num_driven, GetParam().num_driven);
-  const fs::path out = fs::path(testing::TempDir()) / "published_hand";
+  const fs::path out =
+      fs::path(testing::TempDir()) / ("published_hand_" + std::to_string(::getpid()));
   fs::remove_all(out);
   for (const auto& [name, content] : imported.files) {
     MakeFolder((out / name).parent_path());

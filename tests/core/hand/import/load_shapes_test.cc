@@ -1,6 +1,7 @@
 #include "core/hand/import/load_shapes.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/files.h"
 #include "core/shape/mass_properties.h"
@@ -38,7 +39,8 @@ class LoadShapesTest : public testing::Test {
     return ShapeLoader(source_, problems_).Load(link);
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "load_shapes_test";
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / ("load_shapes_test_" + std::to_string(::getpid()));
   double unit_ = 1.0;  // of the mesh, per metre
   HandSource source_;
   Diagnostics problems_;
