@@ -16,10 +16,19 @@ namespace graspbench {
 namespace {
 
 struct HandImportOptions {
-  std::string file, out, palm;
+  std::string file, out, palm, unit, mesh_unit, angle;
   std::vector<std::string> package_path;
   bool replace = false;
 };
+
+/** [m]; 0: to be inferred. */
+double ParseUnit(const std::string& name) {
+  return name == "m"    ? 1.0
+         : name == "cm" ? 0.01
+         : name == "mm" ? 0.001
+         : name == "in" ? 0.0254
+                        : 0.0;
+}
 
 ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   namespace fs = std::filesystem;
@@ -30,6 +39,9 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   source.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   source.package_path.assign(options.package_path.begin(), options.package_path.end());
   source.load_mesh = &LoadPictureMesh;
+  source.unit = ParseUnit(options.unit);
+  source.mesh_unit = ParseUnit(options.mesh_unit);
+  if (!options.angle.empty()) source.in_degrees = options.angle == "deg";
   Diagnostics problems;
   const ImportedFiles imported = ImportHand(ReadFile(file), source, options.palm, problems);
   for (const auto& [name, content] : imported.files) {
@@ -66,10 +78,11 @@ void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
   const auto json = std::make_shared<bool>(false);
   CLI::App& command =
       AddSubcommand(*program.get_subcommand("hand"), "import",
-                    "Make a hand of a URDF from elsewhere; repairs and guesses are told.",
+                    "Make a hand of a URDF or MJCF from elsewhere; repairs and guesses are told.",
                     "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
-                    "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh");
-  command.add_option("file", import->file, "the description: a URDF file")
+                    "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
+                    "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
+  command.add_option("file", import->file, "the description: URDF, or a MuJoCo model")
       ->required()
       ->option_text("FILE");
   command.add_option("--out", import->out, "folder for the hand; new or empty")
@@ -80,6 +93,17 @@ void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
                   "folder with the packages that mesh addresses name; may be repeated")
       ->allow_extra_args(false)
       ->option_text("DIR");
+  const auto add_unit = [&](const char* name, std::string& unit, const char* description) {
+    command.add_option(name, unit, description)
+        ->check(CLI::IsMember({"m", "cm", "mm", "in"}))
+        ->option_text("m|cm|mm|in");
+  };
+  add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and told");
+  add_unit("--mesh-unit", import->mesh_unit,
+           "unit of its mesh files; otherwise inferred, and told");
+  command.add_option("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)")
+      ->check(CLI::IsMember({"deg", "rad"}))
+      ->option_text("deg|rad");
   command.add_option("--palm", import->palm, "link of the palm, where it is not found")
       ->option_text("LINK");
   AddReplaceOption(command, import->replace);

@@ -12,15 +12,16 @@ A hand as somebody else describes it: read (read_foreign_urdf.h), not yet judged
 namespace graspbench {
 
 struct ForeignShape {
-  enum class Kind { kSphere, kCylinder, kCapsule, kBox, kMesh };
+  enum class Kind { kSphere, kCylinder, kCapsule, kBox, kEllipsoid, kMesh };
   Kind kind = Kind::kSphere;
   Pose X_LS = Pose::Identity();  ///< the shape's frame S in the link
   /** Extent along the axes of S [m]: of a ball thrice its diameter, of a cylinder and a capsule
-  diameter, diameter, whole length. Unused for a mesh. */
+  diameter, diameter, whole length, of an ellipsoid its axes. Unused for a mesh. */
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
   std::string mesh;                                 ///< address as it stands in the file
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< of the mesh; negative: mirrored
   std::optional<Eigen::Vector3d> colour;            ///< sRGB, 0 to 1
+  bool also_touches = false;  ///< of a picture: it is a collision shape as well
   int line = 0;
 };
 
@@ -42,6 +43,17 @@ struct ForeignMimic {
   int joint = -1;  ///< index into ForeignHand::joints
   double ratio = 1.0;
   double offset = 0.0;  ///< [rad], [m]
+  /** One drive pulls on the sum of both, the joint before it and this one, the last of a finger: a
+  coupling rule (core/hand/coupling.h) says how they share it. */
+  bool is_distal = false;
+};
+
+/** What is published of a joint's drive; 0: not known. Units of a prismatic joint as in JointDrive.
+*/
+struct ForeignDrive {
+  double effort = 0.0;     ///< [N m], [N]
+  double stiffness = 0.0;  ///< [N m/rad]
+  double damping = 0.0;    ///< [N m s/rad]
 };
 
 struct ForeignJoint {
@@ -53,9 +65,14 @@ struct ForeignJoint {
   Pose X_PJ = Pose::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit, in J
   double lower = 0.0, upper = 0.0;                  ///< [rad], [m]
-  double effort = 0.0;                              ///< [N m], [N]; 0: not known
+  ForeignDrive drive;
+  double spring_stiffness = 0.0;  ///< [N m/rad], [N/m]; 0: none
+  double spring_rest = 0.0;       ///< position where it is slack [rad], [m]
   std::optional<ForeignMimic> mimic;
 };
+
+/** A description with as many is no hand. */
+constexpr size_t kMostForeignLinks = 1000;
 
 struct ForeignHand {
   std::string name;

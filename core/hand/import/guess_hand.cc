@@ -22,6 +22,10 @@ constexpr double kPadPlace = 0.6;     // of the way from the last joint to the t
 constexpr double kAgreement = 0.5;    // of the pads' directions, mean length
 constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive
 constexpr double kMostForce = 200.0;  // [N] of a slide's drive
+/** Published stiffness within these holds a finger; [N m/rad], [N/m], of the stiffest. */
+constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0, kSoftest = 0.005;
+/** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
+constexpr double kDampingTime = 0.02, kMostDampingTime = 0.1;
 
 /** Signed distance of the shapes of a link. */
 double CalcLinkDistance(const std::vector<CollisionShape>& shapes, int link, const Vector3d& p_L) {
@@ -62,7 +66,9 @@ class Guesser {
   std::vector<int> PathFromPalm(int link) const;
   bool HasShape(int link) const { return !ShapesOf(imported_, link).empty(); }
   void FindDigits();
+  bool Leads(int joint, const Digit& digit) const;
   void DropLinkages();
+  void DriveDigits();
   void PlaceTips();
   void PlacePads();
   void NameByVotes();
@@ -116,6 +122,13 @@ void Guesser::FindDigits() {
   }
 }
 
+bool Guesser::Leads(int joint, const Digit& digit) const {
+  return std::any_of(digit.links.begin(), digit.links.end(), [&](int link) {
+    const int own = hand_.links[link].joint;
+    return own >= 0 && hand_.joints[own].coupled_to == joint;
+  });
+}
+
 void Guesser::DropLinkages() {
   constexpr double kNeighbour = 0.04, kShorter = 0.9;
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
@@ -125,13 +138,17 @@ void Guesser::DropLinkages() {
   };
   std::vector<Digit> kept;
   for (const Digit& digit : hand_.digits) {
-    const bool only_follows = std::all_of(digit.links.begin(), digit.links.end(), [&](int link) {
-      const int joint = hand_.links[link].joint;
-      return joint < 0 || hand_.joints[joint].coupled_to >= 0;
-    });
+    // Each joint follows another, or leads one of the neighbour's: a crank.
+    const auto only_follows = [&](const Digit& neighbour) {
+      return std::all_of(digit.links.begin(), digit.links.end(), [&](int link) {
+        const int joint = hand_.links[link].joint;
+        return joint < 0 || hand_.joints[joint].coupled_to >= 0 || Leads(joint, neighbour);
+      });
+    };
     const bool is_linkage =
-        only_follows && std::any_of(hand_.digits.begin(), hand_.digits.end(), [&](const Digit& d) {
-          return d.distal_link != digit.distal_link && d.links.size() > digit.links.size() &&
+        std::any_of(hand_.digits.begin(), hand_.digits.end(), [&](const Digit& d) {
+          return only_follows(d) && d.distal_link != digit.distal_link &&
+                 d.links.size() > digit.links.size() &&
                  (base(d) - base(digit)).norm() < kNeighbour && reach(digit) < kShorter * reach(d);
         });
     if (is_linkage) {
@@ -142,6 +159,50 @@ void Guesser::DropLinkages() {
     }
   }
   hand_.digits = std::move(kept);
+}
+
+/** A joint outside of the digits that moves some of them, a crank, becomes the follower of the
+digits' joint that it moves most. */
+void Guesser::DriveDigits() {
+  for (int j = 0; j < hand_.num_joints(); ++j) {
+    HandJoint& crank = hand_.joints[j];
+    if (crank.coupled_to >= 0 || hand_.FindDigitOfLink(crank.link) >= 0) continue;
+    int most = -1;
+    for (int k = 0; k < hand_.num_joints(); ++k) {
+      const HandJoint& joint = hand_.joints[k];
+      const bool is_led = joint.is_mimic && joint.coupled_to == j;
+      if (!is_led || joint.is_prismatic != crank.is_prismatic) continue;
+      if (hand_.FindDigitOfLink(joint.link) < 0) continue;
+      const double best = most < 0 ? 0.0 : std::abs(hand_.joints[most].mimic_ratio);
+      if (std::abs(joint.mimic_ratio) > best + 1e-3) most = k;
+    }
+    if (most < 0) continue;
+    // q_most = a + b q_crank, so q_crank = (q_most - a) / b.
+    HandJoint& driven = hand_.joints[most];
+    const double a = driven.mimic_offset, b = driven.mimic_ratio;
+    const double ends[] = {a + b * crank.lower, a + b * crank.upper};
+    driven.lower = std::min(ends[0], ends[1]);
+    driven.upper = std::max(ends[0], ends[1]);
+    driven.coupled_to = -1;
+    driven.is_mimic = false;
+    ForeignDrive& drive = imported_.drives[static_cast<size_t>(most)];
+    drive = imported_.drives[static_cast<size_t>(j)];
+    drive.effort /= std::abs(b);
+    drive.stiffness /= b * b;
+    drive.damping /= b * b;
+    for (HandJoint& other : hand_.joints) {
+      if (other.coupled_to != j) continue;
+      other.coupled_to = most;
+      other.mimic_offset -= other.mimic_ratio * a / b;
+      other.mimic_ratio /= b;
+    }
+    crank.coupled_to = most;
+    crank.is_mimic = true;
+    crank.mimic_ratio = 1.0 / b;
+    crank.mimic_offset = -a / b;
+    Warn("joint \"" + crank.name + "\" belongs to no digit and moves \"" + driven.name +
+         "\"; that one has the drive and the others follow it");
+  }
 }
 
 /** The farthest point of the last link along the line from its joint through its middle. */
@@ -187,7 +248,7 @@ void Guesser::PlacePads() {
     if (facing.norm() < 1e-6) {
       Warn("digit with \"" + hand_.links[digit.distal_link].name +
            "\": no joint closes it; look at its pad_m");
-      facing = along.unitOrthogonal();
+      facing = along.norm() > 0.5 ? along.unitOrthogonal() : Vector3d(Vector3d::UnitZ());
     }
     facing.normalize();
     // From the middle of the shapes' section at this height.
@@ -384,13 +445,20 @@ void Guesser::SetDrives() {
   hand_.joint_accuracy = RadFromDeg(1.0);
   for (int j = 0; j < hand_.num_joints(); ++j) {
     HandJoint& joint = hand_.joints[j];
-    const double effort = imported_.efforts[static_cast<size_t>(j)];
-    if (joint.is_prismatic) {
-      hand_.slide_accuracy = 0.0005;
-      joint.drive = {3000.0, 60.0, effort > 0.0 && effort <= kMostForce ? effort : 40.0};
-    } else {
-      joint.drive = {3.0, 0.06, effort > 0.0 && effort <= kMostEffort ? effort : 1.0};
-    }
+    const ForeignDrive& drive = imported_.drives[static_cast<size_t>(j)];
+    const auto pick = [](double published, double most, double guess) {
+      return published > 0.0 && published <= most ? published : guess;
+    };
+    joint.drive.torque_limit = joint.is_prismatic ? pick(drive.effort, kMostForce, 40.0)
+                                                  : pick(drive.effort, kMostEffort, 1.0);
+    const double stiffest = joint.is_prismatic ? kStiffestSlide : kStiffest;
+    const bool is_published = drive.stiffness >= kSoftest * stiffest && drive.stiffness <= stiffest;
+    joint.drive.stiffness = is_published ? drive.stiffness : joint.is_prismatic ? 3000.0 : 3.0;
+    const double damping = kDampingTime * joint.drive.stiffness;
+    joint.drive.damping =
+        is_published ? std::clamp(drive.damping, damping, kMostDampingTime * joint.drive.stiffness)
+                     : damping;
+    if (joint.is_prismatic) hand_.slide_accuracy = 0.0005;
     if (joint.coupled_to < 0 && hand_.FindDigitOfLink(joint.link) < 0) {
       if (joint.lower > 0.0 || joint.upper < 0.0) {
         Warn(
@@ -414,11 +482,23 @@ bool Guesser::CheckSize() {
     bounds.extend(Vector3d(p - half));
     bounds.extend(Vector3d(p + half));
   }
+  for (const HandLink& link : hand_.links) {
+    double farthest = std::max(link.p_LLcm.norm(), link.X_PJ.translation().norm());
+    for (const CollisionShape& shape : imported_.shapes) {
+      if (&hand_.links[static_cast<size_t>(shape.link)] != &link) continue;
+      farthest = std::max(farthest, shape.X_LS.translation().norm());
+    }
+    if (farthest <= kLargestHand) continue;
+    Fail("link \"" + link.name + "\": its joint, its mass or a shape is " +
+         FormatSignificant(farthest, 3) + " m from its frame; no hand is larger than 2 m");
+    return false;
+  }
   const double size = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
   if (size < kSmallestHand || size > kLargestHand) {
     Fail("the hand is " + FormatSignificant(size, 3) +
-         " m across; a hand is 15 mm to 2 m with its forearm. URDF is in metres: the unit of its "
-         "origins and shapes is another");
+         " m across; a hand is 15 mm to 2 m with its forearm. Descriptions are in metres: if the "
+         "unit "
+         "is another, say it with --unit");
     return false;
   }
   return true;
@@ -448,6 +528,7 @@ void Guesser::Guess() {
          " m long: a robot with several arms, not a hand. Name the palm with --palm");
     return;
   }
+  DriveDigits();
   PlacePads();
   FindThumb();
   NameDigits();

@@ -4,8 +4,8 @@ What a URDF does not say about a hand, guessed from its tree and its shapes; han
 user that they are guesses.
 
 - A digit is a chain of links from the palm outwards to an end that can touch, from the last link
-  that it shares with another chain. A chain that only follows other joints and reaches less far
-  than a neighbour is part of that neighbour's linkage.
+  that it shares with another chain. A chain that only follows other joints, or leads the
+  neighbour's, and reaches less far than that neighbour is part of its linkage.
 - The pad faces where the last link goes when the digit closes (core/hand/closing.h).
 - The thumb is the digit of that name, otherwise the one that faces the others most.
 - The palm faces where the fingers' pads face when they agree (thumb included when the open digits

@@ -4,6 +4,8 @@
 
 #include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
+#include "core/hand/import/length_unit_guess.h"
+#include "core/hand/import/read_foreign_mjcf.h"
 #include "core/hand/import/read_foreign_urdf.h"
 #include "core/hand/import/write_hand.h"
 
@@ -14,9 +16,14 @@ namespace {
 ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
                             const std::string& palm, Diagnostics& problems) {
   const auto has_failed = [&] { return problems.num_errors() > 0; };
-  const ForeignHand foreign = ReadForeignUrdf(text, source.file, problems);
+  ForeignHand foreign =
+      IsMjcf(text) ? ReadForeignMjcf(text, source.file, source.folder, problems, source.in_degrees)
+                   : ReadForeignUrdf(text, source.file, problems, source.in_degrees);
+  if (has_failed()) return {};
+  SetLengthUnit(source.unit, source.file, problems, foreign);
   if (has_failed()) return {};
   ShapeLoader loader(source, problems);
+  loader.InferMeshUnit(foreign);
   std::vector<LoadedShapes> shapes;
   for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
   if (has_failed()) return {};

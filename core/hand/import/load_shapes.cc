@@ -8,6 +8,8 @@
 #include "core/base/units.h"
 #include "core/hand/import/find_mesh.h"
 #include "core/hand/import/fit_capsules.h"
+#include "core/hand/import/length_unit_guess.h"
+#include "core/shape/primitives.h"
 
 namespace graspbench {
 namespace {
@@ -20,6 +22,12 @@ constexpr double kSmallestShape = 1e-5;  // [m]; a hand of such shapes is one in
 constexpr double kMostElongated = 25.0;  // of a shape; the loader refuses 30
 constexpr double kLeastTolerance = 0.0005, kRelativeTolerance = 0.02;
 constexpr int kMostCapsules = 16;
+
+/** Of formats in which a mesh may lie there as well. */
+const std::vector<std::string> kMeshEndings = {".obj", ".stl", ".glb", ".dae", ".ply"};
+constexpr double kShortestLink = 0.002;  // [m] that tells a scale
+constexpr double kMillimetreRatio =
+    300.0;  // of a mesh to its link, from which it is in millimetres
 
 double CalcLargestExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -74,8 +82,7 @@ TriMesh ShapeLoader::ReadFile(const std::filesystem::path& path, int line, const
 
 TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& where,
                               Severity severity) {
-  const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path,
-                                   {".obj", ".stl", ".glb", ".dae", ".ply"});
+  const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
   if (found.path.empty()) {
     std::string tried;
     for (const std::string& path : found.tried) tried += "\n    " + path;
@@ -92,29 +99,71 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
   TriMesh mesh = ReadFile(found.path, shape.line, where, severity);
   if (mesh.triangles.empty()) return {};
   for (Vector3d& p : mesh.vertices) p = p.cwiseProduct(shape.scale);
-  double extent = CalcLargestExtent(mesh), unit = 1.0;
-  if (extent > kLargestPart && extent <= kLargestPart / MFromMm(1.0)) unit = MFromMm(1.0);
-  if (extent < kSmallestPart) unit = MmFromM(1.0);
+  const double extent = CalcLargestExtent(mesh);
+  double unit = source_.mesh_unit > 0.0 ? source_.mesh_unit : 1.0;
+  if (source_.mesh_unit == 0.0) {
+    if (extent > kLargestPart && extent <= kLargestPart / large_unit_) unit = large_unit_;
+    if (extent < kSmallestPart) unit = MmFromM(1.0);
+  }
   const double size = extent * unit;
   if (size > kLargestPart || size < kSmallestPart) {
     Report(severity, shape.line,
-           where + ": mesh \"" + shape.mesh + "\" is " + FormatSignificant(extent, 3) +
-               " m across, which is no part of a hand in metres or "
-               "millimetres");
+           where + ": mesh \"" + shape.mesh + "\" is " + FormatSignificant(size, 3) +
+               " m across, which is no part of a hand" +
+               (source_.mesh_unit > 0.0 ? "; another --mesh-unit?"
+                                        : " in metres, centimetres or millimetres; say its unit "
+                                          "with --mesh-unit"));
     return {};
   }
-  if (unit != 1.0) {
+  if (unit != 1.0 && source_.mesh_unit == 0.0) {
+    const std::string told = unit > 1.0     ? "scale counts twice"
+                             : unit == 0.01 ? "unit is the centimetre"
+                                            : "unit is the millimetre";
     problems_.Warn(source_.file, shape.line,
                    where + ": mesh \"" + shape.mesh + "\" would be " +
                        FormatSignificant(extent, 3) + " m across; taken as " +
-                       FormatSignificant(MmFromM(size), 3) + " mm, so its " +
-                       (unit < 1.0 ? "unit is the millimetre" : "scale counts twice"));
+                       FormatSignificant(MmFromM(size), 3) + " mm, so its " + told +
+                       (unit < 1.0 ? why_ : ""));
   }
   for (Vector3d& p : mesh.vertices) p = shape.X_LS * Vector3d(unit * p);
   if (shape.scale.prod() < 0.0) {  // mirrored: a left hand from a right one
     for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   }
   return mesh;
+}
+
+void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
+  if (source_.mesh_unit > 0.0) return;
+  const std::vector<double> lengths = CalcLinkLengths(hand);
+  std::vector<double> ratios;
+  for (size_t i = 0; i < hand.links.size(); ++i) {
+    double largest = 0.0;
+    for (const auto* shapes : {&hand.links[i].visuals, &hand.links[i].collisions}) {
+      for (const ForeignShape& shape : *shapes) {
+        if (shape.kind != ForeignShape::Kind::kMesh) continue;
+        const FoundMesh found =
+            FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
+        if (found.path.empty()) continue;
+        Diagnostics unread;  // told when the mesh is loaded
+        ShapeLoader quiet(source_, unread);
+        const TriMesh mesh = meshes_.count(found.path) != 0
+                                 ? meshes_.at(found.path)
+                                 : quiet.ReadFile(found.path, 0, "", Severity::kWarning);
+        if (mesh.triangles.empty()) continue;
+        meshes_.emplace(found.path, mesh);
+        largest = std::max(largest, shape.scale.cwiseAbs().maxCoeff() * CalcLargestExtent(mesh));
+      }
+    }
+    if (largest > kLargestPart && lengths[i] > kShortestLink) {
+      ratios.push_back(largest / lengths[i]);
+    }
+  }
+  if (ratios.empty()) return;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  if (*middle < kMillimetreRatio) large_unit_ = 0.01;
+  why_ = ": meshes are " + FormatSignificant(*middle, 2) +
+         " times as long as their links; --mesh-unit says otherwise";
 }
 
 void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int line,
@@ -148,9 +197,10 @@ void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
   }
   const double longest = solid.size.maxCoeff();
   if (longest > kLargestPart || longest < kSmallestShape) {
-    problems_.Warn(source_.file, shape.line,
-                   where + " is " + FormatSignificant(longest, 3) +
-                       " m across, which is no part of a hand (URDF is in metres); left out");
+    problems_.Warn(
+        source_.file, shape.line,
+        where + " is " + FormatSignificant(longest, 3) +
+            " m across, which is no part of a hand (descriptions are in metres); left out");
     loaded.collisions.pop_back();
     return;
   }
@@ -160,6 +210,16 @@ void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
                      " times as long as thick; made thicker, a 25th of its length");
   solid.size = solid.size.cwiseMax(longest / kMostElongated);
 }
+
+namespace {
+
+TriMesh MakeEllipsoid(const ForeignShape& shape) {
+  TriMesh mesh = MakeSphere(0.5);
+  for (Vector3d& p : mesh.vertices) p = shape.X_LS * Vector3d(p.cwiseProduct(shape.size));
+  return mesh;
+}
+
+}  // namespace
 
 LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   LoadedShapes loaded;
@@ -173,6 +233,9 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
       std::string address = shape.mesh;
       std::replace(address.begin(), address.end(), '\\', '/');
       visual.name = std::filesystem::path(address).stem().string();
+    } else if (shape.kind == ForeignShape::Kind::kEllipsoid) {
+      visual.mesh = MakeEllipsoid(shape);
+      visual.name = "ellipsoid";
     } else {
       LoadedShapes one;
       AddSolid(shape, where + ", visual", one);
@@ -184,6 +247,10 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   // What cannot be seen may be missing; what touches may not, unless the pictures tell its shape.
   const Severity severity = loaded.visuals.empty() ? Severity::kError : Severity::kWarning;
   for (const ForeignShape& shape : link.collisions) {
+    if (shape.kind == ForeignShape::Kind::kEllipsoid) {
+      AddMesh(MakeEllipsoid(shape), where + ", collision", shape.line, loaded);
+      continue;
+    }
     if (shape.kind != ForeignShape::Kind::kMesh) {
       AddSolid(shape, where + ", collision", loaded);
       continue;
@@ -193,7 +260,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   }
   if (!loaded.collisions.empty() || loaded.visuals.empty()) return loaded;
   problems_.Warn(source_.file, link.line,
-                 where + " has no <collision> that can be used; it touches with its picture");
+                 where + " has no collision shape that can be used; it touches with its picture");
   for (const ImportedVisual& visual : loaded.visuals) {
     if (visual.mesh.triangles.empty()) {
       loaded.collisions.push_back(visual.solid);

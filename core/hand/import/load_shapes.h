@@ -6,6 +6,7 @@ closed or open meshes to look at. */
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct HandSource {
   std::filesystem::path folder;  ///< where it lies
   std::vector<std::filesystem::path> package_path;
   MeshLoader load_mesh;
+  double unit = 0.0;               ///< of the description's lengths [m]; 0: inferred
+  double mesh_unit = 0.0;          ///< of its mesh files [m]; 0: inferred
+  std::optional<bool> in_degrees;  ///< limits of a URDF, angles of a MuJoCo model
 };
 
 struct ImportedVisual {
@@ -45,6 +49,9 @@ class ShapeLoader {
   ShapeLoader(const HandSource& source, Diagnostics& problems)
       : source_(source), problems_(problems) {}
 
+  /** The unit of meshes that would be too large for a hand, by how much longer they are than their
+  links: 30 to 300 times centimetres, more millimetres. Call before Load. */
+  void InferMeshUnit(const ForeignHand& hand);
   /** A collision mesh becomes capsules; a link that has only pictures gets them from those. */
   LoadedShapes Load(const ForeignLink& link);
 
@@ -61,6 +68,8 @@ class ShapeLoader {
   const HandSource& source_;
   Diagnostics& problems_;
   std::map<std::filesystem::path, TriMesh> meshes_;
+  double large_unit_ = 0.001;  // [m] of meshes that cannot be in metres
+  std::string why_;            // the unit is that
 };
 
 }  // namespace graspbench

@@ -4,14 +4,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <set>
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/joint_limits.h"
 
 namespace graspbench {
 namespace {
@@ -19,16 +20,12 @@ namespace {
 using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
-constexpr size_t kMostLinks = 1000;
-/** A joint's limit beyond this is a mistake of units [rad], [m]. */
-constexpr double kMostTurn = 2.0 * kPi * (1.0 - 1e-6), kMostStroke = 1.0 - 1e-6;
-/** Of a joint whose stroke nobody knows [m]. */
-constexpr double kGuessedStroke = 0.05;
+constexpr double kTurn = 2.0 * kPi * (1.0 + 1e-4);
 
 class ForeignUrdfReader {
  public:
-  ForeignUrdfReader(std::string file, Diagnostics& problems)
-      : file_(std::move(file)), problems_(problems) {}
+  ForeignUrdfReader(std::string file, std::optional<bool> in_degrees, Diagnostics& problems)
+      : file_(std::move(file)), in_degrees_(in_degrees), problems_(problems) {}
 
   ForeignHand Read(const std::string& text);
 
@@ -57,27 +54,23 @@ class ForeignUrdfReader {
     return {v[0], v[1], v[2]};
   }
   Pose ReadOrigin(XMLElement& parent, const std::string& where);
-  std::string ReadName(XMLElement& element, const char* kind, std::set<std::string>& taken);
+  std::string ReadName(XMLElement& element, NameList& names);
   Colour ReadColour(XMLElement* material, const std::string& where);
   void ReadLink(XMLElement& element);
   std::optional<ForeignShape> ReadShape(XMLElement& element, const std::string& where);
   void ReadJoint(XMLElement& element);
   void ReadLimits(XMLElement& element, const std::string& type, const std::string& where,
                   ForeignJoint& joint);
-  void ResolveMimics();
+  void JudgeAngles(XMLElement& robot);
   void CheckTree();
 
   std::string file_;
+  std::optional<bool> in_degrees_;  // limits of joints; nothing: each by itself
   Diagnostics& problems_;
   ForeignHand hand_;
-  std::set<std::string> link_names_, joint_names_;
+  NameList link_names_{"link"}, joint_names_{"joint"};
   std::map<std::string, int> link_index_;
   std::map<std::string, Vector3d> colours_;
-  struct NamedMimic {
-    int joint, line;
-    std::string follows;
-    double ratio, offset;
-  };
   std::vector<NamedMimic> mimics_;
 };
 
@@ -95,25 +88,10 @@ std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const
                                                       const std::string& where) {
   const char* text = element ? element->Attribute(attribute) : nullptr;
   if (!text) return otherwise;
-  std::array<double, kCount> numbers;
-  size_t count = 0;
-  bool is_good = true;
-  const char* const end = text + std::strlen(text);
-  const auto is_blank = [](char c) {
-    return std::isspace(static_cast<unsigned char>(c)) || c == ',';
-  };
-  for (const char* at = text; is_good;) {
-    while (at != end && is_blank(*at)) ++at;
-    if (at == end) break;
-    if (*at == '+') ++at;
-    double number = 0.0;
-    const auto [next, status] = std::from_chars(at, end, number);
-    is_good = status == std::errc() && std::isfinite(number) && std::abs(number) < 1e9 &&
-              count < kCount && (next == end || is_blank(*next));
-    if (is_good) numbers[count++] = number;
-    at = next;
+  if (const auto numbers = ParseNumbers(text); numbers && numbers->size() == kCount) {
+    std::copy(numbers->begin(), numbers->end(), otherwise.begin());
+    return otherwise;
   }
-  if (is_good && count == kCount) return numbers;
   const std::string fault = where + ", <" + element->Name() + "> " + attribute + ": expected " +
                             FormatCount(kCount, "finite number") + ", found \"" + text + "\"";
   if (std::strstr(text, "${")) {
@@ -133,23 +111,11 @@ Pose ForeignUrdfReader::ReadOrigin(XMLElement& parent, const std::string& where)
   return MakePose(MakeRotationRpy(rpy.x(), rpy.y(), rpy.z()), xyz);
 }
 
-std::string ForeignUrdfReader::ReadName(XMLElement& element, const char* kind,
-                                        std::set<std::string>& taken) {
-  const char* text = element.Attribute("name");
-  std::string name = text ? text : "";
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  if (name.empty() || !IsUtf8(name)) {
-    name = std::string(kind) + "_" + std::to_string(taken.size() + 1);
-    Warn(element, std::string(kind) + " without a name that is text; called \"" + name + "\"");
-  }
-  if (taken.insert(name).second) return name;
-  std::string other;
-  for (int number = 2; !taken.insert(other = name + "_" + std::to_string(number)).second;) ++number;
-  Warn(element,
-       std::string(kind) + " \"" + name + "\": the name is taken; called \"" + other + "\"");
-  return other;
+std::string ForeignUrdfReader::ReadName(XMLElement& element, NameList& names) {
+  std::vector<std::string> changes;
+  const std::string name = names.Add(element.Attribute("name"), changes);
+  for (const std::string& change : changes) Warn(element, change);
+  return name;
 }
 
 ForeignUrdfReader::Colour ForeignUrdfReader::ReadColour(XMLElement* material,
@@ -214,7 +180,7 @@ std::optional<ForeignShape> ForeignUrdfReader::ReadShape(XMLElement& element,
 void ForeignUrdfReader::ReadLink(XMLElement& element) {
   const char* own_name = element.Attribute("name");
   ForeignLink& link = hand_.links.emplace_back();
-  link.name = ReadName(element, "link", link_names_);
+  link.name = ReadName(element, link_names_);
   link.line = element.GetLineNum();
   link_index_.emplace(own_name ? own_name : link.name, static_cast<int>(hand_.links.size()) - 1);
   const std::string where = "link \"" + link.name + "\"";
@@ -243,38 +209,64 @@ void ForeignUrdfReader::ReadLink(XMLElement& element) {
 
 void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
                                    const std::string& where, ForeignJoint& joint) {
-  const bool slides = joint.kind == ForeignJoint::Kind::kPrismatic;
-  const double most = slides ? kMostStroke : kMostTurn;
   XMLElement* limit = element.FirstChildElement("limit");
-  joint.effort = std::max(0.0, Number(limit, "effort", 0.0, where));
-  joint.lower = slides ? 0.0 : -kPi;
-  joint.upper = slides ? kGuessedStroke : kPi;
-  const std::string given = slides ? "0 to 50 mm" : "half a turn each way";
+  joint.drive.effort = std::max(0.0, Number(limit, "effort", 0.0, where));
+  StatedLimits stated;
+  if (!limit || type == "continuous") stated.missing = "<limit>";
+  // A limit that is left out is zero in URDF.
+  stated.lower = Number(limit, "lower", 0.0, where);
+  stated.upper = Number(limit, "upper", 0.0, where);
+  if (joint.kind == ForeignJoint::Kind::kRevolute) {
+    const double largest = std::max(std::abs(stated.lower), std::abs(stated.upper));
+    const bool in_degrees = in_degrees_.value_or(largest > kTurn && largest <= 360.0);
+    if (in_degrees) {
+      stated.lower = RadFromDeg(stated.lower);
+      stated.upper = RadFromDeg(stated.upper);
+    }
+    if (in_degrees && !in_degrees_ && type != "continuous") {
+      Warn(*limit, where + ": a limit of " + FormatSignificant(largest, 3) +
+                       " would be more than one turn; this joint's limits are taken as degrees "
+                       "(--angle says otherwise)");
+    }
+  }
+  const std::string repaired = SetLimits(stated, joint);
   if (type == "continuous") {
     Warn(element, where + " turns without end; its limits are taken as half a turn each way");
-    return;
+  } else if (!repaired.empty()) {
+    Warn(limit ? *limit : element, where + repaired);
   }
-  // A limit that is left out is zero in URDF.
-  const double lower = Number(limit, "lower", 0.0, where);
-  const double upper = Number(limit, "upper", 0.0, where);
-  if (!limit || lower == upper) {
-    Warn(limit ? *limit : element,
-         where + " has no " + (limit ? "range" : "<limit>") + "; taken as " + given);
-    return;
+}
+
+/** Limits of many joints beyond a turn: the file is in degrees. */
+void ForeignUrdfReader::JudgeAngles(XMLElement& robot) {
+  if (in_degrees_) return;
+  int num_beyond = 0, num_within = 0;
+  double largest = 0.0;
+  for (XMLElement* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+    const char* type = e->Attribute("type");
+    XMLElement* limit = e->FirstChildElement("limit");
+    if (!limit || !type || std::strcmp(type, "revolute") != 0) continue;
+    double most = 0.0;
+    for (const char* end : {"lower", "upper"}) {
+      const char* text = limit->Attribute(end);
+      const auto number = text ? ParseNumbers(text) : std::nullopt;
+      if (number && number->size() == 1) most = std::max(most, std::abs((*number)[0]));
+    }
+    num_beyond += most > kTurn;
+    num_within += most > 0.0 && most <= kTurn;
+    largest = std::max(largest, most);
   }
-  if (std::max(std::abs(lower), std::abs(upper)) > most * (1.0 + 1e-4)) {
-    Warn(*limit, where + ": a limit exceeds " + (slides ? "1 m" : "one turn") +
-                     " (URDF is in metres and radians); taken as " + given);
-    return;
-  }
-  joint.lower = std::clamp(std::min(lower, upper), -most, most);
-  joint.upper = std::clamp(std::max(lower, upper), -most, most);
-  if (lower > upper) Warn(*limit, where + ": the limits are reversed; exchanged");
+  if (num_beyond < 2 || num_beyond <= num_within || largest > 360.0) return;
+  in_degrees_ = true;
+  Warn(robot, "limits of " + std::to_string(num_beyond) + " of " +
+                  FormatCount(num_beyond + num_within, "joint") +
+                  " would be more than one turn, up to " + FormatSignificant(largest, 3) +
+                  "; all are taken as degrees, though URDF has radians (--angle says otherwise)");
 }
 
 void ForeignUrdfReader::ReadJoint(XMLElement& element) {
   ForeignJoint joint;
-  joint.name = ReadName(element, "joint", joint_names_);
+  joint.name = ReadName(element, joint_names_);
   joint.line = element.GetLineNum();
   const std::string where = "joint \"" + joint.name + "\"";
   for (const auto& [role, end] : {std::pair{"parent", &joint.parent}, {"child", &joint.child}}) {
@@ -320,50 +312,6 @@ void ForeignUrdfReader::ReadJoint(XMLElement& element) {
     }
   }
   if (joint.parent >= 0 && joint.child >= 0) hand_.joints.push_back(joint);
-}
-
-void ForeignUrdfReader::ResolveMimics() {
-  std::map<int, NamedMimic> own;  // by joint
-  const auto drop = [&](const NamedMimic& mimic, const std::string& why) {
-    problems_.Warn(file_, mimic.line,
-                   "joint \"" + hand_.joints[mimic.joint].name + "\": <mimic> " + why +
-                       "; the joint gets a drive of its own");
-  };
-  std::map<std::string, int> index;
-  for (size_t j = 0; j < hand_.joints.size(); ++j) {
-    index.emplace(hand_.joints[j].name, static_cast<int>(j));
-  }
-  for (const NamedMimic& mimic : mimics_) {
-    const auto found = index.find(mimic.follows);
-    if (found == index.end()) {
-      drop(mimic, "of \"" + mimic.follows + "\", which is no joint");
-    } else if (found->second == mimic.joint) {
-      drop(mimic, "of itself");
-    } else if (hand_.joints[found->second].kind == ForeignJoint::Kind::kFixed) {
-      drop(mimic, "of \"" + mimic.follows + "\", which does not move");
-    } else if (mimic.ratio == 0.0 || std::abs(mimic.ratio) > 100.0) {
-      drop(mimic, "has a multiplier of " + FormatSignificant(mimic.ratio, 3));
-    } else {
-      own.emplace(mimic.joint, mimic);
-    }
-  }
-  for (const NamedMimic& mimic : mimics_) {
-    if (own.count(mimic.joint) == 0) continue;
-    // q = offset + ratio q_other, and the other may follow a third.
-    ForeignMimic resolved = {mimic.joint, 1.0, 0.0};
-    size_t steps = 0;
-    while (own.count(resolved.joint) != 0 && steps++ <= own.size()) {
-      const NamedMimic& next = own.at(resolved.joint);
-      resolved = {index.at(next.follows), resolved.ratio * next.ratio,
-                  resolved.offset + resolved.ratio * next.offset};
-    }
-    if (steps > own.size()) {
-      drop(mimic, "goes round in a ring");
-      own.erase(mimic.joint);
-    } else {
-      hand_.joints[mimic.joint].mimic = resolved;
-    }
-  }
 }
 
 void ForeignUrdfReader::CheckTree() {
@@ -416,11 +364,9 @@ ForeignHand ForeignUrdfReader::Read(const std::string& text) {
   }
   XMLElement* robot = document.RootElement();
   if (!robot || std::strcmp(robot->Name(), "robot") != 0) {
-    const bool is_mjcf = robot && std::strcmp(robot->Name(), "mujoco") == 0;
     problems_.Fail(file_, robot ? robot->GetLineNum() : 0,
-                   "not a URDF: the outermost element must be <robot>" +
-                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : "") +
-                       (is_mjcf ? ", a MuJoCo model, which is not read" : ""));
+                   "neither URDF nor MJCF: the outermost element must be <robot> or <mujoco>" +
+                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : ""));
     return {};
   }
   for (XMLElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
@@ -439,22 +385,24 @@ ForeignHand ForeignUrdfReader::Read(const std::string& text) {
   };
   for_each("material", [this](XMLElement& material) { ReadColour(&material, "material"); });
   for_each("link", [this](XMLElement& link) {
-    if (hand_.links.size() < kMostLinks) ReadLink(link);
+    if (hand_.links.size() < kMostForeignLinks) ReadLink(link);
   });
+  JudgeAngles(*robot);
   if (hand_.links.empty()) Fail(*robot, "the file has no link");
-  if (hand_.links.size() == kMostLinks) Fail(*robot, "the file has 1000 links or more: no hand");
+  if (hand_.links.size() == kMostForeignLinks)
+    Fail(*robot, "the file has 1000 links or more: no hand");
   for_each("joint", [this](XMLElement& joint) { ReadJoint(joint); });
   if (problems_.num_errors() > 0) return {};
   CheckTree();
-  ResolveMimics();
+  ResolveMimics(mimics_, "<mimic>", file_, problems_, hand_);
   return std::move(hand_);
 }
 
 }  // namespace
 
-ForeignHand ReadForeignUrdf(const std::string& text, const std::string& file,
-                            Diagnostics& problems) {
-  return ForeignUrdfReader(file, problems).Read(text);
+ForeignHand ReadForeignUrdf(const std::string& text, const std::string& file, Diagnostics& problems,
+                            std::optional<bool> in_degrees) {
+  return ForeignUrdfReader(file, in_degrees, problems).Read(text);
 }
 
 }  // namespace graspbench

@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/hand/import/fix_joint.h"
 #include "core/hand/import/shape_distance.h"
 
 namespace graspbench {
@@ -14,11 +15,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kDensity = 1200.0;    // [kg/m^3]
-constexpr double kLightest = 100.0;    // [kg/m^3] of a published mass by the shapes' volume
-constexpr double kHeaviest = 20000.0;  // [kg/m^3]
-constexpr double kBallRadius = 0.005;  // [m] of a link between two axes
-constexpr double kBallMass = 0.004;    // [kg]
+constexpr double kDensity = 1200.0;      // [kg/m^3]
+constexpr double kLightest = 100.0;      // [kg/m^3] of a published mass by the shapes' volume
+constexpr double kHeaviest = 20000.0;    // [kg/m^3], by its bounds
+constexpr double kHeaviestFrame = 20.0;  // [kg] of a link without extent
+constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
+constexpr double kBallMass = 0.004;      // [kg]
 constexpr int kMostWristJoints = 2;
 
 /** A foreign hand's tree, from the root down. */
@@ -47,23 +49,6 @@ Tree MakeTree(const ForeignHand& foreign) {
 
 bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
 
-/** Puts a joint at a position for good; those that follow it, too. */
-void FixJoint(ForeignHand& foreign, int index, double q) {
-  ForeignJoint& joint = foreign.joints[index];
-  if (joint.kind == ForeignJoint::Kind::kPrismatic) joint.X_PJ.translate(q * joint.axis);
-  if (joint.kind == ForeignJoint::Kind::kRevolute) {
-    joint.X_PJ.rotate(Eigen::AngleAxisd(q, joint.axis));
-  }
-  joint.kind = ForeignJoint::Kind::kFixed;
-  joint.mimic.reset();
-  for (size_t j = 0; j < foreign.joints.size(); ++j) {
-    const auto mimic = foreign.joints[j].mimic;
-    if (mimic && mimic->joint == index) {
-      FixJoint(foreign, static_cast<int>(j), mimic->offset + mimic->ratio * q);
-    }
-  }
-}
-
 class Welder {
  public:
   Welder(ForeignHand& foreign, const std::vector<LoadedShapes>& shapes, const std::string& file,
@@ -88,6 +73,7 @@ class Welder {
   }
   MassProperties CalcMass(int link, std::string& note);
   std::string FindInertiaFault(int link) const;
+  double CalcLeastDensity(int link) const;
   static void MoveRootFrame(const Pose& X_NR, ImportedHand& imported);
   void TieFollowers(const std::vector<int>& joint_of, Hand& hand);
   void FillWeightless(ImportedHand& imported);
@@ -186,6 +172,19 @@ void Welder::LeaveOutArm(int palm) {
              "\" are taken as an arm and left out: the arm of an experiment carries the palm");
 }
 
+/** The published mass by the volume of the bounds of all that is seen or touched; 0: nothing is. */
+double Welder::CalcLeastDensity(int link) const {
+  const LoadedShapes& loaded = shapes_[static_cast<size_t>(link)];
+  Eigen::AlignedBox3d bounds;
+  if (!loaded.collisions.empty()) bounds = CalcBounds(loaded.collisions);
+  for (const ImportedVisual& visual : loaded.visuals) {
+    if (visual.mesh.triangles.empty()) bounds.extend(CalcBounds({visual.solid}));
+    for (const Vector3d& p : visual.mesh.vertices) bounds.extend(p);
+  }
+  if (bounds.isEmpty()) return 0.0;
+  return foreign_.links[link].inertia->mass / std::max(bounds.volume(), 1e-9);
+}
+
 std::string Welder::FindInertiaFault(int link) const {
   const auto& inertia = foreign_.links[link].inertia;
   if (!inertia) return "no <inertial>";
@@ -200,7 +199,15 @@ std::string Welder::FindInertiaFault(int link) const {
     return "a principal moment larger than the sum of the others, which no body has";
   }
   const auto& shapes = shapes_[link].collisions;
+  const double density = CalcLeastDensity(link);
+  if (density > kHeaviest) {
+    return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg in bounds of " +
+           FormatSignificant(1e6 * inertia->mass / density, 3) + " cm^3, denser than any metal";
+  }
   if (shapes.empty()) {
+    if (inertia->mass > kHeaviestFrame) {
+      return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg without extent";
+    }
     return moments[2] * scale > inertia->mass ? "an inertia too large for its mass" : "";
   }
   const Eigen::AlignedBox3d bounds = CalcBounds(shapes);
@@ -228,7 +235,13 @@ MassProperties Welder::CalcMass(int link, std::string& note) {
     return mass;
   }
   const auto& shapes = shapes_[link].collisions;
-  if (shapes.empty()) return {};
+  if (shapes.empty()) {
+    if (published && published->mass > kHeaviestFrame) {
+      WarnAt(published->line,
+             "link \"" + foreign_.links[link].name + "\": " + fault + "; left out");
+    }
+    return {};
+  }
   MassProperties mass = CalcUnionMass(shapes, kDensity);
   const double published_mass = published ? published->mass : 0.0;
   const double density = published_mass / (mass.mass / kDensity);
@@ -264,7 +277,7 @@ void Welder::TieFollowers(const std::vector<int>& joint_of, Hand& hand) {
     if (joint_of[j] < 0 || !mimic || joint_of[mimic->joint] < 0) continue;
     HandJoint& follower = hand.joints[joint_of[j]];
     follower.coupled_to = joint_of[mimic->joint];
-    follower.is_mimic = true;
+    follower.is_mimic = !mimic->is_distal;
     follower.mimic_ratio = mimic->ratio;
     follower.mimic_offset = mimic->offset;
   }
@@ -304,7 +317,7 @@ void Welder::MoveRootFrame(const Pose& X_NR, ImportedHand& imported) {
 /** Limits of a joint such that those that follow it keep theirs. */
 void Welder::NarrowForFollowers(Hand& hand) {
   for (HandJoint& follower : hand.joints) {
-    if (follower.coupled_to < 0) continue;
+    if (!follower.is_mimic) continue;
     HandJoint& driver = hand.joints[follower.coupled_to];
     double lower = (follower.lower - follower.mimic_offset) / follower.mimic_ratio;
     double upper = (follower.upper - follower.mimic_offset) / follower.mimic_ratio;
@@ -367,7 +380,7 @@ ImportedHand Welder::Weld(int palm) {
         moved.is_prismatic = joint.kind == ForeignJoint::Kind::kPrismatic;
         moved.lower = joint.lower;
         moved.upper = joint.upper;
-        imported.efforts.push_back(joint.effort);
+        imported.drives.push_back(joint.drive);
       }
     }
     const int index = link_of[member];

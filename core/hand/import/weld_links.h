@@ -27,8 +27,8 @@ struct ImportedHand {
     ImportedVisual visual;
   };
   std::vector<Visual> visuals;
-  std::vector<std::string> notes;  ///< by link: where its mass and its contact come from
-  std::vector<double> efforts;     ///< by joint, of its drive; 0: not known
+  std::vector<std::string> notes;    ///< by link: where its mass and its contact come from
+  std::vector<ForeignDrive> drives;  ///< by joint, as published
 };
 
 /** Kept of a link's shapes, by foreign link. @param palm  name of the palm's link; empty: guessed

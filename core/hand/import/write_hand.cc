@@ -193,26 +193,37 @@ std::string FormatDigits(const Hand& hand) {
 }
 
 std::string FormatFollowers(const Hand& hand) {
-  std::string text;
+  std::string text, shared;
   for (const HandJoint& joint : hand.joints) {
     if (joint.coupled_to < 0) continue;
-    text += "  - joint: " + QuoteYaml(joint.name) +
-            "\n    follows: " + QuoteYaml(hand.joints[joint.coupled_to].name) +
+    const std::string name = QuoteYaml(joint.name),
+                      other = QuoteYaml(hand.joints[joint.coupled_to].name);
+    if (!joint.is_mimic) {
+      shared += (shared.empty() ? "" : ", ") + name + ": " + other;
+      continue;
+    }
+    text += "  - joint: " + name + "\n    follows: " + other +
             "\n    ratio: " + FormatNumber(joint.mimic_ratio) + "\n";
     if (joint.mimic_offset == 0.0) continue;
     text += joint.is_prismatic
                 ? "    offset_mm: " + FormatNumber(MmFromM(joint.mimic_offset)) + "\n"
                 : "    offset_deg: " + FormatNumber(DegFromRad(joint.mimic_offset)) + "\n";
   }
-  return text.empty() ? "" : "mimic:                       # of the description\n" + text;
+  if (!text.empty()) text = "mimic:                       # of the description\n" + text;
+  if (shared.empty()) return text;
+  return text + "coupling:                    # one drive pulls on both joints\n  rule: " +
+         NameOf(hand.coupling) + "         # guess\n  joints: {" + shared + "}\n";
 }
 
 /** One entry for all joints with the same drive. */
 std::string FormatDrives(const Hand& hand) {
   std::string text =
-      "# Guess: a position drive stiff enough to hold a finger. The limit is the description's "
-      "effort\n"
-      "# where that is one of a finger (3 N m, 200 N at most), else 1 N m or 40 N.\ndrives:\n";
+      "# Stiffness and damping are the description's where it has those of a position drive that "
+      "can\n"
+      "# hold a finger, else guesses (3 N m/rad or 3000 N/m, over 50 times the damping). The limit "
+      "is\n"
+      "# its effort where that is one of a finger (3 N m, 200 N at most), else 1 N m or 40 "
+      "N.\ndrives:\n";
   std::set<int> done;
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];
@@ -221,7 +232,9 @@ std::string FormatDrives(const Hand& hand) {
     for (int k = j; k < hand.num_joints(); ++k) {
       const HandJoint& other = hand.joints[k];
       if (other.coupled_to >= 0 || other.is_prismatic != joint.is_prismatic ||
-          other.drive.torque_limit != joint.drive.torque_limit) {
+          other.drive.torque_limit != joint.drive.torque_limit ||
+          other.drive.stiffness != joint.drive.stiffness ||
+          other.drive.damping != joint.drive.damping) {
         continue;
       }
       names.push_back(other.name);

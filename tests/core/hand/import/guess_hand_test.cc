@@ -99,5 +99,45 @@ TEST(GuessHandTest, ALinkageBesideAFingerIsNoDigit) {
   }
 }
 
+// As the 2F-85 is published for MuJoCo: cranks have the drive, loops tie the links with the pads.
+TEST(GuessHandTest, ACrankLeavesItsDriveToTheDigits) {
+  std::string model =
+      "<mujoco model=\"2F\"><compiler angle=\"radian\"/><default><joint axis=\"1 0 0\"/>"
+      "<geom type=\"box\"/></default><worldbody><body name=\"base\">"
+      "<geom size=\"0.03 0.04 0.03\" pos=\"0 0 0.03\"/>";
+  std::string ends;
+  for (const auto& [side, y, turn] :
+       {std::tuple{"left", "-", "0 0 0 1"}, {"right", "", "1 0 0 0"}}) {
+    const std::string s = side, start = "\" pos=\"0 " + std::string(y);
+    const std::string quat = "\" quat=\"" + std::string(turn) + "\">";
+    model += "<body name=\"" + s + "_crank" + start + "0.03 0.06" + quat + "<joint name=\"" + s +
+             "_crank\" range=\"0 0.8\"/><geom size=\"0.01 0.005 0.015\" pos=\"0 0 0.02\"/>"
+             "<body name=\"" +
+             s + "_coupler\" pos=\"0 0 0.04\"><joint name=\"" + s +
+             "_coupler\" range=\"-1.5 0\"/></body></body>";
+    model += "<body name=\"" + s + "_link" + start + "0.015 0.06" + quat + "<joint name=\"" + s +
+             "_link\" range=\"-0.3 0.8\" stiffness=\"0.05\" springref=\"2.6\"/>"
+             "<geom size=\"0.01 0.005 0.02\" pos=\"0 0 0.02\"/><body name=\"" +
+             s + "_pad\" pos=\"0 0 0.04\"><joint name=\"" + s +
+             "_pad\" range=\"-1 1\"/>"
+             "<geom size=\"0.01 0.004 0.03\" pos=\"0 0 0.03\"/></body></body>";
+    ends +=
+        "<connect body1=\"" + s + "_pad\" body2=\"" + s + "_coupler\" anchor=\"0 0.025 0.01\"/>";
+  }
+  model += "</body></worldbody><equality>" + ends +
+           "<joint joint1=\"right_crank\" joint2=\"left_crank\"/></equality><actuator>"
+           "<position joint=\"left_crank\" kp=\"5\" forcerange=\"-2 2\"/></actuator></mujoco>";
+  Diagnostics problems;
+  const ImportedFiles imported = ImportHand(model, MakeSourceWithoutMeshes(), "", problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  EXPECT_EQ(imported.num_digits, 2) << problems.Format();
+  EXPECT_EQ(imported.num_driven, 1) << problems.Format();
+  Diagnostics of_loading;
+  const Hand hand =
+      ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), "x", of_loading);
+  ASSERT_EQ(of_loading.Format(), "");
+  for (const Digit& digit : hand.digits) EXPECT_EQ(digit.links.size(), 2u);
+}
+
 }  // namespace
 }  // namespace graspbench

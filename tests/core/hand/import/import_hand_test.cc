@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
+#include "core/hand/import/foreign_xml.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "tests/core/hand/import/small_gripper.h"
@@ -70,32 +72,55 @@ std::string ErrorOf(const std::string& urdf) {
   return "";
 }
 
-/** The gripper with all its lengths times a factor. */
-std::string Scale(const std::string& from, const std::string& to) {
+/** The gripper with its lengths in another unit, inertias as they are. */
+std::string InUnit(double unit) {
   std::string text = kSmallGripper;
-  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
+  for (const auto& [start, end] : {std::pair{"xyz=\"0", "\""}, {"size=\"", "\""}}) {
+    for (size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
+      if (text.compare(at - 5, 5, "axis ") == 0) continue;
+      const size_t from = text.find('"', at) + 1, to = text.find(end, from);
+      const auto numbers = ParseNumbers(text.substr(from, to - from).c_str());
+      std::string scaled;
+      for (const double number : numbers.value()) {
+        scaled += (scaled.empty() ? "" : " ") + FormatSignificant(number / unit, 12);
+      }
+      text.replace(from, to - from, scaled);
+    }
+  }
+  for (int k = 0; k < 2; ++k) {
+    text = ReplaceOnce(text, "upper=\"0.04\"",
+                       "upper=\"" + FormatSignificant(0.04 / unit, 12) + "\" ");
   }
   return text;
 }
 
-TEST(ImportHandTest, AHandInAnotherUnitIsRefused) {
-  const std::string message =
-      " m across; a hand is 15 mm to 2 m with its forearm. URDF is in metres: the unit of its "
-      "origins and shapes is another";
-  EXPECT_EQ(ErrorOf(Scale("xyz=\"0 0 0.06\"", "xyz=\"0 60 60\"")), "the hand is 60.1" + message);
-  std::string tiny = kSmallGripper;
-  for (const auto& [from, to] : {std::pair{"0.06 0.2 0.06", "0.00006 0.0002 0.00006"},
-                                 {"0 0 0.03\"", "0 0 0.00003\""},
-                                 {"0.02 0.015 0.055", "0.00002 0.000015 0.000055"},
-                                 {"0.02 0.015 0.055", "0.00002 0.000015 0.000055"},
-                                 {"0 0.0085 0.03", "0 0.0000085 0.00003"},
-                                 {"0 -0.0085 0.03", "0 -0.0000085 0.00003"},
-                                 {"0 0 0.06", "0 0 0.00006"},
-                                 {"0 0 0.06", "0 0 0.00006"}}) {
-    tiny = ReplaceOnce(tiny, from, to);
+TEST(ImportHandTest, AnotherUnitIsInferredOrSaidAndGivesTheSameHand) {
+  Diagnostics problems;
+  const std::string urdf =
+      ImportHand(kSmallGripper, MakeSourceWithoutMeshes(), "", problems).files.at("hand.urdf");
+  const auto without_inertia = [](std::string text) {
+    for (size_t at = 0; (at = text.find("<inertia ", at)) != std::string::npos;) {
+      text.erase(at, text.find("/>", at) - at);
+    }
+    return text;
+  };
+  for (const double unit : {0.01, 0.001}) {
+    for (const bool is_said : {false, true}) {
+      HandSource source = MakeSourceWithoutMeshes();
+      if (is_said) source.unit = unit;
+      Diagnostics told;
+      const ImportedFiles imported = ImportHand(InUnit(unit), source, "", told);
+      ASSERT_EQ(told.num_errors(), 0) << told.Format();
+      EXPECT_EQ(without_inertia(imported.files.at("hand.urdf")), without_inertia(urdf));
+      EXPECT_EQ(told.Format().find("is taken to be in") == std::string::npos, is_said);
+    }
   }
-  EXPECT_EQ(ErrorOf(tiny), "the hand is 0.0002" + message);
+}
+
+TEST(ImportHandTest, AHandOfNoSizeIsRefused) {
+  EXPECT_EQ(ErrorOf(InUnit(1000.0)),
+            "the hand is 0.0002 m across; a hand is 15 mm to 2 m with its forearm. Descriptions "
+            "are in metres: if the unit is another, say it with --unit");
 }
 
 TEST(ImportHandTest, AMissingCollisionMeshIsRefusedByName) {

@@ -36,9 +36,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "g.urdf:31: warning: joint \"slide_left\" has no <limit>; taken as 0 to 50 mm"},
         OddUrdf{kLeftLimit, "",
                 "g.urdf:34: warning: joint \"slide_left\" has no range; taken as 0 to 50 mm"},
-        OddUrdf{kLeftLimit, "lower=\"0\" upper=\"40\"",
-                "g.urdf:34: warning: joint \"slide_left\": a limit exceeds 1 m (URDF is in metres "
-                "and radians); taken as 0 to 50 mm"},
         OddUrdf{"\"slide_left\" type=\"prismatic\"", "\"slide_left\" type=\"continuous\"",
                 "g.urdf:31: warning: joint \"slide_left\" turns without end; its limits are taken "
                 "as half a turn each way"},
@@ -150,6 +147,45 @@ TEST(ReadForeignUrdfTest, LooksBeyondTheOrderOfElements) {
   EXPECT_EQ(problems.Format(), "");
   ASSERT_EQ(hand.joints.size(), 1u);
   EXPECT_EQ(hand.joints[0].axis, Eigen::Vector3d::UnitZ());
+}
+
+/** Two fingers that turn, with these limits. */
+std::string MakeTurning(const std::string& left, const std::string& right) {
+  std::string text = kSmallGripper;
+  for (const std::string& limits : {left, right}) {
+    text = ReplaceOnce(text, "type=\"prismatic\"", "type=\"revolute\"");
+    text = ReplaceOnce(text, "lower=\"0\" upper=\"0.04\"", limits);
+  }
+  return ReplaceOnce(text, "<mimic joint=\"slide_left\"/>", "");
+}
+
+TEST(ReadForeignUrdfTest, LimitsBeyondATurnAreDegrees) {
+  Diagnostics problems;
+  const std::string all = MakeTurning("lower=\"-20\" upper=\"90\"", "lower=\"0\" upper=\"45\"");
+  ForeignHand hand = ReadForeignUrdf(all, "g.urdf", problems);
+  EXPECT_NEAR(hand.joints[1].lower, RadFromDeg(-20.0), 1e-12);
+  EXPECT_NEAR(hand.joints[2].upper, RadFromDeg(45.0), 1e-12);
+  EXPECT_EQ(problems.Format(),
+            "g.urdf:2: warning: limits of 2 of 2 joints would be more than one turn, up to 90; all "
+            "are taken as degrees, though URDF has radians (--angle says otherwise)");
+  problems = {};
+  const std::string one = MakeTurning("lower=\"0\" upper=\"90\"", "lower=\"0\" upper=\"1.5\"");
+  hand = ReadForeignUrdf(one, "g.urdf", problems);
+  EXPECT_NEAR(hand.joints[1].upper, RadFromDeg(90.0), 1e-12);
+  EXPECT_EQ(hand.joints[2].upper, 1.5);
+  EXPECT_EQ(problems.Format(),
+            "g.urdf:34: warning: joint \"slide_left\": a limit of 90 would be more than one turn; "
+            "this joint's limits are taken as degrees (--angle says otherwise)");
+  problems = {};
+  hand = ReadForeignUrdf(MakeTurning("lower=\"0\" upper=\"5\"", "lower=\"0\" upper=\"3\""),
+                         "g.urdf", problems, true);
+  EXPECT_NEAR(hand.joints[1].upper, RadFromDeg(5.0), 1e-12);
+  EXPECT_EQ(problems.Format(), "");
+  hand = ReadForeignUrdf(all, "g.urdf", problems, false);
+  EXPECT_EQ(problems.Format(),
+            "g.urdf:34: warning: joint \"slide_left\": a limit exceeds one turn; taken as half a "
+            "turn each way\ng.urdf:39: warning: joint \"slide_right\": a limit exceeds one turn; "
+            "taken as half a turn each way");
 }
 
 }  // namespace

@@ -69,8 +69,12 @@ TEST(WeldLinksTest, ReplacesWhatNoBodyHas) {
             left + "no inertia" + replaced);
   EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.015\"/><origin xyz=\"0.1 0 0\"/>"),
             left + "a centre of mass 90 mm outside its shapes" + replaced);
-  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"15\"/>"),
+  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.2\"/>"),
             kept);  // heavy, but a body may have it
+  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"50\"/>"),
+            left +
+                "a mass of 50 kg in bounds of 16.5 cm^3, denser than any metal; replaced: mass "
+                "of its volume at 1200 kg/m^3, inertia of its volume, 19.8 g");
 }
 
 TEST(WeldLinksTest, LimitsOfADriverAreThoseOfItsFollowersToo) {

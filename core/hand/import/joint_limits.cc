@@ -1,0 +1,50 @@
+#include "core/hand/import/joint_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+/** A joint's limit beyond this is a mistake of units [rad], [m]. */
+constexpr double kMostTurn = 2.0 * kPi * (1.0 - 1e-6), kMostStroke = 1.0 - 1e-6;
+constexpr double kRounding = 1.0 + 1e-4;
+/** Of a joint whose stroke nobody knows [m]. */
+constexpr double kGuessedStroke = 0.05;
+
+}  // namespace
+
+std::string SetLimits(const StatedLimits& stated, ForeignJoint& joint) {
+  const bool slides = joint.kind == ForeignJoint::Kind::kPrismatic;
+  const double most = slides ? std::numeric_limits<double>::infinity() : kMostTurn;
+  joint.lower = slides ? 0.0 : -kPi;
+  joint.upper = slides ? 0.0 : kPi;
+  const std::string given = slides ? "0 to 50 mm" : "half a turn each way";
+  if (!stated.missing.empty() || stated.lower == stated.upper) {
+    return " has no " + (stated.missing.empty() ? "range" : stated.missing) + "; taken as " + given;
+  }
+  if (std::max(std::abs(stated.lower), std::abs(stated.upper)) > most * kRounding) {
+    return ": a limit exceeds one turn; taken as " + given;
+  }
+  joint.lower = std::clamp(std::min(stated.lower, stated.upper), -most, most);
+  joint.upper = std::clamp(std::max(stated.lower, stated.upper), -most, most);
+  return stated.lower > stated.upper ? ": the limits are reversed; exchanged" : "";
+}
+
+std::string FinishStroke(ForeignJoint& joint) {
+  const bool is_missing = joint.lower == joint.upper;
+  const double largest = std::max(std::abs(joint.lower), std::abs(joint.upper));
+  if (is_missing || largest > kMostStroke * kRounding) {
+    joint.lower = 0.0;
+    joint.upper = kGuessedStroke;
+    return is_missing ? "" : ": a limit exceeds 1 m; taken as 0 to 50 mm";
+  }
+  joint.lower = std::max(joint.lower, -kMostStroke);
+  joint.upper = std::min(joint.upper, kMostStroke);
+  return "";
+}
+
+}  // namespace graspbench

@@ -1,0 +1,107 @@
+#include "core/hand/import/length_unit_guess.h"
+
+#include <algorithm>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/hand/import/joint_limits.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kMostMetres = 0.5, kMostCentimetres = 9.0, kLeastMillimetres = 14.0,
+                 kMostMillimetres = 500.0;
+
+/** The median distance of a moving joint from the frame it hangs on; 0: all are zero. */
+double CalcTypicalDistance(const ForeignHand& hand) {
+  std::vector<double> distances;
+  for (const ForeignJoint& joint : hand.joints) {
+    const double distance = joint.X_PJ.translation().norm();
+    if (joint.kind != ForeignJoint::Kind::kFixed && distance > 1e-9) distances.push_back(distance);
+  }
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+void Scale(double unit, ForeignHand& hand) {
+  for (ForeignJoint& joint : hand.joints) {
+    joint.X_PJ.translation() *= unit;
+    if (joint.kind == ForeignJoint::Kind::kPrismatic) {
+      joint.lower *= unit;
+      joint.upper *= unit;
+      if (joint.mimic) joint.mimic->offset *= unit;
+    }
+  }
+  for (ForeignLink& link : hand.links) {
+    if (link.inertia) {
+      link.inertia->X_LI.translation() *= unit;
+      link.inertia->I_I *= unit * unit;
+    }
+    for (auto* shapes : {&link.visuals, &link.collisions}) {
+      for (ForeignShape& shape : *shapes) {
+        shape.X_LS.translation() *= unit;
+        shape.size *= unit;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+namespace {
+
+/** [m]; 0, with an error reported: nobody knows. */
+double InferUnit(const std::string& file, Diagnostics& problems, const ForeignHand& hand) {
+  const double typical = CalcTypicalDistance(hand);
+  if (typical < kMostMetres) return 1.0;
+  const std::string distance =
+      "the joints lie typically " + FormatSignificant(typical, 3) + " apart";
+  const bool is_centimetre = typical < kMostCentimetres;
+  if (!is_centimetre && (typical < kLeastMillimetres || typical > kMostMillimetres)) {
+    problems.Fail(file, 0,
+                  distance +
+                      ", which is a hand neither in metres nor in centimetres nor in "
+                      "millimetres; say its unit with --unit");
+    return 0.0;
+  }
+  const double unit = is_centimetre ? 0.01 : 0.001;
+  problems.Warn(file, 0,
+                distance + ": the description is taken to be in " +
+                    (is_centimetre ? "centimetres" : "millimetres") + ", where that is " +
+                    FormatSignificant(MmFromM(unit * typical), 3) +
+                    " mm, as in a finger; if it is not, say its unit with --unit");
+  return unit;
+}
+
+}  // namespace
+
+void SetLengthUnit(double unit, const std::string& file, Diagnostics& problems, ForeignHand& hand) {
+  if (unit == 0.0) unit = InferUnit(file, problems, hand);
+  if (unit == 0.0) return;
+  if (unit != 1.0) Scale(unit, hand);
+  for (ForeignJoint& joint : hand.joints) {
+    if (joint.kind != ForeignJoint::Kind::kPrismatic) continue;
+    const std::string repaired = FinishStroke(joint);
+    if (!repaired.empty()) {
+      problems.Warn(file, joint.line, "joint \"" + joint.name + "\"" + repaired);
+    }
+  }
+}
+
+std::vector<double> CalcLinkLengths(const ForeignHand& hand) {
+  std::vector<double> lengths(hand.links.size(), 0.0), own(hand.links.size(), 0.0);
+  for (const ForeignJoint& joint : hand.joints) {
+    const double distance = joint.X_PJ.translation().norm();
+    double& length = lengths[static_cast<size_t>(joint.parent)];
+    length = std::max(length, distance);
+    own[static_cast<size_t>(joint.child)] = distance;
+  }
+  for (size_t i = 0; i < lengths.size(); ++i) {
+    if (lengths[i] == 0.0) lengths[i] = own[i];
+  }
+  return lengths;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,39 @@
+#pragma once
+/** @file
+A MuJoCo model (MJCF) from elsewhere, read for what it means. What is not read is told once by kind
+with its place; only what leaves no hand is an error: no XML, a file that is missing, a place that
+is no number.
+
+    bodies, frames            links; a body with several joints becomes a chain
+    joints                    hinge, slide; the zero of a joint is its place in the file (`ref`)
+    free and ball joints      fixed: the arm of an experiment carries the hand
+    geoms                     sphere, capsule, cylinder, box, ellipsoid, mesh (also where a simple
+                              shape is to be fitted to one); touch unless contype and conaffinity
+                              are 0; are seen in groups 0 to 2 where the link has no picture apart
+    equality, tendon, actuator   mjcf_couplings.h
+    scene around a hand       bodies below which no joint moves, the world's own shapes: left out
+                              unless several parts hang on the world
+
+Not modelled: masses of geoms (a link without <inertial> is replaced as one of URDF), springs and
+friction of joints, the convex hull in which MuJoCo lets a mesh touch. */
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/import/foreign_hand.h"
+
+namespace graspbench {
+
+/** True when the outermost element is <mujoco>. */
+bool IsMjcf(const std::string& text);
+
+/** @param file  name of the text in messages. @param folder  included files lie there.
+@param in_degrees  instead of what the compiler says of angles.
+@returns as ReadForeignUrdf; meshes have addresses relative to the folder. */
+ForeignHand ReadForeignMjcf(const std::string& text, const std::string& file,
+                            const std::filesystem::path& folder, Diagnostics& problems,
+                            std::optional<bool> in_degrees = {});
+
+}  // namespace graspbench

@@ -1,0 +1,143 @@
+#include "core/hand/import/mjcf_couplings.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/units.h"
+#include "core/hand/import/read_foreign_mjcf.h"
+#include "tests/core/hand/import/small_claw.h"
+
+namespace graspbench {
+namespace {
+
+constexpr const char* kBends =
+    "claw.xml: warning: no actuator moves \"THJ1\", and no other joint; each gets a drive of its "
+    "own, as no joint is loose here";
+constexpr const char* kEquality = "polycoef=\"0.1 0.8 0 0 0\"";
+
+class MjcfCouplingsTest : public testing::Test {
+ protected:
+  /** The claw with one change. */
+  void Read(const std::string& from = "", const std::string& to = "") {
+    const std::string text = from.empty() ? kSmallClaw : ReplaceOnce(kSmallClaw, from, to);
+    ASSERT_EQ(text == kSmallClaw, from.empty());
+    problems_ = Diagnostics();
+    hand_ = ReadForeignMjcf(text, "claw.xml", "no-such-folder", problems_);
+    ASSERT_EQ(problems_.num_errors(), 0) << problems_.Format();
+  }
+  const ForeignJoint& Joint(const std::string& name) const {
+    for (const ForeignJoint& joint : hand_.joints) {
+      if (joint.name == name) return joint;
+    }
+    throw std::runtime_error("no joint " + name);
+  }
+  bool Tells(const std::string& text) const {
+    return problems_.Format().find(text) != std::string::npos;
+  }
+
+  ForeignHand hand_;
+  Diagnostics problems_;
+};
+
+TEST_F(MjcfCouplingsTest, AnEqualityIsALine) {
+  Read();
+  const auto& mimic = Joint("MFJ1").mimic;
+  ASSERT_TRUE(mimic);
+  EXPECT_EQ(hand_.joints[static_cast<size_t>(mimic->joint)].name, "MFJ2");
+  EXPECT_EQ(mimic->ratio, 0.8);
+  EXPECT_EQ(mimic->offset, 0.1);
+  EXPECT_FALSE(mimic->is_distal);
+}
+
+// x^2 on 0 .. pi/2: its best line has the slope pi/2; sampled, the error at the ends is a sixth of
+// the square of the range.
+TEST_F(MjcfCouplingsTest, APolynomialBecomesItsNearestLine) {
+  Read(kEquality, "polycoef=\"0 0 1 0 0\"");
+  const double range = 0.5 * kPi;
+  EXPECT_NEAR(Joint("MFJ1").mimic->ratio, range, 1e-9);
+  EXPECT_NEAR(Joint("MFJ1").mimic->offset, -range * range / 6.0, 0.02);
+  EXPECT_TRUE(Tells("a polynomial; the line nearest to it is taken, off by 23."))
+      << problems_.Format();
+}
+
+TEST_F(MjcfCouplingsTest, AnEqualityOfOneJointFixesIt) {
+  Read("joint1=\"MFJ1\" joint2=\"MFJ2\" polycoef=\"0.1 0.8 0 0 0\"",
+       "joint1=\"MFJ1\" polycoef=\"0.3\"");
+  EXPECT_EQ(Joint("MFJ1").kind, ForeignJoint::Kind::kFixed);
+}
+
+TEST_F(MjcfCouplingsTest, AnInactiveEqualityTiesNothing) {
+  Read(kEquality, "active=\"false\"");
+  EXPECT_FALSE(Joint("MFJ1").mimic);
+}
+
+// 2 q1 + 1 q2 = 0.5: q2 = 0.5 - 2 q1.
+TEST_F(MjcfCouplingsTest, AnEqualityOfATendonOfTwoJoints) {
+  Read("<joint joint1=\"MFJ1\" joint2=\"MFJ2\" polycoef=\"0.1 0.8 0 0 0\"/>\n  </equality>",
+       "<tendon tendon1=\"t\" polycoef=\"0.5\"/></equality><tendon><fixed name=\"t\">"
+       "<joint joint=\"MFJ1\" coef=\"1\"/><joint joint=\"MFJ2\" coef=\"2\"/></fixed></tendon>");
+  EXPECT_EQ(Joint("MFJ1").mimic->ratio, -2.0);
+  EXPECT_EQ(Joint("MFJ1").mimic->offset, 0.5);
+}
+
+TEST_F(MjcfCouplingsTest, ADriveOfTwoJointsOfAFingerIsTheCouplingRule) {
+  Read();
+  const auto& mimic = Joint("FFJ1").mimic;
+  ASSERT_TRUE(mimic);
+  EXPECT_TRUE(mimic->is_distal);
+  EXPECT_EQ(hand_.joints[static_cast<size_t>(mimic->joint)].name, "FFJ2");
+  EXPECT_TRUE(Tells("\"FFJ1\" follows \"FFJ2\" by the hand's coupling rule"));
+  Read("joint=\"FFJ1\" coef=\"1\"", "joint=\"FFJ1\" coef=\"0.5\"");
+  EXPECT_FALSE(Joint("FFJ1").mimic->is_distal);
+  EXPECT_EQ(Joint("FFJ1").mimic->ratio, 0.5);
+}
+
+// The tendon's length is q2 + 0.5 q1 = 1.25 q2; force times arm, stiffness times its square.
+TEST_F(MjcfCouplingsTest, DrivesAreAtTheJoint) {
+  Read();
+  EXPECT_EQ(Joint("FFJ3").drive.stiffness, 2.0);
+  EXPECT_EQ(Joint("FFJ3").drive.effort, 0.8);
+  EXPECT_EQ(Joint("FFJ3").drive.damping, 0.02);
+  EXPECT_EQ(Joint("FFJ2").drive.stiffness, 1.0);
+  EXPECT_EQ(Joint("MFJ3").drive.stiffness, 8.0);
+  EXPECT_EQ(Joint("MFJ3").drive.effort, 1.6);
+  EXPECT_EQ(Joint("MFJ2").drive.stiffness, 0.0);
+  EXPECT_EQ(Joint("MFJ2").drive.effort, 1.0);
+  EXPECT_EQ(Joint("THJ3").drive.stiffness, 900.0);
+  EXPECT_EQ(Joint("THJ3").drive.damping, 30.02);
+  EXPECT_EQ(Joint("THJ3").drive.effort, 25.0);
+  EXPECT_EQ(Joint("THJ2").drive.effort, 0.6);
+  EXPECT_TRUE(Tells(kBends));
+  Read("joint=\"FFJ1\" coef=\"1\"", "joint=\"FFJ1\" coef=\"0.5\"");
+  EXPECT_EQ(Joint("FFJ2").drive.stiffness, 1.5625);
+  EXPECT_EQ(Joint("FFJ2").drive.effort, 1.0);
+}
+
+TEST_F(MjcfCouplingsTest, WhatIsNotReadIsTold) {
+  const char* const cases[][3] = {
+      {"<fixed name=\"FFJ0\">", "<spatial name=\"s\"/><fixed name=\"FFJ0\">",
+       "claw.xml:71: warning: tendon \"s\" of kind <spatial> is not read; its joints get drives of "
+       "their own"},
+      {"<equality>", "<equality><weld body1=\"ff_distal\"/>",
+       "claw.xml:76: warning: equality <weld> is not read: what it holds together is not; joints "
+       "that "
+       "nothing else ties get drives of their own"},
+      {"joint1=\"MFJ1\"", "joint1=\"none\"",
+       "claw.xml:77: warning: equality of \"none\": no joint \"none\" that moves; left out"},
+      {"joint2=\"MFJ2\"", "joint2=\"MFJ1\"",
+       "claw.xml:77: warning: joint \"MFJ1\": <equality> of itself; the joint gets a drive of its "
+       "own"},
+      {"<motor name=\"A_MFJ2\" joint=\"MFJ2\"", "<muscle name=\"m\" site=\"s\"",
+       "claw.xml:84: warning: actuator \"m\": acts on no joint and no fixed tendon of the hand; "
+       "left out"},
+      {"<motor name=\"A_MFJ2\"", "<adhesion name=\"A_MFJ2\"",
+       "claw.xml:84: warning: actuator \"A_MFJ2\" of kind <adhesion> is not read; left out"},
+      {"name=\"A_FFJ3\" joint=\"FFJ3\"", "name=\"A_FFJ3\" joint=\"FFJ9\"",
+       "claw.xml:81: warning: actuator \"A_FFJ3\": joint \"FFJ9\" does not move; left out"}};
+  for (const auto& [from, to, told] : cases) {
+    Read(from, to);
+    EXPECT_TRUE(Tells(told)) << told << "\n\n" << problems_.Format();
+  }
+}
+
+}  // namespace
+}  // namespace graspbench

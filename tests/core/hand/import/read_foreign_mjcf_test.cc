@@ -1,0 +1,183 @@
+#include "core/hand/import/read_foreign_mjcf.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/units.h"
+#include "core/hand/load_hand.h"
+#include "tests/core/hand/import/small_claw.h"
+
+namespace graspbench {
+namespace {
+
+ForeignHand Read(const std::string& text, Diagnostics& problems) {
+  return ReadForeignMjcf(text, "claw.xml", "no-such-folder", problems);
+}
+
+const ForeignLink& LinkOf(const ForeignHand& hand, const std::string& name) {
+  return *std::find_if(hand.links.begin(), hand.links.end(),
+                       [&](const ForeignLink& link) { return link.name == name; });
+}
+
+TEST(ReadForeignMjcfTest, TellsWhatItRepairs) {
+  Diagnostics problems;
+  const ForeignHand hand = Read(kSmallClaw, problems);
+  EXPECT_EQ(
+      problems.Format(),
+      "claw.xml:22: warning: shapes of the world belong to the scene; left out\n"
+      "claw.xml:23: warning: body \"cube\": no joint moves below it: a part of the scene; left "
+      "out\n"
+      "claw.xml:28: warning: body \"palm\": a joint of type \"free\" is fixed: the arm of an "
+      "experiment carries the hand\n"
+      "claw.xml:45: warning: joint \"MFJ3\": its zero is its place in the file, which MuJoCo calls "
+      "5.0 deg\n"
+      "claw.xml:82: warning: actuator \"A_FFJ0\" moves several joints: \"FFJ1\" follows \"FFJ2\" "
+      "by "
+      "the hand's coupling rule\n"
+      "claw.xml: warning: no actuator moves \"THJ1\", and no other joint; each gets a drive of its "
+      "own, as no joint is loose here");
+  EXPECT_EQ(hand.name, "small claw");
+  EXPECT_EQ(hand.links.size(), 12u);  // world, palm, one more for the body with two joints
+  EXPECT_EQ(hand.joints.size(), 11u);
+  const auto middle = std::find_if(hand.joints.begin(), hand.joints.end(),
+                                   [](const ForeignJoint& j) { return j.name == "MFJ3"; });
+  EXPECT_NEAR(middle->lower, 0.0, 1e-12);  // 5 to 95 deg, at 5 in the file
+  EXPECT_NEAR(middle->upper, RadFromDeg(90.0), 1e-12);
+}
+
+TEST(ReadForeignMjcfTest, ShapesHaveTheirWholeExtent) {
+  Diagnostics problems;
+  const std::string text = ReplaceOnce(
+      kSmallClaw, "<geom name=\"palm\" ",
+      "<geom type=\"sphere\" size=\"0.01\"/><geom type=\"ellipsoid\" size=\"0.01 0.02 0.03\"/>"
+      "<geom type=\"cylinder\" size=\"0.01 0.02\"/><geom size=\"0.01 0.02\"/>"
+      "<geom type=\"box\" size=\"0.01\" fromto=\"0 0 0 0 0.05 0\"/><geom name=\"palm\" ");
+  const ForeignLink palm = LinkOf(Read(text, problems), "palm");
+  const Eigen::Vector3d sizes[] = {{0.02, 0.02, 0.02}, {0.02, 0.04, 0.06}, {0.02, 0.02, 0.04},
+                                   {0.02, 0.02, 0.06}, {0.02, 0.02, 0.05}, {0.08, 0.024, 0.08}};
+  ASSERT_EQ(palm.collisions.size(), std::size(sizes));
+  for (size_t i = 0; i < std::size(sizes); ++i) {
+    EXPECT_LT((palm.collisions[i].size - sizes[i]).norm(), 1e-15) << i;
+  }
+  EXPECT_TRUE(palm.visuals.empty());  // group 3
+}
+
+TEST(ReadForeignMjcfTest, PicturesAndWhatTouches) {
+  Diagnostics problems;
+  const std::string asset =
+      "<asset><material name=\"red\" rgba=\"1 0 0 1\"/><mesh file=\"sub/tip.stl\"/></asset>"
+      "<worldbody>";
+  std::string text = ReplaceOnce(kSmallClaw, "<worldbody>", asset);
+  text = ReplaceOnce(text, "angle=\"degree\"", "angle=\"degree\" meshdir=\"../meshes/\"");
+  text =
+      ReplaceOnce(text, "<geom name=\"palm\" ",
+                  "<geom type=\"mesh\" mesh=\"tip\" material=\"red\" contype=\"0\" "
+                  "conaffinity=\"0\" group=\"2\"/>"
+                  "<geom type=\"box\" size=\"1 1 1\" contype=\"0\" conaffinity=\"0\"/>"
+                  "<geom type=\"box\" size=\"0.02 0.02 0.02\" group=\"0\"/><geom name=\"palm\" ");
+  text =
+      ReplaceOnce(text, "<geom name=\"ff_proximal\" ", "<geom name=\"ff_proximal\" group=\"1\" ");
+  const ForeignHand hand = Read(text, problems);
+  const ForeignLink &palm = LinkOf(hand, "palm"), &finger = LinkOf(hand, "ff_proximal");
+  // A picture apart: what touches is not shown; nor what neither touches nor is in a shown group.
+  EXPECT_EQ(palm.collisions.size(), 2u);
+  ASSERT_EQ(palm.visuals.size(), 1u);
+  EXPECT_EQ(palm.visuals[0].mesh, "../meshes/sub/tip.stl");
+  EXPECT_EQ(*palm.visuals[0].colour, Eigen::Vector3d(1.0, 0.0, 0.0));
+  EXPECT_EQ(finger.visuals.size(), 1u);
+  EXPECT_EQ(finger.collisions.size(), 1u);
+}
+
+TEST(ReadForeignMjcfTest, FramesMoveWhatIsInThem) {
+  Diagnostics problems;
+  const std::string text = ReplaceOnce(
+      kSmallClaw, "<geom name=\"palm\" ",
+      "<frame pos=\"0 0 0.1\" axisangle=\"0 0 1 90\"><geom type=\"sphere\" size=\"0.01\" "
+      "pos=\"0.02 0 0\"/></frame><geom name=\"palm\" ");
+  const ForeignLink palm = LinkOf(Read(text, problems), "palm");
+  EXPECT_LT((palm.collisions[0].X_LS.translation() - Eigen::Vector3d(0.0, 0.02, 0.1)).norm(),
+            1e-15);
+}
+
+struct OddMjcf {
+  const char* from;
+  const char* to;
+  const char* told;
+};
+class OddMjcfTest : public testing::TestWithParam<OddMjcf> {};
+
+TEST_P(OddMjcfTest, IsTold) {
+  const std::string text = ReplaceOnce(kSmallClaw, GetParam().from, GetParam().to);
+  ASSERT_NE(text, kSmallClaw);
+  Diagnostics problems;
+  Read(text, problems);
+  EXPECT_NE(problems.Format().find(GetParam().told), std::string::npos) << GetParam().told << "\n\n"
+                                                                        << problems.Format();
+}
+
+constexpr const char* kPalm = "<geom name=\"palm\" ";
+INSTANTIATE_TEST_SUITE_P(
+    All, OddMjcfTest,
+    testing::Values(
+        OddMjcf{"</mujoco>", "", "claw.xml:1: error: not valid XML (XML_ERROR_PARSING)"},
+        OddMjcf{"pos=\"0.1 -0.2 0.4\"", "pos=\"0.1 up 0.4\"",
+                "claw.xml:27: error: body \"palm\": pos: expected 3 finite numbers, found \"0.1 up "
+                "0.4\"; without it nobody knows where it is"},
+        OddMjcf{"euler=\"30 -20 10\"", "quat=\"0 0 0 0\"",
+                "claw.xml:27: error: body \"palm\": quat: no orientation is given by \"0 0 0 0\""},
+        OddMjcf{"<tendon>", "<include file=\"more.xml\"/><tendon>",
+                "claw.xml:70: error: <include> of \"more.xml\": "},
+        OddMjcf{kPalm, "<composite/><geom name=\"palm\" ",
+                "claw.xml:30: warning: <composite> is not read, here and below; left out"},
+        OddMjcf{kPalm, "<geom type=\"mesh\" mesh=\"none\"/><geom name=\"palm\" ",
+                "claw.xml:30: warning: body \"palm\", geom: no mesh \"none\" with a file"},
+        OddMjcf{kPalm, "<geom type=\"hfield\"/><geom name=\"palm\" ",
+                "claw.xml:30: warning: body \"palm\", geom: type \"hfield\" is no part of a hand; "
+                "left out"},
+        OddMjcf{"size=\"0.04 0.012 0.04\"", "size=\"0.04 0.012\"",
+                "claw.xml:30: warning: body \"palm\", geom \"palm\": the box has no extent; left "
+                "out"},
+        OddMjcf{"axis=\"0 1 0\" range=\"-20 20\"", "axis=\"0 0 0\" range=\"-20 20\"",
+                "claw.xml:32: warning: joint \"FFJ4\": the axis has no direction; taken as z"},
+        OddMjcf{"range=\"-0.01 0.02\"", "limited=\"false\"",
+                "claw.xml:57: warning: joint \"THJ3\" has no range; taken as 0 to 50 mm"},
+        OddMjcf{"<joint name=\"FFJ2\"/>", "<joint name=\"FFJ2\" type=\"ball\"/>",
+                "claw.xml:36: warning: body \"ff_middle\": a joint of type \"ball\" is fixed\n"},
+        OddMjcf{"<body name=\"mf_middle\"", "<body name=\"ff_middle\"",
+                "claw.xml:47: warning: body \"ff_middle\": the name is taken; called "
+                "\"ff_middle_2\""},
+        OddMjcf{"childclass=\"thumb\"", "childclass=\"toe\"",
+                "claw.xml:56: warning: childclass \"toe\" does not exist; as if it were not "
+                "there"}));
+
+TEST(ReadForeignMjcfTest, TheClawIsAHandThatLoads) {
+  Diagnostics problems, of_loading;
+  const ImportedFiles imported = ImportHand(kSmallClaw, MakeMjcfSource(), "", problems);
+  ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
+  EXPECT_EQ(imported.num_digits, 3);
+  EXPECT_EQ(imported.num_joints, 10);
+  EXPECT_EQ(imported.num_driven, 8);
+  const Hand hand = ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"),
+                              "no-such-folder", of_loading);
+  ASSERT_EQ(of_loading.Format(), "") << imported.files.at("hand.yaml");
+  const HandJoint& distal = hand.joints[static_cast<size_t>(hand.FindJoint("FFJ1"))];
+  EXPECT_EQ(hand.joints[static_cast<size_t>(distal.coupled_to)].name, "FFJ2");
+  EXPECT_FALSE(distal.is_mimic);
+  const HandJoint& knuckle = hand.joints[static_cast<size_t>(hand.FindJoint("FFJ3"))];
+  EXPECT_EQ(knuckle.drive.stiffness, 2.0);
+  EXPECT_EQ(knuckle.drive.torque_limit, 0.8);
+}
+
+TEST(ReadForeignMjcfTest, TheUnitOfAnglesCanBeSaid) {
+  Diagnostics problems;
+  const ForeignHand hand =
+      ReadForeignMjcf(ReplaceOnce(kSmallClaw, "range=\"0 90\"", "range=\"0 1.5\""), "claw.xml", ".",
+                      problems, false);
+  const auto middle = std::find_if(hand.joints.begin(), hand.joints.end(),
+                                   [](const ForeignJoint& j) { return j.name == "FFJ3"; });
+  EXPECT_EQ(middle->upper, 1.5);
+}
+
+}  // namespace
+}  // namespace graspbench
