@@ -49,6 +49,9 @@ struct PairedCounts {
   int second_only = 0;
   int neither = 0;
 
+  void Add(bool is_first, bool is_second) {
+    ++(is_first ? (is_second ? both : first_only) : (is_second ? second_only : neither));
+  }
   int num_pairs() const { return both + first_only + second_only + neither; }
 };
 /** 95 % interval of the second success probability less the first; [-1, 1] without pairs.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
@@ -108,10 +109,7 @@ SettingChange Compare(const std::string& setting, const std::string& hand,
   PairedCounts& counts = change.successes;
   for (const CellPairs& cell : cells) {
     for (const Pair& pair : cell) {
-      const bool before = IsSuccess(pair.before.outcome), after = IsSuccess(pair.after.outcome);
-      ++(before  ? after ? counts.both : counts.first_only
-         : after ? counts.second_only
-                 : counts.neither);
+      counts.Add(IsSuccess(pair.before.outcome), IsSuccess(pair.after.outcome));
     }
   }
   const Interval interval = CalcPairedDifferenceInterval(counts);
@@ -187,7 +185,7 @@ std::vector<SettingChange> ListChanges(const Session& session, const std::string
 
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data) {
   SensitivitySummary summary;
-  const Json config = ToJson(session.config);
+  const Json config = ConfigToJson(session.config);
   for (const auto& [setting, trials] : data) {
     for (SettingChange& change : ListChanges(session, setting, trials)) {
       change.value = FindSessionValue(setting, config);

@@ -5,7 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/statistics/distributions.h"
-#include "human_study/statistics/multiple_tests.h"
+#include "core/statistics/multiple_tests.h"
 
 namespace graspbench {
 namespace {

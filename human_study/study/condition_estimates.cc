@@ -10,13 +10,13 @@ constexpr BarKind kDrawnBars = BarKind::kLoftusMasson;
 void ChooseDrawn(const Answer<CellMeans>& cells, ConditionEstimates& estimates) {
   if (!cells) {
     estimates.drawn = cells.none();
-    estimates.drawn_kind = "no bars: " + cells.reason();
+    estimates.drawn_kind = "none, " + cells.reason();
     return;
   }
   estimates.drawn = CalcHalfWidths(*cells, kDrawnBars);
   estimates.drawn_kind = NameOf(kDrawnBars);
   if (estimates.drawn) return;
-  estimates.drawn_kind = "no bars: " + estimates.drawn.reason();
+  estimates.drawn_kind = "none, " + estimates.drawn.reason();
   estimates.drawn = CalcHalfWidths(*cells, BarKind::kBetweenPerson);
   if (estimates.drawn) estimates.drawn_kind = NameOf(BarKind::kBetweenPerson);
 }

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "human_study/statistics/multiple_tests.h"
+#include "core/statistics/multiple_tests.h"
 
 namespace graspbench {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/statistics/distributions.h"
+#include "core/statistics/multiple_tests.h"
 #include "human_study/statistics/condition_means.h"
-#include "human_study/statistics/multiple_tests.h"
 #include "tests/human_study/statistics/reach_study.h"
 
 namespace graspbench {

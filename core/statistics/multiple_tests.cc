@@ -1,4 +1,4 @@
-#include "human_study/statistics/multiple_tests.h"
+#include "core/statistics/multiple_tests.h"
 
 #include <algorithm>
 #include <cmath>

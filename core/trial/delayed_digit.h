@@ -1,0 +1,23 @@
+#pragma once
+/** @file
+A trial in which one digit closes later than the others, towards the same target: what a lack of
+simultaneity does when nothing else differs. With t0 the start of closure and T the closure time,
+the digit's joints are asked for
+
+    q(t) = q_pre + s (q_target - q_pre),   s = clamp((t - t0 - delay) / T, 0, 1)
+
+instead of the same without the delay (strategy.h). The phases go on as the strategy decides: a
+digit that is late beyond the strategy's patience still closes during stabilisation. */
+
+#include "core/trial/trial_setup.h"
+
+namespace graspbench {
+
+/** @param closure_start  of the same trial without a delay, since its start [s]
+(TracedTrial::closure_start); a delay changes nothing before it.
+@param digit  index into Hand::digits.
+@param delay  [s], rounded to whole steps.
+@pre closure_start is finite, delay >= 0, the setup has no drive commands of its own. */
+TrialSetup DelayDigit(TrialSetup setup, double closure_start, int digit, double delay);
+
+}  // namespace graspbench

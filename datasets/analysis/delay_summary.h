@@ -1,0 +1,55 @@
+#pragma once
+/** @file
+What a lack of simultaneity does when nothing else differs: the same trials with one digit delayed
+(core/trial/delayed_digit.h), on the same draws, under several conditions of the object.
+
+Where a grasp ends is decided by its drives: two jaws that press bring the object back to where they
+balance. So beside the push before lift-off there is the one until the last digit touches.
+
+For each response the mean over the trials that have it at every delay, and the slope of a straight
+line through each trial's values, averaged over trials, with a 95 % interval from drawing cells
+(hand, object, grasp). Of failures only success, pushes and turns are defined, so the other rows
+hold the trials that succeeded at every delay: what a delay costs in stability is seen among grasps
+that survive it. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/statistics/bootstrap.h"
+#include "core/trial/disturbance.h"
+#include "datasets/analysis/grasp_responses.h"
+
+namespace graspbench {
+
+/** Effects are told for so much delay [s]. */
+inline constexpr double kDelayDose = 0.1;
+/** The delays that are tried [s]; the first is none. */
+const std::vector<double>& ListDelays();
+
+struct DelayedTrial {
+  std::string condition;  ///< "as run", "slippery"
+  std::string digit;      ///< which was late: "last", "first" to touch without delay
+  double delay = 0.0;     ///< [s], one of ListDelays()
+  Displacement closing;   ///< of the object until the last digit touched
+  TrialRecord record;     ///< its plan is that of the trial without delay
+};
+
+/** One response of one hand under one condition. */
+struct DoseResponse {
+  std::string condition, digit, hand;
+  ShownQuantity response;
+  int num_trials = 0;
+  int num_cells = 0;
+  std::vector<double> means;  ///< at each of ListDelays()
+  double change = kUnset;     ///< for kDelayDose of delay: the mean slope times that
+  Answer<Interval> interval;  ///< of the change, 95 %
+};
+
+/** GFT, to see that the delay arrived, what closing does, then ListGraspResponses(); in the order
+in which conditions, digits and hands come. A response that no trial has is left out. */
+std::vector<DoseResponse> SummariseDelays(const std::vector<DelayedTrial>& trials);
+
+Json ToJson(const DoseResponse& row);
+
+}  // namespace graspbench

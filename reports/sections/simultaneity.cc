@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <iterator>
+
+#include "core/base/range_text.h"
+#include "core/base/text.h"
+#include "datasets/analysis/simultaneity_summary.h"
+#include "reports/layout.h"
+#include "reports/line_plot.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+namespace {
+
+using Relations = std::vector<SimultaneityRelation>;
+
+constexpr double kFamilyLevel = 0.05;
+/** Reading and shuffling more takes longer than the rest of the page. */
+constexpr size_t kMostTrials = 5000;
+
+/** "push before lift-off" of "push before lift-off [mm]". */
+std::string NameWithoutUnit(const SimultaneityRelation& row) {
+  const std::string label = row.response->shown.label;
+  return label.substr(0, label.find(" ["));
+}
+
+std::string FormatRho(const SimultaneityRelation& row) {
+  if (!row.relation) return "n/a";
+  const Interval range =
+      row.relation->interval ? *row.relation->interval : Interval{kUnset, kUnset};
+  return FormatWithRange(row.relation->correlation, range.low, range.high, 2);
+}
+
+Relations TakeHand(const Relations& relations, const std::string& hand) {
+  Relations part;
+  std::copy_if(relations.begin(), relations.end(), std::back_inserter(part),
+               [&hand](const SimultaneityRelation& row) { return row.hand == hand; });
+  return part;
+}
+
+std::string DescribeHand(const std::string& name, const Relations& relations) {
+  std::string found;
+  int num_tests = 0, num_found = 0;
+  for (const SimultaneityRelation& row : relations) {
+    num_tests += row.relation ? 1 : 0;
+    if (!(row.p_holm <= kFamilyLevel)) continue;
+    found += (found.empty() ? ": " : ", ") + NameTimingMeasure(row.measure) + " with " +
+             NameWithoutUnit(row) + " (" + FormatRho(row) + ")";
+    ++num_found;
+  }
+  if (num_tests == 0) return name + ": too few trials of a cell that differ.";
+  return name + ": " + (num_found == 0 ? "none" : std::to_string(num_found)) + " of " +
+         FormatCount(num_tests, "relation") + " can be told from chance" + found + ".";
+}
+
+Html DrawRatios(const std::string& name, const Relations& relations) {
+  IntervalPlot plot;
+  plot.text.title = "What goes with GFT% inside the cells of the " + name;
+  plot.text.description = "Rank correlations with 95 % intervals, one row per response.";
+  plot.axis = "rank correlation with GFT%, inside cells";
+  for (const SimultaneityRelation& row : relations) {
+    if (row.measure != "gft_ratio" || !row.relation) continue;
+    IntervalPlot::Row shown;
+    shown.label = NameWithoutUnit(row);
+    shown.value = row.relation->correlation;
+    shown.low = row.relation->interval ? row.relation->interval->low : kUnset;
+    shown.high = row.relation->interval ? row.relation->interval->high : kUnset;
+    shown.text = FormatRho(row);
+    plot.rows.push_back(shown);
+  }
+  if (plot.rows.empty()) return Html();
+  return MakeFigure(plot.text.title + ".",
+                    "right of zero: the later the last digit, the more of it. A relation is no "
+                    "cause: where the object stood moves both.",
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawAll(const Relations& relations, const SessionModels& models) {
+  const Align number = Align::kNumber;
+  Table table(
+      "Rank correlation of measures of simultaneity with what became of the trial, inside "
+      "cells, with 95 % intervals.",
+      {{"Hand"},
+       {"Of the trial"},
+       {"Measure"},
+       {"Trials", number, "in cells that say something"},
+       {"Cells", number},
+       {"Correlation", number},
+       {"p", number, "two-sided, from shuffles inside cells"},
+       {"p of all", number, "after Holm, over the table"}});
+  for (const SimultaneityRelation& row : relations) {
+    if (!row.relation) continue;
+    table.AddRow({Text(models.NameOfHand(row.hand)), Text(NameWithoutUnit(row)),
+                  Text(NameTimingMeasure(row.measure)),
+                  Text(std::to_string(row.relation->num_pairs)),
+                  Text(std::to_string(row.relation->num_groups)), Text(FormatRho(row)),
+                  Text(FormatFixed(row.relation->p, 4)), Text(FormatFixed(row.p_holm, 3))});
+  }
+  return MakeDetails("All relations", table.ToHtml());
+}
+
+Html DrawSimultaneity(const ReportData& data) {
+  const Html command = Element("code", {}, "graspbench simultaneity");
+  if (data.session.records.size() > kMostTrials) {
+    return Element("p", {},
+                   command + Text(" with the session's folder tells it; so many trials "
+                                  "would keep the report waiting."));
+  }
+  const Relations relations = SummariseSimultaneity(data.session);
+  Html html = MakeParagraph(
+      "Trials of one cell (hand, object, grasp) differ in where the object stood and in the "
+      "drives' "
+      "errors. Inside cells, how do GFT, GOT, GFT% and GOT% go with what became of the trial?");
+  Html figures;
+  for (const std::string& hand : data.summary.hands) {
+    const std::string name = data.models.NameOfHand(hand);
+    const Relations part = TakeHand(relations, hand);
+    html += MakeParagraph(DescribeHand(name, part));
+    figures += DrawRatios(name, part);
+  }
+  return html + figures + DrawAll(relations, data.models) +
+         Element("p", {},
+                 command + Text(" --delay makes one digit late on the same draws, which tells what "
+                                "a lack of simultaneity causes."));
+}
+
+}  // namespace
+
+Section simultaneity_section() {
+  return {"simultaneity", "Does simultaneity matter?", DrawSimultaneity};
+}
+
+}  // namespace graspbench

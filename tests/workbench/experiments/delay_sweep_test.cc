@@ -1,0 +1,63 @@
+#include "workbench/experiments/delay_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/run_session.h"
+
+namespace graspbench {
+namespace {
+
+class DelaySweepTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    SessionRequest request;
+    request.config = SessionConfig();
+    request.config->hands = {"tum"};
+    request.config->objects = {"golf_ball"};
+    request.config->trials = 2;
+    request.out = temporary_.path() / "session";
+    RunSession(PrepareSession(request), 1, observer_, stop_);
+    sweep_.folder = request.out;
+  }
+
+  TemporaryFolder temporary_;
+  Observer observer_;
+  std::atomic<bool> stop_ = false;
+  DelaySweepRequest sweep_;
+};
+
+TEST_F(DelaySweepTest, WithoutDelayItIsTheSessionsTrial) {
+  const Session session = LoadSession(sweep_.folder);
+  const std::vector<DelayedTrial> trials = SweepDelays(sweep_, 2, observer_, stop_);
+  const size_t num_delays = ListDelays().size();
+  ASSERT_EQ(trials.size(), ListSweepConditions(session.config).size() * 2 * num_delays);
+  const double gft = session.records[0].result.timing.gft;
+  int num_undelayed = 0;
+  for (const DelayedTrial& trial : trials) {
+    EXPECT_EQ(trial.record.plan.trial, 0);
+    if (trial.condition == "as run" && trial.delay == 0.0) {
+      EXPECT_EQ(ToJson(trial.record.result), ToJson(session.records[0].result));
+      ++num_undelayed;
+    }
+    // The last digit comes later still, by the delay or nearly: the others push the object to it.
+    if (trial.condition == "as run" && trial.digit == "last" && trial.delay == 0.1) {
+      EXPECT_GT(trial.record.result.timing.gft, gft + 0.03);
+      EXPECT_LT(trial.record.result.timing.gft, gft + 0.12);
+    }
+  }
+  const std::vector<DelayedTrial> alone = SweepDelays(sweep_, 1, observer_, stop_);
+  for (size_t i = 0; i < trials.size(); ++i) {
+    EXPECT_EQ(ToJson(trials[i].record), ToJson(alone[i].record)) << "workers matter: " << i;
+  }
+  EXPECT_EQ(num_undelayed, 2);  // one for each digit that may be late
+}
+
+TEST_F(DelaySweepTest, AStoppedOneSaysSo) {
+  stop_ = true;
+  EXPECT_THROW(SweepDelays(sweep_, 1, observer_, stop_), Error);
+}
+
+}  // namespace
+}  // namespace graspbench
