@@ -51,6 +51,7 @@ std::string CalcContentHash(const GraspObject& object) {
   const bool is_friction_all =
       std::all_of(surface.begin() + 2, surface.end(), [](double v) { return std::isnan(v); });
   append(surface.data(), is_friction_all ? 2 : surface.size());
+  if (object.approach != Approach::kAutomatic) bytes += RowOf(kApproaches, object.approach).name;
   return CalcHashHex(bytes);
 }
 
@@ -102,6 +103,7 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   object->surface = file.surface;
   object->best_grasp = file.best_grasp;
   if (!file.grasp_order.empty()) object->grasp_order = file.grasp_order;
+  object->approach = file.approach;
   object->colour = file.colour.cast<float>();
   object->content_hash = CalcContentHash(*object);
   if (field_use == FieldUse::kNow) object->field = LoadField(object->mesh);

@@ -3,16 +3,32 @@
 #include <algorithm>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/base/yaml.h"
 
 namespace graspbench {
 namespace {
 
-void CheckGrasp(const std::string& key, const std::string& value, YamlMap& map) {
-  static const std::vector<std::string> kGrasps = {"g1", "g2", "g3", "g4", "g5"};
-  if (std::find(kGrasps.begin(), kGrasps.end(), value) == kGrasps.end()) {
-    map.Fail(key, "no standard grasp \"" + value + "\"" + SuggestNames(value, kGrasps));
+/** Ids and names of the taxonomy (core/grasp, which this room does not know; a test compares). */
+constexpr std::pair<const char*, const char*> kGrasps[] = {{"g1", "all finger precision"},
+                                                           {"g2", "two finger precision"},
+                                                           {"g3", "power"},
+                                                           {"g4", "two finger pinch"},
+                                                           {"g5", "three finger special"}};
+
+/** A grasp by its id or name, made its id. */
+void CheckGrasp(const std::string& key, std::string& value, YamlMap& map) {
+  std::string wanted = ToLower(value);
+  std::replace_if(
+      wanted.begin(), wanted.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
+  std::vector<std::string> known;
+  for (const auto& [id, name] : kGrasps) {
+    known.insert(known.end(), {id, name});
+    if (wanted != id && wanted != name) continue;
+    value = id;
+    return;
   }
+  map.Fail(key, "no standard grasp \"" + value + "\"" + SuggestNames(value, known));
 }
 
 std::vector<std::string> ListKeys(const YAML::Node& node) {
@@ -44,8 +60,10 @@ const FileKeys& ListObjectKeys() {
          kAboveZero},
         {"centre_of_mass_m", "",
          "from the middle of the bounding box; else that of a homogeneous body"},
-        {"best_grasp", "", "by hand: {tum: g3, shadow: g1}"},
+        {"best_grasp", "", "by hand, by id or name: {tum: g3, shadow: power}"},
         {"grasp_order", "", "grasps for hands that best_grasp does not name, best first"},
+        {"approach", "automatic",
+         "from where hands come: automatic, above or side; before what their grasps say"},
         {"colour", "[0.8, 0.7, 0.5]", "linear red, green and blue", 0, 1},
     };
     rows.insert(rows.end(), rest.begin(), rest.end());
@@ -84,6 +102,7 @@ ObjectFile ParseObjectFile(const std::string& text, const std::string& path) {
   map.Read("size_of_sight_m", file.size_of_sight, Needed::kNo);
   map.Read("centre_of_mass_m", file.p_OOcm, Needed::kNo);
 
+  ReadApproach(map, file.approach);
   map.Read("colour", file.colour, Needed::kNo);
   if (map.Has("best_grasp")) {
     const YAML::Node node = map.Child("best_grasp", Needed::kNo);
@@ -94,7 +113,7 @@ ObjectFile ParseObjectFile(const std::string& text, const std::string& path) {
     }
   }
   map.Read("grasp_order", file.grasp_order, Needed::kNo);
-  for (const std::string& grasp : file.grasp_order) CheckGrasp("grasp_order", grasp, map);
+  for (std::string& grasp : file.grasp_order) CheckGrasp("grasp_order", grasp, map);
   map.FinishKnownKeys();
   problems.ThrowIfErrors(ErrorKind::kFormat, "the object cannot be used");
   return file;

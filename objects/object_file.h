@@ -16,6 +16,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
     centre_of_mass_m: [0.01, 0, 0]        # from the middle of the bounding box; else homogeneous
     best_grasp: {tum: g3, shadow: g1}     # by hand
     grasp_order: [g1, g3, g2, g5, g4]     # for hands not named above, best first
+    approach: side                        # from where hands come: automatic, above, side
     colour: [0.8, 0.2, 0.1]               # linear RGB */
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 
 #include "core/base/file_keys.h"
 #include "core/base/units.h"
+#include "core/shape/approach.h"
 #include "core/shape/surface_material.h"
 #include "objects/length_unit.h"
 
@@ -44,7 +46,8 @@ struct ObjectFile {
   Eigen::Vector3d p_OOcm = Eigen::Vector3d::Constant(kUnset);         ///< [m]
   std::map<std::string, std::string> best_grasp;                      ///< by hand id
   std::vector<std::string> grasp_order;                               ///< empty: left out
-  Eigen::Vector3d colour = Eigen::Vector3d(0.8, 0.7, 0.5);            ///< linear RGB
+  Approach approach = Approach::kAutomatic;
+  Eigen::Vector3d colour = Eigen::Vector3d(0.8, 0.7, 0.5);  ///< linear RGB
 };
 
 /** @throws Error(kNotFound, kIo); Error(kFormat) listing every problem with its line. */

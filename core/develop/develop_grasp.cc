@@ -10,24 +10,33 @@
 namespace graspbench {
 namespace {
 
-/** How a budget is spent. */
+// Draws of the variation, other ones at each stage; the search's begin with the last.
+constexpr int kCheckDraw = 1, kFirstRaceDraw = 2, kFirstFinalsDraw = 5, kFirstSearchDraw = 10;
+
+/** How a budget is spent. Most evaluations are of half of the shapes. */
 struct Plan {
   int num_racing;       ///< proposals
-  int num_shapes;       ///< of an evaluation
+  int num_shapes;       ///< even
   int num_finalists;    ///< beside the proposal
   int num_evaluations;  ///< of the search
 
-  int CountRace() const { return num_racing * num_shapes / 2 + (num_racing / 3 + 1) * num_shapes; }
-  int CountFinals() const { return (num_finalists + 1) * 2 * num_shapes + kNumTrainingShapes; }
+  int CountRace() const {
+    return (num_racing + KeepThird(num_racing) + 2 * KeepThird(KeepThird(num_racing))) *
+           num_shapes / 2;
+  }
+  int CountFinals() const {
+    return (num_finalists + 1 + 2 * KeepThird(num_finalists + 1)) * num_shapes + kNumTrainingShapes;
+  }
+  static int KeepThird(int count) { return count / 3 + 1; }
 };
 
 Plan MakePlan(int budget) {
   Plan plan;
   plan.num_racing = std::clamp(budget / 40, 2, 32);
-  plan.num_shapes = budget < 200 ? 4 : kNumTrainingShapes;
-  plan.num_finalists = std::clamp(budget / 100, 1, 5);
+  plan.num_shapes = budget < 400 ? 4 : kNumTrainingShapes;
+  plan.num_finalists = std::clamp(budget / 100, 1, 8);
   plan.num_evaluations =
-      std::max(1, (budget - plan.CountRace() - plan.CountFinals()) / plan.num_shapes);
+      std::max(1, (budget - plan.CountRace() - plan.CountFinals()) / (plan.num_shapes / 2));
   return plan;
 }
 
@@ -75,37 +84,77 @@ std::vector<size_t> SortByScore(const std::vector<double>& scores) {
   return order;
 }
 
+/** Sums of scores of those that are left. */
+class Contest {
+ public:
+  Contest(size_t size, Course& course) : sums_(size, 0.0), left_(size), course_(course) {
+    std::iota(left_.begin(), left_.end(), size_t{0});
+  }
+
+  void Run(const std::string& stage, const std::vector<StandardGrasp>& all, int first_shape,
+           int num_shapes, const std::vector<int>& draws) {
+    std::vector<StandardGrasp> grasps;
+    for (const size_t k : left_) grasps.push_back(all[k]);
+    const auto scores = course_.Score(stage, grasps, first_shape, num_shapes, draws);
+    for (size_t k = 0; k < left_.size(); ++k) {
+      sums_[left_[k]] += scores[k] * num_shapes * static_cast<double>(draws.size());
+    }
+    num_trials_ += num_shapes * static_cast<int>(draws.size());
+    std::stable_sort(left_.begin(), left_.end(),
+                     [&](size_t a, size_t b) { return sums_[a] > sums_[b]; });
+  }
+  void KeepThird() {
+    left_.resize(std::min(left_.size(),
+                          static_cast<size_t>(Plan::KeepThird(static_cast<int>(left_.size())))));
+  }
+  size_t winner() const { return left_.front(); }
+  /** Mean of one that is left. */
+  double CalcScore(size_t k) const { return sums_[k] / num_trials_; }
+
+ private:
+  std::vector<double> sums_;
+  std::vector<size_t> left_;
+  Course& course_;
+  int num_trials_ = 0;  ///< of each that is left
+};
+
 /** @returns the index of the winner. */
 size_t RunRace(const std::vector<ProposedGrasp>& proposals, const Plan& plan, Course& course) {
-  std::vector<size_t> left(std::min(proposals.size(), static_cast<size_t>(plan.num_racing)));
-  std::iota(left.begin(), left.end(), size_t{0});
-  std::vector<double> sums(left.size(), 0.0);
-  const auto run_heat = [&](int first_shape, int num_shapes, int draw) {
-    std::vector<StandardGrasp> grasps;
-    for (const size_t p : left) grasps.push_back(proposals[p].grasp);
-    const auto scores = course.Score("race", grasps, first_shape, num_shapes, {draw});
-    for (size_t k = 0; k < left.size(); ++k) sums[left[k]] += scores[k];
-  };
-  const auto keep = [&](size_t count) {
-    std::stable_sort(left.begin(), left.end(),
-                     [&](size_t a, size_t b) { return sums[a] > sums[b]; });
-    left.resize(std::min(left.size(), std::max<size_t>(1, count)));
-  };
+  std::vector<StandardGrasp> grasps;
+  for (const ProposedGrasp& proposed : proposals) {
+    if (static_cast<int>(grasps.size()) < plan.num_racing) grasps.push_back(proposed.grasp);
+  }
+  Contest race(grasps.size(), course);
   const int half = plan.num_shapes / 2;
-  run_heat(0, half, 1);
-  keep(left.size() / 3);
-  run_heat(half, plan.num_shapes - half, 1);
-  keep(left.size() / 3);
-  run_heat(0, plan.num_shapes, 2);
-  keep(1);
-  return left.front();
+  race.Run("race", grasps, 0, half, {kFirstRaceDraw});
+  race.KeepThird();
+  race.Run("race", grasps, half, half, {kFirstRaceDraw + 1});
+  race.KeepThird();
+  race.Run("race", grasps, 0, plan.num_shapes, {kFirstRaceDraw + 2});
+  return race.winner();
+}
+
+/** Of the search, the best evaluations of its later half, when it had found its way. */
+std::vector<StandardGrasp> ListFinalists(const SearchResult& search, const PostureChanges& changes,
+                                         int count) {
+  const size_t first = search.individuals.size() / 2;
+  std::vector<double> fitness;
+  for (size_t k = first; k < search.individuals.size(); ++k) {
+    fitness.push_back(search.individuals[k].fitness);
+  }
+  std::vector<StandardGrasp> finalists;
+  for (const size_t k : SortByScore(fitness)) {
+    if (static_cast<int>(finalists.size()) == count) break;
+    finalists.push_back(changes.Apply(search.individuals[first + k].genome));
+  }
+  return finalists;
 }
 
 }  // namespace
 
 int CountDevelopTrials(int budget) {
   const Plan plan = MakePlan(budget);
-  return plan.CountRace() + plan.num_evaluations * plan.num_shapes + plan.CountFinals();
+  return plan.CountRace() + plan.num_evaluations * plan.num_shapes / 2 + plan.CountFinals();
 }
 
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,
@@ -116,11 +165,15 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
   DevelopedGrasp developed;
   developed.proposed = proposals[RunRace(proposals, plan, course)];
 
+  // Every generation meets other shapes and draws, so that none of them is learned by heart.
   const PostureChanges changes(hand, developed.proposed.grasp);
+  const int half = plan.num_shapes / 2;
   const auto evaluate = [&](const std::vector<Individual>& generation) {
     std::vector<StandardGrasp> grasps;
     for (const Individual& one : generation) grasps.push_back(changes.Apply(one.genome));
-    return course.Score("search", grasps, 0, plan.num_shapes, {1});
+    const int number = generation.front().generation;
+    return course.Score("search", grasps, number % 2 == 0 ? 0 : half, half,
+                        {kFirstSearchDraw + number});
   };
   const SearchResult search =
       RunSearch("cmaes", changes.MakeSpace(), plan.num_evaluations,
@@ -128,20 +181,18 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
                              "search of a development"),
                 evaluate);
 
-  std::vector<double> fitness;
-  for (const Individual& one : search.individuals) fitness.push_back(one.fitness);
-  std::vector<StandardGrasp> finalists = {developed.proposed.grasp};
-  for (const size_t k : SortByScore(fitness)) {
-    if (static_cast<int>(finalists.size()) > plan.num_finalists) break;
-    if (k > 0) finalists.push_back(changes.Apply(search.individuals[k].genome));
-  }
-  const std::vector<double> scores = course.Score("finals", finalists, 0, plan.num_shapes, {3, 4});
-  const size_t best = SortByScore(scores).front();
-  developed.proposed_score = scores.front();
-  developed.score = scores[best];
-  developed.grasp = finalists[best];
+  std::vector<StandardGrasp> finalists = ListFinalists(search, changes, plan.num_finalists);
+  finalists.insert(finalists.begin(), developed.proposed.grasp);
+  Contest finals(finalists.size(), course);
+  finals.Run("finals", finalists, 0, plan.num_shapes, {kFirstFinalsDraw});
+  developed.proposed_score = finals.CalcScore(0);
+  finals.KeepThird();
+  finals.Run("finals", finalists, 0, plan.num_shapes, {kFirstFinalsDraw + 1, kFirstFinalsDraw + 2});
+  developed.score = finals.CalcScore(finals.winner());
+  developed.grasp = finalists[finals.winner()];
   developed.check =
-      course.Run("check", {developed.grasp}, kNumTrainingShapes, kNumTrainingShapes, {1}).front();
+      course.Run("check", {developed.grasp}, kNumTrainingShapes, kNumTrainingShapes, {kCheckDraw})
+          .front();
   developed.num_trials = course.num_trials();
   return developed;
 }

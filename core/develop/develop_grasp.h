@@ -2,10 +2,12 @@
 /** @file
 Develops one grasp of a hand: geometry proposes, simulation on training shapes decides.
 
-    race      the best proposals grasp a few shapes, the better ones more of them, the best ones
-              again with other draws
-    search    CMA-ES among small changes of the winner's postures (posture_changes.h), mean score
-    finals    the best of the search and the winner as it was, on draws that neither has seen
+    race      the best proposals grasp half of the shapes, the better ones the others, the best
+              ones all of them again with other draws
+    search    CMA-ES among small changes of the winner's postures (posture_changes.h), mean score of
+              half of the shapes, of other ones with other draws in every generation
+    finals    the best of the search's later half and the winner as it was, on draws that neither
+              has seen; the best third of them once more
     check     the chosen one on shapes that nothing has seen
 
 How it scores is in develop_trial.h, the shapes in training_shapes.h. The simulation is asked, so
@@ -23,13 +25,17 @@ same questions. */
 namespace graspbench {
 
 struct DevelopConfig {
-  int budget = 3000;  ///< trials of all grasps together, about
+  int budget = 15000;  ///< trials of all grasps together, about
   int seed = 1;
+  /** Of coupled joints (core/hand/coupling.h): the hand's own rule, or that and all others in turn,
+  for a hand whose rule is not known. */
+  bool any_coupling = false;
 
   template <class V>
   void Visit(V&& v) {
     v("budget", budget);
     v("seed", seed);
+    v("any_coupling", any_coupling);
   }
 };
 
@@ -48,14 +54,15 @@ using RunDevelopTrials =
     std::function<std::vector<std::vector<DevelopTrial>>(const std::vector<DevelopRequest>&)>;
 
 /** Shapes of a grasp: so many to train on, then as many to check with. */
-inline constexpr int kNumTrainingShapes = 12;
+inline constexpr int kNumTrainingShapes = 24;
 
 struct DevelopedGrasp {
-  ProposedGrasp proposed;                    ///< what geometry gave, and the race chose
-  StandardGrasp grasp;                       ///< what came of it
-  double proposed_score = 0.0, score = 0.0;  ///< in the finals
-  int num_trials = 0;                        ///< in all
-  std::vector<DevelopTrial> check;           ///< a trial of each shape
+  ProposedGrasp proposed;           ///< what geometry gave, and the race chose
+  StandardGrasp grasp;              ///< what came of it
+  double proposed_score = 0.0;      ///< in the first finals
+  double score = 0.0;               ///< in the finals
+  int num_trials = 0;               ///< in all
+  std::vector<DevelopTrial> check;  ///< a trial of each shape
 };
 
 /** About how many trials DevelopGrasp asks for. */

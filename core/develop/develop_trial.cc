@@ -4,27 +4,16 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/trial/palm_contact.h"
 
 namespace graspbench {
 namespace {
 
 constexpr double kFirmness = 0.3;
-constexpr double kPalm = 0.2;
+constexpr double kPalm = 0.4;
 constexpr double kTouching = 0.3;
 constexpr double kLifting = 0.2;
 constexpr double kSlightPull = 0.2;  // [N]
-
-bool TouchesPalmAtEnd(const TrialResult& result) {
-  bool touches = false;
-  for (const ContactEvent& event : result.contact_events) {
-    if (event.digit != "palm") continue;
-    if (event.kind == ContactEventKind::kLost) touches = false;
-    if (event.kind == ContactEventKind::kTouch || event.kind == ContactEventKind::kRegained) {
-      touches = true;
-    }
-  }
-  return touches;
-}
 
 }  // namespace
 

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kFirstStep = RadFromDeg(3.0);
 constexpr double kMostChange = RadFromDeg(30.0);
+constexpr double kGapPerUnit = 0.04;   // [m/rad]
+constexpr double kLargestGap = 0.015;  // [m]
 
 double CalcUnit(const HandJoint& joint) {
   return joint.is_prismatic ? (joint.upper - joint.lower) / (0.5 * kPi) : 1.0;
@@ -55,7 +57,8 @@ PostureChanges::PostureChanges(const Hand& hand, StandardGrasp grasp)
 }
 
 SearchSpace PostureChanges::MakeSpace() const {
-  const auto size = static_cast<Eigen::Index>(2 * groups_.size() + 1);
+  const auto size = static_cast<Eigen::Index>(2 * groups_.size() + 1) +
+                    (grasp_.type == GraspType::kPower ? 1 : 0);
   SearchSpace space;
   space.start = Eigen::VectorXd::Zero(size);
   space.lower = Eigen::VectorXd::Constant(size, -kMostChange);
@@ -78,6 +81,10 @@ StandardGrasp PostureChanges::Apply(const Eigen::VectorXd& change) const {
     }
   }
   grasp.tilt += change[2 * size];
+  if (grasp.type == GraspType::kPower) {
+    grasp.palm_gap =
+        std::clamp(grasp.palm_gap + kGapPerUnit * change[2 * size + 1], 0.0, kLargestGap);
+  }
   RoundGrasp(hand_, grasp);
   return grasp;
 }

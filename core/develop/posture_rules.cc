@@ -24,6 +24,7 @@ constexpr double kWideGap = 0.015;     // of neighbouring pads beyond what is as
 constexpr double kCosine = 0.2;        // of fingertips
 constexpr double kShare = 0.008;       // of the thumb's way [m]
 constexpr double kEase = 8.0;          // ranges of a joint
+constexpr double kLeaderEase = 0.15;   // of one that is to stay straight
 constexpr double kDeepestTip = 0.012;  // tips below their pads [m]
 constexpr double kAbovePads = 0.008;   // all the rest of the hand [m]
 constexpr double kOutside = 0.05;      // ranges beyond a limit
@@ -189,12 +190,19 @@ VectorXd PostureRules::CalcResiduals(const VectorXd& x) const {
   const double thumb_way = (met.thumb.p_HPad - open.thumb.p_HPad).dot(half.across_H);
   residuals.push_back((thumb_way - aim_.thumb_share * (aim_.opening - aim_.meeting)) / kShare);
   const auto size = static_cast<Eigen::Index>(joints_.size());
+  const auto is_leader = [&](Eigen::Index k) {
+    const int j = joints_[static_cast<size_t>(k % size)];
+    return aim_.leaders_straight &&
+           std::any_of(hand_.joints.begin(), hand_.joints.end(), [j](const HandJoint& other) {
+             return other.coupled_to == j && !other.is_mimic;
+           });
+  };
   for (Eigen::Index k = 0; k < 2 * size; ++k) {
     const HandJoint& joint =
         hand_.joints[static_cast<size_t>(joints_[static_cast<size_t>(k % size)])];
     const double range = std::max(joint.upper - joint.lower, 1e-9);
     const double rest = (std::clamp(0.0, joint.lower, joint.upper) - joint.lower) / range;
-    residuals.push_back((x[k] - rest) / kEase);
+    residuals.push_back((x[k] - rest) / (is_leader(k) ? kLeaderEase : kEase));
     residuals.push_back((x[k] - std::clamp(x[k], 0.0, 1.0)) / kOutside);
   }
   return Eigen::Map<const VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));

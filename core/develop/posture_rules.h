@@ -39,6 +39,7 @@ struct PostureAim {
   double lift = 0.0;                ///< by which met pads face up, towards the palm [rad]
   double tips_down = 0.5;           ///< least cosine of fingertips to the approach
   double pad_gap = 0.02;            ///< between the middles of neighbouring pads [m]
+  bool leaders_straight = false;    ///< joints that others follow stay near zero
 };
 
 /** Postures that are sought. */

@@ -77,7 +77,8 @@ std::vector<std::string> DrawDigits(const Hand& hand, int num_digits, RandomStre
   return digits;
 }
 
-PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, RandomStream& stream) {
+PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, bool any_coupling,
+                   RandomStream& stream) {
   PostureAim aim;
   aim.digits = DrawDigits(hand, ranges.num_digits, stream);
   aim.opening = ranges.opening.Draw(stream);
@@ -88,6 +89,7 @@ PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, RandomStream& stre
   aim.lift = RadFromDeg(ranges.lift_deg.Draw(stream));
   aim.tips_down = ranges.tips_down.Draw(stream);
   aim.pad_gap = ranges.pad_gap.Draw(stream);
+  aim.leaders_straight = any_coupling && stream.NextIndex(2) == 1;
   return aim;
 }
 
@@ -168,12 +170,13 @@ double CalcOverlap(const Hand& hand, const std::vector<std::string>& digits,
   return overlap;
 }
 
-ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, const std::vector<int>& closing,
-                         const std::vector<CapsulePair>& pairs, RandomStream& stream) {
+ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_coupling,
+                         const std::vector<int>& closing, const std::vector<CapsulePair>& pairs,
+                         RandomStream& stream) {
   constexpr double kOverlap = 0.002;  // that matters [m]
   const AimRanges& ranges = FindRanges(taxon);
   ProposedGrasp proposed;
-  proposed.aim = DrawAim(hand, ranges, stream);
+  proposed.aim = DrawAim(hand, ranges, any_coupling, stream);
   proposed.grip = ranges.grip.Draw(stream);
   const PosturePair start = DrawStart(hand, closing, stream);
   // Fingers that do not grasp stay open or are folded.
@@ -191,6 +194,7 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, const std::v
   grasp.tilt = pair.tilt;
   grasp.digits = proposed.aim.digits;
   grasp.palm_may_touch = taxon.type == GraspType::kPower;
+  if (grasp.palm_may_touch) grasp.palm_gap = stream.NextUniform(0.0, kPalmGap);
   grasp.q_pre = pair.q_open;
   grasp.q_target = CalcSqueeze(hand, grasp.digits, pair.q_met,
                                CalcApproachDirection(hand, pair.tilt), proposed.grip);
@@ -203,6 +207,7 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, const std::v
 void RoundGrasp(const Hand& hand, StandardGrasp& grasp) {
   const double scale = std::pow(10.0, kGraspDecimals);
   grasp.tilt = RadFromDeg(std::round(DegFromRad(grasp.tilt) * scale) / scale);
+  grasp.palm_gap = MFromMm(std::round(MmFromM(grasp.palm_gap) * scale) / scale);
   grasp.q_pre = RoundPosture(hand, grasp.q_pre, kGraspDecimals);
   grasp.q_target = RoundPosture(hand, grasp.q_target, kGraspDecimals);
 }
@@ -247,12 +252,12 @@ VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
 }
 
 std::vector<ProposedGrasp> ProposeGrasps(const Hand& hand, const GraspTaxon& taxon, int num_drawn,
-                                         int num_kept, RandomStream stream) {
+                                         int num_kept, bool any_coupling, RandomStream stream) {
   const std::vector<int> closing = FindClosing(hand);
   const std::vector<CapsulePair> pairs = FindCapsulePairs(hand);
   std::vector<ProposedGrasp> proposed;
   for (int k = 0; k < num_drawn; ++k) {
-    proposed.push_back(ProposeOne(hand, taxon, closing, pairs, stream));
+    proposed.push_back(ProposeOne(hand, taxon, any_coupling, closing, pairs, stream));
   }
   std::stable_sort(proposed.begin(), proposed.end(),
                    [](const ProposedGrasp& a, const ProposedGrasp& b) { return a.miss < b.miss; });

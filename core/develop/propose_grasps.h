@@ -39,9 +39,11 @@ void RoundGrasp(const Hand& hand, StandardGrasp& grasp);
 two for the rest. The pinch is one of pads with a small opening, not of a finger's side. */
 bool CanDevelop(const Hand& hand, const GraspTaxon& taxon);
 
-/** The best `num_kept` of `num_drawn` draws, best first. @pre CanDevelop. */
+/** The best `num_kept` of `num_drawn` draws, best first.
+@param any_coupling  the rule of coupled joints is not known: half of the draws keep the joints
+straight that others follow, where all rules agree. @pre CanDevelop. */
 std::vector<ProposedGrasp> ProposeGrasps(const Hand& hand, const GraspTaxon& taxon, int num_drawn,
-                                         int num_kept, RandomStream stream);
+                                         int num_kept, bool any_coupling, RandomStream stream);
 
 /** Target posture behind `q_met`. @param grip  of the opposing digit [N]. */
 Eigen::VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -18,14 +19,16 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-enum class Family { kSphere, kBox, kCylinder, kRod, kRing };
-constexpr const char* kFamilyNames[] = {"sphere", "box", "cylinder", "rod", "ring"};
+enum class Family { kSphere, kBox, kCylinder, kRod, kRing, kBulb, kCross };
+constexpr const char* kFamilyNames[] = {"sphere", "box",  "cylinder", "rod",
+                                        "ring",   "bulb", "cross"};
 
 /** Sizes in mm; the length of a sphere, a cylinder and a ring is their width. */
 struct ShapeRow {
   const char* taxon;
   Family family;
   DrawnRange length_mm, width_mm, height_mm, density;
+  Approach approach = Approach::kAutomatic;
 };
 // Each grasp's rows are used in turn. Densities are those of the outline: hollow things are light
 // [kg/m^3].
@@ -48,6 +51,8 @@ constexpr ShapeRow kShapes[] = {
     {"g3", Family::kCylinder, {}, {65, 90}, {50, 80}, {300, 800}},
     {"g3", Family::kRod, {80, 130}, {50, 66}, {}, {80, 400}},
     {"g3", Family::kBox, {60, 110}, {50, 66}, {45, 75}, {150, 500}},
+    {"g3", Family::kBulb, {85, 120}, {48, 66}, {}, {80, 300}},
+    {"g3", Family::kCylinder, {}, {56, 74}, {95, 140}, {400, 1000}, Approach::kSide},
     {"g4", Family::kRod, {120, 180}, {6, 10}, {}, {400, 900}},
     {"g4", Family::kBox, {40, 70}, {7, 13}, {18, 32}, {400, 1200}},
     {"g4", Family::kRod, {110, 160}, {12, 20}, {}, {300, 700}},
@@ -57,6 +62,7 @@ constexpr ShapeRow kShapes[] = {
     {"g5", Family::kSphere, {}, {36, 60}, {}, {150, 700}},
     {"g5", Family::kBox, {60, 120}, {30, 46}, {20, 36}, {200, 600}},
     {"g5", Family::kCylinder, {}, {36, 56}, {40, 70}, {150, 600}},
+    {"g5", Family::kCross, {}, {50, 95}, {20, 55}, {100, 400}},
 };
 constexpr DrawnRange kFriction = {0.25, 0.5};  ///< static
 constexpr double kDynamicShare = 0.85;         ///< of the static coefficient
@@ -64,6 +70,9 @@ constexpr double kEdge = 0.0008;               ///< radius of boxes' edges [m]
 constexpr double kFlatSpot = 0.001;            ///< cut off a sphere's bottom [m]
 constexpr double kLikeAJudge = 0.002;          ///< in length, width and height [m]
 constexpr double kHole = 0.7;                  ///< of a ring's width
+constexpr double kNeck = 0.45;                 ///< of a bulb's width
+constexpr double kBelt = 0.2;                  ///< latitudes of a bulb's widest part [rad]
+constexpr double kArm = 0.3;                   ///< of a cross's width
 
 TriMesh MakeFlatSphere(double diameter) {
   constexpr int kSteps = 20;
@@ -89,6 +98,48 @@ TriMesh MakeRod(double length, double width) {
       const double radius = 0.5 * width / std::cos(kPi / kSides);
       rings[static_cast<size_t>(end)].emplace_back((end - 0.5) * length, radius * std::cos(angle),
                                                    radius * std::sin(angle));
+    }
+  }
+  return MakeLoft(rings);
+}
+
+/** Turned about x: the neck at its lower end, the ball at its upper one. It lies on a side of the
+belt about its belly. */
+TriMesh MakeBulb(double length, double width) {
+  constexpr int kSides = 24, kSteps = 24;
+  const double radius = 0.5 * width;
+  const double neck = kNeck * radius;
+  const double centre = 0.5 * length - radius;
+  const double first = -std::acos(neck / radius);  // where the neck meets the ball
+  std::vector<Vector2d> profile = {{0.0, -0.5 * length}, {neck, -0.5 * length}};
+  for (int k = 0; k < kSteps; ++k) {
+    const double latitude = first + (0.5 * kPi - first) * k / kSteps;
+    const bool is_belt = std::abs(latitude) < kBelt;
+    profile.emplace_back(is_belt ? radius : radius * std::cos(latitude),
+                         centre + radius * std::sin(latitude));
+  }
+  profile.emplace_back(0.0, 0.5 * length);
+  TriMesh mesh = MakeRevolution(profile, kSides);
+  const double turn = kPi / kSides, stretch = 1.0 / std::cos(turn);  // as a rod
+  for (Vector3d& p : mesh.vertices) {
+    p = Vector3d(p.z(), stretch * (p.x() * std::cos(turn) - p.y() * std::sin(turn)),
+                 stretch * (p.x() * std::sin(turn) + p.y() * std::cos(turn)));
+  }
+  return mesh;
+}
+
+TriMesh MakeCross(double width, double height) {
+  const double tip = 0.5 * width, arm = 0.5 * kArm * width;
+  std::vector<Ring> rings(2);
+  for (int end = 0; end < 2; ++end) {
+    const double z = (end - 0.5) * height;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double c = quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0;
+      const double s = quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0;
+      for (const Vector2d& p : {Vector2d(tip, -arm), Vector2d(tip, arm), Vector2d(arm, arm)}) {
+        rings[static_cast<size_t>(end)].emplace_back(c * p.x() - s * p.y(), s * p.x() + c * p.y(),
+                                                     z);
+      }
     }
   }
   return MakeLoft(rings);
@@ -125,6 +176,10 @@ TriMesh MakeShapeMesh(Family family, const Vector3d& size) {
                             48);
     case Family::kRod:
       return MakeRod(size.x(), size.y());
+    case Family::kBulb:
+      return MakeBulb(size.x(), size.y());
+    case Family::kCross:
+      return MakeCross(size.y(), size.z());
     case Family::kRing:
       break;
   }
@@ -134,6 +189,7 @@ TriMesh MakeShapeMesh(Family family, const Vector3d& size) {
 Vector3d DrawSize(const ShapeRow& row, double largest, RandomStream& stream) {
   Vector3d size(MFromMm(row.length_mm.Draw(stream)), MFromMm(row.width_mm.Draw(stream)),
                 MFromMm(row.height_mm.Draw(stream)));
+  if (row.length_mm.high > 0.0 && size.x() < size.y()) std::swap(size.x(), size.y());
   if (size.y() > largest) size *= largest / size.y();
   if (row.length_mm.high == 0.0) size.x() = size.y();
   if (row.height_mm.high == 0.0) size.z() = size.y();
@@ -168,8 +224,13 @@ std::shared_ptr<const GraspObject> MakeShape(const ShapeRow& row, const std::str
   object->size = object->size_of_sight = box.sizes();
   const double mass = density * CalcVolume(object->mesh);
   object->mass_properties = CalcSolidMassProperties(object->mesh, mass);
+  // Of a bulb as a whole the middle is not that of its weight, and it would tip.
+  if (row.family == Family::kBulb) {
+    object->mass_properties.p_OOcm.x() = 0.5 * (object->size.x() - object->size.y());
+  }
   object->surface.friction_static = friction;
   object->surface.friction_dynamic = kDynamicShare * friction;
+  object->approach = row.approach;
   object->name =
       fmt::format("{}, {:.0f} x {:.0f} x {:.0f} mm, {:.0f} g",
                   kFamilyNames[static_cast<size_t>(row.family)], MmFromM(object->size.x()),

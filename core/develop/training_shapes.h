@@ -1,17 +1,20 @@
 #pragma once
 /** @file
 Things to develop grasps on: solids made on the spot, with sizes, densities and friction drawn
-between limits, so that no grasp is developed on what it is judged by. Five families,
+between limits, so that no grasp is developed on what it is judged by. Seven families,
 
     sphere    with a flat spot of 1 mm to rest on
     box       a plate when it is flat
     cylinder  standing: a disc when it is flat
     rod       a cylinder that lies, of 24 sides
     ring      lying, its hole upright
+    bulb      a ball on a neck, of 24 sides, lying, its weight in the ball
+    cross     four flat arms
 
 chosen by grasp type: the power grasp gets the large and the heavy, the precision grasp with two
 digits and the pinch the thin and the small, the others what is in between (Roethling 2007, section
-2.3). All limits are proposed by graspbench. */
+2.3). Some tall cylinders are for power grasps
+from the side, whatever the hand's reach. All limits are proposed by graspbench. */
 
 #include <memory>
 #include <string>

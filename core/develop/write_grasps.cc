@@ -39,10 +39,12 @@ std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& develope
 std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
                          const std::vector<DevelopedGrasp>& developed) {
   std::string text = fmt::format(
-      "{}, seed {}, some {} trials: proposed\n# by geometry, chosen and improved in simulation on "
-      "shapes made for it, none of them an object of\n# the catalogue. Degrees (of slides "
-      "millimetres), driven joints of each digit from base to tip.\n{}\n",
-      kMade, config.seed, config.budget, kSection);
+      "{}: proposed by geometry, chosen and\n# improved in simulation on shapes made for it, none "
+      "of them an object of the catalogue. Again:\n#   graspbench hand develop {}{} --budget {} "
+      "--seed {} --out DIR\n# Degrees (of slides millimetres), driven joints of each digit from "
+      "base to tip.\n{}\n",
+      kMade, hand.id, config.any_coupling ? " --any-coupling" : "", config.budget, config.seed,
+      kSection);
   for (const DevelopedGrasp& one : developed) {
     const StandardGrasp& grasp = one.grasp;
     std::string digits;
@@ -50,6 +52,9 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
     text += fmt::format("  {}:\n    digits: [{}]\n    tilt_deg: {:.{}f}\n", grasp.id, digits,
                         DegFromRad(grasp.tilt), kGraspDecimals);
     if (grasp.palm_may_touch) text += "    palm_may_touch: true\n";
+    if (grasp.palm_gap != kPalmGap) {
+      text += fmt::format("    palm_gap_m: {:.{}f}\n", grasp.palm_gap, kGraspDecimals + 3);
+    }
     text += "    pre_deg: " + FormatPosture(hand, grasp.q_pre, kGraspDecimals) +
             "\n    target_deg: " + FormatPosture(hand, grasp.q_target, kGraspDecimals) +
             "\n    changed: >-\n      " + DescribeDevelopment(hand, one) + "\n";

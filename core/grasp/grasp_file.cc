@@ -137,6 +137,8 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
   map.Read("digits", grasp.digits);
   map.Read("tilt_deg", tilt_deg);
   map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
+  map.Read("palm_gap_m", grasp.palm_gap, Needed::kNo);
+  ReadApproach(map, grasp.approach);
   grasp.tilt = RadFromDeg(tilt_deg);
   const auto& taxa = ListGraspTaxa();
   if (std::any_of(taxa.begin(), taxa.end(), [&](const auto& t) { return t.id == grasp.id; })) {
@@ -166,8 +168,12 @@ std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
                      "\nhand: " + hand.id + "\nmade_from: " + made_from;
   if (!grasp.object.empty()) text += "\nobject: " + grasp.object;
   text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixed(DegFromRad(grasp.tilt), 6) +
-          "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false") +
-          "\n# driven joints of each digit, from base to tip\npre_deg: " +
+          "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false");
+  if (grasp.palm_gap != kPalmGap) text += "\npalm_gap_m: " + FormatFixed(grasp.palm_gap, 6);
+  if (grasp.approach != Approach::kAutomatic) {
+    text += std::string("\napproach: ") + RowOf(kApproaches, grasp.approach).name;
+  }
+  text += "\n# driven joints of each digit, from base to tip\npre_deg: " +
           FormatPosture(hand, grasp.q_pre) +
           "\ntarget_deg: " + FormatPosture(hand, grasp.q_target) + "\n";
   if (grasp.placement) {

@@ -16,7 +16,6 @@ using Eigen::Vector3d;
 
 constexpr double kLowestGrasp = 0.009;  ///< smallest h_g [m]
 constexpr double kBelowTop = 0.008;     ///< h_g stays this far below the object's top [m]
-constexpr double kPalmGap = 0.003;      ///< palm to object, at least; power: exactly [m]
 constexpr double kLeastHold = 0.003;    ///< by which pads reach past the object's near face [m]
 constexpr double kFarAway = 1.0;        ///< from where a hand comes at the latest [m]
 constexpr int kClosingSteps = 200;
@@ -137,6 +136,12 @@ double CalcGraspHeight(double height, bool from_side) {
   return std::max(kLowestGrasp, std::min(0.5 * height, height - kBelowTop));
 }
 
+/** What is taller than the fingers reach is grasped with power from the side, when nobody says. */
+bool ComesFromSide(const Hand& hand, const StandardGrasp& grasp, double height) {
+  if (grasp.approach != Approach::kAutomatic) return grasp.approach == Approach::kSide;
+  return grasp.type == GraspType::kPower && height > CalcReach(hand);
+}
+
 /** R_WH that turns two perpendicular directions of the hand into two of the world. */
 Matrix3d CalcRotation(const Vector3d& a_H, const Vector3d& b_H, const Vector3d& a_W,
                       const Vector3d& b_W) {
@@ -177,7 +182,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   if (grasp.placement) return *grasp.placement;
   const double width = object_size.y();
   const double height = object_size.z();
-  const bool from_side = grasp.type == GraspType::kPower && height > CalcReach(hand);
+  const bool from_side = ComesFromSide(hand, grasp, height);
 
   const Vector3d lateral_H = CalcFlexionAxis(hand);
   const Vector3d approach_H = CalcApproachDirection(hand, from_side ? 0.0 : grasp.tilt);
@@ -222,7 +227,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
     const double near_face = from_side ? -0.5 * width : -height;  // along the approach
     const double palm =
         CalcExtent(hand, course.front(), placement.X_WH, hand.palm_link, placement.approach_W);
-    placement.X_WH.pretranslate((near_face - kPalmGap - palm) * placement.approach_W);
+    placement.X_WH.pretranslate((near_face - grasp.palm_gap - palm) * placement.approach_W);
   }
 
   LiftOffTable(hand, course, height, placement);
@@ -230,7 +235,9 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
 }
 
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
-  Placement placement = CalcPlacement(hand, grasp, object.size, object.mass_properties.p_OOcm);
+  StandardGrasp chosen = grasp;
+  if (object.approach != Approach::kAutomatic) chosen.approach = object.approach;
+  Placement placement = CalcPlacement(hand, chosen, object.size, object.mass_properties.p_OOcm);
   if (grasp.placement) return placement;
   const double back = CalcWayBack(hand, grasp, object, placement);
   if (back == 0.0) return placement;

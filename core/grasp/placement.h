@@ -15,7 +15,8 @@ towards the fingertips) points straight down. For precision and pinch
 
     h_g = max(9 mm, min(height / 2, height - 8 mm)),
 
-so that the pads clear the table; a power grasp brings the palm to 3 mm from the object instead. No
+so that the pads clear the table; a power grasp brings the palm to its `palm_gap` from the object
+instead. No
 sphere of the hand comes nearer to the table than kTableClearance while it closes to s*; what is
 thinner than 9 mm is picked off the table, there it holds at s* only.
 
@@ -24,9 +25,10 @@ object than 3 mm (a palm that may touch: 0), or another link would meet it. Fing
 object on the way, but do not end inside it. When the pads of a hand that had to stop do not pass
 the object's near face by 3 mm, the grasp does not reach the object.
 
-An object taller than the fingers reach is grasped with power from the side: the approach is
-horizontal and the flexion axis of the fingers vertical, the grasp centre at half height; the
-strategy is the same, only position and orientation differ.
+From the side the approach is horizontal, along the object's width, and the flexion axis of the
+fingers vertical, the grasp centre at half height; the strategy is the same, only position and
+orientation differ. Session, object and grasp may choose it or exclude it (core/shape/approach.h);
+when none does, it is for power grasps of objects taller than the fingers reach.
 
 All of this is proposed by graspbench: the thesis gives d and alpha, and that p is computed. */
 
@@ -52,13 +54,14 @@ Eigen::Vector3d CalcApproachDirection(const Hand& hand, double tilt);
 from above: what is wider does not fit [m]. */
 double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp);
 
-/** @param object_size  length, width, height of the object as it rests [m], all > 0.
+/** As the grasp says it is approached.
+@param object_size  length, width, height of the object as it rests [m], all > 0.
 @param p_OOcm  its centre of mass [m]. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
                         const Eigen::Vector3d& object_size, const Eigen::Vector3d& p_OOcm);
 
-/** The same, and stops before the object as it is (its distance field). A placement that the grasp
-brings is left alone. */
+/** The same, as the object says if it does, and stops before the object as it is (its distance
+field). A placement that the grasp brings is left alone. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

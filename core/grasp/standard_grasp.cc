@@ -26,6 +26,8 @@ StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::N
   map.Read("digits", grasp.digits);
   map.Read("tilt_deg", tilt_deg);
   map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
+  map.Read("palm_gap_m", grasp.palm_gap, Needed::kNo);
+  ReadApproach(map, grasp.approach);
   map.Read("changed", changed, Needed::kNo);
   grasp.tilt = RadFromDeg(tilt_deg);
 

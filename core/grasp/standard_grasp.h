@@ -13,10 +13,14 @@ its hand.yaml. */
 
 #include "core/base/pose.h"
 #include "core/hand/hand.h"
+#include "core/shape/approach.h"
 
 namespace graspbench {
 
 enum class GraspType { kAllFingerPrecision, kTwoFingerPrecision, kPower, kTwoFingerPinch };
+
+/** Palm to object, at least; of a power grasp that says nothing else exactly [m]. */
+inline constexpr double kPalmGap = 0.003;
 
 struct GraspTaxon {
   std::string id;            ///< "g1".."g5"
@@ -52,7 +56,9 @@ struct StandardGrasp {
   Eigen::VectorXd q_target;         ///< (num_joints) [rad]
   std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
   bool palm_may_touch = false;      ///< power grasps
-  std::string object;               ///< id of the object it was made for; empty: any
+  double palm_gap = kPalmGap;       ///< of a power grasp: palm to object when closing begins [m]
+  Approach approach = Approach::kAutomatic;
+  std::string object;                  ///< id of the object it was made for; empty: any
   std::optional<Placement> placement;  ///< absent: computed from postures and sizes
 };
 

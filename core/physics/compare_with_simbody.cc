@@ -8,9 +8,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-/** Largest difference over the largest of their entries. */
-double CalcDifference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs) {
-  return (ours - theirs).cwiseAbs().maxCoeff() / theirs.cwiseAbs().maxCoeff();
+/** Largest difference over the largest of their entries, or over `least` if that is more. */
+double CalcDifference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs,
+                      double least = 0.0) {
+  return (ours - theirs).cwiseAbs().maxCoeff() / std::max(theirs.cwiseAbs().maxCoeff(), least);
 }
 
 }  // namespace
@@ -39,10 +40,13 @@ double CompareWithSimbody(World& world, SimbodyModel& simbody) {
   dynamics.CalcBias(world.CalcHandSpeeds(), state.gravity_W, bias);
   // The base is so much heavier than a finger that both have a scale of their own.
   const int dofs = dynamics.num_dofs();
+  // Slides that lie level have no bias but rounding: what their masses weigh is its scale then.
+  const double weight =
+      M_theirs.topLeftCorner(dofs, dofs).cwiseAbs().maxCoeff() * state.gravity_W.norm();
   return std::max({CalcDifference(M, M_theirs),
                    CalcDifference(M.topLeftCorner(dofs, dofs), M_theirs.topLeftCorner(dofs, dofs)),
                    CalcDifference(bias, bias_theirs),
-                   CalcDifference(bias.head(dofs), bias_theirs.head(dofs))});
+                   CalcDifference(bias.head(dofs), bias_theirs.head(dofs), weight)});
 }
 
 }  // namespace graspbench

@@ -8,6 +8,11 @@ Pose CalcPalmPose(const Hand& hand, const WorldState& state) {
   return state.X_WH * CalcLinkPose(hand, state.q, hand.palm_link);
 }
 
+double CalcConeShare(const HandContact& contact) {
+  const double limit = contact.mu * contact.normal_force;
+  return limit > 0.0 ? contact.friction_W.norm() / limit : kUnset;
+}
+
 World::World(const Hand& hand, const GraspObject& object, const SimConfig& config)
     : hand_(&hand),
       mass_(object.mass_properties),

@@ -74,6 +74,10 @@ struct HandContact {
   double torsion_radius = 0.0;  ///< a pad resists spin up to mu * normal_force * this [m]
 };
 
+/** Share of the friction cone that the tangential force uses, 1 at its limit; NaN without a cone.
+Torsion is not counted. */
+double CalcConeShare(const HandContact& contact);
+
 class World {
  public:
   virtual ~World() = default;

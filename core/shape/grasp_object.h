@@ -9,6 +9,7 @@ from a user's mesh; shared read-only between threads. */
 #include <string>
 #include <vector>
 
+#include "core/shape/approach.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/signed_distance_field.h"
 #include "core/shape/surface_material.h"
@@ -32,6 +33,7 @@ struct GraspObject {
   /** Grasps by falling suitability; a hand without an entry in best_grasp takes the first of them
   that it can do. */
   std::vector<std::string> grasp_order = {"g1", "g3", "g2", "g5", "g4"};
+  Approach approach = Approach::kAutomatic;  ///< said of the object; else the grasp's
   Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for pictures
   std::string content_hash;  ///< of everything that the simulation depends on
 };

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/grasp/standard_grasp.h"
 
 namespace graspbench {
 namespace {
@@ -57,6 +58,15 @@ TEST_F(ObjectFileTest, ReadsEveryKey) {
   EXPECT_EQ(file.p_OOcm.x(), 0.01);
   EXPECT_EQ(file.best_grasp.at("my_hand"), "g2");
   EXPECT_EQ(file.grasp_order, (std::vector<std::string>{"g2", "g1"}));
+}
+
+TEST_F(ObjectFileTest, GraspsMayHaveTheirNames) {
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    const ObjectFile file = Load(std::string(kSmallest) + "best_grasp: {tum: " + taxon.name +
+                                 "}\ngrasp_order: [" + "G" + taxon.id.substr(1) + "]\n");
+    EXPECT_EQ(file.best_grasp.at("tum"), taxon.id);
+    EXPECT_EQ(file.grasp_order, std::vector<std::string>{taxon.id});
+  }
 }
 
 TEST_F(ObjectFileTest, TellsEveryProblemAtItsLine) {

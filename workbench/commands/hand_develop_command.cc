@@ -3,6 +3,10 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/hand/load_hand.h"
+#include "datasets/analysis/development_summary.h"
+#include "reports/posture_page.h"
+#include "reports/write_page.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/develop_hand.h"
 #include "workbench/experiments/interrupt.h"
@@ -26,6 +30,17 @@ std::string FormatDeveloped(const std::vector<DevelopedGrasp>& developed) {
   return table.Format();
 }
 
+std::filesystem::path WritePage(const DevelopHandRequest& request,
+                                const std::vector<DevelopedGrasp>& developed) {
+  const std::filesystem::path folder = request.out / "development";
+  PosturePageData data;
+  data.hand = std::make_shared<const Hand>(LoadHand(request.out.string()));
+  data.config = request.config;
+  data.developed = developed;
+  data.stages = SummariseDevelopment(DevelopmentJournal(folder / "journal.jsonl"));
+  return WriteReportPage(folder, MakePosturePage(data));
+}
+
 void Develop(const DevelopHandRequest& request) {
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
@@ -37,9 +52,10 @@ void Develop(const DevelopHandRequest& request) {
       stop);
   try {
     const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer, stop);
-    PrintResult(FormatDeveloped(developed) + "\nhand     " + request.out.string() +
-                "\nnext     graspbench run --hand " + QuoteForShell(request.out.string()) +
-                " --grasp all --out results/NAME\n");
+    const std::filesystem::path page = WritePage(request, developed);
+    PrintResult(FormatDeveloped(developed) + "\nhand     " + request.out.string() + "\npage     " +
+                page.string() + "\nnext     graspbench run --hand " +
+                QuoteForShell(request.out.string()) + " --grasp all --out results/NAME\n");
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
     throw Error(ErrorKind::kInterrupted,
@@ -64,7 +80,9 @@ void AddHandDevelopCommand(CLI::App& program, ExitCode&) {
                   "folder for the hand with its grasps; the same command again continues it")
       ->required()
       ->option_text("DIR");
-  command.add_option("--budget", request->config.budget, "trials of all grasps together, about")
+  command
+      .add_option("--budget", request->config.budget,
+                  "trials of all grasps together, about; at least 100")
       ->check(CLI::Range(100, 10000000))
       ->option_text("N")
       ->capture_default_str();
@@ -72,6 +90,8 @@ void AddHandDevelopCommand(CLI::App& program, ExitCode&) {
       ->check(CLI::Range(0, 2147483647))
       ->option_text("N")
       ->capture_default_str();
+  command.add_flag("--any-coupling", request->config.any_coupling,
+                   "the rule of coupled joints is not known: train with all of them");
   AddJobsOption(command, request->num_workers);
   AddTrialTimeoutOption(command, request->trial_time_limit);
   command.callback([request] { Develop(*request); });

@@ -8,6 +8,7 @@
 #include "core/base/hash.h"
 #include "core/develop/training_shapes.h"
 #include "core/develop/write_grasps.h"
+#include "core/hand/coupling.h"
 #include "core/hand/load_hand.h"
 #include "datasets/scene/development_store.h"
 #include "datasets/session/input_copies.h"
@@ -25,6 +26,28 @@ constexpr int kNumDrawn = 800;         ///< proposals of a grasp, by geometry al
 constexpr int kNumKept = 32;           ///< of these
 constexpr double kLargestShape = 0.8;  ///< of the widest opening that was proposed
 constexpr double kHoldTime = 0.7;      ///< shorter than the benchmark's: what slips, slips soon [s]
+constexpr double kPlacingTime = 0.5;   ///< likewise: nothing is touched meanwhile [s]
+constexpr double kDraftStep = 0.004;   ///< of the physics in race and search [s]
+
+/** The hand, and for a coupling that is not known the same with the other rules, its own in turn
+with each of them. */
+std::vector<std::shared_ptr<const Hand>> MakeCoupledHands(const std::shared_ptr<const Hand>& own,
+                                                          bool any_coupling) {
+  std::vector<std::shared_ptr<const Hand>> hands = {own};
+  const bool has_pairs = std::any_of(own->joints.begin(), own->joints.end(), [](const auto& joint) {
+    return joint.coupled_to >= 0 && !joint.is_mimic;
+  });
+  if (!any_coupling || !has_pairs) return hands;
+  hands.clear();
+  for (const CouplingRule rule : ListCouplingRules()) {
+    if (rule == own->coupling) continue;
+    auto other = std::make_shared<Hand>(*own);
+    other->coupling = rule;
+    hands.push_back(own);
+    hands.push_back(std::move(other));
+  }
+  return hands;
+}
 
 /** Answers what the development of one grasp asks: from the journal, else by simulation. */
 class GraspTrials {
@@ -33,6 +56,7 @@ class GraspTrials {
               std::vector<std::shared_ptr<const GraspObject>> shapes, DevelopmentJournal& journal,
               TrialPool& pool, int& num_asked)
       : hand_(std::move(hand)),
+        coupled_hands_(MakeCoupledHands(hand_, config.develop.any_coupling)),
         config_(config),
         shapes_(std::move(shapes)),
         journal_(journal),
@@ -74,13 +98,17 @@ class GraspTrials {
                 "physics or the program; develop anew into another folder");
   }
 
-  TrialSetup MakeSetup(const StandardGrasp& grasp, const DevelopRequest::Trial& trial) const {
+  TrialSetup MakeSetup(const DevelopRequest& request, const DevelopRequest::Trial& trial) const {
+    const auto turn = static_cast<size_t>(trial.shape + trial.draw);
     TrialSetup setup;
-    setup.hand = hand_;
+    setup.hand = coupled_hands_[turn % coupled_hands_.size()];
     setup.object = shapes_[static_cast<size_t>(trial.shape)];
-    setup.grasp = grasp;
+    setup.grasp = request.grasp;
+    ApplyCoupling(*setup.hand, setup.grasp.q_pre);
+    ApplyCoupling(*setup.hand, setup.grasp.q_target);
     setup.strategy = config_.strategy;
     setup.sim = config_.sim;
+    if (request.stage == "race" || request.stage == "search") setup.sim.step = kDraftStep;
     const Json names = {config_.develop.seed, setup.object->id, trial.draw};
     setup.draw = DrawVariation(config_.variation, *hand_,
                                RandomStream(FormatJson(names), "object pose of development"),
@@ -108,7 +136,7 @@ class GraspTrials {
     std::vector<TrialSetup> setups;
     for (const Place& place : places) {
       const DevelopRequest& request = requests[place.request];
-      setups.push_back(MakeSetup(request.grasp, request.trials[place.trial]));
+      setups.push_back(MakeSetup(request, request.trials[place.trial]));
     }
     const std::vector<TrialResult> results = pool_.Run(setups);
     std::vector<DevelopmentRecord> added;
@@ -125,6 +153,7 @@ class GraspTrials {
   }
 
   std::shared_ptr<const Hand> hand_;
+  std::vector<std::shared_ptr<const Hand>> coupled_hands_;  // taken in turn
   const DevelopmentConfig& config_;
   std::vector<std::shared_ptr<const GraspObject>> shapes_;
   DevelopmentJournal& journal_;
@@ -144,6 +173,18 @@ std::vector<const GraspTaxon*> FindTaxa(const Hand& hand) {
                     "hand.yaml");
   }
   return taxa;
+}
+
+/** Twice as much for power, which has most to learn: the palm is to hold, too. */
+std::vector<int> ShareBudget(int budget, const std::vector<const GraspTaxon*>& taxa) {
+  const auto count_parts = [](const GraspTaxon* taxon) {
+    return taxon->type == GraspType::kPower ? 2 : 1;
+  };
+  int num_parts = 0;
+  for (const GraspTaxon* taxon : taxa) num_parts += count_parts(taxon);
+  std::vector<int> budgets;
+  for (const GraspTaxon* taxon : taxa) budgets.push_back(budget * count_parts(taxon) / num_parts);
+  return budgets;
 }
 
 /** A new folder with a copy of the hand, or the same development in it. */
@@ -192,12 +233,12 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
                                         const std::atomic<bool>& stop) {
   const auto hand = std::make_shared<const Hand>(LoadHand(request.hand));
   const std::vector<const GraspTaxon*> taxa = FindTaxa(*hand);
-  const int budget = request.config.budget / static_cast<int>(taxa.size());
   DevelopmentConfig config;
   config.hand = hand->id;
   config.hand_content = hand->content_hash;
   config.develop = request.config;
   config.strategy.hold_time = kHoldTime;
+  config.strategy.placing_time = kPlacingTime;
   PrepareFolder(request, *hand, config);
 
   DevelopmentJournal journal(request.out / kDevelopment / "journal.jsonl");
@@ -205,16 +246,19 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   Stage stage;
   stage.kind = StageKind::kDevelopment;
   stage.num_all = stage.num_left = static_cast<int>(taxa.size());
-  stage.num_trials = CountDevelopTrials(budget) * stage.num_all;
+  const std::vector<int> budgets = ShareBudget(request.config.budget, taxa);
+  for (const int budget : budgets) stage.num_trials += CountDevelopTrials(budget);
   observer.BeginStage(stage);
   BatchStatus status;
   const std::vector<Eigen::Vector3d> judges = ListJudges();
   int num_asked = 0;
   std::vector<DevelopedGrasp> developed;
-  for (const GraspTaxon* taxon : taxa) {
+  for (size_t k = 0; k < taxa.size(); ++k) {
+    const GraspTaxon* taxon = taxa[k];
     const std::string stream = std::to_string(request.config.seed) + " " + taxon->id;
     const std::vector<ProposedGrasp> proposals =
-        ProposeGrasps(*hand, *taxon, kNumDrawn, kNumKept, RandomStream(stream, "proposals"));
+        ProposeGrasps(*hand, *taxon, kNumDrawn, kNumKept, request.config.any_coupling,
+                      RandomStream(stream, "proposals"));
     GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
                        journal, pool, num_asked);
     const auto run = [&](const std::vector<DevelopRequest>& requests) {
@@ -228,7 +272,7 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
       observer.ShowStatus(status, stage.num_trials);
       return answers;
     };
-    developed.push_back(DevelopGrasp(*hand, proposals, budget, request.config.seed, run));
+    developed.push_back(DevelopGrasp(*hand, proposals, budgets[k], request.config.seed, run));
   }
   observer.ShowStatus(status, status.num_done);
   observer.EndStage();

@@ -52,7 +52,8 @@ class DevelopGraspTest : public testing::Test {
  protected:
   DevelopGraspTest()
       : hand_(LoadHand("tum")),
-        proposals_(ProposeGrasps(hand_, FindGraspTaxon("g1"), 12, 12, RandomStream("1", "test"))) {}
+        proposals_(
+            ProposeGrasps(hand_, FindGraspTaxon("g1"), 12, 12, false, RandomStream("1", "test"))) {}
 
   Hand hand_;
   std::vector<ProposedGrasp> proposals_;
@@ -85,7 +86,7 @@ TEST_F(DevelopGraspTest, FinalsHaveOtherDrawsAndTheCheckOtherShapes) {
 }
 
 TEST_F(DevelopGraspTest, KeepsTheBudgetAndRepeatsItself) {
-  for (const int budget : {20, 400, 1500}) {
+  for (const int budget : {20, 400, 2500}) {
     HiddenTarget world(hand_, proposals_);
     const DevelopedGrasp a = DevelopGrasp(hand_, proposals_, budget, 1, world.MakeRun());
     const DevelopedGrasp b = DevelopGrasp(hand_, proposals_, budget, 1, world.MakeRun());

@@ -53,7 +53,7 @@ TEST_F(DevelopTrialTest, APalmThatStillTouchesCountsWhereItMay) {
   result_.contact_events = {{0.1, ContactEventKind::kTouch, "palm", "palm", kUnset}};
   EXPECT_EQ(Score(Outcome::kSuccess), 1.0);
   grasp_.palm_may_touch = true;
-  EXPECT_NEAR(Score(Outcome::kSuccess), 1.2, 1e-12);
+  EXPECT_NEAR(Score(Outcome::kSuccess), 1.4, 1e-12);
   result_.contact_events.push_back({0.2, ContactEventKind::kLost, "palm", "palm", 0.1});
   EXPECT_EQ(Score(Outcome::kSuccess), 1.0);
 }

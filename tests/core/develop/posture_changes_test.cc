@@ -60,6 +60,18 @@ TEST_F(PostureChangesTest, LimitsHold) {
   }
 }
 
+TEST_F(PostureChangesTest, APowerGraspsPalmComesNearer) {
+  const StandardGrasp power = LoadStandardGrasps(hand_).at(2);
+  const PostureChanges changes(hand_, power);
+  Eigen::VectorXd x = changes.MakeSpace().start;
+  ASSERT_EQ(x.size(), 14);
+  EXPECT_EQ(changes.Apply(x).palm_gap, kPalmGap);
+  x[13] = -0.05;  // 2 mm
+  EXPECT_NEAR(changes.Apply(x).palm_gap, 0.001, 1e-12);
+  x[13] = -0.5;
+  EXPECT_EQ(changes.Apply(x).palm_gap, 0.0);
+}
+
 TEST_F(PostureChangesTest, MirroredJointsChangeAgainstEachOther) {
   hand_.joints[static_cast<size_t>(hand_.FindJoint("FFq2"))].lower = -1.0;
   hand_.joints[static_cast<size_t>(hand_.FindJoint("FFq2"))].upper = 0.2;

@@ -58,7 +58,7 @@ class ProposeGraspsTest : public testing::TestWithParam<const char*> {};
 TEST_P(ProposeGraspsTest, TheBestKeepsTheRules) {
   const Hand hand = LoadHand(GetParam());
   for (const char* id : {"g1", "g2"}) {
-    const auto proposals = ProposeGrasps(hand, FindGraspTaxon(id), 150, 5, Stream());
+    const auto proposals = ProposeGrasps(hand, FindGraspTaxon(id), 150, 5, false, Stream());
     ASSERT_EQ(proposals.size(), 5u);
     for (size_t k = 1; k < proposals.size(); ++k) {
       EXPECT_LE(proposals[k - 1].miss, proposals[k].miss);
@@ -82,17 +82,36 @@ INSTANTIATE_TEST_SUITE_P(Hands, ProposeGraspsTest, testing::Values("tum", "shado
 
 TEST(ProposeGraspsTest, TheSameStreamGivesTheSameGrasps) {
   const Hand hand = LoadHand("tum");
-  const auto a = ProposeGrasps(hand, FindGraspTaxon("g3"), 20, 3, Stream());
-  const auto b = ProposeGrasps(hand, FindGraspTaxon("g3"), 20, 3, Stream());
-  const auto c = ProposeGrasps(hand, FindGraspTaxon("g3"), 20, 3, RandomStream("2", "test"));
+  const auto a = ProposeGrasps(hand, FindGraspTaxon("g3"), 20, 3, false, Stream());
+  const auto b = ProposeGrasps(hand, FindGraspTaxon("g3"), 20, 3, false, Stream());
+  const auto c = ProposeGrasps(hand, FindGraspTaxon("g3"), 20, 3, false, RandomStream("2", "test"));
   for (size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].grasp.q_target, b[k].grasp.q_target);
   EXPECT_NE(a[0].grasp.q_target, c[0].grasp.q_target);
+}
+
+// Where joints stay straight, every rule of coupling gives the same posture, about.
+TEST(ProposeGraspsTest, WithAnyCouplingSomeKeepLeadersStraight) {
+  Hand hand = LoadHand("shadow");
+  const auto proposals = ProposeGrasps(hand, FindGraspTaxon("g2"), 12, 12, true, Stream());
+  double straight = 0.0, other = 0.0;
+  int num_straight = 0, num_other = 0;
+  for (const ProposedGrasp& proposed : proposals) {
+    double bent = 0.0;
+    for (const std::string& digit : proposed.grasp.digits) {
+      if (digit != "TH") bent += std::abs(proposed.grasp.q_pre[hand.FindJoint(digit + "J2")]);
+    }
+    (proposed.aim.leaders_straight ? straight : other) += bent;
+    ++(proposed.aim.leaders_straight ? num_straight : num_other);
+  }
+  ASSERT_GT(num_straight, 2);
+  ASSERT_GT(num_other, 2);
+  EXPECT_LT(straight / num_straight, 0.5 * other / num_other);
 }
 
 TEST(ProposeGraspsTest, WhatIsWrittenIsWhatWasTried) {
   const Hand hand = LoadHand("shadow");
   const StandardGrasp grasp =
-      ProposeGrasps(hand, FindGraspTaxon("g1"), 5, 1, Stream()).front().grasp;
+      ProposeGrasps(hand, FindGraspTaxon("g1"), 5, 1, false, Stream()).front().grasp;
   Diagnostics problems;
   VectorXd q;
   ReadPosture(hand, YAML::Load(FormatPosture(hand, grasp.q_target, kGraspDecimals)), "", "",

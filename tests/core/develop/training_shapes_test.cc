@@ -19,6 +19,15 @@ double CalcTrueVolume(const GraspObject& shape) {
   if (shape.name.rfind("sphere", 0) == 0) return kPi / 6.0 * std::pow(s.y(), 3);
   if (shape.name.rfind("rod", 0) == 0) return circle * s.x();
   if (shape.name.rfind("ring", 0) == 0) return circle * s.z() * (1.0 - 0.7 * 0.7);
+  if (shape.name.rfind("cross", 0) == 0) return s.y() * s.y() * s.z() * (2.0 * 0.3 - 0.3 * 0.3);
+  if (shape.name.rfind("bulb", 0) == 0) {
+    // The neck's cylinder up to where the ball is as wide, and the ball from there.
+    const double radius = 0.5 * s.y(), neck = 0.45 * radius;
+    const double below = std::sqrt(radius * radius - neck * neck);  // of the ball's middle
+    const double ball = kPi * (2.0 / 3.0 * std::pow(radius, 3) + radius * radius * below -
+                               std::pow(below, 3) / 3.0);
+    return kPi * neck * neck * (s.x() - radius - below) + ball;
+  }
   return circle * s.z();
 }
 
@@ -66,6 +75,33 @@ TEST(TrainingShapesTest, NoneIsAnObjectOfTheBenchmark) {
       }
     }
   }
+}
+
+// Else a bulb would tip over before the hand is there.
+TEST(TrainingShapesTest, AllStandOverWhatTheyRestOn) {
+  for (const GraspTaxon& taxon : ListGraspTaxa()) {
+    for (const auto& shape : MakeShapes(taxon, ShapeUse::kTraining, 2, 12, 1.0, {})) {
+      Eigen::Vector2d low = Eigen::Vector2d::Ones(), high = -low;
+      for (const Eigen::Vector3d& p : shape->mesh.vertices) {
+        if (p.z() > -0.5 * shape->size.z() + 1e-6) continue;
+        low = low.cwiseMin(p.head<2>());
+        high = high.cwiseMax(p.head<2>());
+      }
+      const Eigen::Vector2d p_OOcm = shape->mass_properties.p_OOcm.head<2>();
+      EXPECT_GT((p_OOcm - low).minCoeff(), 0.0) << shape->name;
+      EXPECT_GT((high - p_OOcm).minCoeff(), 0.0) << shape->name;
+    }
+  }
+}
+
+TEST(TrainingShapesTest, PowerGraspsMeetTallThingsFromTheSide) {
+  int num_from_side = 0;
+  for (const auto& shape : MakeShapes(FindGraspTaxon("g3"), ShapeUse::kTraining, 1, 24, 1.0, {})) {
+    if (shape->approach != Approach::kSide) continue;
+    ++num_from_side;
+    EXPECT_GT(shape->size.z(), shape->size.y()) << shape->name;
+  }
+  EXPECT_EQ(num_from_side, 3);
 }
 
 TEST(TrainingShapesTest, FitTheHandAndDifferByUseAndSeed) {

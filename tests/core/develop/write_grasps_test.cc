@@ -30,7 +30,8 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
   std::vector<DevelopedGrasp> developed;
   for (const char* id : {"g1", "g3"}) {
     DevelopedGrasp one;
-    one.proposed = ProposeGrasps(hand, FindGraspTaxon(id), 5, 1, RandomStream("1", "test")).front();
+    one.proposed =
+        ProposeGrasps(hand, FindGraspTaxon(id), 5, 1, false, RandomStream("1", "test")).front();
     one.grasp = one.proposed.grasp;
     one.check = {{Outcome::kSuccess, 1.0}, {Outcome::kNoContact, 0.1}};
     developed.push_back(one);
@@ -40,6 +41,8 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
   fs::copy(hand.folder, folder, fs::copy_options::recursive);
   const std::string yaml =
       ReplaceGrasps(ReadFile(folder / "hand.yaml"), FormatGrasps(hand, DevelopConfig(), developed));
+  EXPECT_NE(yaml.find("#   graspbench hand develop tum --budget 15000 --seed 1 --out DIR\n"),
+            std::string::npos);
   EXPECT_NE(yaml.find("Held 1 of 2 shapes not met before."), std::string::npos);
   WriteFile(folder / "hand.yaml", yaml);
   const std::vector<StandardGrasp> read = LoadStandardGrasps(LoadHand(folder.string()));
@@ -50,6 +53,7 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
     EXPECT_EQ(read[k].q_pre, made.q_pre);
     EXPECT_EQ(read[k].q_target, made.q_target);
     EXPECT_EQ(read[k].tilt, made.tilt);
+    EXPECT_EQ(read[k].palm_gap, made.palm_gap);
     EXPECT_EQ(read[k].digits, made.digits);
     EXPECT_EQ(read[k].palm_may_touch, made.id == "g3");
   }

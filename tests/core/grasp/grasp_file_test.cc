@@ -44,6 +44,8 @@ TEST(GraspFile, GivesBackWhatWasWritten) {
     EXPECT_EQ(file.grasp.id, grasp.id);
     EXPECT_EQ(file.grasp.type, grasp.type);
     EXPECT_EQ(file.grasp.approach_distance, grasp.approach_distance);
+    EXPECT_EQ(file.grasp.palm_gap, grasp.palm_gap);
+    EXPECT_EQ(file.grasp.approach, grasp.approach);
     EXPECT_EQ(file.grasp.alpha, grasp.alpha);
     EXPECT_NEAR(file.grasp.tilt, grasp.tilt, 1e-7);
     EXPECT_EQ(file.grasp.digits, grasp.digits);

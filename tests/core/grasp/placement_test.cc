@@ -206,5 +206,55 @@ TEST(Placement, APowerGraspOfATallThingComesFromTheSide) {
   }
 }
 
+StandardGrasp LoadGrasp(const Hand& hand, const std::string& id) {
+  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
+    if (grasp.id == id) return grasp;
+  }
+  return {};
+}
+
+TEST(Placement, TheSideIsChosenOrExcludedForAnyGraspAndHeight) {
+  for (const char* id : {"tum", "shadow"}) {
+    const Hand hand = LoadHand(id);
+    for (const char* grasp_id : {"g1", "g3"}) {
+      StandardGrasp grasp = LoadGrasp(hand, grasp_id);
+      for (const double height : {0.04, 0.3}) {
+        const Vector3d size(0.05, 0.05, height);
+        grasp.approach = Approach::kSide;
+        const Placement side = CalcPlacement(hand, grasp, size, Vector3d::Zero());
+        EXPECT_NEAR(side.approach_W.z(), 0.0, 1e-12) << id << grasp_id << height;
+        // The palm faces the object.
+        EXPECT_GT((side.X_WH.linear() * hand.palm_normal).dot(side.approach_W), 0.99);
+        grasp.approach = Approach::kAbove;
+        const Placement above = CalcPlacement(hand, grasp, size, Vector3d::Zero());
+        EXPECT_NEAR(above.approach_W.z(), -1.0, 1e-12) << id << grasp_id << height;
+      }
+    }
+  }
+}
+
+TEST(Placement, TheObjectsWordComesBeforeTheGrasps) {
+  const Hand hand = LoadHand("tum");
+  StandardGrasp grasp = LoadGrasp(hand, "g3");
+  GraspObject object = MakeCylinder(0.03, 0.06);
+  const auto calc_z = [&] { return CalcPlacement(hand, grasp, object).approach_W.z(); };
+  EXPECT_NEAR(calc_z(), -1.0, 1e-12);
+  grasp.approach = Approach::kSide;
+  EXPECT_NEAR(calc_z(), 0.0, 1e-12);
+  object.approach = Approach::kAbove;
+  EXPECT_NEAR(calc_z(), -1.0, 1e-12);
+}
+
+TEST(Placement, APowerGraspSaysHowNearThePalmComes) {
+  const Hand hand = LoadHand("shadow");
+  StandardGrasp grasp = LoadGrasp(hand, "g3");
+  const Vector3d size(0.06, 0.06, 0.09);
+  const Placement usual = CalcPlacement(hand, grasp, size, Vector3d::Zero());
+  grasp.palm_gap = 0.001;
+  const Placement near = CalcPlacement(hand, grasp, size, Vector3d::Zero());
+  const Vector3d nearer = (kPalmGap - 0.001) * usual.approach_W;
+  EXPECT_NEAR((near.X_WH.translation() - usual.X_WH.translation() - nearer).norm(), 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -90,6 +90,23 @@ TEST_F(BrokenGraspsTest, EveryProblemIsToldWithItsLine) {
             "g3, g4, g5");
 }
 
+TEST_F(BrokenGraspsTest, AWrongApproachAndGapAreTold) {
+  const std::string problems = ReadWith(
+      "grasps:\n"
+      "  g3:\n"
+      "    digits: [TH, FF]\n"
+      "    tilt_deg: 0\n"
+      "    palm_gap_m: 0.5\n"
+      "    approach: up\n"
+      "    pre_deg: {TH: [0, 0, 0], FF: [0, 0, 0], MF: [0, 0, 0]}\n"
+      "    target_deg: {TH: [0, 0, 0], FF: [0, 0, 0], MF: [0, 0, 0]}\n");
+  EXPECT_NE(problems.find("hand.yaml:5: error: grasp g3, palm_gap_m"), problems.npos) << problems;
+  EXPECT_NE(problems.find("hand.yaml:6: error: grasp g3, approach: no approach \"up\". Known: "
+                          "automatic, above, side"),
+            problems.npos)
+      << problems;
+}
+
 TEST_F(BrokenGraspsTest, AHandWithoutGraspsHasNone) { EXPECT_EQ(ReadWith("name: x\n"), ""); }
 
 }  // namespace

@@ -30,5 +30,27 @@ TEST_P(CompareWithSimbodyTest, NoticesAWrongFingertip) {
 
 INSTANTIATE_TEST_SUITE_P(Hands, CompareWithSimbodyTest, testing::Values("tum", "shadow"));
 
+// Slides that lie level are not pulled by gravity: at rest both biases are nothing but rounding.
+TEST(CompareWithSimbody, LevelSlidesWithoutBiasAreNoDifference) {
+  Hand hand = LoadHand("tum");
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(hand.num_joints());
+  const GraspObject block = MakeBlock(0.5);
+  SmallWorld turning(hand, block, SimConfig());
+  turning.Reset(zero);
+  const Eigen::Matrix3d R_WH = turning.world().state().X_WH.linear();
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, zero);
+  for (HandLink& link : hand.links) {
+    if (link.joint < 0) continue;
+    const Eigen::Matrix3d R_HJ =
+        X_HL[static_cast<size_t>(link.parent)].linear() * link.X_PJ.linear();
+    link.axis = (R_WH * R_HJ).transpose() * Eigen::Vector3d::UnitX();
+    hand.joints[static_cast<size_t>(link.joint)].is_prismatic = true;
+  }
+  SmallWorld sliding(hand, block, SimConfig());
+  sliding.Reset(zero);
+  SimbodyModel simbody(hand, block.mass_properties);
+  EXPECT_LT(CompareWithSimbody(sliding.world(), simbody), kSimbodyTolerance);
+}
+
 }  // namespace
 }  // namespace graspbench
