@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "datasets/analysis/basin_summary.h"
-#include "reports/layout.h"
+#include "reports/sectioned_page.h"
 #include "reports/svg_parts.h"
 
 namespace graspbench {
@@ -74,26 +75,101 @@ Html DrawMap(const std::vector<BasinSample>& samples, double most_sigma) {
   return Svg("img", 40.0 + kNumSlices * (kPanel + kGap), kTop + kPanel + kBottom, text, content);
 }
 
-}  // namespace
+struct BasinView {
+  const BasinPageData& data;
+  BasinSummary summary;
+};
 
-std::string MakeBasinPage(const std::string& title, const std::vector<BasinSample>& samples) {
-  const BasinSummary summary = SummariseBasin(samples);
-  const Html body =
-      MakeParagraph(
-          "Basin radius " + FormatFixed(summary.radius, 2) +
-          " of at most 1: every offset that was tried within " +
+Html DrawRadius(const BasinView& view) {
+  const BasinSummary& summary = view.summary;
+  const Html sentence = Element(
+      "p", {{"class", "verdict"}},
+      view.data.title + ": basin radius " + FormatFixed(summary.radius, 2) +
+          " of at most 1. Every offset that was tried within " +
           FormatFixed(MmFromM(summary.radius_offset), 1) + " mm and " +
           FormatFixed(DegFromRad(summary.radius_yaw), 1) +
           " degrees (an ellipsoid) succeeded; more samples can only lower it. In the whole box " +
-          summary.rate + " succeeded.") +
-      MakeFigure(
-          "The object's offset from where the hand expects it, y upwards [mm]; joints without "
-          "error. Discs are successes, their area is sigma (the largest " +
-              FormatFixed(summary.most_sigma, 1) + " N); crosses are failures.",
-          "crosses near the middle; crosses on one side only: the hand should stand farther to "
-          "that side; discs that shrink towards an edge.",
-          MakeScroll("Success by the object's offset", DrawMap(samples, summary.most_sigma)));
-  return MakePage("Robustness basin", title, {}, body);
+          summary.rate + " succeeded.");
+  return sentence +
+         MakeFigure(
+             "The object's offset from where the hand expects it, y upwards [mm]; joints without "
+             "error. Discs are successes, their area is sigma (the largest " +
+                 FormatFixed(summary.most_sigma, 1) + " N); crosses are failures.",
+             "crosses near the middle; crosses on one side only: the hand should stand farther to "
+             "that side; discs that shrink towards an edge.",
+             MakeScroll("Success by the object's offset",
+                        DrawMap(view.data.samples, summary.most_sigma)));
+}
+
+Html DrawSamples(const BasinView& view) {
+  const Align number = Align::kNumber;
+  Table table("Every offset that was tried; basin.csv has them exactly.",
+              {{"Sample"},
+               {"x [mm]", number},
+               {"y [mm]", number},
+               {"Yaw [deg]", number},
+               {"Distance", number, "1 at the edge of the range"},
+               {"Outcome"},
+               {"sigma [N]", number}});
+  int count = 0;
+  for (const BasinSample& sample : view.data.samples) {
+    table.AddRow({Text(std::to_string(count++)), Text(FormatFixed(MmFromM(sample.offset_x), 1)),
+                  Text(FormatFixed(MmFromM(sample.offset_y), 1)),
+                  Text(FormatFixed(DegFromRad(sample.yaw), 1)),
+                  Text(FormatFixed(CalcBasinDistance(sample), 2)), Text(NameOf(sample.outcome)),
+                  Text(FormatFixed(sample.sigma, 2))});
+  }
+  return MakeDetails("All values of " + FormatCount(count, "sample"), table.ToHtml());
+}
+
+Html DrawBasinFindings(const BasinView& view) {
+  std::vector<std::string> findings;
+  const std::vector<BasinSample>& samples = view.data.samples;
+  const auto count = [&](Outcome outcome) {
+    return static_cast<int>(
+        std::count_if(samples.begin(), samples.end(),
+                      [&](const BasinSample& sample) { return sample.outcome == outcome; }));
+  };
+  if (const int failures = count(Outcome::kNumericalFailure); failures > 0) {
+    findings.push_back(FormatCount(failures, "sample") +
+                       " ended as numerical failure; they count as failures of the grasp.");
+  }
+  if (const int nonsense = count(Outcome::kNotPhysical); nonsense > 0) {
+    findings.push_back(FormatCount(nonsense, "sample") + " were not physical, so no successes.");
+  }
+  if (!samples.empty() && samples.front().outcome != Outcome::kSuccess) {
+    findings.push_back("The grasp fails without any offset, so the radius is 0.");
+  }
+  return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
+}
+
+Html DrawBasinMethods(const BasinView& view) {
+  return MakeMethodsText(
+      {"The robustness of one grasp (" + view.data.title +
+       ") to the object's place was mapped in "
+       "simulation with graspbench " +
+       std::string(program_version()) + ": " + FormatCount(view.summary.num_samples, "trial") +
+       ", the first without offset, the others "
+       "at the points of a Halton sequence (bases 2, 3 and 5) in a box of +-" +
+       FormatFixed(MmFromM(kBasinOffset), 0) + " mm along both horizontal axes and +-" +
+       FormatFixed(DegFromRad(kBasinYaw), 0) +
+       " degrees about the vertical, joints without error. "
+       "The basin radius is the distance of the nearest failure, 1 at the edge of the box."});
+}
+
+}  // namespace
+
+std::string MakeBasinPage(const BasinPageData& data) {
+  static const std::vector<PageSection<BasinView>> sections = {
+      {"result", "Result", &DrawRadius},
+      {"samples", "Samples", &DrawSamples},
+      {"findings", "Errors and warnings", &DrawBasinFindings},
+      {"methods", "Methods", &DrawBasinMethods}};
+  PageFrame frame = {"Robustness basin", data.title};
+  frame.commands.push_back(data.command);
+  frame.facts.emplace_back("Samples", std::to_string(data.samples.size()));
+  frame.references = {"sherman2011", "halton1960", "wilson1927"};
+  return MakeSectionedPage(frame, sections, BasinView{data, SummariseBasin(data.samples)});
 }
 
 }  // namespace graspbench

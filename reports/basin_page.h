@@ -9,7 +9,13 @@ The robustness basin of one grasp as a page: a map of offsets in slices of yaw, 
 
 namespace graspbench {
 
-/** A self-contained page like the session's report. `title` names hand, object and grasp. */
-std::string MakeBasinPage(const std::string& title, const std::vector<BasinSample>& samples);
+struct BasinPageData {
+  std::string title;    ///< names hand, object and grasp
+  std::string command;  ///< that gives the same samples
+  std::vector<BasinSample> samples;
+};
+
+/** A self-contained page like the session's report. */
+std::string MakeBasinPage(const BasinPageData& data);
 
 }  // namespace graspbench

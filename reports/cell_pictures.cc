@@ -1,7 +1,10 @@
 #include "reports/cell_pictures.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <thread>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/render/hand_scene.h"
@@ -15,26 +18,69 @@ namespace {
 // hand's base stays in the picture [m].
 constexpr double kReach = 0.35;
 
-constexpr size_t kMaxOtherStrips = 60;  // of a page, beside each cell's first: some 1.5 MB
+constexpr size_t kMaxThreads = 4;
+constexpr size_t kStripsPerThread = 16;  // for fewer another renderer costs more than it saves
+constexpr size_t kMaxOtherStrips = 60;   // of a page, beside each cell's first: some 1.5 MB
 
 bool IsDrawable(const SceneSnapshot& snapshot, const Hand& hand) {
   return snapshot.q.size() == hand.num_joints() && snapshot.q.allFinite() &&
          snapshot.X_WH.matrix().allFinite() && snapshot.X_WO.matrix().allFinite();
 }
 
+/** How far hand and object have risen together since the first snapshot [m]: the camera rises with
+them, so that it can stand nearer. Where the object stays on the table the camera stays, too. */
+Eigen::Vector3d FindRise(const SceneSnapshot& snapshot, const SceneSnapshot& first) {
+  const double hand = snapshot.X_WH.translation().z() - first.X_WH.translation().z();
+  const double object = snapshot.X_WO.translation().z() - first.X_WO.translation().z();
+  return Eigen::Vector3d(0.0, 0.0, std::max(0.0, std::min(hand, object)));
+}
+
+Pose Lower(Pose X, const Eigen::Vector3d& rise) {
+  X.translation() -= rise;
+  return X;
+}
+
+Camera Raise(Camera camera, const Eigen::Vector3d& rise) {
+  camera.p_WEye += rise;
+  camera.p_WTarget += rise;
+  return camera;
+}
+
+/** For the first snapshot; see FindRise for the others. */
 Camera PlaceCamera(const std::vector<SceneSnapshot>& snapshots,
                    const std::shared_ptr<const Hand>& hand,
                    const std::shared_ptr<const GraspObject>& object, double aspect) {
   std::vector<Scene> framed;
   for (const SceneSnapshot& snapshot : snapshots) {
     Scene scene;
-    AddHand(hand, snapshot.q, snapshot.X_WH, &scene);
+    const Eigen::Vector3d rise = FindRise(snapshot, snapshots[0]);
+    AddHand(hand, snapshot.q, Lower(snapshot.X_WH, rise), &scene);
     const double distance = (snapshot.X_WH.translation() - snapshot.X_WO.translation()).norm();
-    if (distance < kReach) AddObject(object, snapshot.X_WO, &scene);
+    if (distance < kReach) AddObject(object, Lower(snapshot.X_WO, rise), &scene);
     framed.push_back(scene);
   }
   const Eigen::Vector3d to_eye_W = FindGraspView(*hand, snapshots[0].q, snapshots[0].X_WH);
   return FrameScenes(framed, to_eye_W, aspect);
+}
+
+/** Means over squares of `factor` pixels. @pre it divides both sides. */
+Image Shrink(const Image& image, int factor) {
+  Image small;
+  small.width = image.width / factor;
+  small.height = image.height / factor;
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      for (int channel = 0; channel < 3; ++channel) {
+        int sum = 0;
+        for (int i = 0; i < factor * factor; ++i) {
+          const int row = y * factor + i / factor, column = x * factor + i % factor;
+          sum += image.rgb[static_cast<size_t>(3 * (row * image.width + column) + channel)];
+        }
+        small.rgb.push_back(static_cast<uint8_t>(sum / (factor * factor)));
+      }
+    }
+  }
+  return small;
 }
 
 }  // namespace
@@ -77,8 +123,9 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
       PlaceCamera(snapshots, hand, object, static_cast<double>(kPictureWidth) / kPictureHeight);
   for (const SceneSnapshot& snapshot : snapshots) {
     const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
-    pictures.push_back(
-        {snapshot.moment, snapshot.time, EncodeWebp(renderer.Render(scene, camera))});
+    const Image image = renderer.Render(scene, Raise(camera, FindRise(snapshot, snapshots[0])));
+    pictures.push_back({snapshot.moment, snapshot.time, EncodeWebp(image),
+                        EncodeWebp(Shrink(image, kThumbnailShrink))});
   }
   return pictures;
 }
@@ -89,38 +136,84 @@ std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, siz
                                 int height) {
   const Camera camera = PlaceCamera(snapshots, hand, object, static_cast<double>(width) / height);
   const SceneSnapshot& snapshot = snapshots[shown];
+  const Eigen::Vector3d rise = FindRise(snapshot, snapshots[0]);
   const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
-  return EncodePng(Renderer(width, height).Render(scene, camera));
+  return EncodePng(Renderer(width, height).Render(scene, Raise(camera, rise)));
 }
 
-CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
-                                const SessionModels& models) {
-  CellPictures pictures;
-  std::unique_ptr<Renderer> renderer;
+namespace {
+
+struct StripJob {
+  const CellSummary* cell = nullptr;
+  const TrialRecord* record = nullptr;
+  std::vector<Picture> pictures;
+  std::string problem;  ///< why there are none
+};
+
+/** The strips that the page shows, not yet drawn, cell by cell. */
+std::vector<StripJob> ListStrips(const Session& session, const SessionSummary& summary,
+                                 const SessionModels& models, CellPictures* pictures) {
+  std::vector<StripJob> jobs;
   size_t num_others_left = kMaxOtherStrips;
   for (const CellSummary& cell : summary.cells) {
     const auto hand = models.FindHand(cell.hand);
-    const auto object = models.FindObject(cell.object);
-    if (cell.records.empty() || !hand || !object || !IsDrawnInFull(cell, summary)) continue;
+    if (cell.records.empty() || !hand || !models.FindObject(cell.object) ||
+        !IsDrawnInFull(cell, summary)) {
+      continue;
+    }
     std::vector<const TrialRecord*> records = ChooseTrialPerOutcome(cell, *hand, session);
     if (records.empty()) {
-      pictures.problems.push_back("no trial of " + NameOfCell(cell, models) +
-                                  " has snapshots that fit the hand as it is now");
+      pictures->problems.push_back("no trial of " + NameOfCell(cell, models) +
+                                   " has snapshots that fit the hand as it is now");
       continue;
     }
     records.resize(std::min(records.size(), num_others_left + 1));
     num_others_left -= records.size() - 1;
+    for (const TrialRecord* record : records) jobs.push_back({&cell, record, {}, {}});
+  }
+  return jobs;
+}
+
+/** Draws the jobs that nobody has taken yet; the first one that fails ends it. */
+void DrawStrips(const Session& session, const SessionModels& models, std::vector<StripJob>& jobs,
+                std::atomic<size_t>& next) {
+  std::unique_ptr<Renderer> renderer;
+  for (size_t i = next++; i < jobs.size(); i = next++) {
+    StripJob& job = jobs[i];
     try {
       if (!renderer) renderer = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
-      for (const TrialRecord* record : records) {
-        pictures.by_cell[cell.key].push_back(
-            {record, RenderSnapshots(LoadWhole(session, *record).result.snapshots, hand, object,
-                                     *renderer)});
-      }
+      job.pictures = RenderSnapshots(LoadWhole(session, *job.record).result.snapshots,
+                                     models.FindHand(job.cell->hand),
+                                     models.FindObject(job.cell->object), *renderer);
     } catch (const Error& e) {
-      pictures.problems.push_back(std::string("no pictures could be drawn: ") + e.what());
+      job.problem = std::string("no pictures could be drawn: ") + e.what();
+      next = jobs.size();
+    }
+  }
+}
+
+}  // namespace
+
+CellPictures RenderCellPictures(const Session& session, const SessionSummary& summary,
+                                const SessionModels& models) {
+  CellPictures pictures;
+  std::vector<StripJob> jobs = ListStrips(session, summary, models, &pictures);
+  // Each thread has a renderer of its own; which one draws a strip does not change it.
+  std::atomic<size_t> next = 0;
+  const auto draw = [&] { DrawStrips(session, models, jobs, next); };
+  const size_t num_threads = std::min<size_t>(
+      {kMaxThreads, std::thread::hardware_concurrency(), 1 + jobs.size() / kStripsPerThread});
+  std::vector<std::thread> threads;
+  for (size_t i = 1; i < num_threads; ++i) threads.emplace_back(draw);
+  draw();
+  for (std::thread& thread : threads) thread.join();
+  for (StripJob& job : jobs) {
+    if (!job.problem.empty()) {
+      pictures.problems.push_back(job.problem);
       return pictures;
     }
+    if (job.pictures.empty()) continue;  // somebody else failed before
+    pictures.by_cell[job.cell->key].push_back({job.record, std::move(job.pictures)});
   }
   return pictures;
 }

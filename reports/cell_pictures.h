@@ -4,7 +4,9 @@ Filmstrips: for every cell three pictures of one trial, from one camera, drawn o
 many of one trial of every other way in which the cell's trials ended.
 
 The first trial is the cell's first successful one, else its first one with snapshots. Within a
-strip the camera does not move; it stands as near as the scenes allow. */
+strip the camera only rises, with a hand that lifts the object; it stands as near as the scenes
+allow. The records hold three moments; for all phases a trial has to be simulated again, which is
+`graspbench trial` and no report. */
 
 #include <map>
 #include <string>
@@ -20,6 +22,7 @@ struct Picture {
   Moment moment = Moment::kClosed;
   double time = 0.0;  ///< since the start of placing [s]
   std::string webp;
+  std::string thumbnail = {};  ///< the same, smaller by kThumbnailShrink
 };
 
 struct Filmstrip {
@@ -33,8 +36,9 @@ struct CellPictures {
   std::vector<std::string> problems;  ///< why pictures are missing
 };
 
-inline constexpr int kPictureWidth = 360;
-inline constexpr int kPictureHeight = 270;
+inline constexpr int kPictureWidth = 480;
+inline constexpr int kPictureHeight = 360;
+inline constexpr int kThumbnailShrink = 4;
 
 /** Of the cell's trials whose snapshots fit the hand the first that is not physical, else the first
 success, else the first; null without any. @param session  that of the cell's records. */
@@ -44,7 +48,7 @@ const TrialRecord* ChooseTrial(const CellSummary& cell, const Hand& hand, const 
 std::vector<const TrialRecord*> ChooseTrialPerOutcome(const CellSummary& cell, const Hand& hand,
                                                       const Session& session);
 
-/** All from one camera, which stands as near as the scenes allow. @throws Error when the machine
+/** All from one camera, which rises with hand and object. @throws Error when the machine
 cannot draw. @pre not empty; ChooseTrial found that they fit the hand. */
 std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots,
                                      const std::shared_ptr<const Hand>& hand,

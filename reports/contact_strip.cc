@@ -36,8 +36,9 @@ Html DrawContactStrip(const TrialRecord& record, const std::string& name,
                           std::string(NameOf(event.kind)) + at});
   }
   return MakeFigure(
-      "Contact of each link over trial " + std::to_string(record.plan.trial) +
-          ": T touched, L lost, R regained, S began to slip. Dashed lines: the phases of the "
+      name + ", trial " + std::to_string(record.plan.trial) +
+          ", contact of each link: T touched, L lost, R regained, S began to slip. Dashed lines: "
+          "the phases of the "
           "trial.",
       "links that let go and come back, slip late in the hold; rows stand in the order of contact.",
       MakeScroll(chart.text.title, DrawStripChart(chart)));

@@ -92,10 +92,10 @@ Html LinkTo(const std::string& anchor, std::string_view text) {
   return Element("a", {{"href", "#" + anchor}}, text);
 }
 
-std::string MakeDataUri(std::string_view media_type, std::string_view bytes) {
+std::string EncodeBase64(std::string_view bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string uri = "data:" + std::string(media_type) + ";base64,";
-  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
   for (size_t i = 0; i < bytes.size(); i += 3) {
     const size_t count = std::min<size_t>(3, bytes.size() - i);
     uint32_t group = 0;
@@ -103,10 +103,14 @@ std::string MakeDataUri(std::string_view media_type, std::string_view bytes) {
       group = (group << 8) | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     }
     for (size_t k = 0; k < 4; ++k) {
-      uri += k <= count ? kDigits[(group >> (18 - 6 * k)) & 63] : '=';
+      text += k <= count ? kDigits[(group >> (18 - 6 * k)) & 63] : '=';
     }
   }
-  return uri;
+  return text;
+}
+
+std::string MakeDataUri(std::string_view media_type, std::string_view bytes) {
+  return "data:" + std::string(media_type) + ";base64," + EncodeBase64(bytes);
 }
 
 }  // namespace graspbench

@@ -52,6 +52,9 @@ Html Element(const char* tag, const Attributes& attributes, std::string_view tex
 /** A link within the page. */
 Html LinkTo(const std::string& anchor, std::string_view text);
 
+/** RFC 4648. */
+std::string EncodeBase64(std::string_view bytes);
+
 /** "data:<type>;base64,..." for an image inside the page. */
 std::string MakeDataUri(std::string_view media_type, std::string_view bytes);
 

@@ -1,12 +1,41 @@
 #include "reports/layout.h"
 
+#include <cctype>
 #include <kainjow/mustache.hpp>
+#include <map>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/sha256.h"
 #include "reports/assets.h"
 
 namespace graspbench {
+namespace {
+
+// NumberParts finds what has these and no other elements.
+constexpr char kFigureOpening[] = "<figure id=\"", kTableOpening[] = "<div id=\"table-";
+constexpr char kFigureLabel[] = "<b class=\"nr\">Figure", kTableLabel[] = "<b class=\"nr\">Table";
+
+Html MakeNumberLabel(const char* word) { return Element("b", {{"class", "nr"}}, word); }
+
+/** "All cells, 95 % interval" = "all-cells-95-interval"; whole words of at most some 60 letters. */
+std::string MakeSlug(std::string_view text) {
+  constexpr size_t kLongest = 60;
+  std::string slug;
+  for (const char c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (letter < 0x80 && std::isalnum(letter)) {
+      slug += static_cast<char>(std::tolower(letter));
+    } else if (!slug.empty() && slug.back() != '-') {
+      if (slug.size() > kLongest) break;
+      slug += '-';
+    }
+  }
+  while (!slug.empty() && slug.back() == '-') slug.pop_back();
+  return slug.substr(0, 2 * kLongest);
+}
+
+}  // namespace
 
 Table::Table(std::string caption, std::vector<Column> columns)
     : caption_(std::move(caption)), columns_(std::move(columns)) {}
@@ -24,6 +53,19 @@ void Table::AddRow(const std::vector<Html>& cells, const std::string& anchor) {
   rows_ += Element("tr", anchor.empty() ? Attributes() : Attributes{{"id", anchor}}, row);
 }
 
+namespace {
+
+/** Whoever uses the keyboard must be able to reach what scrolls. */
+Html DrawScroll(Attributes attributes, std::string_view label, const Html& content) {
+  attributes.insert(attributes.end(), {{"class", "scroll"},
+                                       {"role", "group"},
+                                       {"aria-label", std::string(label)},
+                                       {"tabindex", "0"}});
+  return Element("div", attributes, content);
+}
+
+}  // namespace
+
 Html Table::ToHtml() const {
   Html head;
   for (const Column& column : columns_) {
@@ -34,9 +76,9 @@ Html Table::ToHtml() const {
   }
   const Html table =
       Element("table", {},
-              Element("caption", {}, caption_) + Element("thead", {}, Element("tr", {}, head)) +
-                  Element("tbody", {}, rows_));
-  return MakeScroll(caption_, table);
+              Element("caption", {}, MakeNumberLabel("Table") + Text(" " + caption_)) +
+                  Element("thead", {}, Element("tr", {}, head)) + Element("tbody", {}, rows_));
+  return DrawScroll({{"id", "table-" + MakeSlug(caption_)}}, caption_, table);
 }
 
 namespace {
@@ -60,21 +102,15 @@ Html MakeConfigTable(const std::string& caption, const Json& config) {
 }
 
 Html MakeScroll(std::string_view label, const Html& content) {
-  // Whoever uses the keyboard must be able to reach what scrolls.
-  return Element("div",
-                 {{"class", "scroll"},
-                  {"role", "region"},
-                  {"aria-label", std::string(label)},
-                  {"tabindex", "0"}},
-                 content);
+  return DrawScroll({}, label, content);
 }
 
 Html MakeFigure(std::string_view caption, std::string_view look_for, const Html& content) {
-  return Element("figure", {},
+  const Html look =
+      Element("span", {{"class", "look"}}, Element("b", {}, "What to look for: ") + Text(look_for));
+  return Element("figure", {{"id", "figure-" + MakeSlug(caption)}},
                  content + Element("figcaption", {},
-                                   Text(caption) + Element("span", {{"class", "look"}},
-                                                           Element("b", {}, "What to look for: ") +
-                                                               Text(look_for))));
+                                   MakeNumberLabel("Figure") + Text(" ") + Text(caption) + look));
 }
 
 Html MakeParagraph(std::string_view text) { return Element("p", {}, text); }
@@ -94,19 +130,64 @@ Html MakeDetails(std::string_view summary, const Html& content) {
   return Element("details", {}, Element("summary", {}, summary) + content);
 }
 
-std::string MakePage(std::string_view title, std::string_view subtitle,
-                     const std::vector<PageLink>& contents, const Html& body) {
+namespace {
+
+/** Figures and tables get their numbers; an id that stands there already gets one, too. */
+std::string NumberParts(const std::string& body) {
+  const std::pair<std::string_view, bool> marks[] = {
+      {kFigureOpening, true}, {kTableOpening, true}, {kFigureLabel, false}, {kTableLabel, false}};
+  std::map<std::string, int> counts;
+  std::string numbered;
+  numbered.reserve(body.size() + body.size() / 64);
+  size_t done = 0;
+  for (size_t at = body.find('<'); at != std::string::npos; at = body.find('<', at + 1)) {
+    for (const auto& [mark, is_id] : marks) {
+      if (body.compare(at, mark.size(), mark) != 0) continue;
+      const size_t end = is_id ? body.find('"', at + mark.size()) : at + mark.size();
+      numbered.append(body, done, end - done);
+      done = end;
+      const int count = ++counts[body.substr(at, end - at)];
+      if (!is_id) numbered += "\u00A0" + std::to_string(count) + ".";
+      if (is_id && count > 1) numbered += "-" + std::to_string(count);
+    }
+  }
+  return numbered.append(body, done, std::string::npos);
+}
+
+/** For the content security policy. */
+std::string CalcScriptHash(const std::string& script) {
+  const std::string digits = CalcSha256(script);
+  std::string bytes;
+  for (size_t i = 0; i < digits.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  }
+  return EncodeBase64(bytes);
+}
+
+}  // namespace
+
+std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents,
+                     const Html& body) {
+  constexpr char kProvenance[] = "provenance", kProvenanceTitle[] = "Versions and citation";
   Html links;
   for (const PageLink& link : contents) {
     links += Element("li", {}, LinkTo(link.anchor, link.title));
   }
+  links += Element("li", {}, LinkTo(kProvenance, kProvenanceTitle));
+  const Html last = Element("section", {{"id", kProvenance}},
+                            Element("h2", {}, kProvenanceTitle) + DrawProvenance(frame));
+  // The comments make the script a part of XML, too.
+  const std::string script = "//<![CDATA[\n" + std::string(assets::kScript) + "//]]>";
   kainjow::mustache::mustache page{std::string(assets::kPage)};
   kainjow::mustache::data data;
-  data.set("title", Text(title).markup());
-  data.set("subtitle", Text(subtitle).markup());
-  data.set("style", std::string(assets::kStyle));
+  data.set("title", Text(frame.title).markup());
+  data.set("subtitle", Text(frame.subtitle).markup());
+  data.set("style", std::string(assets::kStyle) + std::string(assets::kPlotStyle));
+  data.set("script", script);
+  data.set("script_hash", CalcScriptHash(script));
+  data.set("provenance", MakeJsonLd(frame));
   data.set("contents", links.markup());
-  data.set("body", body.markup());
+  data.set("body", NumberParts((body + last).markup()));
   std::string html = page.render(data);
   GRASPBENCH_DEMAND(page.is_valid(), page.error_message());
   return html;

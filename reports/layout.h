@@ -9,6 +9,7 @@ everything. */
 
 #include "core/base/json.h"
 #include "reports/html.h"
+#include "reports/provenance.h"
 
 namespace graspbench {
 
@@ -21,7 +22,8 @@ struct Column {
   std::string hint = {};  ///< what the number is; shown when pointed at
 };
 
-/** A table whose first column names its row. Wide tables scroll inside their frame. */
+/** A table whose first column names its row. Wide tables scroll inside their frame. Its id is
+"table-" and its caption in plain letters, its number that of the page. */
 class Table {
  public:
   Table(std::string caption, std::vector<Column> columns);
@@ -41,7 +43,8 @@ Html MakeConfigTable(const std::string& caption, const Json& config);
 /** Content that scrolls sideways where the window is narrow, within reach of the keyboard. */
 Html MakeScroll(std::string_view label, const Html& content);
 
-/** A figure whose caption ends with one line on how to read it. */
+/** A figure whose caption ends with one line on how to read it. Its id is "figure-" and its caption
+in plain letters, its number that of the page. */
 Html MakeFigure(std::string_view caption, std::string_view look_for, const Html& content);
 
 Html MakeParagraph(std::string_view text);
@@ -60,8 +63,9 @@ struct PageLink {
 };
 
 /** The whole page: head with a strict content security policy and the style sheet inside, skip
-link, contents, body. */
-std::string MakePage(std::string_view title, std::string_view subtitle,
-                     const std::vector<PageLink>& contents, const Html& body);
+link, contents, body, provenance, and the script of assets/page.js, the only one that the policy
+allows. Figures and tables are numbered here. */
+std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents,
+                     const Html& body);
 
 }  // namespace graspbench

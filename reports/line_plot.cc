@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
@@ -95,6 +96,35 @@ Html DrawMarks(const std::vector<StripChart::Mark>& unsorted, double y, double l
   return content;
 }
 
+/** The row above the plot, 0 is the lowest, in which each mark's label meets none before it. */
+std::vector<int> PlaceMarkLabels(const std::vector<LinePlot::Mark>& marks, const Place& place_x) {
+  constexpr double kShare = 11.0 / 13.0;  // of the large letters that CalcLabelWidth counts
+  std::vector<double> free_from;          // of each row [px]
+  std::vector<int> rows;
+  for (const LinePlot::Mark& mark : marks) {
+    const double half = 0.5 * kShare * CalcLabelWidth({mark.label});
+    const auto row = std::find_if(free_from.begin(), free_from.end(),
+                                  [&](double from) { return from <= place_x(mark.x) - half; });
+    rows.push_back(static_cast<int>(row - free_from.begin()));
+    if (row == free_from.end()) free_from.push_back(0.0);
+    free_from[static_cast<size_t>(rows.back())] = place_x(mark.x) + half;
+  }
+  return rows;
+}
+
+/** With what a script needs to place it. */
+Html DrawCursor(const Axis& axis, double left, double width, double top, double bottom) {
+  return Element("line", {{"class", "cursor"},
+                          {"x1", Px(left)},
+                          {"y1", Px(top)},
+                          {"x2", Px(left)},
+                          {"y2", Px(bottom)},
+                          {"data-left", Px(left)},
+                          {"data-width", Px(width)},
+                          {"data-from", FormatFixed(axis.ticks().front().value, 6)},
+                          {"data-to", FormatFixed(axis.ticks().back().value, 6)}});
+}
+
 }  // namespace
 
 Html DrawLinePlot(const LinePlot& plot) {
@@ -118,7 +148,11 @@ Html DrawLinePlot(const LinePlot& plot) {
   std::vector<std::string> tick_texts;
   for (const Axis::Tick& tick : axis_y.ticks()) tick_texts.push_back(tick.text);
   const double left = CalcLabelWidth(tick_texts) + kPlotGap;
-  const double mark_room = plot.marks.empty() ? 0.0 : kLegendRow;
+  const std::vector<int> mark_rows =
+      PlaceMarkLabels(plot.marks, [&](double x) { return kWidth * axis_x.CalcShare(x); });
+  const double mark_room =
+      plot.marks.empty() ? 0.0
+                         : kLegendRow * (1 + *std::max_element(mark_rows.begin(), mark_rows.end()));
   const double top = kAxisName + mark_room, bottom = top + kHeight;
   const auto place_x = [&](double x) { return left + kWidth * axis_x.CalcShare(x); };
   const auto place_y = [&](double y) { return bottom - kHeight * axis_y.CalcShare(y); };
@@ -130,11 +164,13 @@ Html DrawLinePlot(const LinePlot& plot) {
     content += Line(tick.value == 0.0 ? "grid zero" : "grid", left, y, left + kWidth, y);
     content += Label("end small", left - kPlotGap, y, tick.text);
   }
-  for (const LinePlot::Mark& mark : plot.marks) {
-    const double x = place_x(mark.x);
-    content += Line("mark", x, top, x, bottom);
-    content += Label("middle small", x, top - kLegendRow / 2.0, mark.label);
+  for (size_t m = 0; m < plot.marks.size(); ++m) {
+    const double x = place_x(plot.marks[m].x);
+    const double row_top = top - kLegendRow * mark_rows[m];
+    content += Line("mark", x, row_top, x, bottom);
+    content += Label("middle small", x, row_top - kLegendRow / 2.0, plot.marks[m].label);
   }
+  if (plot.has_cursor) content += DrawCursor(axis_x, left, kWidth, top, bottom);
   std::vector<std::string> labels;
   for (size_t i = 0; i < plot.series.size(); ++i) {
     const LinePlot::Series& series = plot.series[i];

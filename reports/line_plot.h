@@ -27,6 +27,7 @@ struct LinePlot {
   std::vector<Series> series;  ///< at most 8: they differ in colour and in dashes
   std::vector<Mark> marks;     ///< vertical lines
   bool is_y_from_zero = true;  ///< the y axis holds 0
+  bool has_cursor = false;     ///< a vertical line that a script moves; else it is not seen
 };
 Html DrawLinePlot(const LinePlot& plot);
 

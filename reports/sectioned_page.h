@@ -3,7 +3,6 @@
 Pages made of sections: a list in the order of the page, each drawn from the same data. */
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reports/layout.h"
@@ -18,7 +17,7 @@ struct PageSection {
 };
 
 template <class Data>
-std::string MakeSectionedPage(std::string_view title, std::string_view subtitle,
+std::string MakeSectionedPage(const PageFrame& frame,
                               const std::vector<PageSection<Data>>& sections, const Data& data) {
   std::vector<PageLink> contents;
   Html body;
@@ -27,7 +26,13 @@ std::string MakeSectionedPage(std::string_view title, std::string_view subtitle,
     body += Element("section", {{"id", section.anchor}},
                     Element("h2", {}, section.title) + section.draw(data));
   }
-  return MakePage(title, subtitle, contents, body);
+  return MakePage(frame, contents, body);
+}
+
+template <class Data>
+std::string MakeSectionedPage(const std::string& title, const std::string& subtitle,
+                              const std::vector<PageSection<Data>>& sections, const Data& data) {
+  return MakeSectionedPage(PageFrame{title, subtitle}, sections, data);
 }
 
 }  // namespace graspbench

@@ -1,5 +1,6 @@
 #include "reports/session_report.h"
 
+#include "core/base/hash.h"
 #include "core/base/text.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
@@ -9,8 +10,8 @@ namespace graspbench {
 
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const CellPictures& pictures,
-                              const SensitivitySummary& sensitivity) {
-  const ReportData data = {session, summary, models, pictures, sensitivity};
+                              const SensitivitySummary& sensitivity, const SessionViews& views) {
+  const ReportData data = {session, summary, models, pictures, sensitivity, views.body};
   const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
                                FormatCount(static_cast<int>(summary.objects.size()), "object") +
                                ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
@@ -18,33 +19,46 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
                                FormatCount(summary.total.planned, "planned trial") +
                                " finished, seed " + std::to_string(session.config.seed) +
                                DescribeDamage(session.damage);
-  return MakeSectionedPage("Grasp benchmark session", subtitle, ListSections(), data);
+  PageFrame frame = {"Grasp benchmark session", subtitle};
+  frame.commands = {"graspbench run DIR/session.json --out ANOTHER", "graspbench report DIR"};
+  frame.facts = {
+      {"Seed", std::to_string(session.config.seed)},
+      {"Trials", std::to_string(summary.total.finished) + " of " +
+                     std::to_string(summary.total.planned) + " planned"},
+      {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))},
+      {"Clock, machine and run time", "not in this page; run.json in the session's folder"}};
+  frame.references = {"roethling2007", "sherman2011", "wilson1927", "ferrari1992", "efron1987"};
+  return AddScript(MakeSectionedPage(frame, ListSections(), data), views.script);
 }
 
 namespace {
 
 std::filesystem::path WriteReport(const std::filesystem::path& folder, const Session& session,
-                                  const SessionSummary& summary, const SessionModels& models) {
+                                  const SessionSummary& summary, const SessionModels& models,
+                                  const TrialTracer& trace) {
   const CellPictures pictures = RenderCellPictures(session, summary, models);
   Diagnostics findings;  // whoever ran the sensitivity was told
   const SensitivitySummary sensitivity =
       SummariseSensitivity(session, LoadSensitivity(session, findings));
+  const SessionViews views =
+      trace ? DrawSessionViews(session, summary, models, trace) : SessionViews();
   return WriteReportPage(folder,
-                         MakeSessionReport(session, summary, models, pictures, sensitivity));
+                         MakeSessionReport(session, summary, models, pictures, sensitivity, views));
 }
 
 }  // namespace
 
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session) {
-  return WriteReport(folder, session, SummariseSession(session), LoadSessionModels(session));
+  return WriteReport(folder, session, SummariseSession(session), LoadSessionModels(session), {});
 }
 
-std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session) {
+std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session,
+                                         const TrialTracer& trace) {
   const SessionSummary summary = SummariseSession(session);
   const SessionModels models = LoadSessionModels(session);
   std::vector<PlannedTrial>().swap(session.plan);  // nobody asks for it any more
-  return WriteReport(folder, session, summary, models);
+  return WriteReport(folder, session, summary, models, trace);
 }
 
 }  // namespace graspbench

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 The report of a benchmark session: one self-contained HTML file made from stored results alone. It
-needs no script and no network; the pictures are drawn from the trials' snapshots. */
+needs no network, and no script but for its 3-D views; the pictures are drawn from the trials'
+snapshots. */
 
 #include <filesystem>
 #include <string>
@@ -10,6 +11,7 @@ needs no script and no network; the pictures are drawn from the trials' snapshot
 #include "datasets/session/session_store.h"
 #include "reports/cell_pictures.h"
 #include "reports/models.h"
+#include "reports/session_views.h"
 
 namespace graspbench {
 
@@ -19,12 +21,15 @@ says what is missing and why.
 @throws Error(kIo) when the file cannot be written. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session);
-/** The same in less memory: the session loses its plan on the way, but keeps its records. */
-std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session);
+/** The same in less memory: the session loses its plan on the way, but keeps its records.
+@param trace  gives the page 3-D views of chosen trials; empty: none. */
+std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session,
+                                         const TrialTracer& trace = {});
 
 /** The page from its parts, for those who bring their own pictures. */
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const CellPictures& pictures,
-                              const SensitivitySummary& sensitivity = {});
+                              const SensitivitySummary& sensitivity = {},
+                              const SessionViews& views = {});
 
 }  // namespace graspbench

@@ -19,7 +19,12 @@ Html DrawHeatMap(const HeatMap& map) {
   GRASPBENCH_DEMAND(map.cells.size() == map.rows.size() * map.columns.size(), map.text.title);
   constexpr double kRow = 26.0, kHeadRow = 28.0, kCellGap = 2.0;
   const double head = kHeadRow * (map.groups.empty() ? 1.0 : 2.0);
-  const double column_width = std::clamp(CalcLabelWidth(map.columns) + kPlotGap, 84.0, 180.0);
+  double column_width = std::clamp(CalcLabelWidth(map.columns) + kPlotGap, 84.0, 180.0);
+  for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {  // a name of few columns
+    while (end < map.groups.size() && map.groups[end] == map.groups[c]) ++end;
+    const double room = CalcLabelWidth({map.groups[c]}) + kPlotGap;
+    column_width = std::max(column_width, room / static_cast<double>(end - c));
+  }
   const double left = CalcLabelWidth(map.rows) + kPlotGap;
   Html content;
   for (size_t c = 0; c < map.columns.size(); ++c) {
@@ -60,13 +65,15 @@ Html DrawHeatMap(const HeatMap& map) {
 }
 
 Html DrawRateBars(const RateBars& plot) {
-  constexpr double kRow = 30.0, kBar = 14.0, kAxis = 24.0, kPlot = 300.0, kCap = 4.0;
+  constexpr double kRow = 36.0, kBar = 16.0, kAxis = 24.0, kPlot = 300.0, kCap = 4.0, kLine = 16.0;
   std::vector<std::string> labels, texts;
   for (const RateBars::Bar& bar : plot.bars) {
     labels.push_back(bar.label);
     texts.push_back(bar.text);
   }
-  const double left = CalcLabelWidth(labels) + kPlotGap;
+  // The numbers stand below the labels, where a phone shows them, too.
+  constexpr double kBold = 1.15;  // labels of totals are so much wider
+  const double left = std::max(kBold * CalcLabelWidth(labels), CalcLabelWidth(texts)) + kPlotGap;
   const double bottom = kRow * static_cast<double>(plot.bars.size());
   Html content;
   for (int tick = 0; tick <= 4; ++tick) {
@@ -77,8 +84,9 @@ Html DrawRateBars(const RateBars& plot) {
   for (size_t i = 0; i < plot.bars.size(); ++i) {
     const RateBars::Bar& bar = plot.bars[i];
     const double y = kRow * (static_cast<double>(i) + 0.5);
-    content += Label(bar.is_total ? "end head" : "end", left - kPlotGap, y, bar.label);
-    content += Label("start", left + kPlot + 2.0 * kPlotGap, y, bar.text);
+    content +=
+        Label(bar.is_total ? "end head" : "end", left - kPlotGap, y - kLine / 2.0, bar.label);
+    content += Label("end small", left - kPlotGap, y + kLine / 2.0, bar.text);
     if (!std::isfinite(bar.rate)) continue;
     const double low = left + kPlot * bar.low, high = left + kPlot * bar.high;
     content += Rect("bar", left, y - kBar / 2.0, kPlot * bar.rate, kBar);
@@ -86,8 +94,7 @@ Html DrawRateBars(const RateBars& plot) {
     content += Line("interval", low, y - kCap, low, y + kCap);
     content += Line("interval", high, y - kCap, high, y + kCap);
   }
-  const double width = left + kPlot + 2.0 * kPlotGap + CalcLabelWidth(texts);
-  return Svg("img", width, bottom + kAxis, plot.text, content);
+  return Svg("img", left + kPlot + 3.0 * kPlotGap, bottom + kAxis, plot.text, content);
 }
 
 Html DrawStackedBars(const StackedBars& plot) {

@@ -38,7 +38,7 @@ struct RateBars {
     std::string label;
     double rate = 0.0;  ///< NaN: no bar, the text alone
     double low = 0.0, high = 0.0;
-    std::string text;       ///< beside the bar
+    std::string text;       ///< below the label
     bool is_total = false;  ///< heads the bars below it
   };
   PlotText text;

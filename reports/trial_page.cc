@@ -5,18 +5,24 @@
 #include "core/base/units.h"
 #include "reports/cell_pictures.h"
 #include "reports/contact_strip.h"
+#include "reports/filmstrip.h"
 #include "reports/layout.h"
 #include "reports/models.h"
+#include "reports/scene_3d.h"
 #include "reports/sectioned_page.h"
 
 namespace graspbench {
 namespace {
 
+struct DrawnTrial : TrialPageData {
+  Html course;
+};
+
 std::string NameOfScene(const TrialPageData& data) {
   return data.hand->name + ", " + data.object->name + ", " + NameOfGrasp(data.record.plan.grasp);
 }
 
-Html DrawResult(const TrialPageData& data) {
+Html DrawResult(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
   Table table("Measures of the trial.", {{"Measure"}, {"Value", Align::kNumber}});
@@ -36,31 +42,21 @@ Html DrawResult(const TrialPageData& data) {
   return MakeParagraph("Outcome: " + std::string(NameOf(result.outcome)) + reason) + table.ToHtml();
 }
 
-Html DrawPictures(const TrialPageData& data) {
+Html DrawPictures(const DrawnTrial& data) {
   if (data.record.result.snapshots.empty()) {
     return Element("p", {{"class", "missing"}}, "The trial ended before its first picture.");
   }
   try {
     Renderer renderer(kPictureWidth, kPictureHeight);
-    Html frames;
-    for (const Picture& picture :
-         RenderSnapshots(data.record.result.snapshots, data.hand, data.object, renderer)) {
-      const std::string name = Capitalise(NameOf(picture.moment));
-      frames +=
-          Element("figure", {},
-                  Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
-                                  {"width", std::to_string(kPictureWidth)},
-                                  {"height", std::to_string(kPictureHeight)},
-                                  {"alt", NameOfScene(data) + ": " + name}}) +
-                      Element("figcaption", {}, name + ", " + FormatFixed(picture.time, 2) + " s"));
-    }
-    return Element("div", {{"class", "film"}}, frames);
+    return DrawFilmstrip(
+        RenderSnapshots(data.record.result.snapshots, data.hand, data.object, renderer),
+        data.record.result, NameOfScene(data));
   } catch (const Error& fault) {
     return MakeNote("warning", "No pictures", MakeParagraph(fault.what()));
   }
 }
 
-Html DrawContacts(const TrialPageData& data) {
+Html DrawContacts(const DrawnTrial& data) {
   SessionModels models;
   models.hands[data.hand->id] = data.hand;
   models.objects[data.object->id] = data.object;
@@ -69,7 +65,13 @@ Html DrawContacts(const TrialPageData& data) {
                        : strip;
 }
 
-Html DrawCards(const TrialPageData& data) {
+Html DrawCourse(const DrawnTrial& data) {
+  if (!data.course.empty()) return data.course;
+  return MakeParagraph(
+      "Not shown: the trial was changed on its way, so it cannot be carried out again.");
+}
+
+Html DrawCards(const DrawnTrial& data) {
   Html html;
   for (const auto& [heading, text] : data.cards) {
     html += Element("h3", {}, heading) + MakeScroll(heading, Element("pre", {}, text));
@@ -77,7 +79,7 @@ Html DrawCards(const TrialPageData& data) {
   return html;
 }
 
-Html DrawScript(const TrialPageData& data) {
+Html DrawScript(const DrawnTrial& data) {
   std::string text;
   for (const std::string& line : data.script) text += line + "\n";
   return MakeParagraph("These lines, given to graspbench shell, lead here again.") +
@@ -87,13 +89,18 @@ Html DrawScript(const TrialPageData& data) {
 }  // namespace
 
 std::string MakeTrialPage(const TrialPageData& data) {
-  static const std::vector<PageSection<TrialPageData>> sections = {
-      {"result", "Result", &DrawResult},
-      {"pictures", "Pictures", &DrawPictures},
-      {"contacts", "Contacts", &DrawContacts},
-      {"state", "State at the end", &DrawCards},
-      {"script", "How to get here", &DrawScript}};
-  return MakeSectionedPage("One trial", NameOfScene(data), sections, data);
+  TrialViews views;
+  DrawnTrial drawn = {data, {}};
+  if (data.traced) {
+    drawn.course = views.Add({data.hand, data.object, *data.traced, "view", NameOfScene(data)});
+    drawn.course += views.MakeModels();
+  }
+  static const std::vector<PageSection<DrawnTrial>> sections = {
+      {"result", "Result", &DrawResult},         {"pictures", "Pictures", &DrawPictures},
+      {"course", "Course", &DrawCourse},         {"contacts", "Contacts", &DrawContacts},
+      {"state", "State at the end", &DrawCards}, {"script", "How to get here", &DrawScript}};
+  return AddScript(MakeSectionedPage("One trial", NameOfScene(data), sections, drawn),
+                   views.MakeScript());
 }
 
 }  // namespace graspbench

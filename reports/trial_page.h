@@ -3,12 +3,14 @@
 One trial as one page: what was grasped and how, how it ended and why, pictures, times, contacts. */
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/trial_trace.h"
 #include "datasets/session/trial_record.h"
 
 namespace graspbench {
@@ -16,7 +18,8 @@ namespace graspbench {
 struct TrialPageData {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
-  TrialRecord record;  ///< its plan names hand, object, grasp and the draw
+  TrialRecord record;                      ///< its plan names hand, object, grasp and the draw
+  std::optional<TracedTrial> traced = {};  ///< unset: nobody can carry it out again
   /** A heading and plain text in columns, shown as it is. */
   std::vector<std::pair<std::string, std::string>> cards;
   std::vector<std::string> script;  ///< commands that lead here

@@ -36,7 +36,7 @@ std::string EncodePng(const Image& image) {
 
 std::string EncodeWebp(const Image& image) {
   CheckPixels(image);
-  constexpr float kQuality = 90.0f;  // of 100
+  constexpr float kQuality = 75.0f;  // of 100
   uint8_t* encoded = nullptr;
   const size_t size = WebPEncodeRGB(image.rgb.data(), image.width, image.height, 3 * image.width,
                                     kQuality, &encoded);

@@ -76,8 +76,8 @@ class Renderer {
 /** PNG bytes, without time stamps: exact. */
 std::string EncodePng(const Image& image);
 
-/** WebP bytes, lossy but without visible loss, for pages with many pictures: 1080 x 300 pixels of a
-filmstrip take 13 KB, as PNG 100 KB. Every current browser shows it.
+/** WebP bytes, lossy, for pages with many pictures that are shown smaller than they are: 480 x 360
+pixels of a hand take some 8 KB. Every current browser shows it.
 @throws Error(kUnsupported) when the image is larger than 16383 pixels on a side. */
 std::string EncodeWebp(const Image& image);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/config.h"
+#include "core/base/hash.h"
 #include "core/base/text.h"
 #include "reports/write_page.h"
 
@@ -23,13 +25,19 @@ std::string MakeCampaignReport(const CampaignData& data) {
       FormatCount(config.optimise.evaluations, "evaluation") + " each, " +
       FormatCount(config.session.trials, "benchmark trial") + " per variant, seed " +
       std::to_string(config.optimise.seed) + DescribeDamage(data.campaign.damage);
-  return MakeSectionedPage("Optimised grasps", subtitle, ListCampaignSections(), data);
+  PageFrame frame = {"Optimised grasps", subtitle};
+  frame.commands = {"graspbench report DIR"};
+  frame.facts = {{"Seed of the search", std::to_string(config.optimise.seed)},
+                 {"Seed of the benchmark", std::to_string(config.session.seed)},
+                 {"Hash of the configuration", CalcHashHex(FormatJson(ConfigToJson(config)))}};
+  frame.references = {"roethling2007", "sherman2011", "ferrari1992", "efron1987"};
+  return MakeSectionedPage(frame, ListCampaignSections(), data);
 }
 
 std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
                                           const Campaign& campaign) {
   const SessionSummary benchmark = SummariseSession(campaign.benchmark);
-  const SessionModels models = LoadSessionModels(campaign.benchmark);
+  const SessionModels models = LoadBenchmarkModels(campaign.benchmark);
   const std::vector<SceneVariants> scenes = ListScenes(campaign, benchmark);
   const VariantPictures pictures = RenderVariantPictures(campaign.benchmark, scenes, models);
   return WriteReportPage(folder,

@@ -1,5 +1,6 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "reports/filmstrip.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
 
@@ -20,8 +21,7 @@ Html ListFailures(const Tally& tally) {
     const int count = tally.CountOf(outcome);
     if (outcome == Outcome::kSuccess || count == 0) continue;
     if (!list.empty()) list += Text(", ");
-    list += Text(std::to_string(count) + " ") +
-            Element("abbr", {{"title", NameOf(outcome)}}, CodeOf(outcome));
+    list += Text(std::to_string(count) + " " + NameOf(outcome));
   }
   return list.empty() ? Text("none") : list;
 }
@@ -34,16 +34,10 @@ Html FormatMedian(const Spread& spread, double unit, int decimals, const std::st
   return Text(FormatFixed(unit * spread.median, decimals) + few + mark);
 }
 
-/** "g1 all finger precision, .. ; NC no contact, .." for what stands in the table. */
+/** "g1 all finger precision, .." for what stands in the table. */
 std::string ExplainCodes() {
   std::string text = "Grasps:";
   for (const GraspTaxon& taxon : ListGraspTaxa()) text += " " + taxon.id + " " + taxon.name + ",";
-  text.back() = '.';
-  text += " Outcomes:";
-  for (Outcome outcome : ListOutcomes()) {
-    if (outcome == Outcome::kSuccess) continue;
-    text += std::string(" ") + CodeOf(outcome) + " " + NameOf(outcome) + ",";
-  }
   text.back() = '.';
   return text + " " + kEarly +
          " a digit of some trial touched before the start of closure: that trial is left out of "
@@ -72,7 +66,8 @@ Html DrawCellTable(const ReportData& data) {
   for (const CellSummary& cell : data.summary.cells) {
     const Tally& tally = cell.tally;
     const std::string early = cell.num_early > 0 ? kEarly : "";
-    table.AddRow({LinkTo(cell.key, data.models.NameOfObject(cell.object)),
+    table.AddRow({DrawFirstThumbnail(data.pictures, cell.key) +
+                      LinkTo(cell.key, data.models.NameOfObject(cell.object)),
                   Text(data.models.NameOfHand(cell.hand)),
                   Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
                   Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),

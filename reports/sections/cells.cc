@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "reports/contact_strip.h"
+#include "reports/filmstrip.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
 #include "reports/sections/section.h"
@@ -27,30 +28,14 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
          FormatFixed(object->surface.friction_dynamic, 2) + " dynamic.";
 }
 
-/** A trial that failed may end long before the hold. */
-std::string NameMoment(Moment moment, const TrialResult& result) {
-  const bool is_end = moment == Moment::kLifted && !IsSuccess(result.outcome);
-  return is_end ? "End" : Capitalise(NameOf(moment));
-}
-
-Html DrawFilmstrip(const Filmstrip& strip, const CellSummary& cell, const ReportData& data) {
-  Html frames;
-  for (const Picture& picture : strip.pictures) {
-    const std::string name = NameMoment(picture.moment, strip.record->result);
-    frames +=
-        Element("figure", {},
-                Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
-                                {"width", std::to_string(kPictureWidth)},
-                                {"height", std::to_string(kPictureHeight)},
-                                {"alt", NameOfCell(cell, data.models) + ": " + name}}) +
-                    Element("figcaption", {}, name + ", " + FormatFixed(picture.time, 2) + " s"));
-  }
+Html DrawTrialStrip(const Filmstrip& strip, const CellSummary& cell, const ReportData& data) {
   const TrialRecord& record = *strip.record;
   const Html trial =
       Text("Trial " + std::to_string(record.plan.trial) + ", " + NameOf(record.result.outcome) +
            (record.result.reason.empty() ? "" : ": " + record.result.reason) +
            "; times since the start of placing.");
-  return Element("div", {{"class", "film"}}, frames) + Element("p", {{"class", "small"}}, trial);
+  return DrawFilmstrip(strip.pictures, record.result, NameOfCell(cell, data.models)) +
+         Element("p", {{"class", "small"}}, trial);
 }
 
 /** One trial of each outcome. */
@@ -64,9 +49,11 @@ Html DrawFilmstrips(const CellSummary& cell, const ReportData& data) {
                             : Text("; the reason is among the ") +
                                   LinkTo("findings", "errors and warnings") + Text(".")));
   }
-  Html strips;
-  for (const Filmstrip& strip : found->second) strips += DrawFilmstrip(strip, cell, data);
-  return strips;
+  Html first, others;
+  for (const Filmstrip& strip : found->second) {
+    (first.empty() ? first : others) += DrawTrialStrip(strip, cell, data);
+  }
+  return others.empty() ? first : first + Element("div", {{"class", "screen"}}, others);
 }
 
 /** Ids of the digits of any trial, the opposing one first, then in the order of the records. */
@@ -121,9 +108,10 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
     }
     plot.rows.push_back(row);
   }
-  const Html strips = MakeScroll(plot.text.title, DrawDotStrips(plot));
-  const Html share = DrawShare(shown, cell);
-  return share.empty() ? strips : Element("div", {}, strips + share);
+  return Element("div", {},
+                 MakeFigure(plot.text.title + ".", "digits that arrive late or never.",
+                            MakeScroll(plot.text.title, DrawDotStrips(plot))) +
+                     DrawShare(shown, cell));
 }
 
 /** "Order of contact: TH<FF in 7 trials, FF<TH in 2, others in 1." */
@@ -145,12 +133,13 @@ Html DescribeOrders(const CellSummary& cell) {
   return Element("p", {{"class", "small"}}, text + Text("."));
 }
 
-Html DrawTiming(const CellSummary& cell) {
+Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
   const Align number = Align::kNumber;
-  Table table("Contact simultaneity.", {{"Measure"},
-                                        {"Median", number},
-                                        {"Range", number},
-                                        {"n", number, "trials in which it is defined"}});
+  Table table("Contact simultaneity, " + NameOfCell(cell, models) + ".",
+              {{"Measure"},
+               {"Median", number},
+               {"Range", number},
+               {"n", number, "trials in which it is defined"}});
   const auto add = [&](const char* name, const Spread& spread, double unit, int decimals) {
     const auto format = [&](double value) { return FormatFixed(unit * value, decimals); };
     table.AddRow(
@@ -258,12 +247,13 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
   if (tally.finished > 0 && IsDrawnInFull(cell, data.summary)) {
     const std::vector<std::string> digits = ListDigits(cell);
     content += DrawFilmstrips(cell, data);
-    content += Element("div", {{"class", "pair"}},
-                       DrawContactTimes(cell, digits, data) + DrawTiming(cell));
+    content += Element("div", {{"class", "pair screen"}},
+                       DrawContactTimes(cell, digits, data) + DrawTiming(cell, data.models));
     const Html events = DrawContactStrip(LoadWhole(data.session, FindShownTrial(cell)),
                                          NameOfCell(cell, data.models), data.models);
-    if (!events.empty()) content += MakeDetails("Contact events of one trial", events);
-    content += DrawTrials(cell, digits, data);
+    Html folded = DrawTrials(cell, digits, data);
+    if (!events.empty()) folded = MakeDetails("Contact events of one trial", events) + folded;
+    content += Element("div", {{"class", "screen"}}, folded);
   }
   return Element("section", {{"id", cell.key}, {"class", "cell"}}, content);
 }
@@ -272,9 +262,10 @@ Html DrawCells(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
       "Each cell shows one trial in pictures, the first successful one where there is any, and one "
-      "of each other outcome, seen by a camera that does not move between the pictures. Below them "
-      "stand the times at which "
-      "each grasping digit first touched the object, one mark per trial: a disc for a success, a "
+      "of each other outcome, seen by a camera that only rises with a hand that lifts the object. "
+      "The records hold these three moments; graspbench trial draws any other. Below them stand "
+      "the times at which each grasping digit first touched the object, one mark per trial: a disc "
+      "for a success, a "
       "cross for any other outcome, a line at the median. Trials keep their order from top to "
       "bottom of each strip.");
   html += Element("p", {{"class", "look"}},
@@ -286,11 +277,16 @@ Html DrawCells(const ReportData& data) {
                      MakeParagraph("The first of them are shown in full, the others by their rates "
                                    "alone; export/trials.csv has all their trials."));
   }
+  html += Element("p", {{"class", "print"}},
+                  "Printed is one trial of each cell; the page on a screen has all trials, and "
+                  "export/trials.csv beside it their values.");
   for (const std::string& hand : data.summary.hands) {
-    html += Element("h3", {}, data.models.NameOfHand(hand));
+    Html cells;
     for (const CellSummary& cell : data.summary.cells) {
-      if (cell.hand == hand) html += DrawCell(cell, data);
+      if (cell.hand == hand) cells += DrawCell(cell, data);
     }
+    html += Element("h3", {}, data.models.NameOfHand(hand)) +
+            Element("div", {{"class", "cells"}}, cells);
   }
   return html;
 }

@@ -61,7 +61,9 @@ Html DrawFailedTrials(const ReportData& data) {
     html += MakeParagraph(std::to_string(num_rows) + " of " + FormatCount(num_all, "trial") +
                           "; export/trials.csv has all of them.");
   }
-  return html + table.ToHtml();
+  return Element("div", {{"class", "screen"}}, html + table.ToHtml()) +
+         Element("p", {{"class", "print"}},
+                 FormatCount(num_all, "trial") + " failed; export/trials.csv names them.");
 }
 
 }  // namespace

@@ -27,8 +27,9 @@ std::string DescribeMethod(const ReportData& data) {
          FormatFixed(config.strategy.hold_time, 2) +
          " s. A trial is a success when the object left the table with the hand and stayed in it "
          "to the end of the hold. The simulation advanced in steps of " +
-         FormatFixed(MsFromS(config.sim.step), 2) +
-         " ms. Rates are given with 95 % Wilson score intervals, times as median and range over "
+         FormatFixed(MsFromS(config.sim.step), 2) + " ms (graspbench " +
+         std::string(program_version()) +
+         "). Rates are given with 95 % Wilson score intervals, times as median and range over "
          "the trials in which they are defined.";
 }
 
@@ -112,23 +113,16 @@ Html DrawObjects(const ReportData& data) {
   return table.ToHtml();
 }
 
-Html DrawVersions() {
-  Table table("Versions.", {{"What"}, {"Version"}});
-  table.AddRow({Text("graspbench, which made this page"), Text(program_version())});
-  table.AddRow({Text("Physics of this graspbench"), Text(std::to_string(kPhysicsVersion))});
-  return table.ToHtml();
-}
-
 Html DrawMethods(const ReportData& data) {
-  Html html = MakeParagraph(DescribeMethod(data)) + DrawMeasures() + DrawOrigins();
+  Html html = MakeMethodsText({DescribeMethod(data)}) + DrawMeasures() + DrawOrigins();
   html += DrawHands(data) + DrawObjects(data);
-  return html +
-         MakeConfigTable("The session's complete configuration.", ToJson(data.session.config)) +
-         DrawVersions();
+  return html + MakeDetails("The session's complete configuration",
+                            MakeConfigTable("The session's complete configuration.",
+                                            ToJson(data.session.config)));
 }
 
 }  // namespace
 
-Section methods_section() { return {"methods", "Method, configuration and versions", DrawMethods}; }
+Section methods_section() { return {"methods", "Method and configuration", DrawMethods}; }
 
 }  // namespace graspbench

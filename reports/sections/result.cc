@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/base/text.h"
+#include "reports/filmstrip.h"
 #include "reports/findings.h"
 #include "reports/layout.h"
 #include "reports/sections/section.h"
@@ -29,8 +30,13 @@ Html DescribeFailures(const ReportData& data) {
   const int others = total.finished - total.successes();
   if (others == 0) return Text("Every finished trial was a success.");
   const Outcome worst = total.most_frequent_failure();
+  std::string most;  // of equally many all are named
+  for (const Outcome outcome : ListOutcomes()) {
+    if (IsSuccess(outcome) || total.CountOf(outcome) != total.CountOf(worst)) continue;
+    most += (most.empty() ? "" : " and as ") + std::string(NameOf(outcome));
+  }
   Html text = LinkTo("failures", FormatCount(others, "trial")) +
-              Text(" ended otherwise, most often as " + std::string(NameOf(worst)) + " (" +
+              Text(" ended otherwise, most often as " + most + " (" +
                    std::to_string(total.CountOf(worst)) + " of " + std::to_string(others) + ")");
   std::vector<const CellSummary*> without;
   for (const CellSummary& cell : data.summary.cells) {
@@ -110,10 +116,63 @@ Html DrawWarnings(const ReportData& data) {
   return notes;
 }
 
+/** The closed hand of the first success: what the experiment looks like. */
+Html DrawExample(const ReportData& data) {
+  for (const CellSummary& cell : data.summary.cells) {
+    const auto strips = data.pictures.by_cell.find(cell.key);
+    if (strips == data.pictures.by_cell.end() || strips->second.empty()) continue;
+    const Filmstrip& strip = strips->second.front();
+    if (strip.record->result.outcome != Outcome::kSuccess) continue;
+    for (const Picture& picture : strip.pictures) {
+      if (picture.moment != Moment::kClosed) continue;
+      const std::string name = NameOfCell(cell, data.models);
+      return Element("figure", {},
+                     Element("img", {{"src", MakeDataUri("image/webp", picture.webp)},
+                                     {"width", std::to_string(kPictureWidth)},
+                                     {"height", std::to_string(kPictureHeight)},
+                                     {"alt", "The closed hand in a successful trial: " + name}}) +
+                         Element("figcaption", {}, LinkTo(cell.key, name)));
+    }
+  }
+  return {};
+}
+
+/** The cells with the fewest successes, with a failure of each; none when nothing failed. */
+Html DrawWorstCells(const ReportData& data) {
+  constexpr size_t kMaxShown = 6;
+  std::vector<const CellSummary*> worst;
+  for (const CellSummary& cell : data.summary.cells) {
+    if (cell.tally.successes() < cell.tally.finished) worst.push_back(&cell);
+  }
+  if (worst.empty()) return {};
+  std::stable_sort(worst.begin(), worst.end(), [](const CellSummary* a, const CellSummary* b) {
+    return a->tally.rate() < b->tally.rate();
+  });
+  const size_t num_shown = std::min(worst.size(), kMaxShown);
+  Table table("The weakest of " + FormatCount(static_cast<int>(data.summary.cells.size()), "cell") +
+                  "; " + std::to_string(worst.size()) + (worst.size() == 1 ? " has" : " have") +
+                  " failures.",
+              {{"Cell", Align::kProse}, {"Successes", Align::kNumber}, {"Most often"}});
+  for (size_t i = 0; i < num_shown; ++i) {
+    const CellSummary& cell = *worst[i];
+    table.AddRow(
+        {DrawLastThumbnail(data.pictures, cell.key) +
+             LinkTo(cell.key, data.models.NameOfHand(cell.hand) + ", " +
+                                  data.models.NameOfObject(cell.object) + ", " + cell.grasp),
+         Text(std::to_string(cell.tally.successes()) + " of " +
+              std::to_string(cell.tally.finished)),
+         Text(NameOf(cell.tally.most_frequent_failure()))});
+  }
+  return table.ToHtml();
+}
+
 Html DrawResult(const ReportData& data) {
   Html html = DrawWarnings(data);
   if (data.summary.total.finished == 0) return html + MakeParagraph("No trial has finished yet.");
-  html += Element("p", {{"class", "verdict"}}, Text(DescribeRates(data)) + DescribeFailures(data));
+  const Html verdict =
+      Element("p", {{"class", "verdict"}}, Text(DescribeRates(data)) + DescribeFailures(data));
+  html += Element("div", {{"class", "first"}},
+                  Element("div", {}, verdict + DrawWorstCells(data)) + DrawExample(data));
   return html + DrawRates(data);
 }
 

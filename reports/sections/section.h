@@ -19,6 +19,7 @@ struct ReportData {
   const SessionModels& models;
   const CellPictures& pictures;
   const SensitivitySummary& sensitivity;  ///< of this session; without changes: was not run
+  Html views = {};                        ///< of session_views.h; empty: not asked for
 };
 
 /** Must bear a session without a plan or without records. */

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/config.h"
 #include "core/base/files.h"
+#include "core/base/hash.h"
 #include "core/base/text.h"
 #include "reports/study/study_section.h"
 
@@ -28,8 +30,13 @@ std::string MakeStudyReport(const StudyResult& result, const RobotSession* robot
       ", " + std::to_string(result.CountKept()) + " of " +
       FormatCount(static_cast<int>(result.trials.size()), "trial") + " kept, " +
       FormatCount(static_cast<int>(result.digits.size()), "digit");
-  return MakeSectionedPage(result.study.config.name, subtitle, ListStudySections(),
-                           StudyPageData{result, robot});
+  PageFrame frame = {result.study.config.name, subtitle};
+  frame.commands = {"graspbench study run STUDY.YAML --out DIR"};
+  frame.facts = {
+      {"Recordings", std::to_string(result.trials.size()) + " trials in trials.csv of the study"},
+      {"Hash of the settings", CalcHashHex(FormatJson(ConfigToJson(result.study.config)))}};
+  frame.references = {"roethling2007", "greenhouse1959", "holm1979", "efron1987"};
+  return MakeSectionedPage(frame, ListStudySections(), StudyPageData{result, robot});
 }
 
 std::filesystem::path WriteStudyReport(const std::filesystem::path& folder,

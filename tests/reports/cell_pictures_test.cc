@@ -90,6 +90,25 @@ TEST(RenderCellPictures, AnObjectThatFlewAwayDoesNotShrinkTheHand) {
                 .webp);
 }
 
+// The camera rises with hand and object and need not stand farther away for it.
+TEST(RenderCellPictures, ALiftedObjectDoesNotShrinkTheHand) {
+  const auto render_first = [](double rise_of_hand, double rise_of_object) {
+    Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
+    session.records[0].result.snapshots = MakeSnapshots();
+    SceneSnapshot& lifted = session.records[0].result.snapshots[2];
+    lifted.X_WH.translation().z() += rise_of_hand;
+    lifted.X_WO.translation().z() += rise_of_object;
+    return RenderCellPictures(session, SummariseSession(session), MakeModels())
+        .by_cell.at("tum-can-g3")[0]
+        .pictures[0];
+  };
+  const Picture still = render_first(0.0, 0.0);
+  EXPECT_EQ(render_first(0.1, 0.1).webp, still.webp);
+  EXPECT_NE(render_first(0.0, 0.1).webp, still.webp) << "what moves alone is to be seen";
+  EXPECT_EQ(still.thumbnail.substr(8, 4), "WEBP");
+  EXPECT_LT(still.thumbnail.size(), still.webp.size());
+}
+
 TEST(RenderCellPictures, SnapshotsThatDoNotFitTheHandAreAProblem) {
   Session session = MakeSession({"tum"}, {"can"}, "g3", 1);
   session.records[0].result.snapshots = MakeSnapshots();

@@ -45,6 +45,25 @@ TEST(DrawLinePlot, TheBandRunsThereAndBackAndMarksAreToScale) {
   EXPECT_NEAR(half, 0.5 * (start + end), 0.1);
 }
 
+TEST(DrawLinePlot, LabelsOfMarksDoNotMeet) {
+  LinePlot plot;
+  plot.text = {"Force", "It grows"};
+  plot.series = {{"thumb", {0.0, 10.0}, {1.0, 2.0}, {}, {}}};
+  plot.marks = {{1.0, "stabilisation"}, {1.5, "lift-off"}, {8.0, "hold"}};
+  const Drawing drawing(DrawLinePlot(plot));
+  std::vector<double> rows;
+  for (const auto* label : drawing.Find("text", "middle small")) {
+    for (const auto& mark : plot.marks) {
+      if (label->GetText() && mark.label == label->GetText())
+        rows.push_back(label->DoubleAttribute("y"));
+    }
+  }
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_GT(rows[0], rows[1] + 10.0) << "the second stands above";
+  EXPECT_EQ(rows[0], rows[2]) << "there is room for the third";
+  EXPECT_TRUE(drawing.Find("line", "cursor").empty()) << "not asked for";
+}
+
 TEST(DrawLinePlot, NothingAtAllStillHasAxes) {
   LinePlot plot;
   plot.text = {"Empty", "No trial"};

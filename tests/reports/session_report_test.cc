@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/html.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {
@@ -36,7 +37,7 @@ TEST(SessionReport, EveryNumberStandsInThePageWithoutScript) {
   for (const char* part :
        {"The tum succeeded in 2 of 3 trials (66.7\u00A0%, 95\u00A0% interval 20.8 to 93.9\u00A0%)",
         "slipped in lift-off (1 of 1)",
-        "1 SL",
+        "1 slipped in lift-off",
         "0.610",
         "0.600 to 0.620",
         "0.200",
@@ -229,6 +230,33 @@ TEST(SessionReport, PicturesAreInsideWithTextInTheirPlace) {
   ExpectContains(TextOfSection(page, "tum-can-g3"), "Stabilisation, 1.25 s");
 }
 
+TEST(SessionReport, TheFirstScreenShowsAPictureAndTheWeakestCells) {
+  Session session = MakeSession({"tum"}, {"can", "cup", "ball"}, "g3", 4);
+  for (const size_t i : {4, 5, 6}) session.records[i].result.outcome = Outcome::kPushedAway;
+  session.records[8].result.outcome = Outcome::kNoContact;
+  const SessionSummary summary = SummariseSession(session);
+  CellPictures pictures;
+  pictures.by_cell["tum-can-g3"] = {{&session.records[0], {{Moment::kClosed, 1.0, "abc", "xyz"}}}};
+  pictures.by_cell["tum-cup-g3"] = {
+      {&session.records[7], {{Moment::kClosed, 1.0, "good", "small good"}}},
+      {&session.records[4], {{Moment::kLifted, 2.0, "bad", "small bad"}}}};
+  const std::string page = MakeSessionReport(session, summary, SessionModels(), pictures);
+  ExpectSoundPage(page);
+  const std::string result = TextOfSection(page, "result");
+  const size_t worst = result.find("tum, cup, g3  1 of 4 pushed away");
+  const size_t second = result.find("tum, ball, g3  3 of 4 no contact");
+  ASSERT_NE(worst, std::string::npos) << result;
+  ASSERT_NE(second, std::string::npos) << result;
+  EXPECT_LT(worst, second);
+  EXPECT_EQ(result.find("tum, can, g3"), std::string::npos) << "it has no failure";
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const std::vector<std::string> images =
+      ListAttribute(*FindById(*document.RootElement(), "result"), "src");
+  EXPECT_EQ(images, (std::vector<std::string>{MakeDataUri("image/webp", "small bad"),
+                                              MakeDataUri("image/webp", "abc")}));
+}
+
 TEST(SessionReport, SeveralGraspsGetAColumnEach) {
   Session session = MakeSession({"tum"}, {"can"}, "g1", 1);
   const Session more = MakeSession({"tum"}, {"can"}, "g3", 1);
@@ -279,6 +307,20 @@ TEST(SessionReport, ShowsWhatSettingsChange) {
   ExpectContains(section, "-100.0 (");
   ExpectContains(section, "123");
   EXPECT_EQ(section.find("has not been run so"), std::string::npos);
+}
+
+// GFT falls with the number of the trial, the slip grows with it.
+TEST(SessionReport, ShowsWhatGoesWithSimultaneity) {
+  Session session = MakeSession({"tum"}, {"can", "cup", "box", "key", "pen", "tape"}, "g3", 8);
+  for (TrialRecord& record : session.records) {
+    record.result.timing.gft = 0.2 - 0.01 * record.plan.trial;
+    record.result.hold_slip = 0.001 * (1 + record.plan.trial);
+  }
+  const std::string section = TextOfSection(MakePageOf(session), "simultaneity");
+  ExpectContains(section, "GFT with slip in the hold (-1.00");
+  EXPECT_EQ(section.find("GFT with sigma"), std::string::npos) << section;  // all alike
+  ExpectContains(TextOfSection(MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 2)), "simultaneity"),
+                 "too few trials of a cell that differ");
 }
 
 // Who has not run it sees what the benchmark depends on, named as that.

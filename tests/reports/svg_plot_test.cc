@@ -51,6 +51,27 @@ TEST(DrawHeatMap, AGroupStandsOnceOverItsColumns) {
   EXPECT_LT(heads[4]->DoubleAttribute("y"), heads[2]->DoubleAttribute("y"));
 }
 
+// Two columns under a long name, and five under a short one.
+TEST(DrawHeatMap, NamesOfGroupsDoNotMeet) {
+  HeatMap map;
+  map.text = {"t", "d"};
+  map.rows = {"can"};
+  const std::string long_name = "a hand with quite a long name of its own";
+  for (int i = 0; i < 7; ++i) {
+    map.columns.push_back("g" + std::to_string(i));
+    map.groups.push_back(i < 2 ? long_name : "TUM Hand");
+    map.cells.push_back({0.5, "5 / 10", "", "anchor"});
+  }
+  const Drawing drawing(DrawHeatMap(map));
+  std::vector<const tinyxml2::XMLElement*> groups;
+  for (const auto* head : drawing.Find("text", "middle head")) {
+    if (head->GetText()[0] != 'g') groups.push_back(head);
+  }
+  ASSERT_EQ(groups.size(), 2u);
+  const double between = groups[1]->DoubleAttribute("x") - groups[0]->DoubleAttribute("x");
+  EXPECT_GE(between, 0.5 * (CalcLabelWidth({long_name}) + CalcLabelWidth({"TUM Hand"})));
+}
+
 TEST(DrawRateBars, BarAndIntervalAreToScale) {
   RateBars plot;
   plot.text = {"t", "d"};

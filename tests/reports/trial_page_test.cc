@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/shape/primitives.h"
+#include "tests/reports/made_trial.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {
@@ -51,13 +52,13 @@ TEST(TrialPage, SaysHowItEndedAndHowToGetThere) {
   EXPECT_EQ(page, MakeTrialPage(MakeData()));
 }
 
-TEST(TrialPage, IsWellFormedWithoutScripts) {
+TEST(TrialPage, IsWellFormedWithTheScriptOfEveryPage) {
   const std::string page = MakeTrialPage(MakeData());
   ExpectSoundPage(page);
   tinyxml2::XMLDocument document;
   ParsePage(page, document);
-  EXPECT_EQ(CountElements(document, "script"), 0);
-  EXPECT_EQ(CountElements(document, "section"), 5);
+  EXPECT_EQ(CountElements(document, "script"), 2);
+  EXPECT_EQ(CountElements(document, "section"), 7);
   EXPECT_EQ(CountElements(document, "img"), 1);
 }
 
@@ -69,6 +70,23 @@ TEST(TrialPage, ATrialWithoutPicturesAndContactsIsAPageToo) {
   const std::string page = MakeTrialPage(data);
   EXPECT_NE(page.find("Nothing touched the object."), std::string::npos);
   EXPECT_NE(page.find("before its first picture"), std::string::npos);
+}
+
+TEST(TrialPage, ShowsTheCourseThatWasKept) {
+  TrialPageData data = MakeData();
+  const TrialView view = MakeTrialView();
+  data.hand = view.hand;
+  data.object = view.object;
+  data.record.result.snapshots.clear();
+  data.traced = view.traced;
+  const std::string page = MakeTrialPage(data);
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const tinyxml2::XMLElement* course = FindById(*document.RootElement(), "course");
+  ASSERT_NE(course, nullptr);
+  EXPECT_NE(FindById(*course, "view"), nullptr);
+  EXPECT_NE(ListText(*course).find("three.js authors"), std::string::npos) << "its licence";
+  EXPECT_NE(page.find("script-src 'sha256-"), std::string::npos);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ Html DrawConvergence(const CampaignData& data) {
         std::to_string(duel.num_won) + " of " + FormatCount(duel.num_scenes, "scene") + " (" +
         FormatPercent(duel.share_won()) + ").");
   }
-  return html + MakeScroll("Search methods", table.ToHtml()) + figures;
+  return html + table.ToHtml() + figures;
 }
 
 }  // namespace

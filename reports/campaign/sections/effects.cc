@@ -48,7 +48,7 @@ Html DrawEffects(const CampaignData& data, const std::string& hand, const std::s
                          FormatPercent(effect.share_worse()) + ")")});
     }
   }
-  return MakeScroll(name, table.ToHtml());
+  return table.ToHtml();
 }
 
 std::string DescribeLower(const CampaignData& data, const Step& step) {

@@ -39,7 +39,7 @@ Html DrawHands(const CampaignData& data) {
                     Text(std::to_string(found.num_b_better))});
     }
   }
-  return MakeScroll("The two hands", table.ToHtml());
+  return table.ToHtml();
 }
 
 }  // namespace

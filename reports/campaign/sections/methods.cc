@@ -9,7 +9,7 @@ namespace {
 Html DrawMethods(const CampaignData& data) {
   const OptimiseConfig& optimise = data.campaign.config.optimise;
   const SessionConfig& session = data.campaign.config.session;
-  Html html = MakeParagraph(
+  std::vector<std::string> text = {
       "Step 1 watches one trial without variation and records by how much the joints of each digit "
       "fall short of their commands when it first touches. With that, geometry gives when each "
       "digit meets the object at rest, and the pre-grasp is moved along the closing so that all do "
@@ -17,8 +17,8 @@ Html DrawMethods(const CampaignData& data) {
       "the table, or half of that way. It is done once and again from its own result; "
       "of the standard pre-grasp and the new ones that is kept which succeeds at least as often "
       "and has the lowest median GFT% in " +
-      FormatCount(optimise.check_trials, "check trial") + ".");
-  html += MakeParagraph(
+      FormatCount(optimise.check_trials, "check trial") + "."};
+  text.push_back(
       "Step 2 searches the target angles of the thumb within the joint limits and 25 degrees by "
       "the method \"" +
       optimise.method + "\" with " + FormatCount(optimise.evaluations, "evaluation") + " of " +
@@ -28,7 +28,7 @@ Html DrawMethods(const CampaignData& data) {
       "again on drawn trials; the one with the highest mean sigma is kept when in further trials, "
       "seen by none of this, it succeeds at least as often and has a higher mean sigma than "
       "before.");
-  html += MakeParagraph(
+  text.push_back(
       "The benchmark tries all variants on the same " + FormatCount(session.trials, "trial pose") +
       ": object moved by up to " + FormatFixed(MmFromM(session.variation.offset), 1) +
       " mm and turned by up to " + FormatFixed(DegFromRad(session.variation.yaw), 1) +
@@ -38,8 +38,9 @@ Html DrawMethods(const CampaignData& data) {
       "search and those of the checks come from different random streams. Intervals are 95 % "
       "bootstrap intervals (BCa). Steps and measures are named by F. Röthling's thesis (Bielefeld, "
       "2007); the rules of step 1, the search and the formula of sigma are graspbench's.");
-  return html + MakeParagraph(std::string("graspbench ") + program_version() + ", seed " +
-                              std::to_string(optimise.seed) + ".");
+  text.push_back(std::string("All of it was made with graspbench ") + program_version() +
+                 ", seed " + std::to_string(optimise.seed) + ".");
+  return MakeMethodsText(text);
 }
 
 }  // namespace

@@ -33,11 +33,12 @@ Html DrawPictures(const SceneVariants& scene, const CampaignData& data) {
 
 Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData& data) {
   const Align number = Align::kNumber;
-  Table table("Target angles of the thumb.", {{"Joint"},
-                                              {"Before [deg]", number},
-                                              {"Evolved [deg]", number},
-                                              {"Change [deg]", number},
-                                              {"Bounds [deg]", number}});
+  Table table("Target angles of the thumb, " + data.NameOfScene(scene) + ".",
+              {{"Joint"},
+               {"Before [deg]", number},
+               {"Evolved [deg]", number},
+               {"Change [deg]", number},
+               {"Bounds [deg]", number}});
   const auto angle = [&](const char* key, size_t i) {
     return DegFromRad(step.at(key).at(i).get<double>());
   };
@@ -47,7 +48,7 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
                   Text(FormatFixed(after, 1)), Text(FormatFixed(after - before, 1)),
                   Text(FormatRange(angle("lower_rad", i), angle("upper_rad", i), 1))});
   }
-  return MakeScroll("Thumb of " + data.NameOfScene(scene), table.ToHtml());
+  return table.ToHtml();
 }
 
 /** The contacts of the trials in the pictures. */

@@ -34,7 +34,7 @@ Html DrawVariants(const CampaignData& data) {
     }
     table.AddRow(row);
   }
-  return MakeScroll("Variants of every scene", table.ToHtml());
+  return table.ToHtml();
 }
 
 }  // namespace

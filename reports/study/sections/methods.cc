@@ -155,12 +155,9 @@ std::string DescribeStatistics(const StudyResult& result) {
 
 Html DrawMethods(const StudyPageData& data) {
   const StudyResult& result = data.result;
-  return MakeParagraph("Ready to paste:") +
-         Element(
-             "blockquote", {},
-             MakeParagraph(DescribeRecording(result) + DescribeEvents(result) +
-                           DescribeStatistics(result) + "The analysis was made with graspbench " +
-                           program_version() + ".")) +
+  return MakeMethodsText({DescribeRecording(result), DescribeEvents(result),
+                          DescribeStatistics(result) + "The analysis was made with graspbench " +
+                              program_version() + "."}) +
          MakeParagraph(
              "Known from the thesis: the names of GCT, GFT, GOT and their ratios, and the widest "
              "opening as the start of closure. Inferred: their formulas. Proposed by graspbench: "

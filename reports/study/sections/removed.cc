@@ -53,11 +53,13 @@ Html DrawImport(const StudyResult& result) {
       FormatCount(result.num_resampled, "recording") + " had uneven time stamps and " +
       (result.num_resampled == 1 ? "was" : "were") + " resampled.");
   if (groups.empty()) return html + MakeParagraph("Reading the files needed no assumption.");
-  Table table("What had to be assumed to read the files; a row for what differs in numbers alone.",
-              {{"Code"},
-               {"Assumption", Align::kProse},
-               {"Times", Align::kNumber},
-               {"Files", Align::kProse}});
+  Table table(
+      "What had to be assumed to read the files; assumptions that differ only in their numbers "
+      "share a row.",
+      {{"Code"},
+       {"Assumption", Align::kProse},
+       {"Times", Align::kNumber},
+       {"Files", Align::kProse}});
   for (const FindingGroup& group : groups) {
     table.AddRow({Element("code", {}, group.code), Text(group.text),
                   Text(std::to_string(group.count)), Text(ListNames(group.files))});

@@ -96,14 +96,16 @@ Html DrawSummary(const StudyPageData& data) {
   std::string reasons;
   if (num_removed > 0) {
     const RemovalGroup most = GroupRemoved(result.trials).front();
-    reasons = " (mostly, " + std::to_string(most.trials.size()) + ": " + most.text + ")";
+    reasons = (num_removed == 1 ? std::string(" (")
+                                : " (most often, " + std::to_string(most.trials.size()) + ": ") +
+              most.text + ")";
   }
   Html counts = Text(std::to_string(result.CountKept()) + " of " +
-                     FormatCount(num_trials, "trial") + " count");
+                     FormatCount(num_trials, "trial") + " were analysed");
   if (num_removed > 0) {
-    counts += Text("; " + std::to_string(num_removed) + (num_removed == 1 ? " was" : " were") +
-                   " removed, ") +
-              LinkTo("removed", "and why") + Text(reasons);
+    counts += Text("; ") +
+              LinkTo("removed", FormatCount(num_removed, "trial was", "trials were") + " removed") +
+              Text(reasons);
   }
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +

@@ -51,7 +51,7 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   const StudyResult& result = SmallStudy();
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
-  ExpectContains(SectionText(page, "summary"), "12 of 12 trials count");
+  ExpectContains(SectionText(page, "summary"), "12 of 12 trials were analysed");
   ExpectContains(SectionText(page, "removed"), "No trial was removed.");
   ExpectContains(SectionText(page, "curves"), "0.03 (6 trials)");
   const MeasureStatistics& gft = result.statistics.measures.front();
@@ -118,7 +118,7 @@ TEST(StudyReport, AStudyWithoutTrialsSaysSo) {
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
   EXPECT_EQ(page.find("<img"), std::string::npos);
-  ExpectContains(SectionText(page, "summary"), "0 of 0 trials count");
+  ExpectContains(SectionText(page, "summary"), "0 of 0 trials were analysed");
   ExpectContains(SectionText(page, "trials"), "No trial could be analysed.");
 }
 

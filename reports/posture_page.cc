@@ -1,0 +1,263 @@
+#include "reports/posture_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/develop/hand_pads.h"
+#include "core/develop/write_grasps.h"
+#include "core/grasp/placement.h"
+#include "core/render/contact_marks.h"
+#include "core/render/contact_shapes.h"
+#include "core/render/hand_scene.h"
+#include "reports/models.h"
+#include "reports/sectioned_page.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kWidth = 480, kHeight = 400;  // of a picture [pixels]
+constexpr double kArrow = 0.02;             // of a pad's direction [m]
+
+/** How the pads of a posture stand; heights are along the approach. */
+struct PadStand {
+  std::vector<PadState> pads;  // of the grasp's digits, the opposing one first
+  double opening = 0.0;        // across the approach, thumb to the middle of the fingers [m]
+  double off_facing = 0.0;     // of the worst finger from facing the thumb's pad [rad]
+  double off_level = 0.0;      // of the highest pad from the lowest [m]
+  double off_down = 0.0;       // of the worst fingertip from the approach [rad]
+  double reach = 0.0;          // of the pads beyond the middle of the palm [m]
+  double gap = 0.0;            // least distance of neighbouring fingers' pads; one finger: 0 [m]
+};
+
+double CalcAngle(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+PadStand CalcStand(const Hand& hand, const StandardGrasp& grasp, const VectorXd& q) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  const Vector3d approach_H = CalcApproachDirection(hand, grasp.tilt);
+  const auto opposing = static_cast<size_t>(FindOpposingDigit(hand, grasp));
+  PadStand stand;
+  stand.pads.push_back(CalcPadState(hand, hand.digits[opposing], X_HL));
+  Vector3d p_HFingers = Vector3d::Zero();
+  for (size_t d = 0; d < hand.digits.size(); ++d) {
+    const bool grasps =
+        std::count(grasp.digits.begin(), grasp.digits.end(), hand.digits[d].id) != 0;
+    if (!grasps || d == opposing) continue;
+    stand.pads.push_back(CalcPadState(hand, hand.digits[d], X_HL));
+    p_HFingers += stand.pads.back().p_HPad;
+  }
+  const size_t num_fingers = stand.pads.size() - 1;
+  const PadState& thumb = stand.pads.front();
+  Vector3d across = p_HFingers / static_cast<double>(num_fingers) - thumb.p_HPad;
+  across -= across.dot(approach_H) * approach_H;
+  stand.opening = across.norm();
+  double highest = -1.0, lowest = 1.0, sum = 0.0;
+  for (size_t i = 0; i < stand.pads.size(); ++i) {
+    const PadState& pad = stand.pads[i];
+    const double height = (pad.p_HPad - hand.p_HCentre).dot(approach_H);
+    highest = std::max(highest, height);
+    lowest = std::min(lowest, height);
+    sum += height;
+    stand.off_down = std::max(stand.off_down, CalcAngle(pad.axis_H, approach_H));
+    if (i > 0) stand.off_facing = std::max(stand.off_facing, CalcAngle(-pad.nhat_H, thumb.nhat_H));
+    if (i < 2) continue;
+    const double gap = (pad.p_HPad - stand.pads[i - 1].p_HPad).norm();
+    stand.gap = i == 2 ? gap : std::min(stand.gap, gap);
+  }
+  stand.off_level = highest - lowest;
+  stand.reach = sum / static_cast<double>(stand.pads.size());
+  return stand;
+}
+
+std::string Mm(double metres) { return FormatFixed(MmFromM(metres), 1); }
+std::string Deg(double radians) { return FormatFixed(DegFromRad(radians), 0); }
+
+Html DrawRules(const Hand& hand, const DevelopedGrasp& one) {
+  const StandardGrasp &proposed = one.proposed.grasp, &developed = one.grasp;
+  const PadStand stands[] = {
+      CalcStand(hand, proposed, proposed.q_pre), CalcStand(hand, developed, developed.q_pre),
+      CalcStand(hand, proposed, proposed.q_target), CalcStand(hand, developed, developed.q_target)};
+  const PostureAim& aim = one.proposed.aim;
+  Table table("How the pads stand, by the rules of development. Geometry: before any simulation.",
+              {{"rule", Align::kText},
+               {"asked", Align::kText},
+               {"pre-grasp, geometry", Align::kNumber},
+               {"pre-grasp, developed", Align::kNumber},
+               {"target, geometry", Align::kNumber},
+               {"target, developed", Align::kNumber}});
+  const auto add = [&](const char* rule, const std::string& asked, double PadStand::*value,
+                       std::string (*format)(double)) {
+    std::vector<Html> cells = {Text(rule), Text(asked)};
+    for (const PadStand& stand : stands) cells.push_back(Text(format(stand.*value)));
+    table.AddRow(cells);
+  };
+  add("opening [mm]", Mm(aim.opening) + ", met " + Mm(aim.meeting), &PadStand::opening, &Mm);
+  add("pads off facing each other [deg]", "0 when met", &PadStand::off_facing, &Deg);
+  add("pads off one level [mm]", "0", &PadStand::off_level, &Mm);
+  add("fingertips off pointing down [deg]", "at most " + Deg(std::acos(aim.tips_down)),
+      &PadStand::off_down, &Deg);
+  add("pads beyond the palm [mm]", (aim.is_reach_exact ? "" : "at least ") + Mm(aim.reach),
+      &PadStand::reach, &Mm);
+  if (stands[0].pads.size() > 2) {
+    add("nearest neighbouring pads [mm]", Mm(aim.pad_gap), &PadStand::gap, &Mm);
+  }
+  return table.ToHtml();
+}
+
+Html DrawStages(const std::vector<DevelopmentStage>& stages) {
+  Table table("What the simulation was asked, and what held.",
+              {{"stage", Align::kText},
+               {"postures on shapes", Align::kNumber},
+               {"trials", Align::kNumber},
+               {"held", Align::kText},
+               {"best mean score", Align::kNumber}});
+  for (const DevelopmentStage& stage : stages) {
+    table.AddRow({Text(stage.name), Text(std::to_string(stage.num_requests)),
+                  Text(std::to_string(stage.tally.finished)), Text(FormatRate(stage.tally)),
+                  Text(FormatFixed(stage.best_score, 2))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawJoints(const Hand& hand, const DevelopedGrasp& one) {
+  Table table("Driven joints in degrees, of slides in millimetres.",
+              {{"joint", Align::kText},
+               {"pre-grasp, geometry", Align::kNumber},
+               {"pre-grasp, developed", Align::kNumber},
+               {"target, geometry", Align::kNumber},
+               {"target, developed", Align::kNumber}});
+  for (const int j : FindGraspJoints(hand, one.grasp.digits)) {
+    const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+    std::vector<Html> cells = {Text(joint.name)};
+    for (const VectorXd* q : {&one.proposed.grasp.q_pre, &one.grasp.q_pre,
+                              &one.proposed.grasp.q_target, &one.grasp.q_target}) {
+      cells.push_back(Text(FormatFixed(ShownFromPosition(joint, (*q)[j]), 1)));
+    }
+    table.AddRow(cells);
+  }
+  return MakeDetails("Joint positions", table.ToHtml());
+}
+
+/** The hand over the table as it comes to an object, its pads with arrows where they face. */
+Scene MakePostureScene(const std::shared_ptr<const Hand>& hand, const StandardGrasp& grasp,
+                       const VectorXd& q, const Pose& X_WH) {
+  Scene scene;
+  scene.has_table = false;
+  AddHand(hand, q, X_WH, &scene);
+  const auto is_seen = [](const Drawable& drawable) { return drawable.must_be_seen; };
+  if (std::none_of(scene.drawables.begin(), scene.drawables.end(), is_seen)) {
+    AddContactShapes(*hand, q, X_WH, &scene);  // of a hand without pictures
+  }
+  std::vector<ContactMark> marks;
+  for (const PadState& pad : CalcStand(*hand, grasp, q).pads) {
+    ContactMark mark;  // an arrow ends at its contact
+    mark.nhat_W = X_WH.linear() * pad.nhat_H;
+    mark.p_WC = X_WH * pad.p_HPad + kArrow * mark.nhat_W;
+    mark.force_W = mark.nhat_W;
+    marks.push_back(mark);
+  }
+  AddContactMarks(marks, kArrow, &scene);
+  return scene;
+}
+
+Html DrawPictures(const std::shared_ptr<const Hand>& hand, const StandardGrasp& grasp,
+                  const std::string& of, Renderer& renderer) {
+  const Vector3d approach_H = CalcApproachDirection(*hand, grasp.tilt);
+  const Pose X_WH = MakePose(
+      Eigen::Quaterniond::FromTwoVectors(approach_H, -Vector3d::UnitZ()).toRotationMatrix(),
+      Vector3d::Zero());
+  std::vector<Scene> scenes;
+  for (const VectorXd* q : {&grasp.q_pre, &grasp.q_target}) {
+    scenes.push_back(MakePostureScene(hand, grasp, *q, X_WH));
+  }
+  const Camera camera = FrameScenes(scenes, FindGraspView(*hand, grasp.q_target, X_WH),
+                                    static_cast<double>(kWidth) / kHeight);
+  Html frames;
+  for (size_t i = 0; i < scenes.size(); ++i) {
+    const std::string name = i == 0 ? "Pre-grasp" : "Target";
+    const std::string image = EncodeWebp(renderer.Render(scenes[i], camera));
+    frames += Element("figure", {},
+                      Element("img", {{"src", MakeDataUri("image/webp", image)},
+                                      {"width", std::to_string(kWidth)},
+                                      {"height", std::to_string(kHeight)},
+                                      {"alt", of + ": " + name}}) +
+                          Element("figcaption", {}, name));
+  }
+  return Element("div", {{"class", "film"}}, frames);
+}
+
+Html DrawSummary(const PosturePageData& data) {
+  Table table("Developed grasps.", {{"grasp", Align::kText},
+                                    {"digits", Align::kText},
+                                    {"trials", Align::kNumber},
+                                    {"score by geometry", Align::kNumber},
+                                    {"developed", Align::kNumber},
+                                    {"held of shapes not met before", Align::kText}});
+  for (size_t i = 0; i < data.developed.size(); ++i) {
+    const DevelopedGrasp& one = data.developed[i];
+    std::string digits, held = "n/a";
+    for (const std::string& id : one.grasp.digits) digits += (digits.empty() ? "" : " ") + id;
+    if (i < data.stages.size() && !data.stages[i].empty() &&
+        data.stages[i].back().name == "check") {
+      held = FormatRate(data.stages[i].back().tally);
+    }
+    table.AddRow({LinkTo(one.grasp.id, NameOfGrasp(one.grasp.id)), Text(digits),
+                  Text(std::to_string(one.num_trials)), Text(FormatFixed(one.proposed_score, 2)),
+                  Text(FormatFixed(one.score, 2)), Text(held)});
+  }
+  return table.ToHtml();
+}
+
+}  // namespace
+
+std::string MakePosturePage(const PosturePageData& data) {
+  const Hand& hand = *data.hand;
+  std::vector<PageLink> contents = {{"summary", "Summary"}};
+  Html body = Element(
+      "section", {{"id", "summary"}},
+      Element("h2", {}, "Summary") +
+          MakeParagraph("Rules of geometry proposed postures of each grasp; simulation on shapes "
+                        "made for it, none of them an object of the catalogue, chose among them "
+                        "(race), changed the best one (search), compared the two (finals), and "
+                        "tried what was chosen on shapes that nothing had seen (check). A score "
+                        "above 1 means that all was held. Seed " +
+                        std::to_string(data.config.seed) + ", budget " +
+                        std::to_string(data.config.budget) + " trials.") +
+          DrawSummary(data));
+  std::unique_ptr<Renderer> renderer;
+  try {
+    renderer = std::make_unique<Renderer>(kWidth, kHeight);
+  } catch (const Error& error) {
+    body += MakeNote("warning", "There are no pictures", MakeParagraph(error.what()));
+  }
+  for (size_t i = 0; i < data.developed.size(); ++i) {
+    const DevelopedGrasp& one = data.developed[i];
+    const std::string name = Capitalise(NameOfGrasp(one.grasp.id));
+    contents.push_back({one.grasp.id, name});
+    Html section = Element("h2", {}, name);
+    section += MakeParagraph(DescribeDevelopment(hand, one));
+    if (renderer) {
+      section += MakeFigure(
+          "The hand as it comes from above. Arrows show where the pads face.",
+          "pads that face each other at one height, and nothing of the hand below the fingertips; "
+          "in the target they may go through each other, as it lies behind the object's surface.",
+          DrawPictures(data.hand, one.grasp, name, *renderer));
+    }
+    section += DrawRules(hand, one);
+    if (i < data.stages.size()) section += DrawStages(data.stages[i]);
+    section += DrawJoints(hand, one);
+    body += Element("section", {{"id", one.grasp.id}}, section);
+  }
+  PageFrame frame = {"Developed postures", hand.name};
+  frame.facts = {{"Seed", std::to_string(data.config.seed)},
+                 {"Budget", FormatCount(data.config.budget, "trial")}};
+  return MakePage(frame, contents, body);
+}
+
+}  // namespace graspbench

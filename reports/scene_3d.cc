@@ -1,0 +1,181 @@
+#include "reports/scene_3d.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/render/hand_scene.h"
+#include "datasets/gltf/trial_gltf.h"
+#include "datasets/session/trace_table.h"
+#include "reports/assets.h"
+#include "reports/layout.h"
+#include "reports/trial_plots.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kPosterWidth = 640, kPosterHeight = 480;
+constexpr double kInPicture = 0.35;  // of the hand's base; an object beyond is left out [m]
+
+/** The last instant of each phase that was reached. */
+std::vector<const TraceInstant*> ListPhaseEnds(const std::vector<TraceInstant>& trace) {
+  std::vector<const TraceInstant*> ends;
+  for (const TraceInstant& instant : trace) {
+    if (ends.empty() || ends.back()->phase != instant.phase) ends.push_back(nullptr);
+    ends.back() = &instant;
+  }
+  return ends;
+}
+
+/** Closed and before lift-off; of a shorter trial its end. */
+const TraceInstant& FindShownInstant(const std::vector<const TraceInstant*>& ends) {
+  for (const TraceInstant* end : ends) {
+    if (end->phase == Phase::kStabilisation && end != ends.back()) return *end;
+  }
+  return *ends.back();
+}
+
+Camera PlaceViewCamera(const TrialView& view, const std::vector<const TraceInstant*>& ends) {
+  std::vector<Scene> scenes;
+  for (const TraceInstant* end : ends) {
+    Scene scene;
+    AddHand(view.hand, end->q, end->X_WH, &scene);
+    if ((end->X_WO.translation() - end->X_WH.translation()).norm() < kInPicture) {
+      AddObject(view.object, end->X_WO, &scene);
+    }
+    scenes.push_back(std::move(scene));
+  }
+  return FrameScenes(scenes, FindGraspView(*view.hand, ends[0]->q, ends[0]->X_WH),
+                     static_cast<double>(kPosterWidth) / kPosterHeight);
+}
+
+std::string FormatCamera(const Camera& camera) {
+  std::string text;
+  for (const Eigen::Vector3d& point : {camera.p_WEye, camera.p_WTarget}) {
+    for (double part : point) text += FormatFixed(part, 4) + " ";
+  }
+  return text + FormatFixed(camera.field_of_view, 4);
+}
+
+/** What the scene shows in numbers, at the end of each phase. */
+Html DrawPhaseTable(const TrialView& view, const std::vector<const TraceInstant*>& ends) {
+  std::vector<Column> columns = {{"End of"},
+                                 {"Time [s]", Align::kNumber},
+                                 {"Contacts", Align::kNumber},
+                                 {"Grip [N]", Align::kNumber, "sum of the hand's normal forces"}};
+  for (const Digit& digit : view.hand->digits) {
+    columns.push_back({digit.name + " [N]", Align::kNumber, "its normal forces on the object"});
+  }
+  columns.push_back({"Lifted [mm]", Align::kNumber, "rise of the object since the start"});
+  Table table("The trial at the end of each phase.", columns);
+  const double start = view.traced.trace.front().X_WO.translation().z();
+  for (const TraceInstant* end : ends) {
+    const auto number = [](double value, int decimals) {
+      return Text(FormatFixed(value, decimals));
+    };
+    std::vector<Html> cells = {Text(NameOf(end->phase)), number(end->time, 3),
+                               Text(std::to_string(end->contacts.size())),
+                               number(end->grip_force, 2)};
+    for (size_t d = 0; d < view.hand->digits.size(); ++d) {
+      cells.push_back(number(CalcDigitForce(*view.hand, *end, static_cast<int>(d)), 2));
+    }
+    cells.push_back(number(MmFromM(end->X_WO.translation().z() - start), 1));
+    table.AddRow(cells);
+  }
+  return table.ToHtml();
+}
+
+/** Data that no browser runs. */
+Html MakeDataBlock(const std::string& anchor, const std::string& bytes) {
+  return Element("script", {{"type", "model/gltf-binary;base64"}, {"id", anchor}},
+                 EncodeBase64(bytes));
+}
+
+bool CanBeDrawn(const TrialView& view) {
+  return std::all_of(view.traced.trace.begin(), view.traced.trace.end(),
+                     [](const TraceInstant& instant) {
+                       return instant.X_WH.matrix().allFinite() &&
+                              instant.X_WO.matrix().allFinite() && instant.q.allFinite();
+                     });
+}
+
+}  // namespace
+
+std::string TrialViews::FindOrAddModel(const std::string& hash, const char* kind,
+                                       const std::function<std::string()>& make_glb) {
+  std::string& anchor = anchor_of_model_[kind + hash];
+  if (anchor.empty()) {
+    anchor = "model-" + std::to_string(anchor_of_model_.size());
+    models_ += MakeDataBlock(anchor, make_glb());
+  }
+  return anchor;
+}
+
+Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
+                            const Camera& camera) {
+  if (!can_draw_) return {};
+  try {
+    if (!renderer_) renderer_ = std::make_unique<Renderer>(kPosterWidth, kPosterHeight);
+    const Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
+    return Element(
+        "img",
+        {{"src", MakeDataUri("image/webp", EncodeWebp(renderer_->Render(scene, camera)))},
+         {"width", std::to_string(kPosterWidth)},
+         {"height", std::to_string(kPosterHeight)},
+         {"alt", view.name + " at " + FormatFixed(shown.time, 3) + " s, " + NameOf(shown.phase)}});
+  } catch (const Error& fault) {
+    if (fault.kind() != ErrorKind::kEnvironment) throw;
+    can_draw_ = false;  // the page's pictures say why
+    return {};
+  }
+}
+
+Html TrialViews::Add(const TrialView& view) {
+  if (view.traced.trace.empty() || !CanBeDrawn(view)) {
+    return Element("p", {{"class", "missing"}, {"id", view.anchor}},
+                   view.name + ": there is no course to show.");
+  }
+  const std::vector<const TraceInstant*> ends = ListPhaseEnds(view.traced.trace);
+  const TraceInstant& shown = FindShownInstant(ends);
+  const Camera camera = PlaceViewCamera(view, ends);
+  const std::string motion = view.anchor + "-motion";
+  const std::string hand = FindOrAddModel(view.hand->content_hash + view.hand->id, "hand ",
+                                          [&] { return MakeHandGlb(*view.hand); });
+  const std::string object = FindOrAddModel(view.object->content_hash + view.object->id, "object ",
+                                            [&] { return MakeObjectGlb(*view.object); });
+  Html plots;
+  for (const Html& plot : DrawTrialPlots(*view.hand, view.traced, view.name)) {
+    plots += Element("div", {}, MakeScroll("Curves of " + view.name, plot));
+  }
+  return Element(
+      "div",
+      {{"class", "scene-3d"},
+       {"id", view.anchor},
+       {"data-label", "3-D scene of " + view.name},
+       {"data-hand", hand},
+       {"data-object", object},
+       {"data-motion", motion},
+       {"data-camera", FormatCamera(camera)},
+       {"data-time", FormatFixed(shown.time, 4)}},
+      Element("div", {{"class", "stage"}}, DrawPoster(view, shown, camera)) +
+          DrawPhaseTable(view, ends) +
+          MakeFigure("Forces and joints over the trial. Dashed lines: the phases.",
+                     "forces that fall before lift-off; a digit that never presses; joints that go "
+                     "on closing while the object is held.",
+                     Element("div", {{"class", "plots"}}, plots)) +
+          MakeDataBlock(motion, MakeMotionGlb(*view.hand, *view.object, view.traced)));
+}
+
+Html TrialViews::MakeModels() const {
+  if (models_.empty()) return {};
+  return models_ +
+         MakeDetails("Licence of the 3-D view", Element("pre", {}, Text(assets::kThreeLicence)));
+}
+
+PageScript TrialViews::MakeScript() const {
+  if (models_.empty()) return {};
+  return {std::string(assets::kSceneStyle), std::string(assets::kSceneScript)};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,57 @@
+#pragma once
+/** @file
+Trials as moving 3-D views in a page: picture, table and curves for everybody; where scripts run, a
+button opens the scene with a slider over the phases, contact points, forces and friction cones, and
+a cursor in the curves that follows.
+
+three.js, its licence and the script are in a page once, every hand and object once, and once per
+trial its motion (datasets/gltf/trial_gltf.h), some 100 kB with the curves. Nothing is loaded by the
+page: it works from a file, without a network, under its content security policy. */
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/hand/hand.h"
+#include "core/render/scene.h"
+#include "core/shape/grasp_object.h"
+#include "core/trial/trial_trace.h"
+#include "reports/html.h"
+#include "reports/page_script.h"
+
+namespace graspbench {
+
+struct TrialView {
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  TracedTrial traced;
+  std::string anchor;  ///< once per page; a link to it opens the scene
+  std::string name;    ///< "TUM Hand, can, power (g3), trial 3"
+};
+
+/** The views of one page. */
+class TrialViews {
+ public:
+  /** Without a renderer the view has no picture; of a trial that could not begin it is one
+  sentence. */
+  Html Add(const TrialView& view);
+
+  /** Hands, objects and licence; to be put once behind the last view. Empty without views. */
+  Html MakeModels() const;
+
+  /** Empty without views. */
+  PageScript MakeScript() const;
+
+ private:
+  std::string FindOrAddModel(const std::string& hash, const char* kind,
+                             const std::function<std::string()>& make_glb);
+  Html DrawPoster(const TrialView& view, const TraceInstant& shown, const Camera& camera);
+
+  std::map<std::string, std::string> anchor_of_model_;  // by kind and content
+  Html models_;
+  std::unique_ptr<Renderer> renderer_;
+  bool can_draw_ = true;
+};
+
+}  // namespace graspbench

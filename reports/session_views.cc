@@ -1,0 +1,86 @@
+#include "reports/session_views.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "datasets/session/compare_results.h"
+#include "datasets/session/find_trial.h"
+#include "reports/cell_pictures.h"
+#include "reports/layout.h"
+#include "reports/shown_trials.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMaxBytes = 20'000'000;  // of the views; the whole page may have 25 MB
+
+struct ChosenTrial {
+  const TrialRecord* record = nullptr;
+  std::shared_ptr<const Hand> hand;
+  std::shared_ptr<const GraspObject> object;
+  std::string name;
+};
+
+std::vector<ChosenTrial> ChooseViewedTrials(const Session& session, const SessionSummary& summary,
+                                            const SessionModels& models) {
+  std::vector<ChosenTrial> chosen;
+  for (const CellSummary& cell : summary.cells) {
+    const auto hand = models.FindHand(cell.hand);
+    const auto object = models.FindObject(cell.object);
+    if (!hand || !object || !IsDrawnInFull(cell, summary)) continue;
+    for (const TrialRecord* record : ChooseTrialPerOutcome(cell, *hand, session)) {
+      chosen.push_back(
+          {record, hand, object,
+           NameOfCell(cell, models) + ", trial " + std::to_string(record->plan.trial)});
+    }
+  }
+  return chosen;
+}
+
+Html DrawAgreement(const TrialResult& recorded, const TrialResult& now) {
+  const auto difference = FindFirstDifference(recorded, now);
+  if (!difference) return {};
+  return MakeNote(
+      "warning", "Not as recorded",
+      MakeParagraph("Carried out again, the trial differs from its record in " + difference->field +
+                    ": recorded " + difference->recorded + ", now " + difference->now + "."));
+}
+
+}  // namespace
+
+SessionViews DrawSessionViews(const Session& session, const SessionSummary& summary,
+                              const SessionModels& models, const TrialTracer& trace) {
+  const std::vector<ChosenTrial> chosen = ChooseViewedTrials(session, summary, models);
+  TrialViews views;
+  Html list;
+  size_t num_shown = 0;
+  for (const ChosenTrial& trial : chosen) {
+    if (list.markup().size() > kMaxBytes) break;
+    ++num_shown;
+    const std::string outcome = NameOf(trial.record->result.outcome);
+    Html content;
+    try {
+      TracedTrial traced = trace(trial.record->plan);
+      content = DrawAgreement(LoadWhole(session, *trial.record).result, traced.result);
+      content += views.Add({trial.hand, trial.object, std::move(traced),
+                            "view-" + trial.record->plan.id, trial.name});
+    } catch (const Error& fault) {
+      content = MakeNote("warning", "No course", MakeParagraph(fault.what()));
+    }
+    list += MakeDetails(trial.name + ": " + outcome, content);
+  }
+  if (list.empty()) return {};
+  Html body = MakeParagraph(
+      "One trial of each way in which the trials of a cell ended, carried out again: picture, "
+      "forces at the end of each phase, curves; with scripts a scene to turn and to play.");
+  if (num_shown < chosen.size()) {
+    body += MakeParagraph("The first " + std::to_string(num_shown) + " of " +
+                          FormatCount(static_cast<int64_t>(chosen.size()), "trial") +
+                          ", as many as fit into a page; any other: graspbench trial DIR TRIAL "
+                          "--page trial.html");
+  }
+  return {body + list + views.MakeModels(), views.MakeScript()};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,147 @@
+#include "reports/trial_plots.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "datasets/session/trace_table.h"
+#include "reports/assets.h"
+#include "reports/line_plot.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kPlotInterval = 0.03;  // finer would not be seen [s]
+constexpr size_t kMaxCurves = 8;        // of a plot
+constexpr const char* kTimeAxis = "time since the start of placing [s]";
+
+std::vector<const TraceInstant*> ChooseShownInstants(const std::vector<TraceInstant>& trace) {
+  std::vector<const TraceInstant*> shown;
+  for (const TraceInstant& instant : trace) {
+    const bool is_last = &instant == &trace.back();
+    if (shown.empty() || is_last || instant.time >= shown.back()->time + kPlotInterval - 1e-9) {
+      shown.push_back(&instant);
+    }
+  }
+  return shown;
+}
+
+class TrialPlotter {
+ public:
+  TrialPlotter(const Hand& hand, const TracedTrial& traced, std::string name)
+      : hand_(hand), name_(std::move(name)), shown_(ChooseShownInstants(traced.trace)) {
+    for (const TraceInstant* instant : shown_) times_.push_back(instant->time);
+    for (const PhaseStart& phase : traced.result.phases) {
+      if (phase.name == NameOf(Phase::kDone)) continue;
+      marks_.push_back({phase.time + traced.closure_start, phase.name});
+    }
+  }
+
+  Html DrawForces() const {
+    LinePlot plot = StartPlot("Forces on the object", "normal force [N]");
+    const auto add = [&](const std::string& label, const auto& find_force) {
+      LinePlot::Series series = StartSeries(label);
+      for (const TraceInstant* instant : shown_) series.y.push_back(find_force(*instant));
+      const bool is_zero =
+          std::all_of(series.y.begin(), series.y.end(), [](double force) { return force == 0.0; });
+      if (!is_zero && plot.series.size() < kMaxCurves) plot.series.push_back(std::move(series));
+    };
+    add("table", [](const TraceInstant& instant) { return instant.table_force; });
+    for (int d = -1; d < static_cast<int>(hand_.digits.size()); ++d) {
+      add(d < 0 ? "palm" : hand_.digits[static_cast<size_t>(d)].name,
+          [&](const TraceInstant& instant) { return CalcDigitForce(hand_, instant, d); });
+    }
+    return DrawLinePlot(plot);
+  }
+
+  /** At most kMaxCurves joints of one unit. */
+  Html DrawJoints(const std::string& of, const std::vector<int>& joints) const {
+    const std::string unit = ShownUnitOf(JointAt(joints[0]));
+    LinePlot plot = StartPlot("Joints of the " + of, of + ": position [" + unit + "]");
+    for (int j : joints) {
+      LinePlot::Series series = StartSeries(JointAt(j).name);
+      for (const TraceInstant* instant : shown_) {
+        series.y.push_back(ShownFromPosition(JointAt(j), instant->q[j]));
+      }
+      plot.series.push_back(std::move(series));
+    }
+    return DrawLinePlot(plot);
+  }
+
+  const HandJoint& JointAt(int joint) const { return hand_.joints[static_cast<size_t>(joint)]; }
+
+ private:
+  LinePlot StartPlot(const std::string& what, const std::string& y_axis) const {
+    LinePlot plot;
+    plot.text.title = what + ", " + name_;
+    plot.text.description = what + " over the time of the trial.";
+    plot.x_axis = kTimeAxis;
+    plot.y_axis = y_axis;
+    plot.marks = marks_;
+    plot.has_cursor = true;
+    return plot;
+  }
+
+  LinePlot::Series StartSeries(const std::string& label) const {
+    LinePlot::Series series;
+    series.label = label;
+    series.x = times_;
+    return series;
+  }
+
+  const Hand& hand_;
+  std::string name_;
+  std::vector<const TraceInstant*> shown_;
+  std::vector<double> times_;
+  std::vector<LinePlot::Mark> marks_;
+};
+
+}  // namespace
+
+std::vector<Html> DrawTrialPlots(const Hand& hand, const TracedTrial& traced,
+                                 const std::string& name) {
+  if (traced.trace.empty()) return {};
+  const TrialPlotter plotter(hand, traced, name);
+  std::vector<Html> plots = {plotter.DrawForces()};
+  for (int d = static_cast<int>(hand.digits.size()) - 1; d >= -1; --d) {
+    for (const bool is_prismatic : {false, true}) {
+      std::vector<int> joints;
+      for (int j = 0; j < hand.num_joints(); ++j) {
+        const HandJoint& joint = plotter.JointAt(j);
+        if (hand.FindDigitOfLink(joint.link) != d || joint.is_prismatic != is_prismatic) continue;
+        if (joints.size() < kMaxCurves) joints.push_back(j);
+      }
+      const std::string of = d < 0 ? "wrist" : hand.digits[static_cast<size_t>(d)].name;
+      if (!joints.empty()) plots.push_back(plotter.DrawJoints(of, joints));
+    }
+  }
+  return plots;
+}
+
+std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std::string& name) {
+  constexpr double kWidth = 760.0, kRow = 360.0, kEdge = 16.0;
+  const std::vector<Html> plots = DrawTrialPlots(hand, traced, name);
+  if (plots.empty()) {
+    throw Error(ErrorKind::kUnsupported,
+                "the trial has no course: it could not begin; " + traced.result.reason);
+  }
+  Html content = Element("style", {}, assets::kStyle);
+  for (size_t i = 0; i < plots.size(); ++i) {
+    const double y = kEdge + kRow * static_cast<double>(i);
+    content +=
+        Element("g", {{"transform", "translate(" + Px(kEdge) + " " + Px(y) + ")"}}, plots[i]);
+  }
+  const std::string height = FormatFixed(2.0 * kEdge + kRow * static_cast<double>(plots.size()), 0);
+  return Element("svg",
+                 {{"xmlns", "http://www.w3.org/2000/svg"},
+                  {"style", "background: var(--page)"},
+                  {"viewBox", "0 0 " + FormatFixed(kWidth, 0) + " " + height},
+                  {"width", FormatFixed(kWidth, 0)},
+                  {"height", height}},
+                 Element("title", {}, name) + content)
+             .markup() +
+         "\n";
+}
+
+}  // namespace graspbench

@@ -1,0 +1,23 @@
+#pragma once
+/** @file
+The course of one trial as curves over time: what every digit presses with, and all joints. */
+
+#include <string>
+#include <vector>
+
+#include "core/hand/hand.h"
+#include "core/trial/trial_trace.h"
+#include "reports/html.h"
+
+namespace graspbench {
+
+/** Forces first, then the joints of each digit, then those that are no digit's. Dashed lines: the
+phases. Times count from the start of placing.
+@param name  of the trial, for the titles. Empty for a trial that could not begin. */
+std::vector<Html> DrawTrialPlots(const Hand& hand, const TracedTrial& traced,
+                                 const std::string& name);
+
+/** The same below each other as one SVG file. @throws Error(kUnsupported) where there is nothing. */
+std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std::string& name);
+
+}  // namespace graspbench

@@ -1,0 +1,79 @@
+#include "reports/posture_page.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/grasp/placement.h"
+#include "core/hand/load_hand.h"
+#include "tests/reports/report_fixture.h"
+
+namespace graspbench {
+namespace {
+
+PosturePageData MakeData() {
+  PosturePageData data;
+  Hand hand = LoadHand("tum");
+  hand.name = "TUM <Hand>";
+  data.hand = std::make_shared<const Hand>(hand);
+  data.config.seed = 7;
+  data.config.budget = 1234;
+  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
+    if (grasp.id != "g2" && grasp.id != "g3") continue;
+    DevelopedGrasp& one = data.developed.emplace_back();
+    one.grasp = one.proposed.grasp = grasp;
+    one.proposed.aim.digits = grasp.digits;
+    one.proposed.aim.opening = 0.0873;
+    one.num_trials = 345;
+    one.proposed_score = 0.61;
+    one.score = 1.07;
+  }
+  DevelopmentStage race, check;
+  race.name = "race";
+  race.num_requests = 56;
+  race.best_score = 0.91;
+  race.tally.finished = 200;
+  race.tally.outcomes[0] = 150;  // the first of all outcomes is success
+  check.name = "check";
+  check.num_requests = 1;
+  check.tally.finished = 12;
+  check.tally.outcomes[0] = 11;
+  data.stages = {{race, check}};
+  return data;
+}
+
+TEST(PosturePage, ShowsThePosturesAndWhy) {
+  const PosturePageData data = MakeData();
+  ASSERT_EQ(data.developed.size(), 2u);
+  const std::string page = MakePosturePage(data);
+  ExpectSoundPage(page);
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const std::string text = ListText(*document.RootElement());
+  const double opening = CalcPreGraspWidth(*data.hand, data.developed[0].grasp);
+  for (const std::string& expected :
+       {std::string("TUM <Hand>"), std::string("Seed 7, budget 1234 trials"),
+        std::string("345 0.61 1.07 11 of 12 trials"), std::string("race 56 200 150 of 200 trials"),
+        "opening [mm] 87.3, met 8.0 " + FormatFixed(MmFromM(opening), 1)}) {
+    EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n\n" << text;
+  }
+  // Of the grasp whose trials are not known nothing is made up.
+  EXPECT_NE(text.find("345 0.61 1.07 n/a"), std::string::npos);
+  // Two pictures of each grasp, or a note that there are none.
+  const size_t num_pictures = ListAttribute(*document.RootElement(), "src").size();
+  EXPECT_TRUE(num_pictures == 4 || text.find("There are no pictures") != std::string::npos);
+  EXPECT_EQ(page, MakePosturePage(data));
+}
+
+// A hand from elsewhere may have shapes to touch with and no pictures.
+TEST(PosturePage, DrawsWhatTouchesOfAHandWithoutPictures) {
+  PosturePageData data = MakeData();
+  Hand bare = *data.hand;
+  bare.visuals.clear();
+  data.hand = std::make_shared<const Hand>(bare);
+  data.developed.resize(1);
+  ExpectSoundPage(MakePosturePage(data));
+}
+
+}  // namespace
+}  // namespace graspbench
