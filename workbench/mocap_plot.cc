@@ -114,9 +114,8 @@ std::string MakeRecordingPage(const std::string& name, const Recording& recordin
                              "holes where the hand closes: contacts found there are guesses",
                              DrawStripChart(gaps))) +
       points;
-  return MakePage(name,
-                  std::to_string(recording.num_frames) + " frames, " +
-                      std::to_string(gaps.rows.size()) + " points, " + recording.format,
+  return MakePage({name, std::to_string(recording.num_frames) + " frames, " +
+                             std::to_string(gaps.rows.size()) + " points, " + recording.format},
                   contents, body);
 }
 

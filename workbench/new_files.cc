@@ -48,7 +48,7 @@ std::string FormatConfig(const Json& config, const FileKeys& keys, const std::st
 
 std::string MakeSession() {
   return "# What `graspbench run session.yaml --out DIR` simulates; every key may be left out.\n" +
-         FormatConfig(ToJson(SessionConfig()), ListSessionKeys(), "", "");
+         FormatConfig(ConfigToJson(SessionConfig()), ListSessionKeys(), "", "");
 }
 
 std::string MakeStudy() {

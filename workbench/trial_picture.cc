@@ -9,13 +9,15 @@
 #include "core/render/contact_marks.h"
 #include "core/render/hand_scene.h"
 #include "core/trial/moment.h"
+#include "workbench/scene_film.h"
 #include "workbench/shell/shell_words.h"
 
 namespace graspbench {
 namespace {
 
-constexpr double kLatestInstant = 3600.0;  // [s]
-constexpr double kLongestArrow = 0.045;    // [m]
+constexpr double kLatestInstant = 3600.0;    // [s]
+constexpr double kTraceFilmInterval = 0.05;  // [s]
+constexpr double kLongestArrow = 0.045;      // [m]
 
 std::vector<std::string> ListInstantNames() {
   std::vector<std::string> names;
@@ -65,13 +67,16 @@ std::string FindDefaultInstant(const TracedTrial& traced) {
   return NameOf(was_closed ? Phase::kStabilisation : traced.trace.back().phase);
 }
 
+void DemandCourse(const TracedTrial& traced) {
+  if (!traced.trace.empty()) return;
+  throw Error(ErrorKind::kUnsupported,
+              "nothing can be drawn: the trial could not begin; " + traced.result.reason);
+}
+
 }  // namespace
 
 const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::string& name) {
-  if (traced.trace.empty()) {
-    throw Error(ErrorKind::kUnsupported,
-                "nothing can be drawn: the trial could not begin; " + traced.result.reason);
-  }
+  DemandCourse(traced);
   const std::string wanted = name.empty() ? FindDefaultInstant(traced) : ToLower(name);
   if (!wanted.empty() &&
       (std::isdigit(static_cast<unsigned char>(wanted[0])) || wanted[0] == '.')) {
@@ -121,6 +126,21 @@ Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceI
                                     static_cast<double>(size.width) / size.height);
   AddContactMarks(MakeMarks(instant), FindArrowScale(traced), &scene);
   return Renderer(size.width, size.height).Render(scene, camera);
+}
+
+std::string FilmTrial(const TrialSetup& setup, const TracedTrial& traced, const SceneView& view,
+                      const PictureSize& size) {
+  DemandCourse(traced);
+  const double scale = FindArrowScale(traced);
+  SceneFilm film(setup.hand, setup.object);
+  double next = 0.0;
+  for (const TraceInstant& instant : traced.trace) {
+    if (instant.time < next - 1e-9 && &instant != &traced.trace.back()) continue;
+    next = instant.time + kTraceFilmInterval;
+    film.Add(instant.time, instant.q, instant.X_WH, instant.X_WO);
+    film.Mark(MakeMarks(instant), scale);
+  }
+  return film.Encode(view, size.width, size.height, [](size_t) { return true; });
 }
 
 }  // namespace graspbench

@@ -25,4 +25,9 @@ PictureSize ParsePictureSize(const std::string& text);
 Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceInstant& instant,
                 const SceneView& view, const PictureSize& size);
 
+/** The same for the whole trial, as an animated WebP file in real time.
+@throws Error(kEnvironment); Error(kUnsupported) for a trial that could not begin. */
+std::string FilmTrial(const TrialSetup& setup, const TracedTrial& traced, const SceneView& view,
+                      const PictureSize& size);
+
 }  // namespace graspbench

@@ -19,12 +19,6 @@ std::string FormatOutcome(const TrialResult& result) {
   return NameOf(result.outcome) + (result.reason.empty() ? "" : ": " + result.reason);
 }
 
-std::string FormatObjectDraw(const TrialDraw& draw) {
-  return fmt::format("x {} mm, y {} mm, yaw {} deg", FormatFixed(MmFromM(draw.offset_x), 1),
-                     FormatFixed(MmFromM(draw.offset_y), 1),
-                     FormatFixed(DegFromRad(draw.offset_yaw), 1));
-}
-
 std::string FormatJointErrors(const TrialSetup& setup) {
   const Eigen::VectorXd& error = setup.draw.joint_error;
   Eigen::Index worst = -1;
@@ -134,6 +128,12 @@ std::string MakeShellLine(const ExaminedTrial& trial, const std::string& folder)
 }
 
 }  // namespace
+
+std::string FormatObjectDraw(const TrialDraw& draw) {
+  return fmt::format("x {} mm, y {} mm, yaw {} deg", FormatFixed(MmFromM(draw.offset_x), 1),
+                     FormatFixed(MmFromM(draw.offset_y), 1),
+                     FormatFixed(DegFromRad(draw.offset_yaw), 1));
+}
 
 ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval) {
   const SessionInputs inputs = LoadTrialInputs(session, planned);

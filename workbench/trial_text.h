@@ -25,6 +25,9 @@ struct ExaminedTrial {
 @throws Error when the session's hand or object cannot be loaded any more. */
 ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, double interval);
 
+/** Where the object was drawn: "x 1.2 mm, y -3.4 mm, yaw 5.6 deg". */
+std::string FormatObjectDraw(const TrialDraw& draw);
+
 /** Outcome, draw, phases, contacts by digit, what failed first, the nearest success beside it.
 @param folder  of the session, for the line that opens the trial again. */
 std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder);

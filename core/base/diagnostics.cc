@@ -12,14 +12,31 @@ int Diagnostics::num_errors() const {
   }));
 }
 
+namespace {
+
+/** Lines behind the first, of an error within, are indented, so that none looks like an entry. */
+std::string IndentLines(const std::string& text) {
+  std::string indented;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    if (at > 0) at = std::min(text.find_first_not_of(" \t", at), end);
+    if (!indented.empty()) indented += "\n    ";
+    indented += text.substr(at, end - at);
+    at = end + 1;
+  }
+  return indented;
+}
+
+}  // namespace
+
 std::string Diagnostics::Format() const {
   std::string text;
   for (const Diagnostic& d : entries_) {
     if (!text.empty()) text += '\n';
-    text += EscapeForTerminal(d.file, LineFeeds::kEscape);  // an entry is one line
+    text += EscapeForTerminal(d.file, LineFeeds::kEscape);
     if (d.line > 0) text += ":" + std::to_string(d.line);
     text += d.severity == Severity::kError ? ": error: " : ": warning: ";
-    text += EscapeForTerminal(d.text, LineFeeds::kEscape);
+    text += IndentLines(EscapeForTerminal(d.text));
   }
   return text;
 }

@@ -44,11 +44,19 @@ struct ComparisonConfig {
   }
 };
 
+/** As a session, but that hands come from where objects and grasps say. */
+struct CampaignSession : SessionConfig {
+  template <class V>
+  void Visit(V&& v) {
+    VisitAllButApproach(v);
+  }
+};
+
 struct CampaignConfig {
   /** A fifth of the evaluations of one scene alone: 42 scenes take 42 times as long. */
   CampaignConfig() { optimise.evaluations /= 5; }
 
-  SessionConfig session;  ///< hands, objects, and the benchmark's trials; grasps is "best"
+  CampaignSession session;  ///< hands, objects, and the benchmark's trials; grasps is "best"
   OptimiseConfig optimise;
   ComparisonConfig comparison;
 

@@ -31,6 +31,12 @@ void AddModel(Json& config) {
   }
 }
 
+/** Advice must not lead a new result into a folder that holds something. */
+bool MayBegin(const fs::path& folder) {
+  std::error_code status;
+  return !fs::exists(folder, status) || fs::is_empty(folder, status);
+}
+
 }  // namespace
 
 bool HasFrozen(const StoreKind& kind, const fs::path& folder) {
@@ -48,9 +54,10 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
   }
   if (!HasFrozen(kind, folder)) {
     const std::optional<Manifest> other = FindManifest(folder);
+    const std::string place = MayBegin(folder) ? folder.string() : "NEW_FOLDER";
     const std::string there =
         other ? "; it holds the result \"" + other->kind + "\")"
-              : "); " + std::string(kind.command) + " --out " + folder.string() + " starts one";
+              : "); " + std::string(kind.command) + " --out " + place + " starts one";
     throw Error(ErrorKind::kNotFound, std::string("no ") + kind.name + " in \"" + folder.string() +
                                           "\" (" + kind.file + " is not there" + there);
   }

@@ -6,6 +6,7 @@
 #include "core/base/config.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/shape/approach.h"
 #include "datasets/session/session_keys.h"
 
 namespace graspbench {
@@ -52,6 +53,10 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   if (config.sim.hand_friction_dynamic > config.sim.hand_friction_static) {
     problems.push_back(
         {"sim.hand_friction_dynamic", "must not be higher than sim.hand_friction_static"});
+  }
+  if (!FindRow(kApproaches, config.approach)) {
+    problems.push_back({"approach", "no approach \"" + config.approach + "\"" +
+                                        SuggestNames(config.approach, ListNames(kApproaches))});
   }
   const std::vector<std::string> couplings = ListModelCouplings();
   const std::string& coupling = config.model.coupling_rule;
@@ -107,11 +112,19 @@ void ApplySetting(const std::string& assignment, SessionConfig& config) {
   SetConfigValue(assignment, config);
 }
 
-Json ToJson(const SessionConfig& config) { return ConfigToJson(config); }
+Json ToJson(const SessionConfig& config) {
+  Json json = ConfigToJson(config);
+  if (config.approach == SessionConfig().approach) json.erase("approach");
+  return json;
+}
 
 SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
-  const auto config = ConfigFromJson<SessionConfig>(json, file, problems);
+  Json complete = json;
+  if (json.is_object() && !json.contains("approach")) {
+    complete["approach"] = SessionConfig().approach;
+  }
+  const auto config = ConfigFromJson<SessionConfig>(complete, file, problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return config;
 }

@@ -46,11 +46,17 @@ struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
   std::vector<std::string> grasps = {"best"};  ///< "all", or "best", ids, files
+  std::string approach = "automatic";          ///< core/shape/approach.h
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
 
   template <class V>
   void Visit(V&& v) {
+    VisitAllButApproach(v);
+    v("approach", approach);
+  }
+  template <class V>
+  void VisitAllButApproach(V&& v) {
     v("hands", hands);
     v("objects", objects);
     v("grasps", grasps);
@@ -82,7 +88,8 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 @throws Error(kUsage) naming the known keys or the expected type. */
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
-/** The complete configuration, every default written out. */
+/** The complete configuration, every default written out, but for an automatic approach: sessions
+without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */

@@ -20,6 +20,24 @@ void AddGraspFile(const std::string& name, const std::string& path, SessionInput
   }
 }
 
+/** The session's word comes before the objects' and the grasps'. */
+void ApplyApproach(const std::string& name, SessionInputs& inputs) {
+  const ApproachRow* row = FindRow(kApproaches, name);
+  if (!row || row->value == Approach::kAutomatic)
+    return;  // an unknown one is refused with the rest
+  const Approach approach = row->value;
+  for (SessionHand& hand : inputs.hands) {
+    for (StandardGrasp& grasp : hand.grasps) {
+      if (!grasp.placement) grasp.approach = approach;
+    }
+  }
+  for (auto& object : inputs.objects) {
+    auto changed = std::make_shared<GraspObject>(*object);
+    changed->approach = approach;
+    object = std::move(changed);
+  }
+}
+
 }  // namespace
 
 SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
@@ -41,6 +59,7 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
     const std::string& name = config.grasps[i];
     if (IsGraspFile(name)) AddGraspFile(name, FindGraspInput(name, i, folder), inputs);
   }
+  ApplyApproach(config.approach, inputs);
   return inputs;
 }
 

@@ -10,6 +10,8 @@ const FileKeys& ListSessionKeys() {
       {"hands", "", "hands by id, name or folder, or all"},
       {"objects", "", "objects by id, name or folder, or all"},
       {"grasps", "", "standard grasps by id or name, grasp files (.yaml), best, or all"},
+      {"approach", "",
+       "from where hands come: above, side, or automatic (as objects and grasps say)"},
       {"trials", "", "trials of each hand, object and grasp", 1, 100000},
       {"seed", "", "another seed gives other draws", 0, 2147483647},
       {"variation.offset_m", "",

@@ -168,6 +168,11 @@ Json ToJson(const StandardGrasp& grasp) {
             {"q_target_rad", JsonAngles(grasp.q_target)},
             {"digits", grasp.digits},
             {"palm_may_touch", grasp.palm_may_touch}};
+  // Only what differs from the default, so that the ids of all other trials stay as they were.
+  if (grasp.palm_gap != kPalmGap) json["palm_gap_m"] = grasp.palm_gap;
+  if (grasp.approach != Approach::kAutomatic) {
+    json["approach"] = RowOf(kApproaches, grasp.approach).name;
+  }
   if (grasp.placement) {
     json["X_WH"] = JsonPose(grasp.placement->X_WH);
     json["approach_W"] = JsonVector(grasp.placement->approach_W);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace graspbench {
 namespace {
@@ -62,9 +63,8 @@ void AddContactColumns(const Hand& hand, int digit, const std::string& name,
                      [&hand, digit](const TraceInstant& instant) {
                        double share = -1.0;
                        for (const HandContact& contact : instant.contacts) {
-                         const double limit = contact.mu * contact.normal_force;
-                         if (!IsOf(hand, contact, digit) || limit <= 0.0) continue;
-                         share = std::max(share, contact.friction_W.norm() / limit);
+                         if (!IsOf(hand, contact, digit)) continue;
+                         share = std::fmax(share, CalcConeShare(contact));
                        }
                        return share < 0.0 ? Json() : JsonNumber(share);
                      }});

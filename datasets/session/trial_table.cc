@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/trial/palm_contact.h"
 #include "core/trial/verdicts.h"
 
 namespace graspbench {
@@ -229,6 +230,10 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   for (const std::string& digit : ListDigits(records)) {
     AddDigitColumns(digit, columns);
   }
+  columns.push_back(
+      {"palm_touches", "boolean", "",
+       "1 when the palm, or another link of no digit, touches at the end of the trial",
+       [](const TrialRecord& record) { return Json(TouchesPalmAtEnd(record.result) ? 1 : 0); }});
   AddDrawColumns(config, columns);
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});

@@ -35,13 +35,24 @@ TEST_F(SessionOptionsTest, NothingGivenIsTheBenchmark) {
 
 // The defaults shown in the help must not override the file.
 TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
-  command_.parse(file_.string() + " --set seed=6 --set trials=8 --trials 9", false);
+  command_.parse(file_.string() + " --set seed=6 --trials 9", false);
   EXPECT_TRUE(options_.HasAny());
   EXPECT_EQ(options_.name(), file_.stem().string());
   const SessionConfig config = options_.MakeConfig();
   EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
   EXPECT_EQ(config.trials, 9);
   EXPECT_EQ(config.seed, 6);
+}
+
+TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
+  command_.parse("--set sim.step_s=0.001 --set trials=8 --trials 9", false);
+  try {
+    options_.MakeConfig();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "--set trials=8 and --trials say the same setting; give one of them");
+  }
 }
 
 TEST_F(SessionOptionsTest, ListsReplaceTheirDefaults) {

@@ -11,6 +11,7 @@
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/map_basin.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/shell_quote.h"
 #include "workbench/terminal_observer.h"
 
 namespace graspbench {
@@ -23,6 +24,13 @@ struct BasinOptions {
   int num_workers = 1;
 };
 
+/** For the page: without where it was written to. */
+std::string FormatCommand(const BasinRequest& request) {
+  return "graspbench basin --hand " + QuoteForShell(request.hand) + " --object " +
+         QuoteForShell(request.object) + " --grasp " + QuoteForShell(request.grasp) +
+         " --samples " + std::to_string(request.num_samples) + " --out DIR";
+}
+
 void Run(const BasinOptions& options) {
   StagedFolder staged({options.out,
                        "basin",
@@ -32,13 +40,16 @@ void Run(const BasinOptions& options) {
   TerminalObserver observer({}, stop);
   const BasinMap map = MapBasin(options.request, options.num_workers, observer, stop);
   WriteFileAtomically(staged.path() / "basin.csv", FormatBasinCsv(map.samples));
-  WriteFileAtomically(staged.path() / "index.html", MakeBasinPage(map.title, map.samples));
+  const std::filesystem::path page = std::filesystem::path("report") / "index.html";
+  MakeFolder(staged.path() / page.parent_path());
+  WriteFileAtomically(staged.path() / page,
+                      MakeBasinPage({map.title, FormatCommand(options.request), map.samples}));
   staged.Commit();
   const BasinSummary summary = SummariseBasin(map.samples);
   PrintResult(map.title + ": basin radius " + FormatFixed(summary.radius, 2) + " (" +
               FormatFixed(MmFromM(summary.radius_offset), 1) + " mm, " +
-              FormatFixed(DegFromRad(summary.radius_yaw), 1) + " deg)\nmap      " +
-              (std::filesystem::path(options.out) / "index.html").string() + "\n");
+              FormatFixed(DegFromRad(summary.radius_yaw), 1) + " deg)\nreport   " +
+              (std::filesystem::path(options.out) / page).string() + "\n");
 }
 
 }  // namespace
@@ -65,7 +76,7 @@ void AddBasinCommand(CLI::App& program, ExitCode&) {
       ->capture_default_str();
   AddJobsOption(command, options->num_workers);
   AddTrialTimeoutOption(command, request.trial_time_limit);
-  command.add_option("--out", options->out, "folder for index.html and basin.csv")
+  command.add_option("--out", options->out, "folder for report and basin.csv")
       ->required()
       ->option_text("DIR");
   AddReplaceOption(command, options->replace);

@@ -1,10 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "datasets/mjcf/mjcf_export.h"
+#include "datasets/session/find_trial.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
@@ -23,19 +24,14 @@ struct ExportOptions {
 };
 
 /** The trials that are asked for, in the plan's order. */
-std::vector<PlannedTrial> FindTrials(const Session& session, const std::vector<std::string>& ids) {
-  if (ids == std::vector<std::string>{"all"}) return session.plan;
-  std::vector<std::string> known;
-  for (const PlannedTrial& planned : session.plan) known.push_back(planned.id);
-  for (const std::string& id : ids) {
-    if (std::count(known.begin(), known.end(), id) > 0) continue;
-    throw Error(ErrorKind::kNotFound, "the session has no trial \"" + id + "\"" +
-                                          SuggestNames(id, known) +
-                                          "; the column trial_id of trials.csv has them");
-  }
+std::vector<PlannedTrial> FindTrials(const Session& session,
+                                     const std::vector<std::string>& names) {
+  if (names == std::vector<std::string>{"all"}) return session.plan;
+  std::set<std::string> wanted;
+  for (const std::string& name : names) wanted.insert(FindPlannedTrial(session, name).id);
   std::vector<PlannedTrial> found;
   for (const PlannedTrial& planned : session.plan) {
-    if (std::count(ids.begin(), ids.end(), planned.id) > 0) found.push_back(planned);
+    if (wanted.count(planned.id) > 0) found.push_back(planned);
   }
   return found;
 }

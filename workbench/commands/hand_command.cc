@@ -3,11 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "core/base/files.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "workbench/commands/command.h"
 #include "workbench/diagnostics_output.h"
+#include "workbench/experiments/output_folder.h"
 #include "workbench/forward_kinematics.h"
+#include "workbench/hand_picture.h"
 #include "workbench/hand_tables.h"
 
 namespace graspbench {
@@ -64,11 +67,18 @@ void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
 
   CLI::App* show = add("show", "Show joints, limits, drives and grasps of a hand.",
                        "  graspbench hand show shadow\n"
+                       "  graspbench hand show my_hand/ --collision my_hand.png\n"
                        "  graspbench hand show my_hand/ --json");
   add_hand(show);
-  show->callback([id, json] {
-    const Hand hand = LoadHand(*id);
-    *json ? PrintJson(MakeHandJson(hand)) : PrintResult(FormatHand(hand));
+  const auto collision = std::make_shared<std::string>();
+  show->add_option("--collision", *collision,
+                   "also draw what of the hand touches beside its pictures, into a new file")
+      ->option_text("FILE");
+  show->callback([id, collision, json] {
+    const auto hand = std::make_shared<const Hand>(LoadHand(*id));
+    if (!collision->empty()) CheckOutputFile(*collision);
+    if (!collision->empty()) WriteFileAtomically(*collision, EncodePng(DrawHandShapes(hand)));
+    *json ? PrintJson(MakeHandJson(*hand)) : PrintResult(FormatHand(*hand));
   });
 
   CLI::App* check = add("check", "Read a hand and list every problem with file and line.",

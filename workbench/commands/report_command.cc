@@ -2,67 +2,86 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 
-#include "datasets/campaign/campaign_store.h"
-#include "datasets/session/session_store.h"
-#include "reports/campaign/campaign_report.h"
-#include "reports/session_report.h"
+#include "core/base/files.h"
+#include "reports/paper.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/result_page.h"
+#include "workbench/svg_to_pdf.h"
 
 namespace graspbench {
+namespace fs = std::filesystem;
+
 namespace {
 
 struct ReportOptions {
-  std::filesystem::path folder;
-  std::filesystem::path out;  ///< empty: the result's own folder
+  fs::path folder;
+  fs::path out;    ///< empty: the result's own folder
+  fs::path paper;  ///< empty: the page alone
   bool replace = false;
+  bool with_views = false;
   OnDamage on_damage = OnDamage::kRefuse;
 };
 
-/** Writes the page of the result in options.folder below `place`. @returns its path from there. */
-std::filesystem::path WriteReport(const ReportOptions& options,
-                                  const std::filesystem::path& place) {
-  const auto report_damage = [](const std::vector<Damage>& damage) {
-    if (!damage.empty()) PrintMessage("damage accepted" + FormatDamage(damage));
-  };
-  if (HasCampaign(options.folder)) {
-    const Campaign campaign = LoadCampaign(options.folder, options.on_damage);
-    report_damage(campaign.damage);
-    return WriteCampaignReport(place, campaign).lexically_relative(place);
+void WritePaper(const ReportOptions& options, const fs::path& page) {
+  StagedFolder staged({options.paper, "paper", options.replace, {options.folder}});
+  bool has_pdf = HasPdfConverter();
+  for (const PaperFile& file : MakePaperFiles(ReadFile(page))) {
+    const fs::path path = staged.path() / file.name;
+    MakeFolder(path.parent_path());
+    WriteFile(path, file.content);
+    if (has_pdf && path.extension() == ".svg") ConvertSvgToPdf(path);
   }
-  Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
-  report_damage(session.damage);
-  if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-  return WriteSessionReport(place, std::move(session)).lexically_relative(place);
+  staged.Commit();
+  if (!has_pdf) {
+    PrintMessage("figures are SVG only; with the Debian package librsvg2-bin they are PDF, too");
+  }
+  PrintResult(options.paper.string() + "\n");
 }
 
 void Report(const ReportOptions& options) {
-  if (options.out.empty()) {
-    PrintResult((options.folder / WriteReport(options, options.folder)).string() + "\n");
-    return;
+  if (!options.paper.empty()) {
+    CheckOutputFolder({options.paper, "paper", options.replace, {options.folder}});
   }
-  StagedFolder staged({options.out, "report", options.replace, {options.folder}});
-  const std::filesystem::path page = WriteReport(options, staged.path());
-  staged.Commit();
-  PrintResult((options.out / page).string() + "\n");
+  fs::path page;
+  if (options.out.empty()) {
+    page = options.folder /
+           WriteResultPage(options.folder, options.folder, options.on_damage, options.with_views);
+  } else {
+    StagedFolder staged({options.out, "report", options.replace, {options.folder}});
+    page = options.out /
+           WriteResultPage(options.folder, staged.path(), options.on_damage, options.with_views);
+    staged.Commit();
+  }
+  PrintResult(page.string() + "\n");
+  if (!options.paper.empty()) WritePaper(options, page);
 }
 
 }  // namespace
 
 void AddReportCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command = AddSubcommand(program, "report",
-                                    "Write the report of a session or a campaign, finished or not.",
-                                    "  graspbench report results/benchmark-1a2b3c4d\n"
-                                    "  xdg-open \"$(graspbench report results/pilot)\"");
+  CLI::App& command =
+      AddSubcommand(program, "report", "Write the report of any result, finished or not.",
+                    "  graspbench report results/benchmark-1a2b3c4d\n"
+                    "  xdg-open \"$(graspbench report results/pilot --3d)\"\n"
+                    "  graspbench report results/pilot --paper paper   figures, tables, methods\n"
+                    "  graspbench compare results/a results/b          what differs between two");
   const auto options = std::make_shared<ReportOptions>();
-  command.add_option("folder", options->folder, "folder of the session or campaign")
+  command
+      .add_option("folder", options->folder, "folder of a session, a campaign, a study or a basin")
       ->required()
       ->option_text("DIR");
   command.add_option("--out", options->out, "folder for a result that cannot be written")
       ->option_text("DIR")
       ->default_str("that of the result");
+  command
+      .add_option("--paper", options->paper,
+                  "folder for the page's figures, tables as CSV, methods.md and refs.bib")
+      ->option_text("DIR");
+  command.add_flag("--3d", options->with_views,
+                   "of a session: one trial of each outcome and cell carried out again, as a scene "
+                   "to turn and play");
   AddReplaceOption(command, options->replace);
   AddAcceptDamageOption(command, options->on_damage);
   command.callback([options] { Report(*options); });

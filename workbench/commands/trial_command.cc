@@ -1,13 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/files.h"
-#include "datasets/session/trace_table.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/trial_files.h"
 #include "workbench/trial_picture.h"
 #include "workbench/trial_text.h"
 
@@ -19,56 +21,41 @@ constexpr double kCoarse = 0.01;  // interval of instants where nobody asks for 
 struct TrialOptions {
   std::filesystem::path folder;
   std::string name;
-  std::string trace;
-  std::string picture;
-  std::string at;  // empty: when it was closed, or the end of a shorter trial
-  std::vector<std::string> view;
-  std::string size = "960x720";
+  std::map<std::string, std::string> files;  // by the option that asks for them
+  TrialFileOptions how;
   OnDamage on_damage = OnDamage::kRefuse;
   bool json = false;
 };
 
-void CheckEnding(const std::string& option, const std::string& file, const char* ending) {
-  if (std::filesystem::path(file).extension() == ending) return;
-  throw Error(ErrorKind::kUsage,
-              option + ": \"" + file + "\" does not end in " + ending + ", the only form there is");
-}
-
-std::string DrawPicture(const TrialOptions& options, const ExaminedTrial& trial) {
-  return EncodePng(DrawTrial(trial.setup, trial.traced, FindNamedInstant(trial.traced, options.at),
-                             ParseSceneView(options.view, "trial --help"),
-                             ParsePictureSize(options.size)));
-}
-
-/** Before anything is simulated. */
-void CheckOptions(const TrialOptions& options) {
-  if (!options.trace.empty()) {
-    CheckEnding("--trace", options.trace, ".csv");
-    CheckOutputFile(options.trace);
+/** What was asked for, before anything is simulated. */
+std::map<std::string, const TrialFile*> FindTrialFiles(const TrialOptions& options) {
+  std::map<std::string, const TrialFile*> forms;
+  for (const auto& [option, file] : options.files) {
+    forms[file] = &FindTrialFile(option, file);
+    CheckOutputFile(file);
   }
-  if (!options.picture.empty()) {
-    CheckEnding("--render", options.picture, ".png");
-    CheckOutputFile(options.picture);
+  if (!options.how.view.empty() && !options.files.count("--render") &&
+      !options.files.count("--film")) {
+    throw Error(ErrorKind::kUsage, "--camera requires --render or --film");
   }
-  ParsePictureSize(options.size);
-  ParseSceneView(options.view, "trial --help");
+  ParsePictureSize(options.how.size);
+  ParseSceneView(options.how.view, "trial --help");
+  return forms;
 }
 
-ExitCode ShowTrial(const TrialOptions& options) {
-  CheckOptions(options);
+ExitCode ShowTrial(TrialOptions options) {
+  options.how.folder = options.folder.filename().string();  // a page names no place
+  const auto forms = FindTrialFiles(options);
   const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   const PlannedTrial& planned = FindPlannedTrial(session, options.name);
-  const ExaminedTrial trial = ExamineTrial(session, planned, options.trace.empty() ? kCoarse : 0.0);
+  const bool needs_all = std::any_of(
+      forms.begin(), forms.end(), [](const auto& form) { return form.second->needs_every_step; });
+  const ExaminedTrial trial = ExamineTrial(session, planned, needs_all ? 0.0 : kCoarse);
   const std::string folder = options.folder.string();
   options.json ? PrintJson(MakeTrialJson(trial, folder)) : PrintResult(FormatTrial(trial, folder));
-  if (!options.trace.empty()) {
-    WriteFileAtomically(options.trace,
-                        FormatCsv(ListTraceColumns(*trial.setup.hand), trial.traced.trace));
-    PrintMessage(options.trace);
-  }
-  if (!options.picture.empty()) {
-    WriteFileAtomically(options.picture, DrawPicture(options, trial));
-    PrintMessage(options.picture);
+  for (const auto& [file, form] : forms) {
+    WriteFileAtomically(file, form->make(options.how, trial));
+    PrintMessage(file);
   }
   return trial.difference ? kExitBadInput : kExitOk;
 }
@@ -81,7 +68,8 @@ void AddTrialCommand(CLI::App& program, ExitCode& exit_code) {
       "  graspbench trial results/pilot tum-can-g2:3\n"
       "  graspbench trial results/pilot 3f2a --render trial.png --at 1.25s --camera free -60 20 "
       "1.5\n"
-      "  graspbench trial results/pilot 3f2a --trace trial.csv\n"
+      "  graspbench trial results/pilot 3f2a --trace trial.csv --film trial.webp\n"
+      "  graspbench trial results/pilot 3f2a --page trial.html\n"
       "  graspbench trial results/pilot 3f2a --json");
   const auto options = std::make_shared<TrialOptions>();
   AddStoreFolder(command, options->folder, "the session");
@@ -90,15 +78,19 @@ void AddTrialCommand(CLI::App& program, ExitCode& exit_code) {
                   "its trial_id, the first letters of it, or hand-object-grasp:number")
       ->required()
       ->option_text("ID|CELL:N");
-  command.add_option("--trace", options->trace, "write every step as a table (CSV)")
-      ->option_text("FILE.CSV");
-  CLI::Option* render =
-      command.add_option("--render", options->picture, "draw an instant with its forces (PNG)")
-          ->option_text("FILE.PNG");
-  for (CLI::Option* of_picture :
-       AddPictureOptions(command, options->at, options->view, options->size)) {
-    of_picture->needs(render);
+  for (const TrialFile& form : ListTrialFiles()) {
+    if (!*form.text) continue;  // another form of an option that is there
+    command
+        .add_option_function<std::string>(
+            form.option,
+            [options, &form](const std::string& file) { options->files[form.option] = file; },
+            form.text)
+        ->option_text(form.hint);
   }
+  const std::vector<CLI::Option*> of_picture =
+      AddPictureOptions(command, options->how.at, options->how.view, options->how.size);
+  of_picture.front()->needs("--render");
+  of_picture.back()->needs("--render");  // between them the camera, also a film's
   AddAcceptDamageOption(command, options->on_damage);
   command.add_flag("--json", options->json, "print one JSON object");
   command.callback([options, &exit_code] { exit_code = ShowTrial(*options); });

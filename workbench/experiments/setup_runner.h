@@ -8,6 +8,7 @@ field gets it here, and it is dropped with the world. */
 
 #include "core/trial/trial_runner.h"
 #include "core/trial/trial_setup.h"
+#include "core/trial/trial_trace.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -17,6 +18,9 @@ class SetupRunner {
   /** What Run and Judge would do first: it may build a distance field and the world's points. */
   void Prepare(TrialSetup setup) { Find(setup).Prepare(setup.sim); }
   TrialResult Run(TrialSetup setup) { return Find(setup).Run(setup); }
+  TracedTrial Trace(TrialSetup setup, double interval) {
+    return TraceTrial(Find(setup), setup, interval);
+  }
   JudgedTrial Judge(TrialSetup setup) { return Find(setup).Judge(setup); }
 
  private:

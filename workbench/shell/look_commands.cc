@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/scene_film.h"
 #include "workbench/shell/grasp_cards.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
@@ -87,11 +88,12 @@ void FilmTrial(Shell& shell, const ShellArguments& arguments) {
   const SceneView view = ParseSceneView({arguments.begin() + 1, arguments.end()}, kViewHelp);
   ShellScene& scene = shell.scene();
   const double time = scene.time();
-  SceneFilm film;
+  SceneFilm film(scene.setup().hand, scene.setup().object);
   scene.Reset();
   for (double next = 0.0; !shell.IsStopped(); next += kFilmInterval) {
     scene.GoTo(next, Never);
-    film.Add(scene);
+    World& world = scene.course().world();
+    film.Add(scene.time(), world.state().q, world.state().X_WH, world.CalcObjectPose());
     if (scene.is_over()) break;
   }
   scene.GoTo(time, Never);

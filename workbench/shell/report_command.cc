@@ -1,7 +1,10 @@
 #include <filesystem>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/trial/trial_trace.h"
+#include "datasets/session/compare_results.h"
 #include "reports/trial_page.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/shell.h"
@@ -10,6 +13,18 @@
 #include "workbench/terminal.h"
 
 namespace graspbench {
+namespace {
+
+/** The course of a trial that nobody changed on its way. */
+std::optional<TracedTrial> TraceAgain(const TrialSetup& setup, const TrialResult& result) {
+  constexpr double kInstants = 0.01;  // apart [s]
+  TrialRunner runner(setup.hand, setup.object);
+  TracedTrial traced = TraceTrial(runner, setup, kInstants);
+  if (FindFirstDifference(result, traced.result)) return std::nullopt;
+  return traced;
+}
+
+}  // namespace
 
 void ReportTrial(Shell& shell, const ShellArguments& arguments) {
   const std::string& file = arguments[0];
@@ -28,6 +43,7 @@ void ReportTrial(Shell& shell, const ShellArguments& arguments) {
   data.record.plan.grasp = setup.grasp.id;
   data.record.plan.trial = scene.choice().draw.value_or(0);
   data.record.result = scene.course().End();
+  data.traced = TraceAgain(setup, data.record.result);
   data.cards = {
       {"Scene", FormatScene(scene)},
       {"Changes", FormatChanges(scene)},

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/base/config.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/quality/holding_force.h"
 #include "core/trial/stability_meter.h"
 #include "workbench/text_table.h"
+#include "workbench/trial_text.h"
 
 namespace graspbench {
 namespace {
@@ -36,18 +38,6 @@ std::string DrawBar(double value, double low, double high) {
   std::string bar(kBarWidth, '.');
   bar[static_cast<size_t>(std::lround(share * (kBarWidth - 1)))] = '#';
   return "[" + bar + "]";
-}
-
-std::string FormatPlace(const TrialDraw& draw) {
-  return fmt::format("x {} mm, y {} mm, yaw {} deg", FormatFixed(MmFromM(draw.offset_x), 1),
-                     FormatFixed(MmFromM(draw.offset_y), 1),
-                     FormatFixed(DegFromRad(draw.offset_yaw), 1));
-}
-
-/** Share of the friction cone in use, 1 at its limit. */
-double CalcConeShare(const HandContact& contact) {
-  const double limit = contact.mu * contact.normal_force;
-  return limit > 0.0 ? contact.friction_W.norm() / limit : kUnset;
 }
 
 }  // namespace
@@ -84,7 +74,7 @@ std::string FormatScene(ShellScene& scene) {
   }
   text += choice.hand_place ? ", hand moved\n" : "\n";
   text += "draw     " + draw + (choice.place ? ", moved by hand" : "") + ": " +
-          FormatPlace(setup.draw) + "\n";
+          FormatObjectDraw(setup.draw) + "\n";
   return text + FormatStatus(scene);
 }
 
@@ -177,9 +167,9 @@ std::string FormatStability(ShellScene& scene) {
 
 std::string FormatSettings(const SessionConfig& config, const std::string& part) {
   std::string text;
-  const Json settings = ToJson(config);
+  const Json settings = ConfigToJson(config);
   for (const auto& [block, values] : settings.items()) {
-    if (!values.is_object() && block != "seed") continue;
+    if (!values.is_object() && block != "seed" && block != "approach") continue;
     const Json named = values.is_object() ? values : Json{{"", values}};
     for (const auto& [key, value] : named.items()) {
       const std::string name = key.empty() ? block : block + "." + key;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
@@ -62,9 +63,9 @@ using Names = std::vector<std::string>;
 Names ListSettings(Shell&, size_t index) {
   Names keys;
   if (index > 0) return keys;
-  const Json config = ToJson(SessionConfig());
+  const Json config = ConfigToJson(SessionConfig());
   for (const auto& [block, values] : config.items()) {
-    if (block == "seed") keys.push_back(block);
+    if (block == "seed" || block == "approach") keys.push_back(block);
     if (!values.is_object()) continue;
     for (const auto& [key, value] : values.items()) keys.push_back(block + "." + key);
   }

@@ -12,14 +12,11 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/render/animation.h"
 #include "core/render/hand_scene.h"
 #include "workbench/status_region.h"
 
 namespace graspbench {
 namespace {
-
-constexpr double kReach = 0.35;  // what is farther from the hand does not shrink a film [m]
 
 Scene MakeSceneNow(ShellScene& scene) {
   const TrialSetup& setup = scene.setup();
@@ -174,37 +171,6 @@ std::vector<std::string> ScenePainter::DrawLive(ShellScene& scene, const SceneVi
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) lines.push_back(line);
   return lines;
-}
-
-void SceneFilm::Add(ShellScene& scene) {
-  if (frames_.empty()) {
-    const WorldState& state = scene.course().world().state();
-    hand_ = scene.setup().hand;
-    q_ = state.q;
-    X_WH_ = state.X_WH;
-  }
-  frames_.push_back({MakeSceneNow(scene), scene.time()});
-}
-
-std::string SceneFilm::Encode(const SceneView& view, int width, int height,
-                              const std::function<bool(size_t num_drawn)>& tell) const {
-  std::vector<Scene> seen;
-  for (const Frame& frame : frames_) {
-    seen.push_back(frame.scene);
-    Drawable& object = seen.back().drawables.back();
-    const Drawable& root = seen.back().drawables.front();
-    object.must_be_seen = (object.X_WM.translation() - root.X_WM.translation()).norm() < kReach;
-  }
-  const Camera camera =
-      PlaceCamera(view, seen, *hand_, q_, X_WH_, static_cast<double>(width) / height);
-  Renderer renderer(width, height);
-  AnimatedWebp film(width, height);
-  for (size_t i = 0; i < frames_.size(); ++i) {
-    film.Add(renderer.Render(frames_[i].scene, camera), frames_[i].time - frames_[0].time);
-    if (!tell(i + 1)) return {};
-  }
-  constexpr double kLastPicture = 1.0;  // [s]
-  return film.Finish(frames_.back().time - frames_[0].time + kLastPicture);
 }
 
 std::string DescribeView(ShellScene& scene, const SceneView& view) {

@@ -2,7 +2,6 @@
 /** @file
 The scene as a picture, in a file or in the cells of a terminal. */
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,28 +46,6 @@ class ScenePainter {
     int width = 0, height = 0;  // of its pictures
   };
   Easel full_, draft_;
-};
-
-/** The pictures of a course, from one camera that sees all of them. */
-class SceneFilm {
- public:
-  /** @pre of the same hand and object as those before; later. */
-  void Add(ShellScene& scene);
-  size_t size() const { return frames_.size(); }
-  /** An animated WebP file in real time. `tell` hears how many pictures are drawn and gives false
-  to stop. @returns empty when stopped. @throws as Draw. */
-  std::string Encode(const SceneView& view, int width, int height,
-                     const std::function<bool(size_t num_drawn)>& tell) const;
-
- private:
-  struct Frame {
-    Scene scene;
-    double time = 0.0;  // since the start [s]
-  };
-  std::vector<Frame> frames_;
-  std::shared_ptr<const Hand> hand_;
-  Eigen::VectorXd q_;  // in the first one
-  Pose X_WH_ = Pose::Identity();
 };
 
 /** One line of what is to be seen. */

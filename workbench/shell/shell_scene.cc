@@ -42,8 +42,8 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
       if (std::filesystem::exists(names->front())) return false;
     }
   }
-  return a.config.hands == b.config.hands && a.config.objects == b.config.objects &&
-         a.folder.empty() && b.folder.empty() &&
+  return a.config.hands == b.config.hands && a.config.approach == b.config.approach &&
+         a.config.objects == b.config.objects && a.folder.empty() && b.folder.empty() &&
          ConfigToJson(a.config.model) == ConfigToJson(b.config.model);
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
+#include "datasets/session/session_plan.h"
 #include "workbench/plain_text.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
@@ -86,8 +87,7 @@ std::string FormatComparison(const DrawnTrials& trials_before,
   const std::vector<TrialResult>& before = trials_before.results;
   PairedCounts pairs;
   for (size_t draw = 0; draw < std::min(before.size(), now.size()); ++draw) {
-    const bool was = IsSuccess(before[draw].outcome), is = IsSuccess(now[draw].outcome);
-    ++(was ? (is ? pairs.both : pairs.first_only) : (is ? pairs.second_only : pairs.neither));
+    pairs.Add(IsSuccess(before[draw].outcome), IsSuccess(now[draw].outcome));
   }
   const Interval change = CalcPairedDifferenceInterval(pairs);
   return fmt::format(

@@ -34,5 +34,13 @@ TEST(Diagnostics, TellsAllProblemsAtOnce) {
   }
 }
 
+// An error within an error has lines of its own; none looks like an entry.
+TEST(Diagnostics, LinesWithinAnEntryAreIndented) {
+  Diagnostics problems;
+  problems.Fail("a\nb.yaml", 2, "not found. Tried:\n    x.stl\ny.stl: error: \x1b");
+  EXPECT_EQ(problems.Format(),
+            "a\\u000ab.yaml:2: error: not found. Tried:\n    x.stl\n    y.stl: error: \\u001b");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -54,6 +54,9 @@ TEST_F(FrozenFolderTest, SaysWhatIsMissingDamagedOrOfAnotherVersion) {
                                     folder + " starts one");
   WriteFile(folder_.path() / "manifest.json", "somebody else's");
   EXPECT_EQ(FindFault().first, ErrorKind::kNotFound);
+  EXPECT_EQ(FindFault().second, "no experiment in \"" + folder +
+                                    "\" (experiment.json is not there); graspbench try --out "
+                                    "NEW_FOLDER starts one");
   Manifest study;
   study.kind = "study";
   WriteManifest(folder_.path(), study);

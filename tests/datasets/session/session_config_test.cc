@@ -159,6 +159,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.seed = 7;
   config.variation.yaw = 0.1 + 0.2;
   config.hands = {"../a \"hand\"", "tum"};
+  config.approach = "side";
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     std::string pointer = "/" + key;
@@ -169,6 +170,24 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   EXPECT_EQ(ToJson(read).dump(), json.dump());
   EXPECT_EQ(read.variation.yaw, config.variation.yaw);
   EXPECT_TRUE(FindConfigDifferences(config, read).empty());
+}
+
+// Sessions of earlier versions stay readable and keep their names.
+TEST(SessionConfig, AnAutomaticApproachIsNotWritten) {
+  Json json = ToJson(SessionConfig());
+  EXPECT_FALSE(json.contains("approach"));
+  EXPECT_EQ(SessionConfigFromJson(json).approach, "automatic");
+  json["approach"] = "above";
+  EXPECT_EQ(SessionConfigFromJson(json).approach, "above");
+}
+
+TEST(SessionConfig, AnUnknownApproachIsRefused) {
+  SessionConfig config;
+  ApplySetting("approach=sied", config);
+  const auto problems = Validate(config);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].key, "approach");
+  EXPECT_EQ(problems[0].text, "no approach \"sied\". Known: automatic, above, side");
 }
 
 TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
@@ -190,7 +209,7 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
                  "x/session.json: error: seed: is missing\n"
                  "x/session.json: error: sim.: expected an object of keys and values\n"
                  "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
-                 "trials, seed, variation, strategy, sim, model");
+                 "trials, seed, variation, strategy, sim, model, approach");
   }
 }
 

@@ -26,6 +26,20 @@ TEST(SessionInputs, LoadsWhatTheConfigurationNamesInItsOrder) {
   EXPECT_EQ(plan[20].grasp, "g3");
 }
 
+TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
+  SessionConfig config;
+  config.hands = {"tum"};
+  config.objects = {"golf_ball"};
+  for (const char* name : {"automatic", "side", "above"}) {
+    config.approach = name;
+    const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater);
+    EXPECT_EQ(RowOf(kApproaches, inputs.objects[0]->approach).name, std::string(name));
+    for (const StandardGrasp& grasp : inputs.hands[0].grasps) {
+      EXPECT_EQ(RowOf(kApproaches, grasp.approach).name, std::string(name));
+    }
+  }
+}
+
 TEST(SessionInputs, SuggestsNames) {
   SessionConfig config;
   config.hands = {"shadwo"};

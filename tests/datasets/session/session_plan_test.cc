@@ -211,6 +211,8 @@ TEST(SessionPlan, EverythingThatMattersChangesTheIds) {
       change_grasp([](StandardGrasp& grasp) { grasp.digits = {"TH"}; }),
       change_grasp([](StandardGrasp& grasp) { grasp.palm_may_touch = true; }),
       change_grasp([](StandardGrasp& grasp) { grasp.type = GraspType::kPower; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.palm_gap = 0.001; }),
+      change_grasp([](StandardGrasp& grasp) { grasp.approach = Approach::kSide; }),
   };
   for (size_t i = 0; i < others.size(); ++i) {
     for (const std::string& id : others[i]) EXPECT_EQ(ids.count(id), 0u) << "change " << i;

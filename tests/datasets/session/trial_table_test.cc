@@ -113,6 +113,7 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "t_LF_s",
                                              "closing_LF",
                                              "gap_LF_m",
+                                             "palm_touches",
                                              "draw_x_m",
                                              "draw_y_m",
                                              "draw_yaw_rad",
@@ -262,11 +263,12 @@ TEST(TrialTable, OtherDigitsGetColumnsByName) {
   records[0].result.touches.resize(5);
   const auto columns = ListTrialColumns(records);
   std::vector<std::string> tail;
-  for (size_t i = columns.size() - 13; i < columns.size(); ++i) tail.push_back(columns[i].name);
-  EXPECT_EQ(tail, (std::vector<std::string>{"t_LF_s", "closing_LF", "gap_LF_m", "t_A_s",
-                                            "closing_A", "gap_A_m", "t_Z_s", "closing_Z", "gap_Z_m",
-                                            "draw_x_m", "draw_y_m", "draw_yaw_rad", "reason"}));
-  EXPECT_EQ(columns[columns.size() - 7].value(records[0]), 0.25);
+  for (size_t i = columns.size() - 14; i < columns.size(); ++i) tail.push_back(columns[i].name);
+  EXPECT_EQ(tail,
+            (std::vector<std::string>{"t_LF_s", "closing_LF", "gap_LF_m", "t_A_s", "closing_A",
+                                      "gap_A_m", "t_Z_s", "closing_Z", "gap_Z_m", "palm_touches",
+                                      "draw_x_m", "draw_y_m", "draw_yaw_rad", "reason"}));
+  EXPECT_EQ(columns[columns.size() - 8].value(records[0]), 0.25);
 }
 
 TEST(TrialTable, SchemaDescribesEveryColumn) {

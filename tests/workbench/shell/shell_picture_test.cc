@@ -59,28 +59,5 @@ TEST(ShellPicture, PixelsOnlyWhereTheTerminalSaysSo) {
   EXPECT_EQ(ChoosePictureForm(false, {"TERM=xterm-kitty"}), Form::kCharacters);
 }
 
-TEST(ShellPicture, AFilmHasAPictureForEveryScene) {
-  ShellScene scene;
-  scene.Choose(SceneChoice::MakeDefault());
-  SceneFilm film;
-  for (int i = 0; i < 3; ++i) {
-    film.Add(scene);
-    scene.GoTo(scene.time() + 0.1, [] { return false; });
-  }
-  size_t told = 0;
-  const auto tell = [&told](size_t num_drawn) {
-    told = num_drawn;
-    return true;
-  };
-  const std::string bytes = film.Encode(SceneView(), 64, 48, tell);
-  EXPECT_EQ(told, 3u);
-  size_t num_frames = 0;  // chunks of the container
-  for (size_t at = bytes.find("ANMF"); at != bytes.npos; at = bytes.find("ANMF", at + 4)) {
-    ++num_frames;
-  }
-  EXPECT_EQ(num_frames, 3u);
-  EXPECT_EQ(film.Encode(SceneView(), 64, 48, [](size_t) { return false; }), "");
-}
-
 }  // namespace
 }  // namespace graspbench

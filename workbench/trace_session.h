@@ -1,0 +1,13 @@
+#pragma once
+/** @file Any trial of a session carried out again, for its report. */
+
+#include "datasets/session/session_store.h"
+#include "reports/session_views.h"
+
+namespace graspbench {
+
+/** Hands and objects are loaded once for all trials.
+@throws Error when a hand or an object of the session is gone. */
+TrialTracer MakeTrialTracer(const Session& session);
+
+}  // namespace graspbench

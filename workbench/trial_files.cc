@@ -1,0 +1,83 @@
+#include "workbench/trial_files.h"
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "datasets/gltf/trial_gltf.h"
+#include "datasets/session/trace_table.h"
+#include "reports/trial_page.h"
+#include "reports/trial_plots.h"
+#include "workbench/experiments/shell_quote.h"
+#include "workbench/trial_picture.h"
+
+namespace graspbench {
+namespace {
+
+SceneView ParseView(const TrialFileOptions& options) {
+  return ParseSceneView(options.view, "trial --help");
+}
+
+std::string MakeTraceTable(const TrialFileOptions&, const ExaminedTrial& trial) {
+  return FormatCsv(ListTraceColumns(*trial.setup.hand), trial.traced.trace);
+}
+
+std::string MakeTraceDrawing(const TrialFileOptions&, const ExaminedTrial& trial) {
+  return MakeTrialSvg(*trial.setup.hand, trial.traced, NameTrial(trial.planned));
+}
+
+std::string MakeTrialPicture(const TrialFileOptions& options, const ExaminedTrial& trial) {
+  return EncodePng(DrawTrial(trial.setup, trial.traced, FindNamedInstant(trial.traced, options.at),
+                             ParseView(options), ParsePictureSize(options.size)));
+}
+
+std::string MakeTrialFilm(const TrialFileOptions& options, const ExaminedTrial& trial) {
+  constexpr PictureSize kFilmSize = {480, 360};  // as in the shell
+  return FilmTrial(trial.setup, trial.traced, ParseView(options), kFilmSize);
+}
+
+std::string MakeTrialModel(const TrialFileOptions&, const ExaminedTrial& trial) {
+  return MakeTrialGlb(*trial.setup.hand, *trial.setup.object, trial.traced);
+}
+
+std::string MakeWholePage(const TrialFileOptions& options, const ExaminedTrial& trial) {
+  TrialPageData data;
+  data.hand = trial.setup.hand;
+  data.object = trial.setup.object;
+  data.record = {trial.planned, trial.traced.result, {}};
+  data.traced = trial.traced;
+  data.cards = {{"Trial", FormatTrial(trial, options.folder)}};
+  data.script = {"open " + QuoteForShell(options.folder) + " " + trial.planned.id, "run"};
+  return MakeTrialPage(data);
+}
+
+}  // namespace
+
+const std::vector<TrialFile>& ListTrialFiles() {
+  static const std::vector<TrialFile> files = {
+      {"--trace", ".csv", "FILE.csv|.svg",
+       "write every step as a table, or forces and joints as curves", true, &MakeTraceTable},
+      {"--trace", ".svg", "", "", false, &MakeTraceDrawing},
+      {"--render", ".png", "FILE.png", "draw an instant with its forces", false, &MakeTrialPicture},
+      {"--film", ".webp", "FILE.webp", "draw the whole trial as a moving picture, in real time",
+       false, &MakeTrialFilm},
+      {"--trajectory", ".glb", "FILE.glb", "write the whole trial as a moving 3-D model (glTF)",
+       false, &MakeTrialModel},
+      {"--page", ".html", "FILE.html", "write a page with pictures, curves and a 3-D view", false,
+       &MakeWholePage}};
+  return files;
+}
+
+const TrialFile& FindTrialFile(const std::string& option, const std::string& file) {
+  std::string endings;
+  int num_endings = 0;
+  for (const TrialFile& form : ListTrialFiles()) {
+    if (form.option != option) continue;
+    if (std::filesystem::path(file).extension() == form.ending) return form;
+    endings += (num_endings++ > 0 ? " or " : "") + std::string(form.ending);
+  }
+  throw Error(ErrorKind::kUsage,
+              option + ": \"" + file + "\" does not end in " + endings +
+                  (num_endings == 1 ? ", the only form there is" : ", the forms there are"));
+}
+
+}  // namespace graspbench
