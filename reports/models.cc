@@ -44,37 +44,22 @@ std::string SessionModels::NameOfDigit(const std::string& hand_id, const std::st
   return digit;
 }
 
-namespace {
-
-/** @param check  of what was loaded; its faults become problems, too. */
-template <class Check>
-SessionModels LoadModels(const Session& session, Check&& check) {
+SessionModels LoadSessionModels(const Session& session) {
   SessionModels models;
   try {
     const SessionInputs inputs =
         LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
     for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
     for (const auto& object : inputs.objects) models.objects[object->id] = object;
-    check(inputs, models);
+    if (!(MakePlan(session.config, inputs) == session.plan)) {
+      models.problems.push_back(
+          "a hand, an object, a grasp or the physics has changed since the session was planned; "
+          "names, pictures and the tables of hands and objects show them as they are now");
+    }
   } catch (const Error& e) {
     models.problems.push_back(e.what());
   }
   return models;
-}
-
-}  // namespace
-
-SessionModels LoadSessionModels(const Session& session) {
-  return LoadModels(session, [&](const SessionInputs& inputs, SessionModels& models) {
-    if (MakePlan(session.config, inputs) == session.plan) return;
-    models.problems.push_back(
-        "a hand, an object, a grasp or the physics has changed since the session was planned; "
-        "names, pictures and the tables of hands and objects show them as they are now");
-  });
-}
-
-SessionModels LoadBenchmarkModels(const Session& benchmark) {
-  return LoadModels(benchmark, [](const SessionInputs&, SessionModels&) {});
 }
 
 std::string NameOfGrasp(const std::string& id) {

@@ -31,9 +31,6 @@ struct SessionModels {
 /** Loads the session's hands and objects. When they cannot be loaded or have changed since, that
 becomes a problem and no error: the results stand without them. */
 SessionModels LoadSessionModels(const Session& session);
-/** The same for a campaign's benchmark, whose grasps were found on the way: its plan is not made
-again. */
-SessionModels LoadBenchmarkModels(const Session& benchmark);
 
 /** "power (g3)"; the id alone when it is none of the standard grasps. */
 std::string NameOfGrasp(const std::string& id);

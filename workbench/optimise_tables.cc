@@ -1,6 +1,5 @@
 #include "workbench/optimise_tables.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -29,7 +28,7 @@ void AddDecision(const std::string& step, const std::vector<LearningTrial>& befo
     const double median = CalcMedianGftRatio(trials);
     table.AddRow({step, when,
                   std::to_string(CountSuccesses(trials)) + " of " + std::to_string(trials.size()),
-                  FormatFixed(CalcMeanSigma(trials), 3),
+                  FormatFixed(CalcMeanSigma(trials), 3), FormatFixed(CalcMeanGrip(trials), 1),
                   std::isfinite(median) ? FormatFixed(100.0 * median, 1) : "n/a"});
   };
   add_row("before", before);
@@ -43,7 +42,8 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   const Hand& hand = *inputs.hand;
   const PreGraspStep& step1 = result.pregrasp_step;
   const TargetStep& step2 = result.target_step;
-  TextTable decisions({"check trials", "", "success", "mean sigma", "median GFT%"});
+  TextTable decisions(
+      {"fresh trials", "", "success", "mean sigma [N]", "mean grip [N]", "median GFT%"});
   TextTable angles(
       {hand.digits[static_cast<size_t>(FindOpposingDigit(hand, inputs.grasp))].name + " [deg]",
        "pre-grasp", "target"});
@@ -55,11 +55,8 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   add_angles(WordsOf(kStandardGrasp), inputs.grasp);
   if (StepsOf(config.optimise).learns_pregrasp) {
     text += "step 1   " + step1.verdict + "\n";
-    AddDecision("step 1", step1.standard_trials,
-                step1.shots.empty()
-                    ? std::vector<LearningTrial>()
-                    : step1.shots[static_cast<size_t>(std::max(step1.chosen, 0))].trials,
-                decisions);
+    AddDecision("step 1", step1.best < 0 ? step1.standard_trials : step1.check.before,
+                step1.check.after, decisions);
     add_angles(WordsOf(kNewPreGrasp), result.new_pregrasp);
   }
   if (StepsOf(config.optimise).searches_target) {
@@ -69,7 +66,7 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
             FormatFixed(search.individuals[static_cast<size_t>(search.best)].fitness, 3) + " in " +
             FormatCount(static_cast<int>(search.individuals.size()), "evaluation") +
             "; found number " + std::to_string(step2.found) + "\n";
-    AddDecision("step 2", step2.check_before, step2.check_after, decisions);
+    AddDecision("step 2", step2.check.before, step2.check.after, decisions);
     add_angles(WordsOf(kNewTarget), result.new_target);
   }
   return text + "\n" + decisions.Format() + "\n" + angles.Format();

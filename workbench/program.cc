@@ -183,6 +183,13 @@ void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::stri
                   "trials of an evaluation: 1 without variation, or so many drawn ones")
       ->option_text("N")
       ->capture_default_str();
+  command
+      .add_option("--grip", config.grip,
+                  "what a target may grip with: equal to the start, free, or limit")
+      ->check(CLI::IsMember(ListNames(kGripBudgets)))
+      ->option_text("GRIP")
+      ->capture_default_str();
+  command.add_option("--grip-limit", config.grip_limit, "for --grip limit [N]")->option_text("N");
 }
 
 void AddReplaceOption(CLI::App& command, bool& replace) {

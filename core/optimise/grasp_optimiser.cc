@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -20,25 +19,20 @@ namespace {
 constexpr double kLargestChange = RadFromDeg(25.0);  ///< of a target angle, to both sides
 constexpr double kFirstStep = RadFromDeg(8.0);
 
-// Learning draws by their use. Those of step 1's check start with 0, the trial without variation.
+// Learning draws by their use. Those of step 1's choice start with 0, the trial without variation.
 constexpr int kFirstTargetCheck = 1000;
 constexpr int kFirstFitnessDraw = 2000;
 constexpr int kFirstFinalDraw = 3000;
 constexpr int kFirstScreeningDraw = 4000;
+constexpr int kFirstPreGraspCheck = 5000;
 
 constexpr double kSameAngle = 1e-5;  ///< relative; two pre-grasps that differ by less are one
 constexpr int kNumCandidates = 100;
 constexpr double kCandidateDistance = RadFromDeg(2.0);
 constexpr int kScreeningTrials = 3;
 constexpr int kNumFinalists = 10;
-/** Finalists are tried on so many times the trials of a check. */
+/** Finalists are tried on so many times the trials of a choice. */
 constexpr int kFinalShare = 2;
-
-std::vector<int> ListDraws(int first, int count) {
-  std::vector<int> draws(static_cast<size_t>(count));
-  std::iota(draws.begin(), draws.end(), first);
-  return draws;
-}
 
 std::vector<LearningTrial> RunOne(const RunLearningTrials& run, LearningStage stage,
                                   const StandardGrasp& grasp, const std::vector<int>& draws,
@@ -80,27 +74,35 @@ bool IsTried(const std::vector<PreGraspShot>& shots, const StandardGrasp& grasp)
   });
 }
 
-/** Chooses among the shots, or says why none of them is taken. */
-void Choose(PreGraspStep& step) {
-  double lowest = CalcMedianGftRatio(step.standard_trials);
-  bool has_equal_success = false;
-  for (size_t i = 0; i < step.shots.size(); ++i) {
-    const std::vector<LearningTrial>& trials = step.shots[i].trials;
-    if (CountSuccesses(trials) < CountSuccesses(step.standard_trials)) continue;
-    has_equal_success = true;
-    const double median = CalcMedianGftRatio(trials);
-    if (!(median < lowest)) continue;
-    lowest = median;
-    step.chosen = static_cast<int>(i);
-  }
-  if (step.chosen >= 0) {
-    step.verdict = step.shots[static_cast<size_t>(step.chosen)].name + " taken";
-  } else if (step.shots.empty()) {
+double CalcPreGraspGoal(const LearningTrial& trial) {
+  const double ratio = trial.timing.gft_ratio;
+  return std::isnan(ratio) ? -std::numeric_limits<double>::infinity() : -ratio;
+}
+
+/** Checks the best of the shots against the standard grasp, or says why none of them is taken. */
+void Choose(const StandardGrasp& standard, const OptimiseConfig& config,
+            const RunLearningTrials& run, PreGraspStep& step) {
+  if (step.shots.empty()) {
     step.verdict = "standard kept: there was nothing to learn, too few digits touched or no room";
-  } else if (!has_equal_success) {
-    step.verdict = "standard kept: the new pre-grasp succeeded less often";
+    return;
+  }
+  const int enough = CountSuccesses(step.standard_trials);
+  const auto best = std::min_element(
+      step.shots.begin(), step.shots.end(),
+      [&](const auto& a, const auto& b) { return IsBetter(a.trials, b.trials, enough); });
+  const std::string missed = "contacts were not more simultaneous";
+  if (!(CalcMedianGftRatio(best->trials) < CalcMedianGftRatio(step.standard_trials))) {
+    step.verdict = "standard kept: " + missed;
+    return;
+  }
+  step.best = static_cast<int>(best - step.shots.begin());
+  step.check = CheckGrasp(standard, best->grasp,
+                          {kFirstPreGraspCheck, config.check_pairs, CalcPreGraspGoal}, run);
+  if (step.check.is_taken()) {
+    step.chosen = step.best;
+    step.verdict = best->name + " taken";
   } else {
-    step.verdict = "standard kept: contacts were not more simultaneous";
+    step.verdict = DescribeRefusal(step.check, "standard", "the new pre-grasp", missed);
   }
 }
 
@@ -108,7 +110,7 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
                              const StandardGrasp& start, const std::string& made_from,
                              const OptimiseConfig& config, const RunLearningTrials& run) {
   PreGraspStep step;
-  const std::vector<int> draws = ListDraws(0, config.check_trials);
+  const std::vector<int> draws = ListDraws(0, config.choice_trials);
   step.standard_trials = RunOne(run, LearningStage::kStandard, start, draws, true);
   const int enough = CountSuccesses(step.standard_trials);
   StandardGrasp grasp = start;
@@ -141,7 +143,7 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
     grasp = best->grasp;
     lesson = best->trials.front();
   }
-  Choose(step);
+  Choose(start, config, run, step);
   return step;
 }
 
@@ -208,6 +210,7 @@ std::vector<Finalist> RankByTrials(const Hand& hand, const StandardGrasp& start,
                                    const TargetStep& step, LearningStage stage,
                                    const std::vector<Individual>& individuals,
                                    const std::vector<int>& draws, const RunLearningTrials& run) {
+  const double limit = step.grip_limit;
   std::vector<LearningRequest> requests;
   for (const Individual& individual : individuals) {
     requests.push_back(MakeRequest(hand, start, step, stage, individual, draws));
@@ -218,10 +221,10 @@ std::vector<Finalist> RankByTrials(const Hand& hand, const StandardGrasp& start,
   for (size_t i = 0; i < requests.size(); ++i) {
     ranked.push_back({individuals[i].number, trials[i]});
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Finalist& a, const Finalist& b) {
+  std::stable_sort(ranked.begin(), ranked.end(), [limit](const Finalist& a, const Finalist& b) {
     const int successes_a = CountSuccesses(a.trials), successes_b = CountSuccesses(b.trials);
     if (successes_a != successes_b) return successes_a > successes_b;
-    return CalcFitness(a.trials) > CalcFitness(b.trials);
+    return CalcFitness(a.trials, limit) > CalcFitness(b.trials, limit);
   });
   return ranked;
 }
@@ -235,8 +238,9 @@ void ChooseFinalist(const Hand& hand, const StandardGrasp& start, const Optimise
   for (size_t i = 0; i < std::min<size_t>(screened.size(), kNumFinalists); ++i) {
     chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
   }
-  step.finalists = RankByTrials(hand, start, step, LearningStage::kFinalist, chosen,
-                                ListDraws(kFirstFinalDraw, kFinalShare * config.check_trials), run);
+  step.finalists =
+      RankByTrials(hand, start, step, LearningStage::kFinalist, chosen,
+                   ListDraws(kFirstFinalDraw, kFinalShare * config.choice_trials), run);
   if (!step.finalists.empty()) step.found = step.finalists.front().number;
 }
 
@@ -257,6 +261,14 @@ double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
   return CalcMedian(std::move(ratios));
 }
 
+double CalcMeanGrip(const std::vector<LearningTrial>& trials) {
+  std::vector<double> grips;
+  for (const LearningTrial& trial : trials) {
+    if (std::isfinite(trial.stability.normal_force)) grips.push_back(trial.stability.normal_force);
+  }
+  return CalcMean(grips);
+}
+
 double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
   std::vector<double> sigmas;
   for (const LearningTrial& trial : trials) sigmas.push_back(trial.sigma);
@@ -267,11 +279,16 @@ const OptimiseStepRow& StepsOf(const OptimiseConfig& config) {
   return RowFromName(kOptimiseSteps, config.step, "step");
 }
 
+const GripBudgetRow& GripOf(const OptimiseConfig& config) {
+  return RowFromName(kGripBudgets, config.grip, "grip");
+}
+
 int CountLearningTrials(const OptimiseConfig& config) {
   const OptimiseStepRow& steps = StepsOf(config);
-  const int step1 = (1 + 2 * static_cast<int>(std::size(kWidthChoices))) * config.check_trials;
+  const int step1 = (1 + 2 * static_cast<int>(std::size(kWidthChoices))) * config.choice_trials +
+                    2 * config.check_pairs;
   const int step2 = config.evaluations * config.fitness_trials + kNumCandidates * kScreeningTrials +
-                    (kNumFinalists * kFinalShare + 2) * config.check_trials;
+                    kNumFinalists * kFinalShare * config.choice_trials + 2 * config.check_pairs;
   return (steps.learns_pregrasp ? step1 : 0) + (steps.searches_target ? step2 : 0);
 }
 
@@ -290,6 +307,8 @@ TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const Stand
   step.joints =
       FindDrivenJoints(hand, hand.digits[static_cast<size_t>(FindOpposingDigit(hand, start))]);
   step.space = MakeSpace(hand, start, step.joints);
+  const GripBudget grip = GripOf(config).value;
+  if (grip == GripBudget::kLimit) step.grip_limit = config.grip_limit;
   const std::vector<int> draws = config.fitness_trials == 1
                                      ? std::vector<int>{0}
                                      : ListDraws(kFirstFitnessDraw, config.fitness_trials);
@@ -298,10 +317,13 @@ TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const Stand
     for (const Individual& individual : generation) {
       requests.push_back(MakeRequest(hand, start, step, LearningStage::kSearch, individual, draws));
     }
-    std::vector<double> fitness;
-    for (const std::vector<LearningTrial>& trials : run(requests)) {
-      fitness.push_back(CalcFitness(trials));
+    const std::vector<std::vector<LearningTrial>> answers = run(requests);
+    if (grip == GripBudget::kEqual && generation.front().number == 0) {
+      const double of_start = CalcMeanGrip(answers.front());
+      if (of_start > 0.0) step.grip_limit = of_start;  // else it held nothing
     }
+    std::vector<double> fitness;
+    for (const auto& trials : answers) fitness.push_back(CalcFitness(trials, step.grip_limit));
     return fitness;
   };
   const std::string name =
@@ -328,26 +350,22 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
   TargetStep& step = result.target_step;
   const StandardGrasp start = result.new_target;
   step = SearchTarget(hand, object, start, config, run);
-  const std::vector<int> draws = ListDraws(kFirstTargetCheck, config.check_trials);
-  step.check_before = RunOne(run, LearningStage::kCheckBefore, start, draws);
   ChooseFinalist(hand, start, config, run, step);
   if (step.found == 0) {
+    step.check = CheckOldGrasp(start, kFirstTargetCheck, run);
     step.verdict = "start kept: the search tried nothing else";
     return result;
   }
   const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
   const StandardGrasp found =
       RoundAngles(hand, MakeGrasp(hand, start, step.joints, best.genome), standard.id);
-  step.check_after = RunOne(run, LearningStage::kCheckAfter, found, draws);
-  if (CountSuccesses(step.check_after) < CountSuccesses(step.check_before)) {
-    step.verdict = "start kept: the new target succeeded less often";
-  } else if (!(CalcMeanSigma(step.check_after) > CalcMeanSigma(step.check_before))) {
-    step.verdict = "start kept: sigma was not higher on trials that the search had not seen";
-  } else {
-    step.is_taken = true;
-    step.verdict = "new target taken";
-    result.new_target = found;
-  }
+  const auto goal = [&](const LearningTrial& trial) { return CalcFitness(trial, step.grip_limit); };
+  step.check = CheckGrasp(start, found, {kFirstTargetCheck, config.check_pairs, goal}, run);
+  step.verdict = step.check.is_taken()
+                     ? "new target taken"
+                     : DescribeRefusal(step.check, "start", "the new target",
+                                       "it did not hold better with the grip that it may use");
+  if (step.check.is_taken()) result.new_target = found;
   return result;
 }
 

@@ -31,19 +31,21 @@ LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_p
   return trial;
 }
 
-double CalcFitness(const LearningTrial& trial) {
+double CalcFitness(const LearningTrial& trial, double grip_limit) {
   const bool is_missing =
       trial.contacts.empty() ||  // the simulation gave up
       std::any_of(trial.contacts.begin(), trial.contacts.end(), [](const DigitContact& contact) {
         return contact.is_opposing && std::isnan(contact.time);
       });
-  return is_missing ? -trial.opposing_gap : trial.sigma;
+  if (is_missing) return -trial.opposing_gap;
+  const double grip = trial.stability.normal_force;
+  return grip > grip_limit ? trial.sigma * grip_limit / grip : trial.sigma;
 }
 
-double CalcFitness(const std::vector<LearningTrial>& trials) {
+double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit) {
   GRASPBENCH_DEMAND(!trials.empty(), "no trials");
   std::vector<double> values;
-  for (const LearningTrial& trial : trials) values.push_back(CalcFitness(trial));
+  for (const LearningTrial& trial : trials) values.push_back(CalcFitness(trial, grip_limit));
   return CalcMean(values);
 }
 

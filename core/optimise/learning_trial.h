@@ -2,13 +2,18 @@
 /** @file
 What the optimisation keeps of a simulated trial, and the fitness it takes from it:
 
-    fitness = sigma (core/trial/stability.h), which is 0 when the object is lost, or
+    fitness = sigma (core/trial/stability.h), which is 0 when the object is lost,
+              times G / g when the hand grips with g, more than the grip G that it may use
+              (g: sum of its normal forces in the hold [N]), or
             = - the opposing digit's smallest distance to the object [m] when that digit never
               touches, so that a thumb in the air is led towards the object
 
-and for several trials their mean. Larger is better. */
+and for several trials their mean. Larger is better. All contact forces at a posture grow about as
+one, so a pull that is withstood by squeezing twice as hard is worth half; a grasp that needs less
+grip than it may use gains nothing by that. */
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "core/base/json.h"
@@ -52,9 +57,13 @@ struct LearningTrial {
 /** @param keep_postures  those of the first touches, from which step 1 learns. */
 LearningTrial MakeLearningTrial(int draw, const TrialResult& result, bool keep_postures);
 
-double CalcFitness(const LearningTrial& trial);
+/** A grip that no hand reaches [N]. */
+inline constexpr double kAnyGrip = std::numeric_limits<double>::infinity();
+
+/** @param grip_limit  G [N]. */
+double CalcFitness(const LearningTrial& trial, double grip_limit = kAnyGrip);
 /** The mean. @pre at least one. */
-double CalcFitness(const std::vector<LearningTrial>& trials);
+double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
 
 Json ToJson(const LearningTrial& trial);
 /** @throws Json::exception or Error(kFormat). Gives back the very same numbers. */

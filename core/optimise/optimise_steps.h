@@ -17,6 +17,19 @@ struct OptimiseStepRow {
 inline constexpr OptimiseStepRow kOptimiseSteps[] = {
     {"1", true, false}, {"2", false, true}, {"both", true, true}};
 
+/** What a new target may grip with, so that it holds better and does not only squeeze harder. */
+enum class GripBudget { kFree, kEqual, kLimit };
+struct GripBudgetRow {
+  GripBudget value;
+  const char* name;  ///< in files and options
+  const char* words;
+};
+inline constexpr GripBudgetRow kGripBudgets[] = {
+    {GripBudget::kFree, "free", "whatever it likes"},
+    {GripBudget::kEqual, "equal", "as much as the search's start"},
+    {GripBudget::kLimit, "limit", "as much as grip_limit_n says"},
+};
+
 enum class LearningStage {
   kStandard,
   kOneShot,

@@ -1,5 +1,6 @@
 #include "core/statistics/distributions.h"
 
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/complement.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
@@ -37,6 +38,11 @@ double CalcChiSquaredUpperP(double x, double df) {
 
 double CalcChiSquaredQuantile(double probability, double df) {
   return bm::quantile(bm::chi_squared(df), probability);
+}
+
+double CalcBinomialUpperP(int num_successes, int num_trials, double probability) {
+  if (num_successes == 0) return 1.0;
+  return bm::cdf(bm::complement(bm::binomial(num_trials, probability), num_successes - 1));
 }
 
 double CalcNormalP(double z) { return bm::cdf(bm::normal(), z); }

@@ -22,6 +22,9 @@ double CalcChiSquaredQuantile(double probability, double df);
 round it. */
 inline constexpr double kNormal95 = 1.96;
 
+/** P(so many successes or more) in so many trials. @pre 0 <= num_successes <= num_trials. */
+double CalcBinomialUpperP(int num_successes, int num_trials, double probability);
+
 double CalcNormalP(double z);  ///< lower tail
 double CalcNormalQuantile(double probability);
 

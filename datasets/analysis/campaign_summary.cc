@@ -24,24 +24,39 @@ const TrialRecord* FindTrial(const CellSummary& cell, int trial) {
   return nullptr;
 }
 
+double SigmaOf(const TrialRecord& record) {
+  const double sigma = record.result.stability.sigma;
+  return std::isfinite(sigma) ? sigma : 0.0;
+}
+
+double BreakingForceOf(const TrialRecord& record) {
+  if (record.judgement) return record.judgement->breaking_force;
+  return record.result.outcome == Outcome::kSuccess ? kMissing : 0.0;
+}
+
+double GripForceOf(const TrialRecord& record) { return record.result.stability.hold.normal_force; }
+
+/** 0 when the object was lost: then there was no force to hold with either. */
+double DivideByGrip(double force, const TrialRecord& record) {
+  return force == 0.0 ? 0.0 : force / GripForceOf(record);
+}
+
 }  // namespace
 
 const std::vector<VariantMeasure>& ListVariantMeasures() {
   static const std::vector<VariantMeasure> measures = {
       {"success [%]", "share of successful trials", 100.0, 0, true, true,
        [](const TrialRecord& r) { return r.result.outcome == Outcome::kSuccess ? 1.0 : 0.0; }},
-      {"sigma", "stability; 0 when the object is lost", 1.0, 2, true, true,
-       [](const TrialRecord& r) {
-         const double sigma = r.result.stability.sigma;
-         return std::isfinite(sigma) ? sigma : 0.0;
-       }},
+      {"sigma [N]", "stability; 0 when the object is lost", 1.0, 2, true, true, SigmaOf},
       {"breaking force [N]",
        "smallest pull in six directions that breaks the grasp; 0 when the object was lost", 1.0, 2,
-       true, true,
-       [](const TrialRecord& r) {
-         if (r.judgement) return r.judgement->breaking_force;
-         return r.result.outcome == Outcome::kSuccess ? kMissing : 0.0;
-       }},
+       true, true, BreakingForceOf},
+      {"grip [N]", "sum of the hand's normal forces on the object in the hold", 1.0, 1, false,
+       false, GripForceOf},
+      {"sigma/grip [%]", "holds better, not by squeezing harder; 0 when the object is lost", 100.0,
+       1, true, true, [](const TrialRecord& r) { return DivideByGrip(SigmaOf(r), r); }},
+      {"breaking/grip [%]", "breaking force over grip; 0 when the object was lost", 100.0, 1, true,
+       true, [](const TrialRecord& r) { return DivideByGrip(BreakingForceOf(r), r); }},
       {"GFT% [%]", "grasp forming time over grasp closure time", 100.0, 1, false, false,
        [](const TrialRecord& r) { return r.result.timing.gft_ratio; }},
       {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false, false,

@@ -24,7 +24,14 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   };
   check_range("evaluations", config.evaluations, 1, 1000000);
   check_range("fitness_trials", config.fitness_trials, 1, 100);
-  check_range("check_trials", config.check_trials, 1, 1000);
+  check_range("choice_trials", config.choice_trials, 1, 500);
+  constexpr int kMostPairs = kPairsPerLook * kMostLooks;
+  check_range("check_pairs", config.check_pairs, kPairsPerLook, kMostPairs);
+  if (config.check_pairs % kPairsPerLook != 0) {
+    problems.push_back({"check_pairs", std::to_string(config.check_pairs) + " is no multiple of " +
+                                           std::to_string(kPairsPerLook) +
+                                           ", the pairs between two looks at them"});
+  }
   check_range("seed", config.seed, 0, 2147483647);
   const auto check_name = [&](const char* key, const std::string& name,
                               const std::vector<std::string>& known) {
@@ -32,6 +39,12 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
     problems.push_back({key, "\"" + name + "\" is not known" + SuggestNames(name, known)});
   };
   check_name("step", config.step, ListNames(kOptimiseSteps));
+  check_name("grip", config.grip, ListNames(kGripBudgets));
+  const bool has_limit = config.grip == RowOf(kGripBudgets, GripBudget::kLimit).name;
+  if (has_limit != (config.grip_limit > 0.0)) {
+    problems.push_back({"grip_limit_n", has_limit ? "the grip \"limit\" needs one above 0 N"
+                                                  : "is only for the grip \"limit\""});
+  }
   check_name("method", config.method, ListSearchMethods());
   return problems;
 }

@@ -26,6 +26,7 @@ Json MakeScore(const std::vector<LearningTrial>& trials) {
   return Json{{"trials", trials.size()},
               {"successes", CountSuccesses(trials)},
               {"mean_sigma", CalcMeanSigma(trials)},
+              {"mean_grip_n", JsonNumber(CalcMeanGrip(trials))},
               {"median_gft_ratio", JsonNumber(CalcMedianGftRatio(trials))}};
 }
 
@@ -58,7 +59,9 @@ Json MakePreGraspJson(const PreGraspStep& step, const StandardGrasp& start) {
   return Json{{"verdict", step.verdict},
               {"taken", step.chosen < 0 ? Json() : Json(step.shots[step.chosen].name)},
               {"standard", MakePreGraspScore(step.standard_trials)},
-              {"shots", shots}};
+              {"shots", shots},
+              {"check_before", MakeScore(step.check.before)},
+              {"check_after", MakeScore(step.check.after)}};
 }
 
 Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
@@ -68,11 +71,12 @@ Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
   Json finalists = Json::array();
   for (const Finalist& finalist : step.finalists) {
     finalists.push_back({{"individual", finalist.number},
-                         {"fitness", CalcFitness(finalist.trials)},
+                         {"fitness", CalcFitness(finalist.trials, step.grip_limit)},
                          {"score", MakeScore(finalist.trials)}});
   }
   return Json{{"verdict", step.verdict},
-              {"taken", step.is_taken},
+              {"taken", step.check.is_taken()},
+              {"grip_limit_n", JsonNumber(step.grip_limit)},
               {"joints", joints},
               {"lower_rad", JsonAngles(step.space.lower)},
               {"upper_rad", JsonAngles(step.space.upper)},
@@ -84,8 +88,8 @@ Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
               {"start_fitness", step.search.individuals.front().fitness},
               {"best_fitness", best.fitness},
               {"finalists", finalists},
-              {"check_before", MakeScore(step.check_before)},
-              {"check_after", MakeScore(step.check_after)}};
+              {"check_before", MakeScore(step.check.before)},
+              {"check_after", MakeScore(step.check.after)}};
 }
 
 /** One row an individual. */
@@ -113,6 +117,11 @@ std::string FormatIndividuals(const TargetStep& step, const Hand& hand) {
     csv += FormatCsvLine(cells);
   }
   return csv;
+}
+
+/** Trials of what a step kept, which did not choose it. */
+const std::vector<LearningTrial>& ListTold(const GraspCheck& check) {
+  return check.is_taken() ? check.after : check.before;
 }
 
 SceneConfig ParseSceneConfig(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
@@ -177,11 +186,11 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
   if (StepsOf(config.optimise).learns_pregrasp) {
     result["pregrasp_step"] = MakePreGraspJson(step1, inputs.grasp);
     write_grasp(optimised.new_pregrasp,
-                step1.chosen < 0 ? step1.standard_trials : step1.shots[step1.chosen].trials);
+                step1.best < 0 ? step1.standard_trials : ListTold(step1.check));
   }
   if (StepsOf(config.optimise).searches_target) {
     result["target_step"] = MakeTargetJson(step2, hand);
-    write_grasp(optimised.new_target, step2.is_taken ? step2.check_after : step2.check_before);
+    write_grasp(optimised.new_target, ListTold(step2.check));
     WriteFileAtomically(folder / "individuals.csv", FormatIndividuals(step2, hand));
   }
   WriteFileAtomically(folder / kResult, FormatJson(result, 2) + "\n");

@@ -24,14 +24,28 @@ std::string NameCell(const PlannedTrial& planned) {
   return MakePlainKey({planned.hand, planned.object, planned.grasp});
 }
 
+/** The key of the cell that a person may have called by its ids alone, as "tum-can-new-target",
+whose key has a hash. */
+std::string FindCell(const Session& session, const std::string& name) {
+  std::vector<std::string> keys;
+  for (const PlannedTrial& planned : session.plan) {
+    const std::string key = NameCell(planned);
+    if (key == name) return name;
+    if (ToLower(planned.hand + "-" + planned.object + "-" + planned.grasp) != name) continue;
+    if (keys.empty() || keys.back() != key) keys.push_back(key);
+  }
+  return keys.size() == 1 ? keys.front() : name;
+}
+
 /** @throws Error(kNotFound) for a cell or number that is not in the plan. */
 const PlannedTrial& FindByNumber(const Session& session, const std::string& name) {
-  const std::string cell = name.substr(0, name.find(':'));
+  const std::string cell = FindCell(session, name.substr(0, name.find(':')));
+  const std::string number = name.substr(name.find(':') + 1);
   std::vector<std::string> cells;
   int num_trials = 0;
   for (const PlannedTrial& planned : session.plan) {
     const std::string key = NameCell(planned);
-    if (NameTrial(planned) == name) return planned;
+    if (NameTrial(planned) == cell + ":" + number) return planned;
     if (key == cell) ++num_trials;
     if (cells.empty() || cells.back() != key) cells.push_back(key);
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <regex>
 #include <string_view>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -137,6 +136,16 @@ std::string FindObjectInput(const std::string& name, const fs::path& folder) {
 std::string FindGraspInput(const std::string& name, size_t number, const fs::path& folder) {
   if (folder.empty()) return name;
   return ChooseInput(name, FindInputs(folder) / "grasps" / (std::to_string(number) + ".yaml"));
+}
+
+std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& folder) {
+  const fs::path campaign = folder / "..";
+  std::vector<std::string> files;
+  if (folder.empty() || FindStoreKind(campaign) != &kCampaignStore) return files;
+  for (const std::string& name : ListMatches(campaign, {"scenes/*/" + id + ".yaml"})) {
+    files.push_back((campaign / name).string());
+  }
+  return files;
 }
 
 }  // namespace graspbench

@@ -13,6 +13,7 @@ and the benchmark of a campaign have no copies of their own: theirs are the camp
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "datasets/session/session_config.h"
 
@@ -36,5 +37,10 @@ std::string FindObjectInput(const std::string& name, const std::filesystem::path
 /** @param number  in the configuration's list of grasps. */
 std::string FindGraspInput(const std::string& name, size_t number,
                            const std::filesystem::path& folder);
+
+/** Files of the grasps of this id that the scenes of a campaign have found.
+@param folder  of the campaign's benchmark; none for any other. */
+std::vector<std::string> ListSceneGrasps(const std::string& id,
+                                         const std::filesystem::path& folder);
 
 }  // namespace graspbench

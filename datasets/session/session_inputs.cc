@@ -9,15 +9,15 @@ namespace {
 
 const std::vector<std::string> kAll = {"all"};
 
-/** @param name  in the configuration; the file may be a copy. */
-void AddGraspFile(const std::string& name, const std::string& path, SessionInputs& inputs) {
+/** @returns the grasp's id. */
+std::string AddGraspFile(const std::string& path, SessionInputs& inputs) {
   std::vector<const Hand*> hands;
   for (const SessionHand& hand : inputs.hands) hands.push_back(hand.hand.get());
-  GraspFile file = LoadGraspFile(path, hands);
-  inputs.grasp_files[name] = file.grasp.id;
+  const GraspFile file = LoadGraspFile(path, hands);
   for (SessionHand& hand : inputs.hands) {
-    if (hand.hand->id == file.hand) hand.grasps.push_back(std::move(file.grasp));
+    if (hand.hand->id == file.hand) hand.grasps.push_back(file.grasp);
   }
+  return file.grasp.id;
 }
 
 /** The session's word comes before the objects' and the grasps'. */
@@ -57,7 +57,10 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
   }
   for (size_t i = 0; i < config.grasps.size(); ++i) {
     const std::string& name = config.grasps[i];
-    if (IsGraspFile(name)) AddGraspFile(name, FindGraspInput(name, i, folder), inputs);
+    if (IsGraspFile(name)) {
+      inputs.grasp_files[name] = AddGraspFile(FindGraspInput(name, i, folder), inputs);
+    }
+    for (const std::string& path : ListSceneGrasps(name, folder)) AddGraspFile(path, inputs);
   }
   ApplyApproach(config.approach, inputs);
   return inputs;

@@ -29,7 +29,7 @@ struct SessionInputs {
 
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that
 comes with the program. A grasp whose name ends in ".yaml" is a file (core/grasp/grasp_file.h) and
-goes to its hand.
+goes to its hand; the benchmark of a campaign has the grasps of the campaign's scenes, too.
 @param folder  of the session whose copies are taken (input_copies.h); empty: the originals.
 @param field_use  kLater where thousands of objects must fit: whoever simulates one completes it
 (CompleteObject).

@@ -37,7 +37,7 @@ std::string MakeCampaignReport(const CampaignData& data) {
 std::filesystem::path WriteCampaignReport(const std::filesystem::path& folder,
                                           const Campaign& campaign) {
   const SessionSummary benchmark = SummariseSession(campaign.benchmark);
-  const SessionModels models = LoadBenchmarkModels(campaign.benchmark);
+  const SessionModels models = LoadSessionModels(campaign.benchmark);
   const std::vector<SceneVariants> scenes = ListScenes(campaign, benchmark);
   const VariantPictures pictures = RenderVariantPictures(campaign.benchmark, scenes, models);
   return WriteReportPage(folder,

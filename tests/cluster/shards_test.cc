@@ -50,9 +50,9 @@ std::vector<std::string> MakeCampaign() {
                                         "--trials",
                                         GRASPBENCH_BENCHMARK_TRIALS};
   for (const char* setting :
-       {"session.sim.step_s=0.004", "session.strategy.hold_time_s=0.2", "optimise.check_trials=1",
-        "comparison.scenes=tum/tea_light", "comparison.methods=es,random", "comparison.seeds=1",
-        "comparison.evaluations=3"}) {
+       {"session.sim.step_s=0.004", "session.strategy.hold_time_s=0.2", "optimise.choice_trials=1",
+        "optimise.check_pairs=20", "comparison.scenes=tum/tea_light",
+        "comparison.methods=es,random", "comparison.seeds=1", "comparison.evaluations=3"}) {
     arguments.insert(arguments.end(), {"--set", setting});
   }
   return arguments;

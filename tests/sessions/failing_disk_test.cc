@@ -146,7 +146,7 @@ TEST_F(FailingDisk, OptimisationsAreContinuedToTheSameBytes) {
 TEST_F(FailingDisk, CampaignsAreContinuedToTheSameBytes) {
   const std::string line =
       "campaign --hand tum --object golf_ball --evaluations 4 --fitness-trials 1 --trials 2 "
-      "--set optimise.check_trials=2 --out ";
+      "--set optimise.choice_trials=2 --set optimise.check_pairs=20 --out ";
   ASSERT_EQ(Run(line + "whole"), 0) << Log();
   for (int round = 0; IsNext(round, 1, 2); ++round) {
     fs::remove_all(top_ / "out");

@@ -152,7 +152,9 @@ TEST_F(MovedSession, ACampaignNeedsNothingButItsFolder) {
                                           "--trials",
                                           "2",
                                           "--set",
-                                          "optimise.check_trials=2"};
+                                          "optimise.choice_trials=2",
+                                          "--set",
+                                          "optimise.check_pairs=20"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Call(arguments);
   };

@@ -36,7 +36,7 @@ const WritingCommand kCommands[] = {
     {"run_resume", "run IN/session.yaml --resume --out OUT", Kind::kFolder},
     {"campaign",
      "campaign --hand tum --object golf_ball --evaluations 1 --trials 1 --set "
-     "optimise.check_trials=1 --out OUT",
+     "optimise.choice_trials=1 --set optimise.check_pairs=20 --out OUT",
      Kind::kFolder},
     {"optimise", "optimise --hand tum --object golf_ball --evaluations 1 --out OUT", Kind::kFolder},
     {"basin", "basin --hand tum --object golf_ball --grasp IN/g.yaml --samples 1 --out OUT",

@@ -122,7 +122,8 @@ void OptimiseTrial(Shell& shell, const ShellArguments& arguments) {
     return;
   }
   PrintResult(FormatOptimisation(inputs, config, result));
-  const bool is_new = step == "1" ? result.pregrasp_step.chosen >= 0 : result.target_step.is_taken;
+  const bool is_new =
+      step == "1" ? result.pregrasp_step.chosen >= 0 : result.target_step.check.is_taken();
   if (!is_new) return PrintResult("the grasp stays as it is\n");
   SceneChoice choice = scene.choice();
   choice.joints.clear();

@@ -15,19 +15,29 @@ Html DrawMethods(const CampaignData& data) {
       "digit meets the object at rest, and the pre-grasp is moved along the closing so that all do "
       "so at one common share: the largest that joint limits allow, the largest that keeps off "
       "the table, or half of that way. It is done once and again from its own result; "
-      "of the standard pre-grasp and the new ones that is kept which succeeds at least as often "
-      "and has the lowest median GFT% in " +
-      FormatCount(optimise.check_trials, "check trial") + "."};
+      "of the new pre-grasps the one that succeeds most often and has the lowest median GFT% in " +
+      FormatCount(optimise.choice_trials, "trial") + " is checked."};
   text.push_back(
       "Step 2 searches the target angles of the thumb within the joint limits and 25 degrees by "
       "the method \"" +
       optimise.method + "\" with " + FormatCount(optimise.evaluations, "evaluation") + " of " +
       FormatCount(optimise.fitness_trials, "trial") +
-      " each. The fitness is the stability sigma; where the thumb never touches, minus its "
-      "smallest distance to the object. The ten fittest individuals that differ clearly are tried "
-      "again on drawn trials; the one with the highest mean sigma is kept when in further trials, "
-      "seen by none of this, it succeeds at least as often and has a higher mean sigma than "
-      "before.");
+      " each. The fitness is the stability sigma, times the grip that the hand may use over the "
+      "one "
+      "it does where that is more; where the thumb never touches, minus its smallest distance to "
+      "the object. The hand may grip with " +
+      GripOf(optimise).words +
+      ". The ten fittest individuals that differ clearly are tried again on drawn trials; the one "
+      "that succeeds most often, with the highest mean fitness, is checked.");
+  text.push_back(
+      "A check tries the old and the new grasp on the same draws, seen by nothing else, and looks "
+      "after every " +
+      FormatCount(kPairsPerLook, "pair") + " up to " + std::to_string(optimise.check_pairs) +
+      ". The new one is taken as soon as it is shown to succeed less than " +
+      FormatFixed(100.0 * kSuccessMargin, 0) +
+      " points less often (Tango's score) and to be better in most pairs (sign test): a lower GFT% "
+      "in step 1, a higher fitness in step 2. Both tests are one-sided at 5 % over all looks "
+      "(O'Brien and Fleming).");
   text.push_back(
       "The benchmark tries all variants on the same " + FormatCount(session.trials, "trial pose") +
       ": object moved by up to " + FormatFixed(MmFromM(session.variation.offset), 1) +

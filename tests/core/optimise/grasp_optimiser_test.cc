@@ -50,6 +50,13 @@ class FakeTrials {
     }
     trial.sigma = draw >= 1000 && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
     trial.outcome = Outcome::kSuccess;
+    trial.stability.normal_force = 10.0;
+    if (squeezes_harder) {
+      // Sigma grows with the grip alone, and the grip with how far the thumb is told to go.
+      const double reach = grasp.q_target[hand_.FindJoint("THq2")] - RadFromDeg(20.0);
+      trial.stability.normal_force = 10.0 * std::exp(reach);
+      trial.sigma = 0.1 * trial.stability.normal_force;
+    }
     if (has_fragile_peak && miss < kPeak) {
       const bool is_lost = request.stage != LearningStage::kSearch && draw % 3 == 0;
       trial.sigma = is_lost ? 0.0 : 2.0;
@@ -83,6 +90,7 @@ class FakeTrials {
   Eigen::VectorXd first_q_pre;
   bool is_overfitted = false;       ///< sigma of unseen trials falls where that of seen ones rises
   bool fails_when_changed = false;  ///< any new pre-grasp fails
+  bool squeezes_harder = false;
   bool has_fragile_peak = false;  ///< near the best target sigma is twice as high, but outside the
                                   ///< search every third trial loses the object
   static constexpr double kPeak = 0.018;  ///< squared distance of its edge [rad^2]
@@ -96,7 +104,7 @@ OptimiseConfig MakeConfig() {
   OptimiseConfig config;
   config.evaluations = 400;
   config.fitness_trials = 2;
-  config.check_trials = 4;
+  config.choice_trials = 4;
   return config;
 }
 
@@ -115,7 +123,7 @@ TEST(OptimiseGrasp, TakesBothStepsOnALinearHand) {
   EXPECT_EQ(result.new_pregrasp.id, "new-pregrasp");
   EXPECT_EQ(result.new_pregrasp.object, "fake");
 
-  EXPECT_TRUE(result.target_step.is_taken) << result.target_step.verdict;
+  EXPECT_TRUE(result.target_step.check.is_taken()) << result.target_step.verdict;
   const TargetStep& step = result.target_step;
   EXPECT_EQ(step.search.individuals.size(), 400u);
   for (const char* joint : {"THq1", "THq2", "THq3"}) {
@@ -157,7 +165,7 @@ TEST(OptimiseGrasp, KeepsTheStartWhenTheTargetIsNotBetterOnUnseenTrials) {
   fake.is_overfitted = true;
   const OptimisedGrasp result =
       OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), MakeConfig(), fake.MakeRun());
-  EXPECT_FALSE(result.target_step.is_taken);
+  EXPECT_FALSE(result.target_step.check.is_taken());
   EXPECT_EQ(result.new_target.q_target, result.new_pregrasp.q_target);
   EXPECT_GT(result.target_step.search.best, 0);
 }
@@ -169,8 +177,28 @@ TEST(OptimiseGrasp, PrefersATargetThatHoldsToOneWithAHigherSigma) {
       OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), MakeConfig(), fake.MakeRun());
   const TargetStep& step = result.target_step;
   EXPECT_EQ(step.search.individuals[static_cast<size_t>(step.search.best)].fitness, 2.0);
-  EXPECT_TRUE(step.is_taken) << step.verdict;
-  EXPECT_EQ(CountSuccesses(step.check_after), MakeConfig().check_trials);
+  EXPECT_TRUE(step.check.is_taken()) << step.verdict;
+  EXPECT_EQ(CountSuccesses(step.check.after), static_cast<int>(step.check.after.size()));
+}
+
+// With a grip as before nothing is gained; free to grip as it likes, the target is.
+TEST(OptimiseGrasp, DoesNotTakeATargetThatOnlySqueezesHarder) {
+  for (const bool is_free : {false, true}) {
+    FakeTrials fake;
+    fake.squeezes_harder = true;
+    OptimiseConfig config = MakeConfig();
+    config.step = "2";
+    if (is_free) config.grip = "free";
+    const OptimisedGrasp result =
+        OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
+    EXPECT_EQ(result.target_step.check.is_taken(), is_free) << result.target_step.verdict;
+    const double limit = result.target_step.grip_limit;
+    if (is_free) {
+      EXPECT_EQ(limit, kAnyGrip);
+    } else {
+      EXPECT_NEAR(limit, CalcMeanGrip(result.target_step.check.before), 1e-9);
+    }
+  }
 }
 
 TEST(OptimiseGrasp, ChecksOnTrialsThatTheSearchHasNotSeen) {

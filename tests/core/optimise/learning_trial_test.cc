@@ -38,6 +38,19 @@ TEST(Fitness, IsSigmaOrTheMissingThumbsDistance) {
       2.0);
 }
 
+// Twice the grip that it may use: half as much counts. Less than it may use: as it is.
+TEST(Fitness, CountsSigmaAsFarAsTheHandMayGrip) {
+  TrialResult result = MakeResult(0.5, 3.0);
+  result.stability.hold.normal_force = 20.0;
+  const LearningTrial trial = MakeLearningTrial(0, result, false);
+  EXPECT_DOUBLE_EQ(CalcFitness(trial, 10.0), 1.5);
+  EXPECT_DOUBLE_EQ(CalcFitness(trial, 20.0), 3.0);
+  EXPECT_DOUBLE_EQ(CalcFitness(trial, 40.0), 3.0);
+  EXPECT_DOUBLE_EQ(CalcFitness(trial), 3.0);
+  // A thumb in the air grips nothing.
+  EXPECT_EQ(CalcFitness(MakeLearningTrial(0, MakeResult(kNever, 0.0), false), 10.0), -0.012);
+}
+
 TEST(LearningTrial, IsReadAsItWasWritten) {
   for (const double time : {0.1 + 0.2, kNever}) {
     TrialResult result = MakeResult(time, 1.0 / 3.0);

@@ -167,7 +167,8 @@ TEST(WorkOnScene, GivesTheSameResultElsewhere) {
   config.object = "golf_ball";
   config.grasp = "best";
   config.optimise.step = "1";
-  config.optimise.check_trials = 1;
+  config.optimise.choice_trials = 1;
+  config.optimise.check_pairs = 20;
   config.sim.step = 0.004;
   config.strategy.hold_time = 0.2;
   LoadSceneInputs(config);

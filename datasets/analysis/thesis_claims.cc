@@ -1,0 +1,183 @@
+#include "datasets/analysis/thesis_claims.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/statistics/paired_decision.h"
+#include "datasets/analysis/simultaneity_summary.h"
+
+namespace graspbench {
+namespace {
+
+using Scenes = std::vector<SceneVariants>;
+
+/** A rank correlation below which simultaneity would hardly matter. */
+constexpr double kWeakCorrelation = 0.3;
+
+std::vector<std::string> ListHandsOf(const Scenes& scenes) {
+  std::vector<std::string> hands;
+  for (const SceneVariants& scene : scenes) {
+    if (std::find(hands.begin(), hands.end(), scene.hand) == hands.end()) {
+      hands.push_back(scene.hand);
+    }
+  }
+  return hands;
+}
+
+bool IsBelow(const Interval& interval, double value) { return interval.high < value; }
+bool IsAbove(const Interval& interval, double value) { return interval.low > value; }
+
+/** @param sign  1: the claim says more than neutral, -1: less. */
+ClaimVerdict JudgeInterval(const Interval& interval, double neutral, int sign) {
+  if (sign > 0 ? IsAbove(interval, neutral) : IsBelow(interval, neutral))
+    return ClaimVerdict::kHolds;
+  if (sign > 0 ? IsBelow(interval, neutral) : IsAbove(interval, neutral)) {
+    return ClaimVerdict::kDoesNotHold;
+  }
+  return ClaimVerdict::kNotDecided;
+}
+
+/** Holds when all do; one that does not is enough. */
+ClaimVerdict Join(ClaimVerdict a, ClaimVerdict b) {
+  if (a == ClaimVerdict::kDoesNotHold || b == ClaimVerdict::kDoesNotHold)
+    return ClaimVerdict::kDoesNotHold;
+  return a == ClaimVerdict::kHolds && b == ClaimVerdict::kHolds ? ClaimVerdict::kHolds
+                                                                : ClaimVerdict::kNotDecided;
+}
+
+std::string FormatScenes(int count) { return FormatCount(count, "scene"); }
+
+ThesisClaim JudgeSimultaneity(const Campaign& campaign) {
+  ThesisClaim claim = {"simultaneous", "Good grasps touch simultaneously.", 0.0, {}};
+  bool is_shown = false, is_weak = true;
+  for (const SimultaneityRelation& row : SummariseSimultaneity(campaign.benchmark)) {
+    const std::string response = row.response->shown.id;
+    if (row.measure != "gft_ratio" || (response != "success" && response != "sigma_n")) continue;
+    if (!row.relation || !row.relation->interval) continue;
+    const Interval& interval = *row.relation->interval;
+    claim.evidence.push_back({row.hand + ", GFT% with " + response, row.relation->correlation,
+                              interval, FormatCount(row.relation->num_pairs, "trial")});
+    is_shown = is_shown || IsBelow(interval, 0.0);
+    is_weak = is_weak && interval.low > -kWeakCorrelation;
+  }
+  if (claim.evidence.empty()) return claim;
+  if (is_shown) {
+    claim.verdict = ClaimVerdict::kHolds;
+  } else if (is_weak) {
+    claim.verdict = ClaimVerdict::kDoesNotHold;
+  }
+  return claim;
+}
+
+ClaimEvidence MeasureStep(const char* measure, const Scenes& scenes, Variant before, Variant after,
+                          const std::string& hand) {
+  const StepEffect effect =
+      CalcStepEffect(FindVariantMeasure(measure), scenes, before, after, hand);
+  ClaimEvidence evidence;
+  evidence.label = (hand.empty() ? "all hands" : hand) + ", " + measure;
+  evidence.counted = FormatScenes(effect.num_scenes);
+  if (effect.num_scenes > 0) evidence.value = effect.plain_ratio();
+  if (effect.ratio) {
+    evidence.interval = {effect.ratio->interval.low, effect.ratio->interval.high};
+  }
+  return evidence;
+}
+
+/** A factor over all scenes and for each hand. */
+ThesisClaim JudgeStep(ThesisClaim claim, const char* measure, int sign, const Scenes& scenes,
+                      Variant before, Variant after) {
+  std::vector<std::string> hands = ListHandsOf(scenes);
+  if (hands.size() > 1) hands.insert(hands.begin(), std::string());
+  claim.verdict = hands.empty() ? ClaimVerdict::kNotDecided : ClaimVerdict::kHolds;
+  for (const std::string& hand : hands) {
+    claim.evidence.push_back(MeasureStep(measure, scenes, before, after, hand));
+    claim.verdict =
+        Join(claim.verdict, JudgeInterval(claim.evidence.back().interval, claim.neutral, sign));
+  }
+  return claim;
+}
+
+ThesisClaim JudgeBetter(const Scenes& scenes) {
+  ThesisClaim claim =
+      JudgeStep({"better", "Optimised grasps are better, on very different hands.", 1.0, {}},
+                "breaking", 1, scenes, kStandardGrasp, kNewTarget);
+  const PairedCounts counts = CountPairedSuccesses(scenes, kStandardGrasp, kNewTarget);
+  if (counts.num_pairs() == 0) return claim;
+  const Interval success = CalcPairedDifferenceInterval(counts);
+  // As a factor of what was held before, so that it stands on the claim's axis.
+  const double held = counts.both + counts.first_only;
+  const double per_point = held > 0.0 ? counts.num_pairs() / held : kUnset;
+  const int gained = counts.second_only - counts.first_only;
+  claim.evidence.push_back({"all hands, success",
+                            1.0 + per_point * gained / counts.num_pairs(),
+                            {1.0 + per_point * success.low, 1.0 + per_point * success.high},
+                            FormatCount(counts.num_pairs(), "pair")});
+  if (success.high < 0.0) {
+    claim.verdict = ClaimVerdict::kDoesNotHold;
+  } else if (claim.verdict == ClaimVerdict::kHolds && success.low < -kSuccessMargin) {
+    claim.verdict = ClaimVerdict::kNotDecided;
+  }
+  return claim;
+}
+
+/** Of the scenes in which a new target was taken: both change, and alike. */
+ThesisClaim JudgeSigma(const Scenes& scenes) {
+  ThesisClaim claim = {"sigma", "Sigma says what breaks a grasp.", 0.5, {}};
+  int num_alike = 0, num_changed = 0;
+  for (const SceneVariants& scene : scenes) {
+    const auto step = scene.scene->result.find("target_step");
+    if (!scene.IsComplete() || step == scene.scene->result.end() || !step->value("taken", false)) {
+      continue;
+    }
+    const auto change = [&](const char* measure) {
+      const VariantMeasure& row = FindVariantMeasure(measure);
+      return CalcCellValue(row, scene.cell(kNewTarget)) -
+             CalcCellValue(row, scene.cell(kNewPreGrasp));
+    };
+    const double of_both = change("sigma") * change("breaking");
+    if (!std::isfinite(of_both) || of_both == 0.0) continue;
+    ++num_changed;
+    num_alike += of_both > 0.0;
+  }
+  if (num_changed == 0) return claim;
+  const Interval interval = CalcWilsonInterval(num_alike, num_changed);
+  claim.evidence.push_back({"share of scenes in which both change alike",
+                            CalcShare(num_alike, num_changed), interval,
+                            FormatScenes(num_changed)});
+  claim.verdict = JudgeInterval(interval, claim.neutral, 1);
+  return claim;
+}
+
+}  // namespace
+
+PairedCounts CountPairedSuccesses(const Scenes& scenes, Variant a, Variant b,
+                                  const std::string& hand) {
+  PairedCounts counts;
+  for (const SceneVariants& scene : scenes) {
+    if (!scene.IsComplete() || (!hand.empty() && scene.hand != hand)) continue;
+    for (const TrialRecord* before : scene.cell(a).records) {
+      const auto& after = scene.cell(b).records;
+      const auto pair = std::find_if(after.begin(), after.end(), [&](const TrialRecord* record) {
+        return record->plan.trial == before->plan.trial;
+      });
+      if (pair == after.end()) continue;
+      counts.Add(before->result.outcome == Outcome::kSuccess,
+                 (*pair)->result.outcome == Outcome::kSuccess);
+    }
+  }
+  return counts;
+}
+
+std::vector<ThesisClaim> JudgeThesis(const Campaign& campaign, const Scenes& scenes) {
+  return {
+      JudgeSimultaneity(campaign),
+      JudgeStep(
+          {"learned", "A pre-grasp can be learned from which the digits touch together.", 1.0, {}},
+          "GFT%", -1, scenes, kStandardGrasp, kNewPreGrasp),
+      JudgeStep({"thumb", "The thumb's target posture decides how firmly a grasp holds.", 1.0, {}},
+                "breaking/grip", 1, scenes, kNewPreGrasp, kNewTarget),
+      JudgeBetter(scenes), JudgeSigma(scenes)};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,83 @@
+#include <cmath>
+
+#include "core/base/range_text.h"
+#include "core/base/text.h"
+#include "datasets/analysis/thesis_claims.h"
+#include "reports/campaign/campaign_section.h"
+#include "reports/line_plot.h"
+
+namespace graspbench {
+namespace {
+
+const char* NameOf(ClaimVerdict verdict) { return RowOf(kClaimVerdicts, verdict).name; }
+
+std::string FormatEvidence(const ClaimEvidence& evidence) {
+  return FormatWithRange(evidence.value, evidence.interval.low, evidence.interval.high, 2) + ", " +
+         evidence.counted;
+}
+
+/** Each number less what would say neither, so that zero is the line to cross in all of them. */
+Html DrawEvidence(const std::vector<ThesisClaim>& claims) {
+  IntervalPlot plot;
+  plot.text.title = "What the verdicts rest on";
+  plot.text.description = "One row per number with its 95 % interval, grouped by claim.";
+  plot.axis = "value less the one that says neither";
+  int series = 0;
+  for (const ThesisClaim& claim : claims) {
+    IntervalPlot::Row heading;
+    heading.label = claim.sentence;
+    heading.is_heading = true;
+    plot.rows.push_back(heading);
+    for (const ClaimEvidence& evidence : claim.evidence) {
+      IntervalPlot::Row row;
+      row.label = evidence.label;
+      row.series = series;
+      row.value = evidence.value - claim.neutral;
+      row.low = evidence.interval.low - claim.neutral;
+      row.high = evidence.interval.high - claim.neutral;
+      row.text = FormatEvidence(evidence);
+      plot.rows.push_back(row);
+    }
+    ++series;
+  }
+  return MakeFigure(
+      "The numbers behind the verdicts with 95 % intervals, less the value that says neither: 1 "
+      "for factors, 0 for correlations, 0.5 for shares.",
+      "intervals that touch zero: they decide nothing.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawClaims(const CampaignData& data) {
+  if (CountComplete(data.scenes) == 0) {
+    return MakeParagraph("No scene has trials of all three variants yet, so nothing is decided.");
+  }
+  const std::vector<ThesisClaim> claims = JudgeThesis(data.campaign, data.scenes);
+  Table table("The thesis's claims and what these trials say of them.",
+              {{"Claim", Align::kProse},
+               {"ClaimVerdict"},
+               {"Evidence, with 95 % intervals", Align::kProse}});
+  for (const ThesisClaim& claim : claims) {
+    std::string text;
+    for (const ClaimEvidence& evidence : claim.evidence) {
+      text += (text.empty() ? "" : "; ") + evidence.label + " " + FormatEvidence(evidence);
+    }
+    table.AddRow({Text(claim.sentence), Text(NameOf(claim.verdict)),
+                  Text(text.empty() ? "too few trials" : text)},
+                 std::string("claim-") + claim.id);
+  }
+  return table.ToHtml() + DrawEvidence(claims) +
+         MakeParagraph(
+             "A claim about a step holds when the interval of its factor, over all scenes and for "
+             "each hand alone, lies on the claimed side of 1, and does not hold when one lies on "
+             "the other side. Simultaneity is judged by the rank correlation of GFT% with success "
+             "and with sigma inside cells: it matters where one is below 0 for sure, and does not "
+             "where none can be stronger than 0.3. These rules were written before the trials "
+             "were run. A simulation decides about this simulation; hands of flesh or metal may "
+             "differ.");
+}
+
+}  // namespace
+
+CampaignSection claims_campaign_section() { return {"claims", "What this says", DrawClaims}; }
+
+}  // namespace graspbench
