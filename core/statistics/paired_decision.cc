@@ -11,6 +11,9 @@ namespace {
 /** C_K of a one-sided 5 %, K from 1. */
 constexpr double kOBrienFleming[kMostLooks] = {1.645, 1.678, 1.710, 1.733, 1.751};
 
+/** Score of success at which waiting for more pairs is given up. */
+constexpr double kHopeless = -1.0;
+
 }  // namespace
 
 double CalcNonInferiorityScore(const PairedCounts& success) {
@@ -26,14 +29,15 @@ PairedDecision Decide(const PairedEvidence& evidence, int look, int num_looks) {
   GRASPBENCH_DEMAND(look >= 1 && look <= num_looks && num_looks <= kMostLooks, "no such look");
   const double bound = kOBrienFleming[num_looks - 1] * std::sqrt(double(num_looks) / look);
   const auto& [success, num_better, num_worse] = evidence;
-  const bool keeps_success = CalcNonInferiorityScore(success) >= bound;
+  const double score = CalcNonInferiorityScore(success);
+  const bool keeps_success = score >= bound;
   const bool is_better =
       CalcBinomialUpperP(num_better, num_better + num_worse, 0.5) <= CalcNormalP(-bound);
   if (keeps_success && is_better) return PairedDecision::kTaken;
-  const int lost = success.first_only - success.second_only;
-  if (lost >= kSuccessMargin * success.num_pairs()) return PairedDecision::kSucceedsLess;
+  const bool is_last = look == num_looks;
+  if (score < (is_last ? 0.0 : kHopeless)) return PairedDecision::kSucceedsLess;
   if (num_better <= num_worse) return PairedDecision::kIsNotBetter;
-  return look == num_looks ? PairedDecision::kIsNotDecided : PairedDecision::kGoOn;
+  return is_last ? PairedDecision::kIsNotDecided : PairedDecision::kGoOn;
 }
 
 }  // namespace graspbench

@@ -6,8 +6,9 @@ look at a time: the new one is taken as soon as it is shown
     not to succeed more than 5 points less often     p_new - p_old > -0.05
     and to be better by a goal in most pairs         P(better) > P(worse)
 
-and given up after the last look, or at a look at which it has succeeded 5 points less often or was
-not better in most pairs: it is then unlikely to be taken, and trials are dear.
+and given up after the last look, or at a look at which its success is below that margin by more than
+a standard error (z < -1) or it was not better in most pairs: it is then unlikely to be taken, and
+trials are dear.
 
 After k of K looks both tests ask for a normal deviate of C_K sqrt(K/k) (O'Brien and Fleming,
 Biometrics 35, 1979; C_K for a one-sided 5 % over all looks as in Jennison and Turnbull, "Group

@@ -42,7 +42,10 @@ TEST(PairedDecision, EndsWhereTheTextSays) {
   EXPECT_EQ(Decide({MakeCounts(0, 0, 80), 80, 0}, 4, 5), PairedDecision::kTaken);
   // Much gained: early.
   EXPECT_EQ(Decide({MakeCounts(0, 20, 20), 20, 0}, 1, 5), PairedDecision::kTaken);
-  EXPECT_EQ(Decide({MakeCounts(1, 0, 20), 20, 0}, 1, 5), PairedDecision::kSucceedsLess);
+  // Two lost of twenty may be chance, three hardly; in the end five of a hundred are too many.
+  EXPECT_EQ(Decide({MakeCounts(2, 0, 20), 20, 0}, 1, 5), PairedDecision::kGoOn);
+  EXPECT_EQ(Decide({MakeCounts(3, 0, 20), 20, 0}, 1, 5), PairedDecision::kSucceedsLess);
+  EXPECT_EQ(Decide({MakeCounts(6, 0, 100), 100, 0}, 5, 5), PairedDecision::kSucceedsLess);
   EXPECT_EQ(Decide({MakeCounts(0, 0, 20), 10, 10}, 1, 5), PairedDecision::kIsNotBetter);
   EXPECT_EQ(Decide({MakeCounts(0, 0, 100), 55, 45}, 5, 5), PairedDecision::kIsNotDecided);
   EXPECT_EQ(Decide({MakeCounts(2, 0, 100), 100, 0}, 5, 5), PairedDecision::kIsNotDecided);
