@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/develop/development_warnings.h"
 #include "core/develop/hand_pads.h"
 #include "core/develop/write_grasps.h"
 #include "core/grasp/placement.h"
@@ -196,6 +197,7 @@ Html DrawSummary(const PosturePageData& data) {
   Table table("Developed grasps.", {{"grasp", Align::kText},
                                     {"digits", Align::kText},
                                     {"trials", Align::kNumber},
+                                    {"failed numerically", Align::kNumber},
                                     {"score by geometry", Align::kNumber},
                                     {"developed", Align::kNumber},
                                     {"held of shapes not met before", Align::kText}});
@@ -208,10 +210,21 @@ Html DrawSummary(const PosturePageData& data) {
       held = FormatRate(data.stages[i].back().tally);
     }
     table.AddRow({LinkTo(one.grasp.id, NameOfGrasp(one.grasp.id)), Text(digits),
-                  Text(std::to_string(one.num_trials)), Text(FormatFixed(one.proposed_score, 2)),
-                  Text(FormatFixed(one.score, 2)), Text(held)});
+                  Text(std::to_string(one.num_trials)),
+                  Text(std::to_string(one.num_numerical_failures)),
+                  Text(FormatFixed(one.proposed_score, 2)), Text(FormatFixed(one.score, 2)), Text(held)});
   }
   return table.ToHtml();
+}
+
+Html DrawWarnings(const std::vector<DevelopedGrasp>& developed) {
+  Html list;
+  for (const DevelopedGrasp& one : developed) {
+    for (const std::string& warning : ListDevelopmentWarnings(one)) {
+      list += MakeParagraph(one.grasp.id + ": " + warning + ".");
+    }
+  }
+  return list.empty() ? Html() : MakeNote("warning", "Look at these grasps", list);
 }
 
 }  // namespace
@@ -229,7 +242,7 @@ std::string MakePosturePage(const PosturePageData& data) {
                         "above 1 means that all was held. Seed " +
                         std::to_string(data.config.seed) + ", budget " +
                         std::to_string(data.config.budget) + " trials.") +
-          DrawSummary(data));
+          DrawWarnings(data.developed) + DrawSummary(data));
   std::unique_ptr<Renderer> renderer;
   try {
     renderer = std::make_unique<Renderer>(kWidth, kHeight);

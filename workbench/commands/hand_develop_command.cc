@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/develop/development_warnings.h"
 #include "core/hand/load_hand.h"
 #include "datasets/analysis/development_summary.h"
 #include "reports/posture_page.h"
@@ -18,12 +19,14 @@ namespace graspbench {
 namespace {
 
 std::string FormatDeveloped(const std::vector<DevelopedGrasp>& developed) {
-  TextTable table({"grasp", "digits", "trials", "score by geometry", "developed", "unseen shapes"});
+  TextTable table({"grasp", "digits", "trials", "failed numerically", "score by geometry",
+                   "developed", "unseen shapes"});
   for (const DevelopedGrasp& one : developed) {
     std::string digits;
     for (const std::string& id : one.grasp.digits) digits += (digits.empty() ? "" : " ") + id;
     table.AddRow(
-        {one.grasp.id, digits, std::to_string(one.num_trials), FormatFixed(one.proposed_score, 2),
+        {one.grasp.id, digits, std::to_string(one.num_trials),
+         std::to_string(one.num_numerical_failures), FormatFixed(one.proposed_score, 2),
          FormatFixed(one.score, 2),
          std::to_string(CountSuccesses(one.check)) + " of " + std::to_string(one.check.size())});
   }
@@ -53,6 +56,11 @@ void Develop(const DevelopHandRequest& request) {
   try {
     const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer, stop);
     const std::filesystem::path page = WritePage(request, developed);
+    for (const DevelopedGrasp& one : developed) {
+      for (const std::string& warning : ListDevelopmentWarnings(one)) {
+        PrintMessage("warning: " + one.grasp.id + ": " + warning);
+      }
+    }
     PrintResult(FormatDeveloped(developed) + "\nhand     " + request.out.string() + "\npage     " +
                 page.string() + "\nnext     graspbench run --hand " +
                 QuoteForShell(request.out.string()) + " --grasp all --out results/NAME\n");
