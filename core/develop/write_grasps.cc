@@ -54,8 +54,8 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
     for (const std::string& warning : ListDevelopmentWarnings(one)) {
       text += "    # WARNING: " + warning + "\n";
     }
-    text += fmt::format("    digits: [{}]\n    tilt_deg: {:.{}f}\n", digits,
-                        DegFromRad(grasp.tilt), kGraspDecimals);
+    text += fmt::format("    digits: [{}]\n    tilt_deg: {:.{}f}\n", digits, DegFromRad(grasp.tilt),
+                        kGraspDecimals);
     if (grasp.palm_may_touch) text += "    palm_may_touch: true\n";
     if (grasp.palm_gap != kPalmGap) {
       text += fmt::format("    palm_gap_m: {:.{}f}\n", grasp.palm_gap, kGraspDecimals + 3);

@@ -269,9 +269,8 @@ Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspO
 }  // namespace
 
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
-  return PlaceBefore(
-      hand, grasp, object,
-      [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); });
+  return PlaceBefore(hand, grasp, object,
+                     [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); });
 }
 
 bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {

@@ -19,7 +19,8 @@ is no number.
 
 Angles are degrees unless the compiler says radian; limits that look like the other unit are told.
 
-Not modelled: geoms as shells, masses set as a whole (`settotalmass`), springs and friction of joints, the convex hull in which MuJoCo lets a mesh touch. */
+Not modelled: geoms as shells, masses set as a whole (`settotalmass`), springs and friction of
+joints, the convex hull in which MuJoCo lets a mesh touch. */
 
 #include <filesystem>
 #include <optional>

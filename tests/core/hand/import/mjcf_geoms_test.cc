@@ -10,7 +10,7 @@
 namespace graspbench {
 namespace {
 
-/** What weighs of the claw's ff_middle, a capsule without <inertial>, after a change of the model. */
+/** What weighs of the claw's ff_middle, a capsule without <inertial>, in a changed model. */
 std::vector<ForeignShape> ListWeights(const std::string& old_text, const std::string& new_text,
                                       const std::string& link_name = "ff_middle") {
   Diagnostics problems;
