@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/develop/development_warnings.h"
 #include "core/develop/hand_pads.h"
 #include "core/develop/write_grasps.h"
 #include "core/grasp/placement.h"
@@ -144,15 +145,31 @@ Html DrawJoints(const Hand& hand, const DevelopedGrasp& one) {
   return MakeDetails("Joint positions", table.ToHtml());
 }
 
+/** Of its digits. */
+bool HasPictures(const Hand& hand) {
+  return std::any_of(hand.visuals.begin(), hand.visuals.end(), [&](const LinkVisual& visual) {
+    return hand.FindDigitOfLink(visual.link) >= 0;
+  });
+}
+
+/** What the colours of its pictures are. */
+std::string DescribeColours(const Hand& hand) {
+  return std::string("The hand as it comes from above. Red arrows show where the pads face. ") +
+         (HasPictures(hand) ? "The hand has its own colours; how it touches is drawn by hand show "
+                              "--collision."
+                            : "The description has no pictures, so what touches is drawn: blue "
+                              "balls of the pads, orange ones of other links, grey capsules.");
+}
+
 /** The hand over the table as it comes to an object, its pads with arrows where they face. */
 Scene MakePostureScene(const std::shared_ptr<const Hand>& hand, const StandardGrasp& grasp,
                        const VectorXd& q, const Pose& X_WH) {
   Scene scene;
   scene.has_table = false;
   AddHand(hand, q, X_WH, &scene);
-  const auto is_seen = [](const Drawable& drawable) { return drawable.must_be_seen; };
-  if (std::none_of(scene.drawables.begin(), scene.drawables.end(), is_seen)) {
-    AddContactShapes(*hand, q, X_WH, &scene);  // of a hand without pictures
+  if (!HasPictures(*hand)) AddContactShapes(*hand, q, X_WH, &scene);
+  for (size_t i = 0; i < hand->visuals.size(); ++i) {  // the palm, too
+    if (hand->visuals[i].link == hand->palm_link) scene.drawables[i].must_be_seen = true;
   }
   std::vector<ContactMark> marks;
   for (const PadState& pad : CalcStand(*hand, grasp, q).pads) {
@@ -196,6 +213,7 @@ Html DrawSummary(const PosturePageData& data) {
   Table table("Developed grasps.", {{"grasp", Align::kText},
                                     {"digits", Align::kText},
                                     {"trials", Align::kNumber},
+                                    {"failed numerically", Align::kNumber},
                                     {"score by geometry", Align::kNumber},
                                     {"developed", Align::kNumber},
                                     {"held of shapes not met before", Align::kText}});
@@ -207,11 +225,22 @@ Html DrawSummary(const PosturePageData& data) {
         data.stages[i].back().name == "check") {
       held = FormatRate(data.stages[i].back().tally);
     }
-    table.AddRow({LinkTo(one.grasp.id, NameOfGrasp(one.grasp.id)), Text(digits),
-                  Text(std::to_string(one.num_trials)), Text(FormatFixed(one.proposed_score, 2)),
-                  Text(FormatFixed(one.score, 2)), Text(held)});
+    table.AddRow(
+        {LinkTo(one.grasp.id, NameOfGrasp(one.grasp.id)), Text(digits),
+         Text(std::to_string(one.num_trials)), Text(std::to_string(one.num_numerical_failures)),
+         Text(FormatFixed(one.proposed_score, 2)), Text(FormatFixed(one.score, 2)), Text(held)});
   }
   return table.ToHtml();
+}
+
+Html DrawWarnings(const std::vector<DevelopedGrasp>& developed) {
+  Html list;
+  for (const DevelopedGrasp& one : developed) {
+    for (const std::string& warning : ListDevelopmentWarnings(one)) {
+      list += MakeParagraph(one.grasp.id + ": " + warning + ".");
+    }
+  }
+  return list.empty() ? Html() : MakeNote("warning", "Look at these grasps", list);
 }
 
 }  // namespace
@@ -229,7 +258,7 @@ std::string MakePosturePage(const PosturePageData& data) {
                         "above 1 means that all was held. Seed " +
                         std::to_string(data.config.seed) + ", budget " +
                         std::to_string(data.config.budget) + " trials.") +
-          DrawSummary(data));
+          DrawWarnings(data.developed) + DrawSummary(data));
   std::unique_ptr<Renderer> renderer;
   try {
     renderer = std::make_unique<Renderer>(kWidth, kHeight);
@@ -244,7 +273,7 @@ std::string MakePosturePage(const PosturePageData& data) {
     section += MakeParagraph(DescribeDevelopment(hand, one));
     if (renderer) {
       section += MakeFigure(
-          "The hand as it comes from above. Arrows show where the pads face.",
+          DescribeColours(hand),
           "pads that face each other at one height, and nothing of the hand below the fingertips; "
           "in the target they may go through each other, as it lies behind the object's surface.",
           DrawPictures(data.hand, one.grasp, name, *renderer));

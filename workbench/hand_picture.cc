@@ -50,6 +50,12 @@ void Paste(const Image& part, int column, int row, Image& whole) {
 
 }  // namespace
 
+std::string DescribeHandShapes() {
+  return "left the hand as it looks, right what of it touches, between them both; balls that "
+         "touch: "
+         "blue of the pads, orange of other links; grey: capsules that keep links apart\n";
+}
+
 Image DrawHandShapes(const std::shared_ptr<const Hand>& hand) {
   Eigen::VectorXd q(hand->num_joints());
   for (int j = 0; j < hand->num_joints(); ++j) {
@@ -61,6 +67,7 @@ Image DrawHandShapes(const std::shared_ptr<const Hand>& hand) {
   Scene pictures, shapes;
   pictures.has_table = shapes.has_table = false;
   AddHand(hand, q, X_WH, &pictures);
+  for (Drawable& drawable : pictures.drawables) drawable.must_be_seen = true;  // palm and forearm
   AddContactShapes(*hand, q, X_WH, &shapes);
   if (shapes.drawables.empty()) {
     throw Error(ErrorKind::kUnsupported, "\"" + hand->id + "\" has no collision shapes to draw");

@@ -66,13 +66,19 @@ class Course {
       num_trials_ += static_cast<int>(request.trials.size());
       requests.push_back(std::move(request));
     }
-    return run_(requests);
+    auto answers = run_(requests);
+    for (const auto& trials : answers) {
+      for (const DevelopTrial& trial : trials) num_failures_ += IsNumericalFailure(trial.outcome);
+    }
+    return answers;
   }
   int num_trials() const { return num_trials_; }
+  int num_failures() const { return num_failures_; }
 
  private:
   const RunDevelopTrials& run_;
   int num_trials_ = 0;
+  int num_failures_ = 0;  ///< numerical ones
 };
 
 /** Indices by falling score, equal ones in their order. */
@@ -194,6 +200,7 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
       course.Run("check", {developed.grasp}, kNumTrainingShapes, kNumTrainingShapes, {kCheckDraw})
           .front();
   developed.num_trials = course.num_trials();
+  developed.num_numerical_failures = course.num_failures();
   return developed;
 }
 

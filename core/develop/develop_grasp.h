@@ -62,6 +62,7 @@ struct DevelopedGrasp {
   double proposed_score = 0.0;      ///< in the first finals
   double score = 0.0;               ///< in the finals
   int num_trials = 0;               ///< in all
+  int num_numerical_failures = 0;   ///< of these; they score 0
   std::vector<DevelopTrial> check;  ///< a trial of each shape
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/units.h"
+#include "core/develop/development_warnings.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/posture_yaml.h"
 
@@ -49,8 +50,12 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
     const StandardGrasp& grasp = one.grasp;
     std::string digits;
     for (const std::string& id : grasp.digits) digits += (digits.empty() ? "" : ", ") + id;
-    text += fmt::format("  {}:\n    digits: [{}]\n    tilt_deg: {:.{}f}\n", grasp.id, digits,
-                        DegFromRad(grasp.tilt), kGraspDecimals);
+    text += "  " + grasp.id + ":\n";
+    for (const std::string& warning : ListDevelopmentWarnings(one)) {
+      text += "    # WARNING: " + warning + "\n";
+    }
+    text += fmt::format("    digits: [{}]\n    tilt_deg: {:.{}f}\n", digits, DegFromRad(grasp.tilt),
+                        kGraspDecimals);
     if (grasp.palm_may_touch) text += "    palm_may_touch: true\n";
     if (grasp.palm_gap != kPalmGap) {
       text += fmt::format("    palm_gap_m: {:.{}f}\n", grasp.palm_gap, kGraspDecimals + 3);

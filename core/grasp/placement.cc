@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/base/error.h"
@@ -81,9 +82,18 @@ double CalcExtent(const Hand& hand, const std::vector<Pose>& X_HL, const Pose& X
   return extent;
 }
 
+/** Signed distance of a point in O from what stands in the hand's way. */
+using CalcObstacle = std::function<double(const Vector3d& p_O)>;
+
+/** From a box of this size about the origin. */
+double CalcBoxDistance(const Vector3d& size, const Vector3d& p_O) {
+  const Vector3d beyond = p_O.cwiseAbs() - 0.5 * size;
+  return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
+}
+
 /** How far along the approach the open hand must stop short of `placement` [m]. */
 double CalcWayBack(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
-                   const Placement& placement) {
+                   const CalcObstacle& calc_obstacle, const Placement& placement) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, 0.0));
   const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
   const auto is_distal = [&](int link) {
@@ -97,7 +107,7 @@ double CalcWayBack(const Hand& hand, const StandardGrasp& grasp, const GraspObje
       const double least = sphere.link == hand.palm_link && !grasp.palm_may_touch ? kPalmGap : 0.0;
       const Vector3d p_WS = placement.X_WH * (X_HL[sphere.link] * sphere.p_LS);
       const Vector3d p_OS = p_WS - back * placement.approach_W - p_WO;
-      gap = std::min(gap, object.field->CalcDistance(p_OS) - sphere.radius - least);
+      gap = std::min(gap, calc_obstacle(p_OS) - sphere.radius - least);
     }
     return gap;
   };
@@ -234,12 +244,16 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
   return placement;
 }
 
-Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
+namespace {
+
+/** Of CalcPlacement, with what stands in the way. */
+Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+                      const CalcObstacle& calc_obstacle) {
   StandardGrasp chosen = grasp;
   if (object.approach != Approach::kAutomatic) chosen.approach = object.approach;
   Placement placement = CalcPlacement(hand, chosen, object.size, object.mass_properties.p_OOcm);
   if (grasp.placement) return placement;
-  const double back = CalcWayBack(hand, grasp, object, placement);
+  const double back = CalcWayBack(hand, grasp, object, calc_obstacle, placement);
   if (back == 0.0) return placement;
   placement.X_WH.pretranslate(-back * placement.approach_W);
   const Pads pads =
@@ -250,6 +264,19 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Gras
   const double near_face = from_side ? -0.5 * object.size.y() : -object.size.z();
   placement.reaches_object = placement.approach_W.dot(p_WG) >= near_face + kLeastHold;
   return placement;
+}
+
+}  // namespace
+
+Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
+  return PlaceBefore(hand, grasp, object,
+                     [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); });
+}
+
+bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
+  return PlaceBefore(hand, grasp, object,
+                     [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); })
+      .reaches_object;
 }
 
 }  // namespace graspbench

@@ -64,4 +64,8 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
 field). A placement that the grasp brings is left alone. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
 
+/** Whether that placement would reach the object even if the object filled its bounding box; needs
+no distance field. True implies that the placement reaches the object itself, which lies inside. */
+bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
+
 }  // namespace graspbench

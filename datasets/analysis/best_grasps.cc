@@ -48,14 +48,23 @@ std::vector<BestGrasp> FindBestGrasps(const Session& session, const SessionSumma
   std::vector<BestGrasp> found;
   for (const PlannedTrial& planned : MakePlan(usual, inputs)) {
     BestGrasp row;
+    row.hand = planned.hand;
+    row.object = planned.object;
     for (const CellSummary& cell : summary.cells) {
       if (cell.hand != planned.hand || cell.object != planned.object) continue;
       if (cell.tally.finished == 0) continue;
-      if (!row.best || IsBetter(cell, *row.best)) row.best = &cell;
+      ++row.num_tried;
       if (cell.grasp == planned.grasp) row.usual = &cell;
+      if (cell.tally.successes() == 0) continue;
+      if (!row.best || IsBetter(cell, *row.best)) row.best = &cell;
     }
-    if (!row.best) continue;
-    if (row.usual) row.gain = CalcGain(*row.usual, *row.best);
+    if (row.num_tried == 0) continue;
+    for (const CellSummary& cell : summary.cells) {
+      const bool is_other = row.best && &cell != row.best && cell.tally.finished > 0;
+      if (!is_other || cell.hand != row.hand || cell.object != row.object) continue;
+      if (cell.tally.rate() == row.best->tally.rate()) row.tied.push_back(&cell);
+    }
+    if (row.best && row.usual) row.gain = CalcGain(*row.usual, *row.best);
     found.push_back(row);
   }
   return found;

@@ -3,10 +3,11 @@
 Which grasp suits an object best, found from the trials of a session with all grasps, beside the
 one that a session takes when nobody chooses (datasets/session/session_plan.h).
 
-Best: most successes by rate; of equal rates the one with the larger median sigma of its successes;
-then the first by id. The usual grasp is worse when it succeeds less often on the same draws by more
-than chance: the 95 % interval of the paired difference (core/statistics/proportion.h) lies above
-zero. The best of several is better than it is by luck, too, which the interval does not know; so
+Best: most successes by rate, and one at least; of equal rates the one with the larger median sigma
+of its successes; then the first by id. Those of its rate are as good by success. The usual grasp is
+worse when it succeeds less often on the same draws by more than chance: the 95 % interval of the
+paired difference (core/statistics/proportion.h) lies above zero. The best of several is better than
+it is by luck, too, which the interval does not know; so
 "worse" is a hint to run more trials, not a proof. */
 
 #include <string>
@@ -19,10 +20,16 @@ zero. The best of several is better than it is by luck, too, which the interval 
 namespace graspbench {
 
 struct BestGrasp {
-  const CellSummary* best = nullptr;
-  const CellSummary* usual = nullptr;  ///< null: the session has no trial of it
-  Interval gain;                       ///< best less usual, on the draws of both
-  bool is_usual_worse() const { return usual && gain.low > 0.0; }
+  std::string hand, object;              ///< ids
+  int num_tried = 0;                     ///< grasps with a finished trial
+  const CellSummary* best = nullptr;     ///< null: none ever held the object
+  std::vector<const CellSummary*> tied;  ///< others with the best one's rate
+  const CellSummary* usual = nullptr;    ///< null: the session has no trial of it
+  Interval gain;                         ///< best less usual, on the draws of both
+  bool is_usual_worse() const { return best && usual && gain.low > 0.0; }
+  bool is_usual_as_good() const {
+    return best && usual && usual->tally.rate() == best->tally.rate();
+  }
 };
 
 /** One for each hand and object with a finished trial, in the plan's order.

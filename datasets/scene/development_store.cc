@@ -29,6 +29,7 @@ Json MakeDevelopedJson(const DevelopedGrasp& developed) {
               {"proposed_score", developed.proposed_score},
               {"score", developed.score},
               {"trials", developed.num_trials},
+              {"numerical_failures", developed.num_numerical_failures},
               {"check_successes", CountSuccesses(developed.check)},
               {"check", check}};
 }

@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "core/grasp/placement.h"
+#include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
@@ -58,19 +59,33 @@ const StandardGrasp* FindGrasp(const SessionHand& hand, const GraspObject& objec
 /** What an open hand needs beside an object that lies up to 5 mm aside [m]. */
 constexpr double kRoomBetweenPads = 0.01;
 
-const StandardGrasp& FindBestGrasp(const SessionHand& hand, const GraspObject& object) {
-  const auto best = object.best_grasp.find(hand.hand->id);
-  if (best != object.best_grasp.end()) {
-    if (const StandardGrasp* grasp = FindGrasp(hand, object, best->second)) return *grasp;
+/** The geometry of the placement alone decides; a distance field is made when its bounding box
+leaves it open. */
+bool CanReach(const SessionHand& hand, const StandardGrasp& grasp,
+              const std::shared_ptr<const GraspObject>& object) {
+  return ReachesBoundingBox(*hand.hand, grasp, *object) ||
+         CalcPlacement(*hand.hand, grasp, *CompleteObject(object)).reaches_object;
+}
+
+const StandardGrasp& FindBestGrasp(const SessionHand& hand,
+                                   const std::shared_ptr<const GraspObject>& object) {
+  const auto best = object->best_grasp.find(hand.hand->id);
+  if (best != object->best_grasp.end()) {
+    if (const StandardGrasp* grasp = FindGrasp(hand, *object, best->second)) return *grasp;
   }
-  const StandardGrasp* first = nullptr;
-  for (const std::string& id : object.grasp_order) {
-    const StandardGrasp* grasp = FindGrasp(hand, object, id);
+  const StandardGrasp *first = nullptr, *first_reaching = nullptr;
+  for (const std::string& id : object->grasp_order) {
+    const StandardGrasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
-    const double width = CalcPreGraspWidth(*hand.hand, *grasp);
-    if (grasp->placement || width >= object.size.y() + kRoomBetweenPads) return *grasp;
+    if (grasp->placement) return *grasp;
     if (!first) first = grasp;
+    const double width = CalcPreGraspWidth(*hand.hand, *grasp);
+    const bool is_wide = width >= object->size.y() + kRoomBetweenPads;
+    if ((!is_wide && first_reaching) || !CanReach(hand, *grasp, object)) continue;
+    if (is_wide) return *grasp;
+    first_reaching = grasp;
   }
+  if (first_reaching) return *first_reaching;
   return first ? *first : hand.grasps.front();
 }
 
@@ -82,7 +97,7 @@ std::string FindGraspId(const SessionInputs& inputs, const std::string& name) {
 
 std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config,
                                              const SessionInputs& inputs, const SessionHand& hand,
-                                             const GraspObject& object) {
+                                             const std::shared_ptr<const GraspObject>& object) {
   std::vector<const StandardGrasp*> grasps;
   if (hand.grasps.empty()) return grasps;
   if (config.grasps.front() == "all") {
@@ -92,7 +107,7 @@ std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config,
   for (const std::string& name : config.grasps) {
     const StandardGrasp* grasp = name == "best"
                                      ? &FindBestGrasp(hand, object)
-                                     : FindGrasp(hand, object, FindGraspId(inputs, name));
+                                     : FindGrasp(hand, *object, FindGraspId(inputs, name));
     if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
       grasps.push_back(grasp);
     }
@@ -198,7 +213,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   std::vector<PlannedTrial> plan;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
-      for (const StandardGrasp* grasp : FindGrasps(config, inputs, hand, *object)) {
+      for (const StandardGrasp* grasp : FindGrasps(config, inputs, hand, object)) {
         for (int trial = 0; trial < config.trials; ++trial) {
           plan.push_back({CalcTrialId(config, *hand.hand, *object, *grasp, trial), hand.hand->id,
                           object->id, grasp->id, trial});

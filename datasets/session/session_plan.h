@@ -44,8 +44,10 @@ std::string DescribeTrial(const PlannedTrial& planned);
 /** Cells in the order hand, object, grasp. With the grasps
 
 - "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
-  hand cannot do, the first of the object's grasp_order that the hand can do and that opens 10 mm
-  wider than the object, else the first that it can do, else the hand's first;
+  hand cannot do, the first of the object's grasp_order that the hand can do, that opens 10 mm wider
+  than the object and whose placement reaches it (core/grasp/placement.h: no trial of another could
+  be anything but "unreachable"); else the first that reaches it, else the first that the hand can
+  do, else the hand's first;
 - "all": all that the hand can do;
 - ids and grasp files, "best" among them: those that the hand can do on the object.
 

@@ -25,6 +25,7 @@ PosturePageData MakeData() {
     one.proposed.aim.digits = grasp.digits;
     one.proposed.aim.opening = 0.0873;
     one.num_trials = 345;
+    one.num_numerical_failures = 2;  // 0.6 %
     one.proposed_score = 0.61;
     one.score = 1.07;
   }
@@ -53,16 +54,30 @@ TEST(PosturePage, ShowsThePosturesAndWhy) {
   const double opening = CalcPreGraspWidth(*data.hand, data.developed[0].grasp);
   for (const std::string& expected :
        {std::string("TUM <Hand>"), std::string("Seed 7, budget 1234 trials"),
-        std::string("345 0.61 1.07 11 of 12 trials"), std::string("race 56 200 150 of 200 trials"),
+        std::string("345 2 0.61 1.07 11 of 12 trials"),
+        std::string("race 56 200 150 of 200 trials"),
         "opening [mm] 87.3, met 8.0 " + FormatFixed(MmFromM(opening), 1)}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n\n" << text;
   }
   // Of the grasp whose trials are not known nothing is made up.
-  EXPECT_NE(text.find("345 0.61 1.07 n/a"), std::string::npos);
+  EXPECT_NE(text.find("345 2 0.61 1.07 n/a"), std::string::npos);
   // Two pictures of each grasp, or a note that there are none.
   const size_t num_pictures = ListAttribute(*document.RootElement(), "src").size();
   EXPECT_TRUE(num_pictures == 4 || text.find("There are no pictures") != std::string::npos);
   EXPECT_EQ(page, MakePosturePage(data));
+}
+
+TEST(PosturePage, NamesGraspsThatAreNotToBeReliedOn) {
+  PosturePageData data = MakeData();
+  EXPECT_EQ(MakePosturePage(data).find("Look at these grasps"), std::string::npos);
+  data.developed[1].check.assign(24, {Outcome::kNoContact, 0.2});
+  data.developed[1].num_numerical_failures = 6;
+  const std::string page = MakePosturePage(data);
+  ExpectSoundPage(page);
+  for (const char* expected : {"g3: it held 0 of 24 shapes", "g3: 6 of 345 trials (1.7 %)"}) {
+    EXPECT_NE(page.find(expected), std::string::npos) << expected;
+  }
+  EXPECT_EQ(page.find("g2: it held"), std::string::npos);
 }
 
 // A hand from elsewhere may have shapes to touch with and no pictures.
@@ -72,7 +87,10 @@ TEST(PosturePage, DrawsWhatTouchesOfAHandWithoutPictures) {
   bare.visuals.clear();
   data.hand = std::make_shared<const Hand>(bare);
   data.developed.resize(1);
-  ExpectSoundPage(MakePosturePage(data));
+  const std::string page = MakePosturePage(data);
+  ExpectSoundPage(page);
+  if (page.find("There are no pictures") != std::string::npos) return;
+  EXPECT_NE(page.find("so what touches is drawn: blue balls of the pads"), std::string::npos);
 }
 
 }  // namespace

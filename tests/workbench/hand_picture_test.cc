@@ -36,5 +36,27 @@ TEST(HandPictureTest, WhatTouchesIsWhereTheHandIsSeen) {
   }
 }
 
+/** Whether the rim of a panel is all background. */
+bool HasFreeRim(const Image& image, int column, int row) {
+  const int side = image.width / 3;
+  for (int k = 0; k < side; ++k) {
+    for (const auto& [x, y] : {std::pair{k, 0}, {k, side - 1}, {0, k}, {side - 1, k}}) {
+      const int at = 3 * ((row * side + y) * image.width + column * side + x);
+      if (image.rgb[static_cast<size_t>(at)] != 237) return false;
+    }
+  }
+  return true;
+}
+
+// The Shadow Hand has a forearm.
+TEST(HandPictureTest, TheWholeHandIsInThePicture) {
+  for (const char* id : {"tum", "shadow"}) {
+    const Image image = DrawHandShapes(std::make_shared<const Hand>(LoadHand(id)));
+    for (int panel = 0; panel < 6; ++panel) {
+      EXPECT_TRUE(HasFreeRim(image, panel % 3, panel / 3)) << id << ", panel " << panel;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -32,9 +32,13 @@ Json MakeChoiceJson(const CellSummary* cell) {
 Json MakeBestJson(const std::vector<BestGrasp>& rows) {
   Json list = Json::array();
   for (const BestGrasp& row : rows) {
-    list.push_back({{"hand", row.best->hand},
-                    {"object", row.best->object},
+    Json tied = Json::array();
+    for (const CellSummary* cell : row.tied) tied.push_back(cell->grasp);
+    list.push_back({{"hand", row.hand},
+                    {"object", row.object},
+                    {"tried", row.num_tried},
                     {"best", MakeChoiceJson(row.best)},
+                    {"as_good", tied},
                     {"usual", MakeChoiceJson(row.usual)},
                     {"gain", {row.gain.low, row.gain.high}},
                     {"usual_is_worse", row.is_usual_worse()}});
@@ -42,27 +46,36 @@ Json MakeBestJson(const std::vector<BestGrasp>& rows) {
   return {{"objects", list}};
 }
 
+std::string DescribeRow(const BestGrasp& row) {
+  if (row.num_tried == 1) return "only one tried";
+  return row.is_usual_worse() ? "worse" : "";
+}
+
 std::string FormatChoices(const std::vector<BestGrasp>& rows) {
-  TextTable table({"hand", "object", "best", "held", "95 % [%]", "usual", "held", "95 % [%]", ""});
+  TextTable table({"hand", "object", "tried", "best", "held", "95 % [%]", "as good", "usual",
+                   "held", "95 % [%]", ""});
   for (const BestGrasp& row : rows) {
-    std::vector<std::string> cells = {row.best->hand, row.best->object, row.best->grasp,
-                                      FormatHeld(*row.best), FormatRateInterval(row.best->tally)};
-    if (row.usual) {
-      cells.insert(cells.end(),
-                   {row.usual->grasp, FormatHeld(*row.usual), FormatRateInterval(row.usual->tally),
-                    row.is_usual_worse() ? "worse" : ""});
-    } else {
-      cells.insert(cells.end(), {"not tried", "", "", ""});
-    }
+    std::vector<std::string> cells = {row.hand, row.object, std::to_string(row.num_tried)};
+    std::string tied;
+    for (const CellSummary* cell : row.tied) tied += (tied.empty() ? "" : " ") + cell->grasp;
+    const auto add = [&](const CellSummary* cell, const char* otherwise) {
+      cells.insert(cells.end(), {cell ? cell->grasp : otherwise, cell ? FormatHeld(*cell) : "",
+                                 cell ? FormatRateInterval(cell->tally) : ""});
+    };
+    add(row.best, "none held it");
+    cells.push_back(tied);
+    add(row.usual, "not tried");
+    cells.push_back(DescribeRow(row));
     table.AddRow(cells);
   }
   const auto count = [&](auto is_counted) {
     return std::to_string(std::count_if(rows.begin(), rows.end(), is_counted));
   };
-  return table.Format() + "the usual grasp is the best found for " +
-         count([](const BestGrasp& row) { return row.usual == row.best; }) + " of " +
+  return table.Format() + "the usual grasp is the best found, or as good, for " +
+         count([](const BestGrasp& row) { return row.is_usual_as_good(); }) + " of " +
          std::to_string(rows.size()) + ", worse on the same draws beyond chance for " +
-         count([](const BestGrasp& row) { return row.is_usual_worse(); }) + "\n";
+         count([](const BestGrasp& row) { return row.is_usual_worse(); }) + "; held by none " +
+         count([](const BestGrasp& row) { return !row.best; }) + "\n";
 }
 
 void FindBest(const BestOptions& options) {
@@ -70,6 +83,14 @@ void FindBest(const BestOptions& options) {
   const SessionSummary summary = SummariseSession(session);
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, options.session);
   const std::vector<BestGrasp> rows = FindBestGrasps(session, summary, inputs);
+  const bool compares =
+      std::any_of(rows.begin(), rows.end(), [](const BestGrasp& row) { return row.num_tried > 1; });
+  if (!compares) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + options.session +
+                    "\" tried one grasp of each object, so there is nothing to compare; run a "
+                    "session with --grasp all");
+  }
   options.json ? PrintJson(MakeBestJson(rows)) : PrintResult(FormatChoices(rows));
 }
 

@@ -79,6 +79,9 @@ void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
     if (!collision->empty()) CheckOutputFile(*collision);
     if (!collision->empty()) WriteFileAtomically(*collision, EncodePng(DrawHandShapes(hand)));
     *json ? PrintJson(MakeHandJson(*hand)) : PrintResult(FormatHand(*hand));
+    if (!*json && !collision->empty()) {
+      PrintResult("\n" + *collision + ": " + DescribeHandShapes());
+    }
   });
 
   CLI::App* check = add("check", "Read a hand and list every problem with file and line.",

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/develop/development_warnings.h"
 #include "core/hand/load_hand.h"
 #include "datasets/analysis/development_summary.h"
 #include "reports/posture_page.h"
@@ -17,13 +18,17 @@
 namespace graspbench {
 namespace {
 
+constexpr double kMuchMore = 1.2;  // trials than the budget
+
 std::string FormatDeveloped(const std::vector<DevelopedGrasp>& developed) {
-  TextTable table({"grasp", "digits", "trials", "score by geometry", "developed", "unseen shapes"});
+  TextTable table({"grasp", "digits", "trials", "failed numerically", "score by geometry",
+                   "developed", "unseen shapes"});
   for (const DevelopedGrasp& one : developed) {
     std::string digits;
     for (const std::string& id : one.grasp.digits) digits += (digits.empty() ? "" : " ") + id;
     table.AddRow(
-        {one.grasp.id, digits, std::to_string(one.num_trials), FormatFixed(one.proposed_score, 2),
+        {one.grasp.id, digits, std::to_string(one.num_trials),
+         std::to_string(one.num_numerical_failures), FormatFixed(one.proposed_score, 2),
          FormatFixed(one.score, 2),
          std::to_string(CountSuccesses(one.check)) + " of " + std::to_string(one.check.size())});
   }
@@ -41,18 +46,30 @@ std::filesystem::path WritePage(const DevelopHandRequest& request,
   return WriteReportPage(folder, MakePosturePage(data));
 }
 
+/** A development has a smallest size, whatever the budget. */
+std::string DescribeFewest(const DevelopHandRequest& request, const Stage& stage) {
+  if (stage.num_trials <= kMuchMore * request.config.budget) return "";
+  return "\nthat is more than the budget of " + FormatCount(request.config.budget, "trial") +
+         ": fewer choose nothing; some 3,000 find usable grasps";
+}
+
 void Develop(const DevelopHandRequest& request) {
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(
       [&](const Stage& stage) {
         return request.out.string() + ": " + DescribeTasks(stage) + ", about " +
                FormatCount(stage.num_trials, "trial") + " on " +
-               FormatCount(request.num_workers, "worker");
+               FormatCount(request.num_workers, "worker") + DescribeFewest(request, stage);
       },
       stop);
   try {
     const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer, stop);
     const std::filesystem::path page = WritePage(request, developed);
+    for (const DevelopedGrasp& one : developed) {
+      for (const std::string& warning : ListDevelopmentWarnings(one)) {
+        PrintMessage("warning: " + one.grasp.id + ": " + warning);
+      }
+    }
     PrintResult(FormatDeveloped(developed) + "\nhand     " + request.out.string() + "\npage     " +
                 page.string() + "\nnext     graspbench run --hand " +
                 QuoteForShell(request.out.string()) + " --grasp all --out results/NAME\n");
@@ -82,7 +99,7 @@ void AddHandDevelopCommand(CLI::App& program, ExitCode&) {
       ->option_text("DIR");
   command
       .add_option("--budget", request->config.budget,
-                  "trials of all grasps together, about; at least 100")
+                  "trials of all grasps together, about; the least that run are 52 a grasp")
       ->check(CLI::Range(100, 10000000))
       ->option_text("N")
       ->capture_default_str();

@@ -190,6 +190,7 @@ std::vector<int> ShareBudget(int budget, const std::vector<const GraspTaxon*>& t
 /** A new folder with a copy of the hand, or the same development in it. */
 void PrepareFolder(const DevelopHandRequest& request, const Hand& hand,
                    const DevelopmentConfig& config) {
+  CheckOutside(request.out, hand.folder);
   if (HasDevelopment(request.out / kDevelopment)) {
     CheckSameDevelopment(request.out / kDevelopment, config);
     return;

@@ -29,7 +29,7 @@ struct DevelopHandRequest {
 };
 
 /** @throws Error(kUsage) when the hand has too few digits, or the folder holds another development
-or anything else; Error(kInterrupted); as LoadHand. */
+or anything else, or lies in that of the hand; Error(kInterrupted); as LoadHand. */
 std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Observer& observer,
                                         const std::atomic<bool>& stop);
 

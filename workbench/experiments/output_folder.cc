@@ -82,6 +82,17 @@ void CheckPlace(const OutputRequest& request, const fs::path& place) {
   }
 }
 
+}  // namespace
+
+void CheckOutside(const fs::path& folder, const fs::path& input) {
+  CheckName(folder);
+  if (!IsWithin(FindPlace(folder), FindPlace(input))) return;
+  Refuse(folder, "is \"" + input.string() +
+                     "\", which is read, or lies in it; name another folder for the results");
+}
+
+namespace {
+
 /** Regular files and whatever else is no folder but the lock, relative to it, sorted. */
 std::vector<std::string> ListFiles(const fs::path& folder) {
   std::vector<std::string> files;

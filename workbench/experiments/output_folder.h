@@ -30,6 +30,9 @@ struct OutputRequest {
 /** @throws Error(kUsage) naming what stands in the way. */
 void CheckOutputFolder(const OutputRequest& request);
 
+/** For what copies its input. @throws Error(kUsage) when `folder` is `input` or lies in it. */
+void CheckOutside(const std::filesystem::path& folder, const std::filesystem::path& input);
+
 /** A single file is written only where none is. @throws Error(kUsage). */
 void CheckOutputFile(const std::filesystem::path& file);
 

@@ -22,6 +22,12 @@ struct ForeignShape {
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< of the mesh; negative: mirrored
   std::optional<Eigen::Vector3d> colour;            ///< sRGB, 0 to 1
   bool also_touches = false;  ///< of a picture: it is a collision shape as well
+  /** What of it weighs (MJCF); nothing: it does not. */
+  struct Weight {
+    std::optional<double> mass;  ///< [kg]
+    double density = 0.0;        ///< where there is no mass [kg/m^3]
+  };
+  std::optional<Weight> weight;
   int line = 0;
 };
 
@@ -30,6 +36,7 @@ struct ForeignInertia {
   Pose X_LI = Pose::Identity();
   Eigen::Matrix3d I_I = Eigen::Matrix3d::Zero();  ///< about I's origin, axes of I [kg m^2]
   int line = 0;
+  bool is_of_geoms = false;  ///< that of its shapes, as the format says
 };
 
 struct ForeignLink {
@@ -37,6 +44,7 @@ struct ForeignLink {
   int line = 0;
   std::optional<ForeignInertia> inertia;
   std::vector<ForeignShape> visuals, collisions;
+  std::vector<ForeignShape> weights;  ///< make the inertia; shapes of the others among them
 };
 
 struct ForeignMimic {

@@ -25,7 +25,10 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   ShapeLoader loader(source, problems);
   loader.InferMeshUnit(foreign);
   std::vector<LoadedShapes> shapes;
-  for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
+  for (ForeignLink& link : foreign.links) {
+    shapes.push_back(loader.Load(link));
+    loader.Weigh(link);
+  }
   if (has_failed()) return {};
   ImportedHand imported = WeldLinks(foreign, shapes, palm, source.file, problems);
   if (has_failed()) return {};

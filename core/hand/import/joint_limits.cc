@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/units.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
 
-/** A joint's limit beyond this is a mistake of units [rad], [m]. */
+/** What a joint gets at most [rad], [m]. */
 constexpr double kMostTurn = 2.0 * kPi * (1.0 - 1e-6), kMostStroke = 1.0 - 1e-6;
 constexpr double kRounding = 1.0 + 1e-4;
 /** Of a joint whose stroke nobody knows [m]. */
@@ -32,6 +32,29 @@ std::string SetLimits(const StatedLimits& stated, ForeignJoint& joint) {
   joint.lower = std::clamp(std::min(stated.lower, stated.upper), -most, most);
   joint.upper = std::clamp(std::max(stated.lower, stated.upper), -most, most);
   return stated.lower > stated.upper ? ": the limits are reversed; exchanged" : "";
+}
+
+void StatedAngles::Add(double lower, double upper, double unit, int line) {
+  if (num_joints++ == 0) first_line = line;
+  const double most = std::max(std::abs(lower), std::abs(upper));
+  largest = std::max(largest, most);
+  num_beyond_turn += unit * most > kWholeTurn;
+}
+
+std::string StatedAngles::FindDoubt(bool in_degrees) const {
+  const std::string count = FormatCount(num_joints, "joint");
+  const std::string most = FormatSignificant(largest, 3);
+  if (in_degrees && num_joints > 1 && largest < kWholeTurn) {
+    return "no range of " + count + " goes beyond " + most +
+           "; taken as degrees, as MuJoCo does unless <compiler> says otherwise; if they are "
+           "radians, say --angle rad";
+  }
+  if (!in_degrees && num_beyond_turn > 0) {
+    return "the ranges of " + std::to_string(num_beyond_turn) + " of " + count +
+           " go beyond one turn, up to " + most +
+           "; taken as radians, as <compiler> says; if they are degrees, say --angle deg";
+  }
+  return "";
 }
 
 std::string FinishStroke(ForeignJoint& joint) {

@@ -3,9 +3,13 @@
 
 #include <string>
 
+#include "core/base/units.h"
 #include "core/hand/import/foreign_hand.h"
 
 namespace graspbench {
+
+/** A hinge's limit beyond it is a mistake of units [rad]. */
+inline constexpr double kWholeTurn = 2.0 * kPi * (1.0 + 1e-4);
 
 struct StatedLimits {
   std::string missing;              ///< what is not there, "range"; empty: they are stated
@@ -16,6 +20,19 @@ struct StatedLimits {
 each way, of a slide as nothing yet; reversed ones are exchanged.
 @returns what was repaired, to stand behind the joint's name; empty: nothing. */
 std::string SetLimits(const StatedLimits& stated, ForeignJoint& joint);
+
+/** The ranges of a description's hinges, as they stand in it. */
+struct StatedAngles {
+  int num_joints = 0, num_beyond_turn = 0;
+  int first_line = 0;
+  double largest = 0.0;
+
+  /** @param unit  in which they are read [rad]. */
+  void Add(double lower, double upper, double unit, int line);
+  /** What looks like another unit than the one they are read in; empty: nothing. Degrees within one
+  radian's turn leave a finger a few degrees. */
+  std::string FindDoubt(bool in_degrees) const;
+};
 
 /** Of a slide whose lengths are in metres: none yet, and those beyond 1 m, become 0 to 50 mm.
 @returns as SetLimits. */

@@ -9,6 +9,8 @@
 namespace graspbench {
 namespace {
 
+constexpr double kInch = 0.0254;           // [m]
+constexpr double kShortestSegment = 0.02;  // between the joints of a finger [m]
 constexpr double kMostMetres = 0.5, kMostCentimetres = 9.0, kLeastMillimetres = 14.0,
                  kMostMillimetres = 500.0;
 
@@ -39,7 +41,7 @@ void Scale(double unit, ForeignHand& hand) {
       link.inertia->X_LI.translation() *= unit;
       link.inertia->I_I *= unit * unit;
     }
-    for (auto* shapes : {&link.visuals, &link.collisions}) {
+    for (auto* shapes : {&link.visuals, &link.collisions, &link.weights}) {
       for (ForeignShape& shape : *shapes) {
         shape.X_LS.translation() *= unit;
         shape.size *= unit;
@@ -70,8 +72,11 @@ double InferUnit(const std::string& file, Diagnostics& problems, const ForeignHa
   problems.Warn(file, 0,
                 distance + ": the description is taken to be in " +
                     (is_centimetre ? "centimetres" : "millimetres") + ", where that is " +
-                    FormatSignificant(MmFromM(unit * typical), 3) +
-                    " mm, as in a finger; if it is not, say its unit with --unit");
+                    FormatSignificant(MmFromM(unit * typical), 3) + " mm, " +
+                    (is_centimetre && unit * typical < kShortestSegment
+                         ? "less than in most fingers; inches would be " +
+                               FormatSignificant(MmFromM(kInch * typical), 3) + " mm (--unit in)"
+                         : "as in a finger; if it is not, say its unit with --unit"));
   return unit;
 }
 

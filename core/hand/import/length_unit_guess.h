@@ -6,7 +6,7 @@ A finger's joints lie 20 to 60 mm apart. The typical distance of a description's
 those that are not zero, no unit yet) is so
 
     below 0.5       metres: what formats ask for, and up to the links of an arm
-    0.5 to 9        centimetres
+    0.5 to 9        centimetres; below 2, where inches are as likely, told with what those would be
     14 to 500       millimetres
     otherwise       nobody knows: an error that asks for --unit */
 

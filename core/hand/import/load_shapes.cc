@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/hand/import/find_mesh.h"
 #include "core/hand/import/fit_capsules.h"
+#include "core/hand/import/geom_mass.h"
 #include "core/hand/import/length_unit_guess.h"
 #include "core/shape/primitives.h"
 
@@ -29,10 +30,23 @@ constexpr double kShortestLink = 0.002;  // [m] that tells a scale
 constexpr double kMillimetreRatio =
     300.0;  // of a mesh to its link, from which it is in millimetres
 
+/** A scale beyond is no conversion of a length to metres. */
+constexpr double kMostScale = 10.0;
+
+/** Of a mesh to its link: below it, both are of one length when it is in inches. */
+constexpr double kMostInches = 70.0;
+
 double CalcLargestExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : mesh.vertices) box.extend(p);
   return mesh.vertices.empty() ? 0.0 : box.sizes().maxCoeff();
+}
+
+/** Without a factor that makes the part larger than any of a hand: programs export one. */
+Vector3d FindUsefulScale(const Vector3d& scale, const TriMesh& mesh) {
+  const double largest = scale.cwiseAbs().maxCoeff();
+  const bool is_absurd = largest > kMostScale && largest * CalcLargestExtent(mesh) > kLargestPart;
+  return is_absurd ? Vector3d(scale / largest) : scale;
 }
 
 CollisionShape MakeCapsuleShape(const FittedCapsule& capsule) {
@@ -98,7 +112,15 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
   }
   TriMesh mesh = ReadFile(found.path, shape.line, where, severity);
   if (mesh.triangles.empty()) return {};
-  for (Vector3d& p : mesh.vertices) p = p.cwiseProduct(shape.scale);
+  const Vector3d scale = FindUsefulScale(shape.scale, mesh);
+  if (scale != shape.scale) {
+    const double factor = shape.scale.cwiseAbs().maxCoeff();
+    problems_.Warn(source_.file, shape.line,
+                   where + ": a scale of " + FormatSignificant(factor, 3) + " makes mesh \"" +
+                       shape.mesh + "\" " + FormatSignificant(factor * CalcLargestExtent(mesh), 3) +
+                       " m long, which is no part of a hand; taken without it");
+  }
+  for (Vector3d& p : mesh.vertices) p = p.cwiseProduct(scale);
   const double extent = CalcLargestExtent(mesh);
   double unit = source_.mesh_unit > 0.0 ? source_.mesh_unit : 1.0;
   if (source_.mesh_unit == 0.0) {
@@ -151,7 +173,8 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
                                  : quiet.ReadFile(found.path, 0, "", Severity::kWarning);
         if (mesh.triangles.empty()) continue;
         meshes_.emplace(found.path, mesh);
-        largest = std::max(largest, shape.scale.cwiseAbs().maxCoeff() * CalcLargestExtent(mesh));
+        const Vector3d scale = FindUsefulScale(shape.scale, mesh);
+        largest = std::max(largest, scale.cwiseAbs().maxCoeff() * CalcLargestExtent(mesh));
       }
     }
     if (largest > kLargestPart && lengths[i] > kShortestLink) {
@@ -162,8 +185,9 @@ void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   if (*middle < kMillimetreRatio) large_unit_ = 0.01;
-  why_ = ": meshes are " + FormatSignificant(*middle, 2) +
-         " times as long as their links; --mesh-unit says otherwise";
+  why_ = ": meshes are " + FormatSignificant(*middle, 2) + " times as long as their links; " +
+         (*middle < kMostInches ? "inches, whose meshes are 39 times as long, need --mesh-unit in"
+                                : "--mesh-unit says otherwise");
 }
 
 void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int line,
@@ -259,6 +283,7 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
     if (!mesh.triangles.empty()) AddMesh(mesh, where + ", collision", shape.line, loaded);
   }
   if (!loaded.collisions.empty() || loaded.visuals.empty()) return loaded;
+  loaded.notes.push_back("guess: it touches with its picture");
   problems_.Warn(source_.file, link.line,
                  where + " has no collision shape that can be used; it touches with its picture");
   for (const ImportedVisual& visual : loaded.visuals) {
@@ -269,6 +294,28 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
     }
   }
   return loaded;
+}
+
+void ShapeLoader::Weigh(ForeignLink& link) {
+  if (link.inertia || link.weights.empty()) return;
+  Diagnostics told;  // when the shapes were loaded
+  ShapeLoader quiet(source_, told);
+  quiet.large_unit_ = large_unit_;
+  quiet.meshes_.swap(meshes_);
+  MassProperties sum;
+  for (const ForeignShape& shape : link.weights) {
+    const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
+    const TriMesh mesh = is_mesh ? quiet.LoadMesh(shape, "", Severity::kWarning) : TriMesh();
+    sum = AddMass(sum, CalcGeomMass(shape, mesh));
+  }
+  meshes_.swap(quiet.meshes_);
+  if (sum.mass <= 0.0) return;
+  ForeignInertia& inertia = link.inertia.emplace();
+  inertia.mass = sum.mass;
+  inertia.X_LI = MakePose(sum.p_OOcm);
+  inertia.I_I = sum.I_OOcm;
+  inertia.line = link.line;
+  inertia.is_of_geoms = true;
 }
 
 }  // namespace graspbench

@@ -54,6 +54,8 @@ class ShapeLoader {
   void InferMeshUnit(const ForeignHand& hand);
   /** A collision mesh becomes capsules; a link that has only pictures gets them from those. */
   LoadedShapes Load(const ForeignLink& link);
+  /** The inertia of a link that has none, of its shapes that weigh. */
+  void Weigh(ForeignLink& link);
 
  private:
   /** In the link's frame and metres, facing outwards as in its file; empty, with `error_kind`

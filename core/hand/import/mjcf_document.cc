@@ -139,7 +139,16 @@ void MjcfDocument::ReadSettings() {
       settings_.strips_paths = std::strcmp(strips, "true") == 0;
     }
     if (const char* from = compiler->Attribute("inertiafromgeom")) {
-      settings_.is_inertia_from_geom = std::strcmp(from, "true") == 0;
+      using From = MjcfSettings::GeomInertia;
+      settings_.inertia_from_geom = std::strcmp(from, "true") == 0    ? From::kAlways
+                                    : std::strcmp(from, "false") == 0 ? From::kNever
+                                                                      : From::kWhereMissing;
+    }
+    const char* groups = compiler->Attribute("inertiagrouprange");
+    const auto range = groups ? ParseNumbers(groups) : std::nullopt;
+    if (range && range->size() == 2) {
+      settings_.first_inertia_group = static_cast<int>(std::clamp((*range)[0], 0.0, 5.0));
+      settings_.last_inertia_group = static_cast<int>(std::clamp((*range)[1], 0.0, 5.0));
     }
     if (const char* order = compiler->Attribute("eulerseq")) {
       const std::string text = order;

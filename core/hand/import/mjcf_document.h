@@ -44,7 +44,9 @@ struct MjcfNode {
 
 struct MjcfSettings {
   bool in_degrees = true;
-  bool is_inertia_from_geom = false;
+  enum class GeomInertia { kNever, kWhereMissing, kAlways };
+  GeomInertia inertia_from_geom = GeomInertia::kWhereMissing;
+  int first_inertia_group = 0, last_inertia_group = 5;  ///< of the geoms that weigh
   bool strips_paths = false;
   std::string mesh_folder;  ///< "assets/"; empty: the model's
   std::string euler_order = "xyz";

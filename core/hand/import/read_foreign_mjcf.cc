@@ -14,6 +14,7 @@
 #include "core/hand/import/joint_limits.h"
 #include "core/hand/import/mjcf_couplings.h"
 #include "core/hand/import/mjcf_document.h"
+#include "core/hand/import/mjcf_geoms.h"
 
 namespace graspbench {
 namespace {
@@ -37,7 +38,10 @@ class MjcfReader {
  public:
   MjcfReader(const std::string& file, const std::filesystem::path& folder,
              std::optional<bool> in_degrees, Diagnostics& problems)
-      : file_(file), document_(file, folder, in_degrees, problems), problems_(problems) {}
+      : file_(file),
+        document_(file, folder, in_degrees, problems),
+        problems_(problems),
+        is_angle_told_(in_degrees.has_value()) {}
 
   ForeignHand Read(const std::string& text);
 
@@ -61,8 +65,6 @@ class MjcfReader {
   void ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, int child);
   void ReadInertial(const MjcfNode& node, const Place& place);
   void ReadGeom(const MjcfNode& node, const Place& place);
-  bool ReadExtent(const MjcfNode& node, const std::string& where, ForeignShape& shape);
-  bool ReadFromTo(const MjcfNode& node, const std::string& where, ForeignShape& shape);
   bool PlaceMesh(const MjcfNode& node, const std::string& where, ForeignShape& shape);
   std::optional<Vector3d> FindColour(const MjcfNode& node, const std::string& where,
                                      bool& is_clear);
@@ -86,6 +88,8 @@ class MjcfReader {
   std::set<std::string> told_;
   std::vector<bool> has_picture_;  // by link: a geom that is only to be seen
   bool keeps_world_ = false;
+  const bool is_angle_told_;  // by the user
+  StatedAngles angles_;
 };
 
 void MjcfReader::WarnOnce(const XMLElement& at, const std::string& kind) {
@@ -240,6 +244,7 @@ void MjcfReader::ReadBody(XMLElement& element, const Place& above) {
   ReadContent(element, place, false);
   // Shapes that touch are seen, too, unless there is a picture.
   ForeignLink& own = hand_.links[static_cast<size_t>(link)];
+  if (own.inertia) own.weights.clear();
   if (!has_picture_[static_cast<size_t>(link)]) return;
   const auto is_plain = [](const ForeignShape& shape) {
     return shape.kind != ForeignShape::Kind::kMesh && shape.also_touches;
@@ -333,6 +338,7 @@ void MjcfReader::ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, i
     limits.lower = unit * (*range)[0] - ref;
     limits.upper = unit * (*range)[1] - ref;
   }
+  if (!slides && limits.missing.empty()) angles_.Add((*range)[0], (*range)[1], unit, joint.line);
   const std::string repaired = SetLimits(limits, joint);
   if (!repaired.empty()) document_.Warn(*node.xml, where + repaired);
   joint.drive.damping = std::max(0.0, document_.FindNumber(node, "damping", 0.0, where));
@@ -345,7 +351,7 @@ void MjcfReader::ReadJoint(const MjcfNode& node, const Pose& X_PJ, int parent, i
 }
 
 void MjcfReader::ReadInertial(const MjcfNode& node, const Place& place) {
-  if (document_.settings().is_inertia_from_geom) return;
+  if (document_.settings().inertia_from_geom == MjcfSettings::GeomInertia::kAlways) return;
   ForeignLink& link = hand_.links[static_cast<size_t>(place.link)];
   const std::string where = "body \"" + link.name + "\", inertial";
   ForeignInertia inertia;
@@ -359,38 +365,6 @@ void MjcfReader::ReadInertial(const MjcfNode& node, const Place& place) {
     inertia.I_I = document_.FindVector(node, "diaginertia", Vector3d::Zero(), where).asDiagonal();
   }
   link.inertia = inertia;
-}
-
-bool MjcfReader::ReadFromTo(const MjcfNode& node, const std::string& where, ForeignShape& shape) {
-  const auto ends = document_.FindNumbers(node, "fromto", 6, 6, where);
-  const auto size = document_.FindNumbers(node, "size", 1, 3, where);
-  if (!ends || !size) return false;
-  const std::vector<double>& v = *ends;
-  const Vector3d p_A(v[0], v[1], v[2]), p_B(v[3], v[4], v[5]), along = p_A - p_B;
-  if (along.norm() < 1e-9) return false;
-  shape.X_LS = MakePose(MakeRotationFromZ(along), 0.5 * (p_A + p_B));
-  const double thick = 2.0 * (*size)[0];
-  const bool has_ends = shape.kind == ForeignShape::Kind::kCapsule;
-  shape.size = {thick, thick, along.norm() + (has_ends ? thick : 0.0)};
-  return true;
-}
-
-bool MjcfReader::ReadExtent(const MjcfNode& node, const std::string& where, ForeignShape& shape) {
-  using Kind = ForeignShape::Kind;
-  const bool is_round = shape.kind == Kind::kCylinder || shape.kind == Kind::kCapsule;
-  const size_t count = shape.kind == Kind::kSphere ? 1 : is_round ? 2 : 3;
-  const auto size = document_.FindNumbers(node, "size", count, 3, where);
-  if (!size) return false;
-  const std::vector<double>& v = *size;
-  if (count == 1) {
-    shape.size.setConstant(2.0 * v[0]);
-  } else if (count == 2) {
-    const double ends = shape.kind == Kind::kCapsule ? v[0] : 0.0;
-    shape.size = {2.0 * v[0], 2.0 * v[0], 2.0 * (v[1] + ends)};
-  } else {
-    shape.size = {2.0 * v[0], 2.0 * v[1], 2.0 * v[2]};
-  }
-  return true;
 }
 
 bool MjcfReader::PlaceMesh(const MjcfNode& node, const std::string& where, ForeignShape& shape) {
@@ -445,8 +419,9 @@ void MjcfReader::ReadGeom(const MjcfNode& node, const Place& place) {
   };
   const bool touches = !is_zero("contype") || !is_zero("conaffinity");
   const bool is_shown = document_.FindNumber(node, "group", 0.0, where) <= kLastGroupShown;
-  if (!touches && !is_shown) return;
   ForeignShape shape;
+  shape.weight = FindGeomWeight(document_, node, where);
+  if (!touches && !is_shown && !shape.weight) return;
   shape.line = document_.LineOf(*node.xml);
   shape.kind = kind->second;
   bool is_clear = false;
@@ -455,14 +430,15 @@ void MjcfReader::ReadGeom(const MjcfNode& node, const Place& place) {
   const bool has_ends = !is_mesh && document_.Find(node, "fromto") && shape.kind != Kind::kSphere;
   if (!has_ends) shape.X_LS = document_.FindPose(node, where);
   const bool is_good = is_mesh    ? PlaceMesh(node, where, shape)
-                       : has_ends ? ReadFromTo(node, where, shape)
-                                  : ReadExtent(node, where, shape);
+                       : has_ends ? ReadGeomFromTo(document_, node, where, shape)
+                                  : ReadGeomExtent(document_, node, where, shape);
   if (is_mesh && !is_good) return;
   if (!is_mesh && (!is_good || shape.size.minCoeff() <= 0.0)) {
     document_.Warn(*node.xml, where + ": the " + kind->first + " has no extent; left out");
     return;
   }
   shape.X_LS = place.X_LB * shape.X_LS;
+  if (shape.weight) hand_.links[link].weights.push_back(shape);
   if (touches) hand_.links[link].collisions.push_back(shape);
   shape.also_touches = touches;
   if (!is_shown || is_clear) return;
@@ -483,6 +459,8 @@ ForeignHand MjcfReader::Read(const std::string& text) {
     problems_.Fail(file_, 0, "the model has 1000 bodies or more: no hand");
   }
   if (problems_.num_errors() > 0) return {};
+  const std::string doubt = angles_.FindDoubt(document_.settings().in_degrees);
+  if (!doubt.empty() && !is_angle_told_) problems_.Warn(file_, angles_.first_line, doubt);
   ReadMjcfCouplings(document_, bodies_, file_, problems_, hand_);
   return std::move(hand_);
 }

@@ -7,6 +7,9 @@ is no number.
     bodies, frames            links; a body with several joints becomes a chain
     joints                    hinge, slide; the zero of a joint is its place in the file (`ref`)
     free and ball joints      fixed: the arm of an experiment carries the hand
+    masses                    <inertial>; where there is none those of the geoms: `mass`, else
+                              `density` (1000 kg/m^3), of a mesh its volume; `inertiafromgeom` and
+                              `inertiagrouprange` of the compiler
     geoms                     sphere, capsule, cylinder, box, ellipsoid, mesh (also where a simple
                               shape is to be fitted to one); touch unless contype and conaffinity
                               are 0; are seen in groups 0 to 2 where the link has no picture apart
@@ -14,8 +17,10 @@ is no number.
     scene around a hand       bodies below which no joint moves, the world's own shapes: left out
                               unless several parts hang on the world
 
-Not modelled: masses of geoms (a link without <inertial> is replaced as one of URDF), springs and
-friction of joints, the convex hull in which MuJoCo lets a mesh touch. */
+Angles are degrees unless the compiler says radian; limits that look like the other unit are told.
+
+Not modelled: geoms as shells, masses set as a whole (`settotalmass`), springs and friction of
+joints, the convex hull in which MuJoCo lets a mesh touch. */
 
 #include <filesystem>
 #include <optional>

@@ -20,8 +20,6 @@ namespace {
 using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
-constexpr double kTurn = 2.0 * kPi * (1.0 + 1e-4);
-
 class ForeignUrdfReader {
  public:
   ForeignUrdfReader(std::string file, std::optional<bool> in_degrees, Diagnostics& problems)
@@ -218,7 +216,7 @@ void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
   stated.upper = Number(limit, "upper", 0.0, where);
   if (joint.kind == ForeignJoint::Kind::kRevolute) {
     const double largest = std::max(std::abs(stated.lower), std::abs(stated.upper));
-    const bool in_degrees = in_degrees_.value_or(largest > kTurn && largest <= 360.0);
+    const bool in_degrees = in_degrees_.value_or(largest > kWholeTurn && largest <= 360.0);
     if (in_degrees) {
       stated.lower = RadFromDeg(stated.lower);
       stated.upper = RadFromDeg(stated.upper);
@@ -252,8 +250,8 @@ void ForeignUrdfReader::JudgeAngles(XMLElement& robot) {
       const auto number = text ? ParseNumbers(text) : std::nullopt;
       if (number && number->size() == 1) most = std::max(most, std::abs((*number)[0]));
     }
-    num_beyond += most > kTurn;
-    num_within += most > 0.0 && most <= kTurn;
+    num_beyond += most > kWholeTurn;
+    num_within += most > 0.0 && most <= kWholeTurn;
     largest = std::max(largest, most);
   }
   if (num_beyond < 2 || num_beyond <= num_within || largest > 360.0) return;

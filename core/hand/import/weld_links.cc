@@ -185,6 +185,13 @@ double Welder::CalcLeastDensity(int link) const {
   return foreign_.links[link].inertia->mass / std::max(bounds.volume(), 1e-9);
 }
 
+/** Of a ball of that mass and the greatest density: of all bodies the one whose moments have the
+smallest sum [kg m^2]. */
+double CalcLeastMoment(double mass) {
+  const double radius = std::cbrt(0.75 * mass / (kPi * kHeaviest));
+  return 0.4 * mass * radius * radius;
+}
+
 std::string Welder::FindInertiaFault(int link) const {
   const auto& inertia = foreign_.links[link].inertia;
   if (!inertia) return "no <inertial>";
@@ -203,6 +210,11 @@ std::string Welder::FindInertiaFault(int link) const {
   if (density > kHeaviest) {
     return "a mass of " + FormatSignificant(inertia->mass, 3) + " kg in bounds of " +
            FormatSignificant(1e6 * inertia->mass / density, 3) + " cm^3, denser than any metal";
+  }
+  if (moments[2] * scale < CalcLeastMoment(inertia->mass)) {
+    return "an inertia of " + FormatSignificant(moments[2] * scale, 2) + " kg m^2 for " +
+           FormatSignificant(GFromKg(inertia->mass), 3) +
+           " g, less than a ball of the densest metal has";
   }
   if (shapes.empty()) {
     if (inertia->mass > kHeaviestFrame) {
@@ -231,7 +243,8 @@ MassProperties Welder::CalcMass(int link, std::string& note) {
     mass.mass = published->mass;
     mass.p_OOcm = published->X_LI.translation();
     mass.I_OOcm = R * published->I_I * R.transpose();
-    note = "mass and inertia as published";
+    note = published->is_of_geoms ? "mass and inertia of its geoms, as MuJoCo takes them"
+                                  : "mass and inertia as published";
     return mass;
   }
   const auto& shapes = shapes_[link].collisions;

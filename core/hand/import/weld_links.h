@@ -5,9 +5,10 @@ of its parts.
 
 A published inertia is kept when a body of the link's size can have it: positive mass, moments that
 fulfil the triangle inequality, centre of mass within the bounds of the shapes, no larger than the
-shapes' farthest point allows. Otherwise mass (where there is none), centre and inertia are those of
-the shapes' volume at a density of 1200 kg/m^3, between plastics and light metal with hollows.
-Weightless links between two joint axes get a small ball. */
+shapes' farthest point allows, no smaller than those of a ball of that mass as dense as the densest
+metal, which no body of that mass goes below. Otherwise mass (where there is none), centre and
+inertia are those of the shapes' volume at a density of 1200 kg/m^3, between plastics and light
+metal with hollows. Weightless links between two joint axes get a small ball. */
 
 #include <string>
 #include <vector>

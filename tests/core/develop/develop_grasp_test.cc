@@ -107,5 +107,22 @@ TEST_F(DevelopGraspTest, WithoutABetterOneTheProposalIsKept) {
   EXPECT_EQ(developed.grasp.q_target, proposals_.front().grasp.q_target);
 }
 
+// In all stages: one trial of each request fails, and nothing else.
+TEST_F(DevelopGraspTest, CountsTrialsThatFailNumerically) {
+  int num_requests = 0;
+  const auto run = [&](const std::vector<DevelopRequest>& requests) {
+    std::vector<std::vector<DevelopTrial>> answers;
+    for (const DevelopRequest& request : requests) {
+      ++num_requests;
+      answers.emplace_back(request.trials.size(), DevelopTrial{Outcome::kNoContact, 0.1});
+      answers.back().front() = {Outcome::kNumericalFailure, 0.0};
+    }
+    return answers;
+  };
+  const DevelopedGrasp developed = DevelopGrasp(hand_, proposals_, 400, 1, run);
+  EXPECT_EQ(developed.num_numerical_failures, num_requests);
+  EXPECT_GT(num_requests, 10);
+}
+
 }  // namespace
 }  // namespace graspbench

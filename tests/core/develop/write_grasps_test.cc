@@ -36,6 +36,7 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
     one.check = {{Outcome::kSuccess, 1.0}, {Outcome::kNoContact, 0.1}};
     developed.push_back(one);
   }
+  developed.back().check.assign(12, {Outcome::kNoContact, 0.1});
   const fs::path folder = fs::path(testing::TempDir()) / "written_grasps";
   fs::remove_all(folder);
   fs::copy(hand.folder, folder, fs::copy_options::recursive);
@@ -44,6 +45,9 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
   EXPECT_NE(yaml.find("#   graspbench hand develop tum --budget 15000 --seed 1 --out DIR\n"),
             std::string::npos);
   EXPECT_NE(yaml.find("Held 1 of 2 shapes not met before."), std::string::npos);
+  const size_t warning = yaml.find("  g3:\n    # WARNING: it held 0 of 12 shapes not met before");
+  EXPECT_NE(warning, std::string::npos);
+  EXPECT_EQ(yaml.find("WARNING"), yaml.find("WARNING", warning));  // g1 has none
   WriteFile(folder / "hand.yaml", yaml);
   const std::vector<StandardGrasp> read = LoadStandardGrasps(LoadHand(folder.string()));
   ASSERT_EQ(read.size(), 2u);

@@ -167,6 +167,25 @@ TEST_P(PlacementTest, TheHandStaysOutOfATallThing) {
   }
 }
 
+GraspObject MakeBlock(const Vector3d& size) {
+  GraspObject object;
+  object.mesh = MakeRoundedBox(size, 1e-6);
+  object.size = size;
+  object.field = std::make_shared<SignedDistanceField>(SignedDistanceField::Build(object.mesh));
+  return object;
+}
+
+// What fills its bounding box is reached when the box is; what lies within it is reached, too.
+TEST_P(PlacementTest, ABoundingBoxIsReachedWhenABlockOfItsSizeIs) {
+  for (double height : {0.06, 0.12, 0.25}) {
+    const GraspObject block = MakeBlock({0.05, 0.05, height});
+    const bool is_reached = ReachesBoundingBox(hand_, grasp_, block);
+    EXPECT_EQ(is_reached, CalcPlacement(hand_, grasp_, block).reaches_object) << height;
+    if (!is_reached) continue;
+    EXPECT_TRUE(CalcPlacement(hand_, grasp_, MakeCylinder(0.025, height)).reaches_object);
+  }
+}
+
 TEST_P(PlacementTest, AShiftedCentreOfMassShiftsTheHand) {
   const Placement a = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
   const Placement b = CalcPlacement(hand_, grasp_, kSize, Vector3d(0.02, -0.01, 0.0));

@@ -29,8 +29,10 @@ Session MakeTried(const std::map<std::string, int>& num_held) {
 std::vector<std::string> ListChoices(const std::vector<BestGrasp>& rows) {
   std::vector<std::string> texts;
   for (const BestGrasp& row : rows) {
-    texts.push_back(row.best->hand + " " + row.best->object + " " + row.best->grasp + " " +
-                    (row.usual ? row.usual->grasp : "-") + (row.is_usual_worse() ? " worse" : ""));
+    std::string text = row.hand + " " + row.object + " " + (row.best ? row.best->grasp : "none");
+    for (const CellSummary* cell : row.tied) text += "=" + cell->grasp;
+    text += " " + (row.usual ? row.usual->grasp : "-") + (row.is_usual_worse() ? " worse" : "");
+    texts.push_back(text);
   }
   return texts;
 }
@@ -46,15 +48,27 @@ TEST(BestGraspsTest, TheHigherRateWinsThenTheFirmerThenTheFirst) {
   const auto rows = FindBestGrasps(session, summary, MakeFakeInputs());
   EXPECT_EQ(ListChoices(rows),
             (std::vector<std::string>{"tum mug g1 g2 worse", "tum pencil g2 g2", "shadow mug g2 g3",
-                                      "shadow pencil g4 g1"}));
+                                      "shadow pencil g4=g1 g1"}));
+  EXPECT_EQ(rows[0].num_tried, 2);
+  EXPECT_EQ(rows[2].num_tried, 5);
+  EXPECT_FALSE(rows[2].is_usual_as_good());
+  EXPECT_TRUE(rows[3].is_usual_as_good());  // by success
   // The same draws won and lost: the interval of the paired difference.
   const Interval expected = CalcPairedDifferenceInterval({9, 0, 1, 0});
   EXPECT_EQ(rows[2].gain.low, expected.low);
   EXPECT_EQ(rows[2].gain.high, expected.high);
 }
 
+TEST(BestGraspsTest, WhatNoGraspHeldHasNoBest) {
+  const Session session = MakeTried({{"tum mug g1", 1}});
+  const SessionSummary summary = SummariseSession(session);
+  EXPECT_EQ(ListChoices(FindBestGrasps(session, summary, MakeFakeInputs())),
+            (std::vector<std::string>{"tum mug g1 g2", "tum pencil none g2", "shadow mug none g3",
+                                      "shadow pencil none g1"}));
+}
+
 TEST(BestGraspsTest, WhatWasNotTriedIsNotChosen) {
-  Session session = MakeTried({});
+  Session session = MakeTried({{"tum mug g1", 3}});
   for (size_t k = session.plan.size(); k-- > 0;) {
     if (session.plan[k].hand == "tum" && session.plan[k].grasp == "g1") continue;
     session.plan.erase(session.plan.begin() + static_cast<long>(k));
@@ -62,7 +76,7 @@ TEST(BestGraspsTest, WhatWasNotTriedIsNotChosen) {
   }
   const SessionSummary summary = SummariseSession(session);
   EXPECT_EQ(ListChoices(FindBestGrasps(session, summary, MakeFakeInputs())),
-            (std::vector<std::string>{"tum mug g1 -", "tum pencil g1 -"}));
+            (std::vector<std::string>{"tum mug g1 -", "tum pencil none -"}));
 }
 
 }  // namespace

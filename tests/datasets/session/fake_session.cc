@@ -41,6 +41,7 @@ std::shared_ptr<GraspObject> MakeFakeObject(const std::string& id) {
   auto object = std::make_shared<GraspObject>();
   object->id = id;
   object->content_hash = "content of " + id;
+  object->size = {0.08, 0.04, 0.1};
   return object;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
+#include "core/shape/primitives.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -71,7 +72,8 @@ TEST(SessionPlan, BestOpensWiderThanTheObject) {
   ASSERT_LT(narrow + 0.03, wide);
   const auto find_best = [&](double object_width) {
     auto box = MakeFakeObject("box");
-    box->size = Eigen::Vector3d(0.1, object_width, 0.03);
+    box->size = Eigen::Vector3d(0.02, object_width, 0.012);
+    box->mesh = MakeRoundedBox(box->size, 1e-5);
     box->grasp_order = {"g4", "g1"};
     inputs.objects = {box};
     return MakePlan(SessionConfig(), inputs).front().grasp;
@@ -79,7 +81,44 @@ TEST(SessionPlan, BestOpensWiderThanTheObject) {
   EXPECT_EQ(find_best(narrow - 0.011), "g4");
   EXPECT_EQ(find_best(narrow - 0.009), "g1");
   EXPECT_EQ(find_best(wide - 0.011), "g1");
-  EXPECT_EQ(find_best(wide - 0.009), "g4");  // none does
+  EXPECT_EQ(find_best(wide - 0.009), "g1");  // none does; the open pads of g4 would end inside
+}
+
+/** A bar, and at its end a plate across that makes its bounding box 50 mm wide. */
+std::shared_ptr<GraspObject> MakeBarWithPlate(double bar_width) {
+  auto object = MakeFakeObject("bar");
+  object->size = Eigen::Vector3d(0.4, 0.05, 0.04);
+  const auto add = [&](double x, const Eigen::Vector3d& size) {
+    const TriMesh box = MakeRoundedBox(size, 1e-5);
+    const auto first = static_cast<int>(object->mesh.vertices.size());
+    for (const Eigen::Vector3d& p : box.vertices) {
+      object->mesh.vertices.emplace_back(p + Eigen::Vector3d(x, 0.0, 0.0));
+    }
+    for (const Eigen::Vector3i& triangle : box.triangles) {
+      object->mesh.triangles.emplace_back(triangle.array() + first);
+    }
+  };
+  add(-0.0051, {0.3898, bar_width, 0.04});
+  add(0.195, {0.01, 0.05, 0.04});
+  return object;
+}
+
+// The open hand of tum-developed's g1 is 10 mm wider between its pads than a bar of 50 mm, but its
+// fingertips would end inside it; a bar of 30 mm they pass.
+TEST(SessionPlan, BestReachesTheObjectAsItIs) {
+  auto hand = std::make_shared<Hand>(LoadHand("tum-developed"));
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands = {{hand, LoadStandardGrasps(*hand)}};
+  ASSERT_GE(CalcPreGraspWidth(*hand, inputs.hands.front().grasps.front()), 0.06);
+  const auto find_best = [&](double bar_width, const std::vector<std::string>& order) {
+    auto object = MakeBarWithPlate(bar_width);
+    object->grasp_order = order;
+    inputs.objects = {object};
+    return MakePlan(SessionConfig(), inputs).front().grasp;
+  };
+  EXPECT_EQ(find_best(0.05, {"g1", "g3"}), "g3");
+  EXPECT_EQ(find_best(0.03, {"g1", "g3"}), "g1");
+  EXPECT_EQ(find_best(0.05, {"g1"}), "g1");  // none reaches it
 }
 
 TEST(SessionPlan, AGraspOfOneObjectIsTriedOnThatObjectBesideTheBestOne) {

@@ -82,5 +82,18 @@ TEST_F(DevelopHandTest, AFolderWithOtherThingsIsRefused) {
   EXPECT_EQ(ReadFile(out("mine") / "letter.txt"), "dear");
 }
 
+TEST_F(DevelopHandTest, TheHandsOwnFolderIsRefused) {
+  MakeFolder(out("gripper") / "below");
+  for (const char* name : {"gripper", "gripper/developed", "gripper/below/../new"}) {
+    try {
+      Develop(name, 1);
+      ADD_FAILURE() << name;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::kUsage);
+    }
+    EXPECT_FALSE(fs::exists(out(name) / "development")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace graspbench

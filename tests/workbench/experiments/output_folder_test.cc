@@ -118,6 +118,17 @@ TEST_F(OutputFolderTest, RemovesOnlyWhatIsAbandoned) {
   EXPECT_TRUE(fs::exists(first.path()));
 }
 
+TEST_F(OutputFolderTest, WhatIsCopiedHoldsNoResultOfItself) {
+  fs::create_directory(top_ / "hand");
+  fs::create_directory_symlink("hand", top_ / "link");
+  EXPECT_THROW(CheckOutside(top_ / "hand", top_ / "hand"), Error);
+  EXPECT_THROW(CheckOutside(top_ / "hand" / "new", top_ / "hand"), Error);
+  EXPECT_THROW(CheckOutside(top_ / "link" / "new", top_ / "hand"), Error);
+  EXPECT_NO_THROW(CheckOutside(top_ / "hand2", top_ / "hand"));
+  EXPECT_NO_THROW(CheckOutside(top_ / "hand" / ".." / "new", top_ / "hand"));
+  EXPECT_NO_THROW(CheckOutside(top_, top_ / "hand"));
+}
+
 TEST_F(OutputFolderTest, AFileIsWrittenOnlyWhereNoneIs) {
   EXPECT_THROW(CheckOutputFile(""), Error);
   EXPECT_THROW(CheckOutputFile(top_), Error);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "core/base/units.h"
 
 namespace graspbench {
@@ -62,6 +64,43 @@ TEST(FreeJointsTest, AShapeThatBlocksItsJointIsLeftOut) {
   EXPECT_EQ(problems.Format(),
             "hand.urdf: warning: link \"finger\": 1 of its balls and capsules would meet the palm "
             "within the limits of joint \"turn\", by up to 3.0 mm; left out of contact");
+}
+
+// A finger of one capsule, 6 mm from its axis to 34 mm: what lies farther than 17 mm from the axis
+// meets the palm when it is turned by half a circle.
+TEST(FreeJointsTest, AWholeFingerIsCutAndKeepsWhatDoesNotMeetThePalm) {
+  ImportedHand imported = MakeImported(kPi);
+  imported.notes.resize(3);
+  CollisionShape capsule = MakeBall(1, Vector3d(0.02, 0, 0), 0.006);
+  capsule.kind = CollisionShape::Kind::kCylinder;
+  capsule.size.z() = 0.028 + 0.012;
+  capsule.X_LS.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d::UnitX()).toRotationMatrix();
+  imported.shapes = {imported.shapes[0], capsule};
+  Diagnostics problems;
+  FreeJoints("hand.urdf", imported, problems);
+  // Axes of the pieces end at 6 + 3.5 k mm, a ball of 6 mm beyond; the palm begins at 25 mm.
+  ASSERT_EQ(imported.shapes.size(), 1u + 3u);
+  for (size_t k = 1; k < imported.shapes.size(); ++k) {
+    EXPECT_EQ(imported.shapes[k].link, 1);
+    EXPECT_NEAR(imported.shapes[k].X_LS.translation().x(),
+                0.006 + 0.0035 * (static_cast<double>(k) - 0.5), 1e-12);
+    EXPECT_NEAR(imported.shapes[k].size.z(), 0.012 + 0.0035, 1e-12);
+  }
+  EXPECT_NE(problems.Format().find("1 of its balls and capsules would meet the palm"),
+            std::string::npos);
+  EXPECT_NE(problems.Format().find("cut along their length, 3 pieces stay"), std::string::npos);
+  EXPECT_NE(imported.notes[1].find("guess"), std::string::npos);
+}
+
+TEST(FreeJointsTest, ALinkThatKeepsNoContactIsNamed) {
+  ImportedHand imported = MakeImported(kPi);
+  imported.notes.resize(3);
+  imported.shapes.pop_back();  // the ball about the axis
+  Diagnostics problems;
+  FreeJoints("hand.urdf", imported, problems);
+  EXPECT_EQ(imported.shapes.size(), 1u);
+  EXPECT_NE(problems.Format().find("nothing of the link will touch"), std::string::npos);
 }
 
 // The jaw of a gripper slides on the palm itself: without its shapes nothing would grasp.

@@ -55,5 +55,24 @@ TEST(FinishStrokeTest, OfAHandInMetres) {
   EXPECT_EQ(joint.upper, 0.05);
 }
 
+// Radians in a file that MuJoCo reads as degrees, and the reverse.
+TEST(StatedAnglesTest, LimitsOfAnotherUnitAreDoubted) {
+  const auto doubt = [](double upper, bool in_degrees, int num_joints = 3) {
+    StatedAngles angles;
+    const double unit = in_degrees ? RadFromDeg(1.0) : 1.0;
+    for (int j = 0; j < num_joints; ++j) angles.Add(-0.1 * upper, upper, unit, 7 + j);
+    EXPECT_EQ(angles.first_line, 7);
+    return angles.FindDoubt(in_degrees);
+  };
+  EXPECT_NE(doubt(1.57, true).find("no range of 3 joints goes beyond 1.57"), std::string::npos);
+  EXPECT_NE(doubt(1.57, true).find("--angle rad"), std::string::npos);
+  EXPECT_NE(doubt(90.0, false).find("of 3 of 3 joints go beyond one turn, up to 90"),
+            std::string::npos);
+  EXPECT_NE(doubt(90.0, false).find("--angle deg"), std::string::npos);
+  EXPECT_EQ(doubt(90.0, true), "");
+  EXPECT_EQ(doubt(1.57, false), "");
+  EXPECT_EQ(doubt(1.57, true, 1), "");  // one joint may be stiff
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -78,6 +78,51 @@ TEST_F(LoadShapesTest, MillimetresAndAScaleTooManyAreSeen) {
             "its scale counts twice");
 }
 
+// 10 mm of radius in metres, a thousand times as large by its scale.
+TEST_F(LoadShapesTest, AnAbsurdScaleIsLeftOut) {
+  ForeignLink link;
+  link.name = "tip";
+  link.visuals = {Mesh("tip.stl")};
+  link.visuals[0].scale = {1000.0, -1000.0, 1000.0};
+  EXPECT_NEAR(CalcVolume(Load(link).visuals[0].mesh), 4.1e-6, 1e-7);
+  ASSERT_FALSE(problems_.entries().empty());
+  EXPECT_EQ(problems_.entries()[0].text,
+            "link \"tip\", visual: a scale of 1e+03 makes mesh \"tip.stl\" 20 m long, which is no "
+            "part of a hand; taken without it");
+  EXPECT_EQ(problems_.entries()[0].line, 7);
+  unit_ = 1e-3;  // a mesh in kilometres, if there were one: the scale converts it
+  EXPECT_NEAR(CalcVolume(Load(link).visuals[0].mesh), 4.1e-6, 1e-7);
+  EXPECT_EQ(problems_.Format().find("scale"), std::string::npos);
+}
+
+// A ball and a box of given masses: their sum by hand.
+TEST_F(LoadShapesTest, ShapesThatWeighMakeTheInertia) {
+  ForeignLink link;
+  ForeignShape ball, box;
+  ball.size.setConstant(0.02);
+  ball.weight = ForeignShape::Weight{0.1, 0.0};
+  box.kind = ForeignShape::Kind::kBox;
+  box.size = {0.02, 0.03, 0.05};
+  box.X_LS.translation().x() = 0.06;
+  box.weight = ForeignShape::Weight{{}, 10000.0};  // 0.3 kg
+  link.weights = {ball, box};
+  ShapeLoader(source_, problems_).Weigh(link);
+  ASSERT_TRUE(link.inertia);
+  EXPECT_TRUE(link.inertia->is_of_geoms);
+  EXPECT_NEAR(link.inertia->mass, 0.4, 1e-15);
+  EXPECT_NEAR(link.inertia->X_LI.translation().x(), 0.3 * 0.06 / 0.4, 1e-15);
+  const double of_ball = 0.4 * 0.1 * 1e-4, apart = 0.1 * 0.3 / 0.4 * 0.06 * 0.06;
+  const Eigen::Vector3d of_box = 0.3 / 12.0 * Eigen::Vector3d(34e-4, 29e-4, 13e-4);
+  const Eigen::Vector3d expected =
+      of_box + Eigen::Vector3d(of_ball, of_ball + apart, of_ball + apart);
+  EXPECT_LT((link.inertia->I_I - Eigen::Matrix3d(expected.asDiagonal())).norm(), 1e-15);
+  ForeignLink published;
+  published.inertia.emplace().mass = 1.0;
+  published.weights = {ball};
+  ShapeLoader(source_, problems_).Weigh(published);
+  EXPECT_EQ(published.inertia->mass, 1.0);
+}
+
 TEST_F(LoadShapesTest, AMirroredMeshStillFacesOutwards) {
   ForeignLink link;
   link.visuals = {Mesh("tip.stl")};

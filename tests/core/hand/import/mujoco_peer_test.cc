@@ -67,10 +67,13 @@ class MujocoPeerTest : public testing::Test {
     source.folder = folder_;
     source.load_mesh = &LoadObj;
     Diagnostics problems;
-    const ForeignHand foreign = ReadForeignMjcf(text, source.file, folder_, problems);
+    ForeignHand foreign = ReadForeignMjcf(text, source.file, folder_, problems);
     ShapeLoader loader(source, problems);
     std::vector<LoadedShapes> shapes;
-    for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
+    for (ForeignLink& link : foreign.links) {
+      shapes.push_back(loader.Load(link));
+      loader.Weigh(link);
+    }
     imported_ = WeldLinks(foreign, shapes, "", source.file, problems);
     ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   }
@@ -136,18 +139,35 @@ TEST_F(MujocoPeerTest, JointsAndShapesAreWhereMujocoHasThem) {
   EXPECT_EQ(imported_.shapes.size(), 10u);
 }
 
+// Of the palm those of its <inertial>, of all others those of their geoms.
 TEST_F(MujocoPeerTest, MassesAreMujocos) {
-  Load(kSmallClaw);
-  const int palm = BodyOf("palm");
-  const HandLink& root = imported_.hand.links[0];
-  EXPECT_NEAR(root.mass, model_->body_mass[palm], 1e-12);
-  EXPECT_LT((root.p_LLcm - VectorAt(model_->body_ipos, palm)).norm(), 1e-12);
-  Matrix3d R;
-  mjtNum matrix[9];
-  mju_quat2Mat(matrix, model_->body_iquat + 4 * palm);
-  for (int k = 0; k < 9; ++k) R(k / 3, k % 3) = matrix[k];
-  const Matrix3d I = R * VectorAt(model_->body_inertia, palm).asDiagonal() * R.transpose();
-  EXPECT_LT((root.I_LLcm - I).norm(), 1e-12);
+  std::string text = ReplaceOnce(kSmallClaw, "<geom type=\"capsule\" size=\"0.01\"/>",
+                                 "<geom type=\"capsule\" size=\"0.01\" density=\"2700\"/>");
+  text = ReplaceOnce(text, "<geom name=\"mf_middle\" ", "<geom name=\"mf_middle\" mass=\"0.02\" ");
+  text = ReplaceOnce(text, "<geom name=\"ff_middle\" ",
+                     "<geom type=\"ellipsoid\" size=\"0.01 0.012 0.02\" pos=\"0.003 0.002 0.01\" "
+                     "euler=\"10 20 30\"/><geom name=\"ff_middle\" ");
+  Load(text);
+  int num_compared = 0;
+  for (const HandLink& link : imported_.hand.links) {
+    const int body = BodyOf(link.name);
+    if (body < 0) continue;  // between two joints of a body
+    ++num_compared;
+    EXPECT_NEAR(link.mass, model_->body_mass[body], 1e-12) << link.name;
+    Vector3d p_BL = Vector3d::Zero();  // a link's frame is that of its hinge
+    if (link.joint >= 0 && !imported_.hand.joints[link.joint].is_prismatic) {
+      const std::string& joint = imported_.hand.joints[link.joint].name;
+      p_BL = VectorAt(model_->jnt_pos, mj_name2id(model_.get(), mjOBJ_JOINT, joint.c_str()));
+    }
+    EXPECT_LT((p_BL + link.p_LLcm - VectorAt(model_->body_ipos, body)).norm(), 1e-12) << link.name;
+    Matrix3d R;
+    mjtNum matrix[9];
+    mju_quat2Mat(matrix, model_->body_iquat + 4 * body);
+    for (int k = 0; k < 9; ++k) R(k / 3, k % 3) = matrix[k];
+    const Matrix3d I = R * VectorAt(model_->body_inertia, body).asDiagonal() * R.transpose();
+    EXPECT_LT((link.I_LLcm - I).norm(), 1e-12) << link.name;
+  }
+  EXPECT_EQ(num_compared, 10);
 }
 
 // A mesh's place: refpos, refquat and scale of the asset, pos and quat of the geom.

@@ -46,6 +46,19 @@ TEST(ReadForeignMjcfTest, TellsWhatItRepairs) {
   EXPECT_NEAR(middle->upper, RadFromDeg(90.0), 1e-12);
 }
 
+// The user's word is not doubted.
+TEST(ReadForeignMjcfTest, AnglesOfAnotherUnitAreTold) {
+  const std::string text = ReplaceOnce(kSmallClaw, "angle=\"degree\"", "angle=\"radian\"");
+  Diagnostics problems;
+  Read(text, problems);
+  EXPECT_NE(problems.Format().find("go beyond one turn, up to 95; taken as radians"),
+            std::string::npos)
+      << problems.Format();
+  Diagnostics told;
+  ReadForeignMjcf(text, "claw.xml", "no-such-folder", told, false);
+  EXPECT_EQ(told.Format().find("--angle"), std::string::npos) << told.Format();
+}
+
 TEST(ReadForeignMjcfTest, ShapesHaveTheirWholeExtent) {
   Diagnostics problems;
   const std::string text = ReplaceOnce(

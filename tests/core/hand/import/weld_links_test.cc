@@ -69,8 +69,14 @@ TEST(WeldLinksTest, ReplacesWhatNoBodyHas) {
             left + "no inertia" + replaced);
   EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.015\"/><origin xyz=\"0.1 0 0\"/>"),
             left + "a centre of mass 90 mm outside its shapes" + replaced);
-  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.2\"/>"),
+  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"0.05\"/>"),
             kept);  // heavy, but a body may have it
+  // A ball of 100 g of 20,000 kg/m^3 has a radius of 10.6 mm and moments of 4.5e-6 kg m^2.
+  EXPECT_EQ(
+      told("<mass value=\"0.015\"/>", "<mass value=\"0.1\"/>"),
+      left +
+          "an inertia of 2.4e-06 kg m^2 for 100 g, less than a ball of the densest metal has; "
+          "replaced: published mass, inertia of its volume, 100 g");
   EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"50\"/>"),
             left +
                 "a mass of 50 kg in bounds of 16.5 cm^3, denser than any metal; replaced: mass "
