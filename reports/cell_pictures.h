@@ -56,8 +56,8 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
                                      const std::shared_ptr<const GraspObject>& object,
                                      Renderer& renderer);
 
-/** Instants of one trial in the same way, with their contacts over them: WebP, one each.
-@throws as above. */
+/** Instants of one trial in the same way, with their contacts over them: WebP, one each, of the
+renderer's size (4 : 3). @throws as above. */
 std::vector<std::string> RenderInstants(const std::vector<const TraceInstant*>& instants,
                                         double arrow_scale, const std::shared_ptr<const Hand>& hand,
                                         const std::shared_ptr<const GraspObject>& object,

@@ -19,6 +19,7 @@ namespace graspbench {
 namespace {
 
 constexpr int kPosterWidth = 640, kPosterHeight = 480;
+constexpr int kFilmWidth = 360, kFilmHeight = 270;  // many: they are most of a page's time
 constexpr double kInPicture = 0.35;  // of the hand's base; an object beyond is left out [m]
 
 /** Closed and before lift-off; of a shorter trial its end. */
@@ -128,7 +129,7 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
 Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
                           const TraceInstant& shown, const Camera& camera) {
   if (!can_draw_) return {};
-  if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kPictureWidth, kPictureHeight);
+  if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kFilmWidth, kFilmHeight);
   std::vector<const TraceInstant*> instants = {&view.traced.trace.front()};
   instants.insert(instants.end(), ends.begin(), ends.end());
   const std::vector<std::string> pictures = RenderInstants(instants, FindArrowScale(view.traced),
@@ -137,8 +138,8 @@ Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceIn
   const auto add = [&](const std::string& webp, const std::string& caption) {
     frames += Element("figure", {},
                       Element("img", {{"src", MakeDataUri("image/webp", webp)},
-                                      {"width", std::to_string(kPictureWidth)},
-                                      {"height", std::to_string(kPictureHeight)},
+                                      {"width", std::to_string(kFilmWidth)},
+                                      {"height", std::to_string(kFilmHeight)},
                                       {"alt", view.name + ": " + caption}}) +
                           Element("figcaption", {}, caption));
   };
@@ -152,7 +153,7 @@ Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceIn
     room.drawables.emplace_back();
     room.drawables.back().mesh = std::make_shared<const TriMesh>(MakeSphere(kForceSpaceRadius, 16));
     const Camera same_side = FrameScenes({room}, camera.p_WEye - camera.p_WTarget,
-                                         static_cast<double>(kPictureWidth) / kPictureHeight);
+                                         static_cast<double>(kFilmWidth) / kFilmHeight);
     add(EncodeWebp(film_renderer_->Render(*space, same_side)),
         "Forces that the contacts at " + FormatFixed(shown.time, 3) + " s can bear");
   }

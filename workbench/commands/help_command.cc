@@ -38,13 +38,13 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
   std::string above;
   for (const std::string& word : words) {
     std::vector<std::string> names;
+    if (command == &program) {
+      for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
+    }
     const CLI::App* next = nullptr;
     for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; })) {
       names.push_back(each->get_name());
       if (each->get_name() == word) next = each;
-    }
-    if (command == &program) {
-      for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
     }
     if (!next) {
       throw Error(ErrorKind::kUsage,
@@ -54,6 +54,16 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
     command = next;
   }
   return command->help(above);
+}
+
+/** Completion takes it from the option's type. */
+std::string JoinForCompletion(const std::vector<std::string>& files, const CLI::App& program) {
+  std::string names;
+  for (const std::string& file : files) names += (names.empty() ? "" : ",") + file;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names += "," + command->get_name();
+  }
+  return names;
 }
 
 }  // namespace
@@ -70,6 +80,7 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
   const auto json = std::make_shared<bool>(false);
   command.add_option("topic", *words, "a command, or one of " + ListNames(files))
       ->required()
+      ->type_name("{" + JoinForCompletion(files, program) + "}")
       ->option_text("COMMAND|FILE");
   command.add_flag("--json", *json, "of a file: print one JSON object");
   command.callback([&program, files, words, json] {
