@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "datasets/analysis/basin_summary.h"
+#include "reports/outcome_words.h"
 #include "reports/sectioned_page.h"
 #include "reports/svg_parts.h"
 
@@ -24,7 +25,7 @@ int FindSlice(const BasinSample& sample) {
 std::string DescribeSample(const BasinSample& sample) {
   return FormatFixed(MmFromM(sample.offset_x), 1) + ", " +
          FormatFixed(MmFromM(sample.offset_y), 1) + " mm, " +
-         FormatFixed(DegFromRad(sample.yaw), 1) + " deg: " + NameOf(sample.outcome) +
+         FormatFixed(DegFromRad(sample.yaw), 1) + " deg: " + WordsOf(sample.outcome) +
          (sample.outcome == Outcome::kSuccess ? ", sigma " + FormatFixed(sample.sigma, 2) + " N"
                                               : "");
 }
@@ -116,7 +117,7 @@ Html DrawSamples(const BasinView& view) {
     table.AddRow({Text(std::to_string(count++)), Text(FormatFixed(MmFromM(sample.offset_x), 1)),
                   Text(FormatFixed(MmFromM(sample.offset_y), 1)),
                   Text(FormatFixed(DegFromRad(sample.yaw), 1)),
-                  Text(FormatFixed(CalcBasinDistance(sample), 2)), Text(NameOf(sample.outcome)),
+                  Text(FormatFixed(CalcBasinDistance(sample), 2)), Text(WordsOf(sample.outcome)),
                   Text(FormatFixed(sample.sigma, 2))});
   }
   return MakeDetails("All values of " + FormatCount(count, "sample"), table.ToHtml());

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/render/hand_scene.h"
 #include "core/render/scene.h"
+#include "reports/instant_scene.h"
 #include "reports/shown_trials.h"
 
 namespace graspbench {
@@ -126,6 +127,27 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
     const Image image = renderer.Render(scene, Raise(camera, FindRise(snapshot, snapshots[0])));
     pictures.push_back({snapshot.moment, snapshot.time, EncodeWebp(image),
                         EncodeWebp(Shrink(image, kThumbnailShrink))});
+  }
+  return pictures;
+}
+
+std::vector<std::string> RenderInstants(const std::vector<const TraceInstant*>& instants,
+                                        double arrow_scale, const std::shared_ptr<const Hand>& hand,
+                                        const std::shared_ptr<const GraspObject>& object,
+                                        Renderer& renderer) {
+  std::vector<SceneSnapshot> postures;
+  for (const TraceInstant* instant : instants) {
+    postures.push_back({Moment::kClosed, instant->time, instant->X_WH, instant->X_WO, instant->q});
+  }
+  const Camera camera =
+      PlaceCamera(postures, hand, object, static_cast<double>(kPictureWidth) / kPictureHeight);
+  std::vector<std::string> pictures;
+  for (size_t i = 0; i < instants.size(); ++i) {
+    const SceneSnapshot& posture = postures[i];
+    Scene scene = MakeGraspScene(hand, posture.q, posture.X_WH, object, posture.X_WO);
+    AddContactMarks(MakeContactMarks(*instants[i]), arrow_scale, &scene);
+    pictures.push_back(
+        EncodeWebp(renderer.Render(scene, Raise(camera, FindRise(posture, postures[0])))));
   }
   return pictures;
 }

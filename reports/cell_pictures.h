@@ -5,14 +5,15 @@ many of one trial of every other way in which the cell's trials ended.
 
 The first trial is the cell's first successful one, else its first one with snapshots. Within a
 strip the camera only rises, with a hand that lifts the object; it stands as near as the scenes
-allow. The records hold three moments; for all phases a trial has to be simulated again, which is
-`graspbench trial` and no report. */
+allow. The records hold three moments; for all phases a trial has to be simulated again, as for the
+3-D views (scene_3d.h). */
 
 #include <map>
 #include <string>
 #include <vector>
 
 #include "core/render/scene.h"
+#include "core/trial/trial_trace.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/models.h"
 
@@ -54,6 +55,13 @@ std::vector<Picture> RenderSnapshots(const std::vector<SceneSnapshot>& snapshots
                                      const std::shared_ptr<const Hand>& hand,
                                      const std::shared_ptr<const GraspObject>& object,
                                      Renderer& renderer);
+
+/** Instants of one trial in the same way, with their contacts over them: WebP, one each, of the
+renderer's size (4 : 3). @throws as above. */
+std::vector<std::string> RenderInstants(const std::vector<const TraceInstant*>& instants,
+                                        double arrow_scale, const std::shared_ptr<const Hand>& hand,
+                                        const std::shared_ptr<const GraspObject>& object,
+                                        Renderer& renderer);
 
 /** One of them alone, from the camera that suits all. @throws as above. */
 std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, size_t shown,

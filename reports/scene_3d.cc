@@ -6,9 +6,12 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/render/hand_scene.h"
+#include "core/shape/primitives.h"
 #include "datasets/gltf/trial_gltf.h"
 #include "datasets/session/trace_table.h"
 #include "reports/assets.h"
+#include "reports/cell_pictures.h"
+#include "reports/instant_scene.h"
 #include "reports/layout.h"
 #include "reports/trial_plots.h"
 
@@ -16,17 +19,8 @@ namespace graspbench {
 namespace {
 
 constexpr int kPosterWidth = 640, kPosterHeight = 480;
+constexpr int kFilmWidth = 360, kFilmHeight = 270;  // many: they are most of a page's time
 constexpr double kInPicture = 0.35;  // of the hand's base; an object beyond is left out [m]
-
-/** The last instant of each phase that was reached. */
-std::vector<const TraceInstant*> ListPhaseEnds(const std::vector<TraceInstant>& trace) {
-  std::vector<const TraceInstant*> ends;
-  for (const TraceInstant& instant : trace) {
-    if (ends.empty() || ends.back()->phase != instant.phase) ends.push_back(nullptr);
-    ends.back() = &instant;
-  }
-  return ends;
-}
 
 /** Closed and before lift-off; of a shorter trial its end. */
 const TraceInstant& FindShownInstant(const std::vector<const TraceInstant*>& ends) {
@@ -131,6 +125,47 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
   }
 }
 
+/** The first instant, the end of each phase, and the forces that the shown one could bear. */
+Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
+                          const TraceInstant& shown, const Camera& camera) {
+  if (!can_draw_) return {};
+  if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kFilmWidth, kFilmHeight);
+  std::vector<const TraceInstant*> instants = {&view.traced.trace.front()};
+  instants.insert(instants.end(), ends.begin(), ends.end());
+  const std::vector<std::string> pictures = RenderInstants(instants, FindArrowScale(view.traced),
+                                                           view.hand, view.object, *film_renderer_);
+  Html frames;
+  const auto add = [&](const std::string& webp, const std::string& caption) {
+    frames += Element("figure", {},
+                      Element("img", {{"src", MakeDataUri("image/webp", webp)},
+                                      {"width", std::to_string(kFilmWidth)},
+                                      {"height", std::to_string(kFilmHeight)},
+                                      {"alt", view.name + ": " + caption}}) +
+                          Element("figcaption", {}, caption));
+  };
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    const std::string phase = i == 0 ? Capitalise(NameOf(Phase::kPreGrasp))
+                                     : std::string("End of ") + NameOf(instants[i]->phase);
+    add(pictures[i], phase + ", " + FormatFixed(instants[i]->time, 3) + " s");
+  }
+  if (const std::optional<Scene> space = MakeForceSpaceScene(shown.contacts)) {
+    Scene room;
+    room.drawables.emplace_back();
+    room.drawables.back().mesh = std::make_shared<const TriMesh>(MakeSphere(kForceSpaceRadius, 16));
+    const Camera same_side = FrameScenes({room}, camera.p_WEye - camera.p_WTarget,
+                                         static_cast<double>(kFilmWidth) / kFilmHeight);
+    add(EncodeWebp(film_renderer_->Render(*space, same_side)),
+        "Forces that the contacts at " + FormatFixed(shown.time, 3) + " s can bear");
+  }
+  return MakeFigure(
+      "The phases of " + view.name + ". " + kContactLegend +
+          " The last picture, where there is one, is the force part of the wrench space, for "
+          "normal forces of 1 N in all, seen from the same side: the dot is no force.",
+      "arrows inside their cones; a dot well inside the last shape, so that a force in any "
+      "direction can be borne.",
+      Element("div", {{"class", "film"}}, frames));
+}
+
 Html TrialViews::Add(const TrialView& view) {
   if (view.traced.trace.empty() || !CanBeDrawn(view)) {
     return Element("p", {{"class", "missing"}, {"id", view.anchor}},
@@ -159,7 +194,7 @@ Html TrialViews::Add(const TrialView& view) {
        {"data-camera", FormatCamera(camera)},
        {"data-time", FormatFixed(shown.time, 4)}},
       Element("div", {{"class", "stage"}}, DrawPoster(view, shown, camera)) +
-          DrawPhaseTable(view, ends) +
+          DrawFilm(view, ends, shown, camera) + DrawPhaseTable(view, ends) +
           MakeFigure("Forces and joints over the trial. Dashed lines: the phases.",
                      "forces that fall before lift-off; a digit that never presses; joints that go "
                      "on closing while the object is held.",

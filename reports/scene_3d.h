@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-Trials as moving 3-D views in a page: picture, table and curves for everybody; where scripts run, a
-button opens the scene with a slider over the phases, contact points, forces and friction cones, and
-a cursor in the curves that follows.
+Trials as moving 3-D views in a page: pictures of all phases, table and curves for everybody; where
+scripts run, a button opens the scene with a slider over the phases, contact points, forces and
+friction cones, and a cursor in the curves that follows.
 
 three.js, its licence and the script are in a page once, every hand and object once, and once per
 trial its motion (datasets/gltf/trial_gltf.h), some 100 kB with the curves. Nothing is loaded by the
@@ -48,9 +48,12 @@ class TrialViews {
                              const std::function<std::string()>& make_glb);
   Html DrawPoster(const TrialView& view, const TraceInstant& shown, const Camera& camera);
 
+  Html DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
+                const TraceInstant& shown, const Camera& camera);
+
   std::map<std::string, std::string> anchor_of_model_;  // by kind and content
   Html models_;
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<Renderer> renderer_, film_renderer_;
   bool can_draw_ = true;
 };
 

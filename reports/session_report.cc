@@ -49,8 +49,8 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
 }  // namespace
 
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
-                                         const Session& session) {
-  return WriteReport(folder, session, SummariseSession(session), LoadSessionModels(session), {});
+                                         const Session& session, const TrialTracer& trace) {
+  return WriteReport(folder, session, SummariseSession(session), LoadSessionModels(session), trace);
 }
 
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session,

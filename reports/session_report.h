@@ -18,11 +18,11 @@ namespace graspbench {
 /** Writes report/index.html in the session's folder and returns its path. Same records, same bytes.
 A machine that cannot draw, or a model that is gone, costs the pictures and not the report: the page
 says what is missing and why.
+@param trace  gives the page 3-D views of chosen trials; empty: none.
 @throws Error(kIo) when the file cannot be written. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
-                                         const Session& session);
-/** The same in less memory: the session loses its plan on the way, but keeps its records.
-@param trace  gives the page 3-D views of chosen trials; empty: none. */
+                                         const Session& session, const TrialTracer& trace = {});
+/** The same in less memory: the session loses its plan on the way, but keeps its records. */
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session,
                                          const TrialTracer& trace = {});
 

@@ -8,6 +8,7 @@
 #include "datasets/session/find_trial.h"
 #include "reports/cell_pictures.h"
 #include "reports/layout.h"
+#include "reports/outcome_words.h"
 #include "reports/shown_trials.h"
 
 namespace graspbench {
@@ -49,6 +50,10 @@ Html DrawAgreement(const TrialResult& recorded, const TrialResult& now) {
 
 }  // namespace
 
+bool HasSessionViews(std::string_view page) {
+  return page.find("class=\"scene-3d\"") != std::string_view::npos;
+}
+
 SessionViews DrawSessionViews(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const TrialTracer& trace) {
   const std::vector<ChosenTrial> chosen = ChooseViewedTrials(session, summary, models);
@@ -58,7 +63,7 @@ SessionViews DrawSessionViews(const Session& session, const SessionSummary& summ
   for (const ChosenTrial& trial : chosen) {
     if (list.markup().size() > kMaxBytes) break;
     ++num_shown;
-    const std::string outcome = NameOf(trial.record->result.outcome);
+    const std::string outcome = WordsOf(trial.record->result.outcome);
     Html content;
     try {
       TracedTrial traced = trace(trial.record->plan);

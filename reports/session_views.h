@@ -5,6 +5,7 @@ the same whose pictures are shown. A record keeps three postures of a trial; its
 whoever can carry it out again. */
 
 #include <functional>
+#include <string_view>
 
 #include "datasets/analysis/session_summary.h"
 #include "reports/html.h"
@@ -21,6 +22,9 @@ struct SessionViews {
   Html body;  ///< empty: no trial could be shown
   PageScript script;
 };
+
+/** True for a page of a session that has such views. */
+bool HasSessionViews(std::string_view page);
 
 /** A course that is not what the record says is shown with a sentence that names the first field
 that differs. Of very many trials the first that fit into a page; it says how many others there are.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -11,25 +12,64 @@
 namespace graspbench {
 namespace {
 
+/** Of a head, which is bold. */
+double CalcHeadWidth(const std::string& text) {
+  constexpr double kBold = 1.15;
+  return kBold * (CalcLabelWidth({text}) - kPlotGap);
+}
+
+/** Whole words, in lines of at most this width unless a word is wider. */
+std::vector<std::string> WrapHead(const std::string& text, double width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = !lines.empty() && CalcHeadWidth(lines.back() + " " + word) <= width;
+    fits ? lines.back() += " " + word : lines.emplace_back(word);
+  }
+  return lines;
+}
+
+/** As narrow as the cells' texts and the words of the heads: a map of two hands fits a phone. */
+double CalcColumnWidth(const HeatMap& map) {
+  std::vector<std::string> texts = {"10 / 10"};
+  for (const HeatMap::Cell& cell : map.cells) texts.push_back(cell.text);
+  double width = CalcLabelWidth(texts) - kPlotGap;
+  for (const std::string& column : map.columns) {
+    for (const std::string& word : WrapHead(column, 0.0)) {
+      width = std::max(width, CalcHeadWidth(word));
+    }
+  }
+  for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {  // a name of few columns
+    while (end < map.groups.size() && map.groups[end] == map.groups[c]) ++end;
+    const double room = CalcLabelWidth({map.groups[c]}) + kPlotGap;
+    width = std::max(width, room / static_cast<double>(end - c));
+  }
+  return width;
+}
+
 std::string Numbered(const char* stem, size_t index) { return stem + std::to_string(index); }
 
 }  // namespace
 
 Html DrawHeatMap(const HeatMap& map) {
   GRASPBENCH_DEMAND(map.cells.size() == map.rows.size() * map.columns.size(), map.text.title);
-  constexpr double kRow = 26.0, kHeadRow = 28.0, kCellGap = 2.0;
-  const double head = kHeadRow * (map.groups.empty() ? 1.0 : 2.0);
-  double column_width = std::clamp(CalcLabelWidth(map.columns) + kPlotGap, 84.0, 180.0);
-  for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {  // a name of few columns
-    while (end < map.groups.size() && map.groups[end] == map.groups[c]) ++end;
-    const double room = CalcLabelWidth({map.groups[c]}) + kPlotGap;
-    column_width = std::max(column_width, room / static_cast<double>(end - c));
+  constexpr double kRow = 26.0, kHeadRow = 28.0, kLine = 16.0, kCellGap = 2.0;
+  const double column_width = CalcColumnWidth(map);
+  size_t num_lines = 1;
+  for (const std::string& column : map.columns) {
+    num_lines = std::max(num_lines, WrapHead(column, column_width).size());
   }
-  const double left = CalcLabelWidth(map.rows) + kPlotGap;
+  const double head =
+      kHeadRow * (map.groups.empty() ? 1.0 : 2.0) + kLine * static_cast<double>(num_lines - 1);
+  const double left = CalcLabelWidth(map.rows);
   Html content;
   for (size_t c = 0; c < map.columns.size(); ++c) {
     const double middle = left + column_width * (static_cast<double>(c) + 0.5);
-    content += Label("middle head", middle, head - kHeadRow / 2.0, map.columns[c]);
+    const std::vector<std::string> lines = WrapHead(map.columns[c], column_width);
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const double up = kLine * static_cast<double>(lines.size() - 1 - i);
+      content += Label("middle head", middle, head - kHeadRow / 2.0 - up, lines[i]);
+    }
   }
   for (size_t c = 0, end = 0; c < map.groups.size(); c = end) {
     while (end < map.groups.size() && map.groups[end] == map.groups[c]) ++end;

@@ -1,13 +1,17 @@
 #include "reports/trial_page.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/base/version.h"
 #include "reports/cell_pictures.h"
 #include "reports/contact_strip.h"
 #include "reports/filmstrip.h"
 #include "reports/layout.h"
 #include "reports/models.h"
+#include "reports/outcome_words.h"
 #include "reports/scene_3d.h"
 #include "reports/sectioned_page.h"
 
@@ -19,7 +23,8 @@ struct DrawnTrial : TrialPageData {
 };
 
 std::string NameOfScene(const TrialPageData& data) {
-  return data.hand->name + ", " + data.object->name + ", " + NameOfGrasp(data.record.plan.grasp);
+  return data.setup.hand->name + ", " + data.setup.object->name + ", " +
+         NameOfGrasp(data.record.plan.grasp);
 }
 
 Html DrawResult(const DrawnTrial& data) {
@@ -39,7 +44,7 @@ Html DrawResult(const DrawnTrial& data) {
   add("Lift [mm]", MmFromM(result.lift_height), 1);
   add("Slip while held [mm]", MmFromM(result.hold_slip), 2);
   add("Deepest penetration [mm]", MmFromM(result.worst_penetration), 2);
-  return MakeParagraph("Outcome: " + std::string(NameOf(result.outcome)) + reason) + table.ToHtml();
+  return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason) + table.ToHtml();
 }
 
 Html DrawPictures(const DrawnTrial& data) {
@@ -49,7 +54,7 @@ Html DrawPictures(const DrawnTrial& data) {
   try {
     Renderer renderer(kPictureWidth, kPictureHeight);
     return DrawFilmstrip(
-        RenderSnapshots(data.record.result.snapshots, data.hand, data.object, renderer),
+        RenderSnapshots(data.record.result.snapshots, data.setup.hand, data.setup.object, renderer),
         data.record.result, NameOfScene(data));
   } catch (const Error& fault) {
     return MakeNote("warning", "No pictures", MakeParagraph(fault.what()));
@@ -58,8 +63,8 @@ Html DrawPictures(const DrawnTrial& data) {
 
 Html DrawContacts(const DrawnTrial& data) {
   SessionModels models;
-  models.hands[data.hand->id] = data.hand;
-  models.objects[data.object->id] = data.object;
+  models.hands[data.setup.hand->id] = data.setup.hand;
+  models.objects[data.setup.object->id] = data.setup.object;
   const Html strip = DrawContactStrip(data.record, NameOfScene(data), models);
   return strip.empty() ? Element("p", {{"class", "missing"}}, "Nothing touched the object.")
                        : strip;
@@ -86,21 +91,79 @@ Html DrawScript(const DrawnTrial& data) {
          MakeScroll("Script", Element("pre", {}, text));
 }
 
+Html DrawFindings(const DrawnTrial& data) {
+  const TrialResult& result = data.record.result;
+  std::vector<std::string> findings = data.warnings;
+  if (result.num_unconverged > 0) {
+    findings.push_back("In " + std::to_string(result.num_unconverged) + " of " +
+                       FormatCount(result.num_steps, "step") + " the solver missed its tolerance.");
+  }
+  if (result.outcome == Outcome::kNumericalFailure || result.outcome == Outcome::kNotPhysical) {
+    findings.push_back("The simulation failed; nothing of the trial counts as measured.");
+  }
+  const bool is_early = std::any_of(result.contacts.begin(), result.contacts.end(),
+                                    [](const DigitContact& contact) { return contact.time < 0.0; });
+  if (is_early) {
+    findings.push_back("A digit touched before closure began: its times compare with no other's.");
+  }
+  return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
+}
+
+std::string DescribeMethod(const TrialSetup& setup, const TrialRecord& record) {
+  const TrialDraw& draw = setup.draw;
+  return "The " + setup.hand->name + " grasped one object (" + setup.object->name + ", " +
+         FormatFixed(GFromKg(setup.object->mass_properties.mass), 1) + " g, friction " +
+         FormatFixed(setup.object->surface.friction_static, 2) + " static and " +
+         FormatFixed(setup.object->surface.friction_dynamic, 2) + " dynamic) by the grasp " +
+         NameOfGrasp(record.plan.grasp) + " in a physical simulation. The object stood " +
+         FormatFixed(MmFromM(draw.offset_x), 1) + " mm and " +
+         FormatFixed(MmFromM(draw.offset_y), 1) +
+         " mm off its nominal place along the two horizontal axes and was turned by " +
+         FormatFixed(DegFromRad(draw.offset_yaw), 1) +
+         " degrees about the vertical; every drive had an error of its joint accuracy. The trial "
+         "ran the strategy pre-grasp, placing, closure, stabilisation and lift-off, closing from "
+         "the pre-grasp to the target posture in " +
+         FormatFixed(setup.strategy.closure_time, 2) + " s, and then a hold of " +
+         FormatFixed(setup.strategy.hold_time, 2) + " s, in steps of " +
+         FormatFixed(MsFromS(setup.sim.step), 2) + " ms (graspbench " +
+         std::string(program_version()) +
+         "). It is a success when the object left the table with the hand and stayed in it to the "
+         "end of the hold.";
+}
+
+Html DrawMethods(const DrawnTrial& data) {
+  return MakeMethodsText({DescribeMethod(data.setup, data.record)});
+}
+
+PageFrame MakeFrame(const TrialPageData& data) {
+  const std::string& id = data.record.plan.id;
+  PageFrame frame = {data.name.empty() ? "One trial" : "Trial " + data.name, NameOfScene(data)};
+  if (!id.empty()) frame.facts = {{"Trial id", id}};
+  frame.commands = data.commands;
+  frame.references = {"roethling2007", "sherman2011", "ferrari1992"};
+  return frame;
+}
+
 }  // namespace
 
 std::string MakeTrialPage(const TrialPageData& data) {
   TrialViews views;
   DrawnTrial drawn = {data, {}};
   if (data.traced) {
-    drawn.course = views.Add({data.hand, data.object, *data.traced, "view", NameOfScene(data)});
+    drawn.course =
+        views.Add({data.setup.hand, data.setup.object, *data.traced, "view", NameOfScene(data)});
     drawn.course += views.MakeModels();
   }
   static const std::vector<PageSection<DrawnTrial>> sections = {
-      {"result", "Result", &DrawResult},         {"pictures", "Pictures", &DrawPictures},
-      {"course", "Course", &DrawCourse},         {"contacts", "Contacts", &DrawContacts},
-      {"state", "State at the end", &DrawCards}, {"script", "How to get here", &DrawScript}};
-  return AddScript(MakeSectionedPage("One trial", NameOfScene(data), sections, drawn),
-                   views.MakeScript());
+      {"result", "Result", &DrawResult},
+      {"pictures", "Pictures", &DrawPictures},
+      {"course", "Course", &DrawCourse},
+      {"contacts", "Contacts", &DrawContacts},
+      {"state", "State at the end", &DrawCards},
+      {"script", "How to get here", &DrawScript},
+      {"findings", "Errors and warnings", &DrawFindings},
+      {"methods", "Methods", &DrawMethods}};
+  return AddScript(MakeSectionedPage(MakeFrame(data), sections, drawn), views.MakeScript());
 }
 
 }  // namespace graspbench

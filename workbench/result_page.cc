@@ -62,9 +62,9 @@ fs::path TakeWholePage(const fs::path& folder, const fs::path& place, OnDamage o
 }  // namespace
 
 fs::path WriteResultPage(const fs::path& folder, const fs::path& place, OnDamage on_damage,
-                         bool with_views) {
-  const auto refuse_views = [with_views](const char* kind) {
-    if (!with_views) return;
+                         PageViews views) {
+  const auto refuse_views = [views](const char* kind) {
+    if (views != PageViews::kWith) return;
     throw Error(ErrorKind::kUsage, std::string("--3d is for sessions; this is ") + kind);
   };
   if (HasCampaign(folder)) {
@@ -81,7 +81,9 @@ fs::path WriteResultPage(const fs::path& folder, const fs::path& place, OnDamage
   Session session = LoadSession(folder, on_damage, RecordParts::kBrief);
   ReportDamage(session.damage);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-  const TrialTracer trace = with_views ? MakeTrialTracer(session) : TrialTracer();
+  const TrialTracer trace = views == PageViews::kWith       ? MakeTrialTracer(session)
+                            : views == PageViews::kAsBefore ? MakeKeptTracer(session)
+                                                            : TrialTracer();
   return WriteSessionReport(place, std::move(session), trace).lexically_relative(place);
 }
 

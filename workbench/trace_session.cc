@@ -4,9 +4,12 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/trial/trial_runner.h"
 #include "datasets/session/session_inputs.h"
 #include "objects/catalogue.h"
+#include "workbench/terminal.h"
 
 namespace graspbench {
 namespace {
@@ -34,6 +37,17 @@ TrialTracer MakeTrialTracer(const Session& session) {
     setup.object = bench.object;
     return TraceTrial(*bench.runner, setup, kInstantInterval);
   };
+}
+
+TrialTracer MakeKeptTracer(const Session& session) {
+  const std::filesystem::path page = session.folder / "report" / "index.html";
+  if (!std::filesystem::exists(page) || !HasSessionViews(ReadFile(page))) return {};
+  try {
+    return MakeTrialTracer(session);
+  } catch (const Error& fault) {
+    PrintMessage("the page loses its 3-D views: " + std::string(fault.what()));
+    return {};
+  }
 }
 
 }  // namespace graspbench

@@ -10,4 +10,8 @@ namespace graspbench {
 @throws Error when a hand or an object of the session is gone. */
 TrialTracer MakeTrialTracer(const Session& session);
 
+/** For a page that is made anew: the same where the one before has 3-D views, else empty. Says on
+the terminal when they cannot be kept. */
+TrialTracer MakeKeptTracer(const Session& session);
+
 }  // namespace graspbench

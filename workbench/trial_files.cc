@@ -41,12 +41,14 @@ std::string MakeTrialModel(const TrialFileOptions&, const ExaminedTrial& trial) 
 
 std::string MakeWholePage(const TrialFileOptions& options, const ExaminedTrial& trial) {
   TrialPageData data;
-  data.hand = trial.setup.hand;
-  data.object = trial.setup.object;
+  data.setup = trial.setup;
+  data.name = NameTrial(trial.planned);
   data.record = {trial.planned, trial.traced.result, {}};
   data.traced = trial.traced;
   data.cards = {{"Trial", FormatTrial(trial, options.folder)}};
   data.script = {"open " + QuoteForShell(options.folder) + " " + trial.planned.id, "run"};
+  data.commands = {"graspbench trial DIR " + trial.planned.id + " --page FILE.html"};
+  if (!trial.recorded || trial.difference) data.warnings = {FormatComparison(trial)};
   return MakeTrialPage(data);
 }
 

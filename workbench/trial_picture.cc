@@ -9,6 +9,7 @@
 #include "core/render/contact_marks.h"
 #include "core/render/hand_scene.h"
 #include "core/trial/moment.h"
+#include "reports/instant_scene.h"
 #include "workbench/scene_film.h"
 #include "workbench/shell/shell_words.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double kLatestInstant = 3600.0;    // [s]
 constexpr double kTraceFilmInterval = 0.05;  // [s]
-constexpr double kLongestArrow = 0.045;      // [m]
 
 std::vector<std::string> ListInstantNames() {
   std::vector<std::string> names;
@@ -39,32 +39,33 @@ const TraceInstant* FindEndOf(Phase phase, const std::vector<TraceInstant>& trac
   return last;
 }
 
-/** The largest force is as long as the longest arrow, in all pictures of the trial [m/N]. */
-double FindArrowScale(const TracedTrial& traced) {
-  double largest = 0.0;
-  for (const TraceInstant& instant : traced.trace) {
-    for (const HandContact& contact : instant.contacts) {
-      largest = std::max(largest, std::hypot(contact.normal_force, contact.friction_W.norm()));
-    }
-  }
-  return largest > 0.0 ? kLongestArrow / largest : 0.0;
-}
-
-std::vector<ContactMark> MakeMarks(const TraceInstant& instant) {
-  std::vector<ContactMark> marks;
-  for (const HandContact& contact : instant.contacts) {
-    marks.push_back({contact.p_WC, contact.nhat_W,
-                     contact.normal_force * contact.nhat_W + contact.friction_W, contact.mu,
-                     contact.is_sliding});
-  }
-  return marks;
-}
-
 std::string FindDefaultInstant(const TracedTrial& traced) {
   const bool was_closed =
       std::any_of(traced.trace.begin(), traced.trace.end(),
                   [](const TraceInstant& instant) { return instant.phase == Phase::kLiftOff; });
   return NameOf(was_closed ? Phase::kStabilisation : traced.trace.back().phase);
+}
+
+/** A time since the start of placing [s], or with NaN the end of a phase. */
+struct WantedInstant {
+  double time = kUnset;
+  Phase phase = Phase::kDone;
+};
+
+WantedInstant ParseInstantName(const std::string& name) {
+  const std::string wanted = ToLower(name);
+  if (std::isdigit(static_cast<unsigned char>(wanted[0])) || wanted[0] == '.') {
+    return {ParseNumber(wanted, "the time", "s", 0.0, kLatestInstant)};
+  }
+  for (const PhaseRow& row : kPhases) {
+    if (wanted == row.name && row.value != Phase::kDone) return {kUnset, row.value};
+  }
+  for (const MomentRow& row : kMoments) {
+    if (wanted == row.name) return {kUnset, row.phase};
+  }
+  throw Error(ErrorKind::kUsage, "\"" + name + "\" is no instant of a trial; expected a time as " +
+                                     "1.25s, or the end of a phase" +
+                                     SuggestNames(wanted, ListInstantNames()));
 }
 
 void DemandCourse(const TracedTrial& traced) {
@@ -75,34 +76,25 @@ void DemandCourse(const TracedTrial& traced) {
 
 }  // namespace
 
+void CheckInstantName(const std::string& name) {
+  if (!name.empty()) ParseInstantName(name);
+}
+
 const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::string& name) {
   DemandCourse(traced);
-  const std::string wanted = name.empty() ? FindDefaultInstant(traced) : ToLower(name);
-  if (!wanted.empty() &&
-      (std::isdigit(static_cast<unsigned char>(wanted[0])) || wanted[0] == '.')) {
-    const double time = ParseNumber(wanted, "the time", "s", 0.0, kLatestInstant);
+  const WantedInstant wanted = ParseInstantName(name.empty() ? FindDefaultInstant(traced) : name);
+  if (!std::isnan(wanted.time)) {
     const double end = traced.trace.back().time;
-    if (time > end) {
+    if (wanted.time > end) {
       throw Error(ErrorKind::kUsage,
                   "the trial ended at " + FormatFixed(end, 3) + " s, before " + name);
     }
-    return FindInstant(traced.trace, time);
+    return FindInstant(traced.trace, wanted.time);
   }
-  const auto demand = [&](Phase phase) -> const TraceInstant& {
-    if (const TraceInstant* found = FindEndOf(phase, traced.trace)) return *found;
-    throw Error(ErrorKind::kUsage, "the trial ended before its " + std::string(NameOf(phase)) +
-                                       ": " + NameOf(traced.result.outcome) + ", " +
-                                       traced.result.reason);
-  };
-  for (const PhaseRow& row : kPhases) {
-    if (wanted == row.name && row.value != Phase::kDone) return demand(row.value);
-  }
-  for (const MomentRow& row : kMoments) {
-    if (wanted == row.name) return demand(row.phase);
-  }
-  throw Error(ErrorKind::kUsage, "\"" + name + "\" is no instant of a trial; expected a time as " +
-                                     "1.25s, or the end of a phase" +
-                                     SuggestNames(wanted, ListInstantNames()));
+  if (const TraceInstant* found = FindEndOf(wanted.phase, traced.trace)) return *found;
+  throw Error(ErrorKind::kUsage, "the trial ended before its " + std::string(NameOf(wanted.phase)) +
+                                     ": " + NameOf(traced.result.outcome) + ", " +
+                                     traced.result.reason);
 }
 
 PictureSize ParsePictureSize(const std::string& text) {
@@ -124,7 +116,7 @@ Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceI
   Scene scene = MakeGraspScene(setup.hand, instant.q, instant.X_WH, setup.object, instant.X_WO);
   const Camera camera = PlaceCamera(view, {scene}, *setup.hand, instant.q, instant.X_WH,
                                     static_cast<double>(size.width) / size.height);
-  AddContactMarks(MakeMarks(instant), FindArrowScale(traced), &scene);
+  AddContactMarks(MakeContactMarks(instant), FindArrowScale(traced), &scene);
   return Renderer(size.width, size.height).Render(scene, camera);
 }
 
@@ -138,7 +130,7 @@ std::string FilmTrial(const TrialSetup& setup, const TracedTrial& traced, const 
     if (instant.time < next - 1e-9 && &instant != &traced.trace.back()) continue;
     next = instant.time + kTraceFilmInterval;
     film.Add(instant.time, instant.q, instant.X_WH, instant.X_WO);
-    film.Mark(MakeMarks(instant), scale);
+    film.Mark(MakeContactMarks(instant), scale);
   }
   return film.Encode(view, size.width, size.height, [](size_t) { return true; });
 }

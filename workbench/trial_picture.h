@@ -14,6 +14,9 @@ of the record's moments ("closed"); empty: the end of stabilisation, or of a tri
 before. @throws Error(kUsage) with what there is. */
 const TraceInstant& FindNamedInstant(const TracedTrial& traced, const std::string& name);
 
+/** @throws Error(kUsage) for what is an instant of no trial. */
+void CheckInstantName(const std::string& name);
+
 /** "960x720". @throws Error(kUsage) with the largest side. */
 struct PictureSize {
   int width = 0, height = 0;

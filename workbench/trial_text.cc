@@ -113,6 +113,13 @@ std::string FormatBeside(const ExaminedTrial& trial) {
   return table.Format();
 }
 
+std::string MakeShellLine(const ExaminedTrial& trial, const std::string& folder) {
+  return "graspbench shell -c " +
+         QuoteForShell("open " + QuoteForShell(folder) + " " + trial.planned.id);
+}
+
+}  // namespace
+
 std::string FormatComparison(const ExaminedTrial& trial) {
   if (!trial.recorded) return "not in the journal: the session has not run it yet";
   if (!trial.difference) return "as recorded, in every field";
@@ -121,13 +128,6 @@ std::string FormatComparison(const ExaminedTrial& trial) {
       "another build or on another machine",
       trial.difference->field, trial.difference->recorded, trial.difference->now);
 }
-
-std::string MakeShellLine(const ExaminedTrial& trial, const std::string& folder) {
-  return "graspbench shell -c " +
-         QuoteForShell("open " + QuoteForShell(folder) + " " + trial.planned.id);
-}
-
-}  // namespace
 
 std::string FormatObjectDraw(const TrialDraw& draw) {
   return fmt::format("x {} mm, y {} mm, yaw {} deg", FormatFixed(MmFromM(draw.offset_x), 1),
@@ -186,6 +186,8 @@ Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder) {
                       {"y_m", draw.offset_y},
                       {"yaw_rad", draw.offset_yaw},
                       {"joint_error_rad", JsonAngles(draw.joint_error)}};
+  json["times_since"] = "start of closure; of snapshots: start of placing";
+  json["closure_start_s"] = JsonNumber(trial.traced.closure_start);
   json["result"] = ToJson(trial.traced.result);
   const ContactEvent* loss = FindFirstLoss(trial.traced.result.contact_events);
   json["first_loss"] = loss ? RecordToJson(*loss) : Json();

@@ -28,6 +28,9 @@ ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, 
 /** Where the object was drawn: "x 1.2 mm, y -3.4 mm, yaw 5.6 deg". */
 std::string FormatObjectDraw(const TrialDraw& draw);
 
+/** Whether the trial is what its record says: "as recorded, in every field". */
+std::string FormatComparison(const ExaminedTrial& trial);
+
 /** Outcome, draw, phases, contacts by digit, what failed first, the nearest success beside it.
 @param folder  of the session, for the line that opens the trial again. */
 std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder);

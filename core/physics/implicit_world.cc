@@ -252,7 +252,7 @@ void ImplicitWorld::FindHandContacts(std::vector<HandContact>& contacts) const {
                          forces.force[kTangentRow2] * point.tangent2_W;
     contact.spin_moment = forces.force[kSpinRow];
     contact.slip_speed = std::hypot(rates[kTangentRow1], rates[kTangentRow2]);
-    contact.is_sliding = forces.is_at_limit;
+    contact.is_at_limit = forces.is_at_limit;
     contact.mu = point.mu();
     contact.torsion_radius = point.material.torsion_radius;
   }

@@ -8,6 +8,10 @@ Pose CalcPalmPose(const Hand& hand, const WorldState& state) {
   return state.X_WH * CalcLinkPose(hand, state.q, hand.palm_link);
 }
 
+const char* DescribeState(const HandContact& contact) {
+  return !contact.is_at_limit ? "sticks" : IsSliding(contact) ? "slides" : "at its limit";
+}
+
 double CalcConeShare(const HandContact& contact) {
   const double limit = contact.mu * contact.normal_force;
   return limit > 0.0 ? contact.friction_W.norm() / limit : kUnset;

@@ -69,10 +69,19 @@ struct HandContact {
   Eigen::Vector3d friction_W = Eigen::Vector3d::Zero();  ///< tangential force on the object [N]
   double spin_moment = 0.0;     ///< on the object about nhat_W; pads only [N m]
   double slip_speed = 0.0;      ///< tangential speed of the surfaces [m/s]
-  bool is_sliding = false;      ///< friction is at its limit
+  bool is_at_limit = false;     ///< friction or torsion is; it may stand still all the same
   double mu = 0.0;              ///< of that state: static or dynamic
   double torsion_radius = 0.0;  ///< a pad resists spin up to mu * normal_force * this [m]
 };
+
+/** Slower than this a contact stands still, also at its limit [m/s]. */
+inline constexpr double kSlipSpeed = 1e-3;
+/** Friction is at its limit and the surfaces move against each other. */
+inline bool IsSliding(const HandContact& contact) {
+  return contact.is_at_limit && contact.slip_speed > kSlipSpeed;
+}
+/** "sticks", "at its limit" or "slides". */
+const char* DescribeState(const HandContact& contact);
 
 /** Share of the friction cone that the tangential force uses, 1 at its limit; NaN without a cone.
 Torsion is not counted. */

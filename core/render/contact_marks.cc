@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/shape/primitives.h"
@@ -33,15 +34,30 @@ Pose MakeAxisPose(const Vector3d& axis, const Vector3d& p_W) {
                   p_W);
 }
 
-void AddMark(TriMesh mesh, const Pose& X_WM, const Eigen::Vector3f& colour, Scene* scene) {
-  Drawable drawable;
-  drawable.mesh = std::make_shared<const TriMesh>(std::move(mesh));
-  drawable.X_WM = X_WM;
-  drawable.colour = colour;
-  drawable.must_be_seen = false;
-  drawable.is_mark = true;
-  scene->drawables.push_back(std::move(drawable));
-}
+/** The marks of one colour as one mesh: a picture has hundreds, and each mesh has its price. */
+class MarkMesh {
+ public:
+  void Add(const TriMesh& mesh, const Pose& X_WM) {
+    const int first = mesh_.num_vertices();
+    for (const Vector3d& p_M : mesh.vertices) mesh_.vertices.push_back(X_WM * p_M);
+    for (const Eigen::Vector3i& triangle : mesh.triangles) {
+      mesh_.triangles.emplace_back(triangle.array() + first);
+    }
+  }
+
+  void MoveTo(Scene* scene, const Eigen::Vector3f& colour) {
+    if (mesh_.vertices.empty()) return;
+    Drawable drawable;
+    drawable.mesh = std::make_shared<const TriMesh>(std::move(mesh_));
+    drawable.colour = colour;
+    drawable.must_be_seen = false;
+    drawable.is_mark = true;
+    scene->drawables.push_back(std::move(drawable));
+  }
+
+ private:
+  TriMesh mesh_;
+};
 
 /** Along z, with its tip at the origin. */
 TriMesh MakeArrow(double length) {
@@ -56,7 +72,7 @@ TriMesh MakeArrow(double length) {
 }
 
 /** Around z, with its tip at the origin. */
-void AddCone(double half_angle, const Pose& X_WM, const Eigen::Vector3f& colour, Scene* scene) {
+void AddCone(double half_angle, const Pose& X_WM, MarkMesh* marks) {
   const double rim = kConeLength * std::sin(half_angle),
                height = kConeLength * std::cos(half_angle);
   std::vector<Vector3d> points;
@@ -68,8 +84,7 @@ void AddCone(double half_angle, const Pose& X_WM, const Eigen::Vector3f& colour,
     const Vector3d& next = points[(i + 1) % points.size()];
     for (const auto& [from, to] :
          {std::pair(Vector3d(0.0, 0.0, 0.0), points[i]), std::pair(points[i], next)}) {
-      AddMark(MakeTaperedCapsule(from, kWireRadius, to, kWireRadius, kNumSegments), X_WM, colour,
-              scene);
+      marks->Add(MakeTaperedCapsule(from, kWireRadius, to, kWireRadius, kNumSegments), X_WM);
     }
   }
 }
@@ -78,19 +93,23 @@ void AddCone(double half_angle, const Pose& X_WM, const Eigen::Vector3f& colour,
 
 void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per_force,
                      Scene* scene) {
+  MarkMesh points, forces, still_cones, sliding_cones;
   for (const ContactMark& contact : contacts) {
-    AddMark(MakeSphere(kPointRadius, 16), MakePose(Eigen::Matrix3d::Identity(), contact.p_WC),
-            kPointColour, scene);
+    points.Add(MakeSphere(kPointRadius, 16), MakePose(Eigen::Matrix3d::Identity(), contact.p_WC));
     const double force = contact.force_W.norm();
     if (force > 0.0) {
-      AddMark(MakeArrow(length_per_force * force),
-              MakeAxisPose(contact.force_W / force, contact.p_WC), kForceColour, scene);
+      forces.Add(MakeArrow(length_per_force * force),
+                 MakeAxisPose(contact.force_W / force, contact.p_WC));
     }
     if (contact.mu > 0.0) {
       AddCone(std::atan(contact.mu), MakeAxisPose(-contact.nhat_W, contact.p_WC),
-              contact.is_sliding ? kDynamicColour : kStaticColour, scene);
+              contact.is_sliding ? &sliding_cones : &still_cones);
     }
   }
+  points.MoveTo(scene, kPointColour);
+  forces.MoveTo(scene, kForceColour);
+  still_cones.MoveTo(scene, kStaticColour);
+  sliding_cones.MoveTo(scene, kDynamicColour);
 }
 
 }  // namespace graspbench

@@ -2,7 +2,7 @@
 /** @file
 Contacts as marks over a picture: a point where hand and object touch, an arrow for the force on the
 object that ends there, and the friction cone that the arrow may not leave, green where the contact
-sticks (static friction) and blue where it slides (dynamic). */
+stands still (static friction) and blue where it slides (dynamic). */
 
 #include <Eigen/Core>
 #include <vector>

@@ -15,7 +15,7 @@ for all pictures of a study. */
 
 namespace graspbench {
 
-/** The digits must be seen; palm and forearm may be cut by the picture's edge.
+/** The digits must be seen; palm and forearm may reach the picture's edge and fade away there.
 @pre q has num_joints angles [rad]. */
 void AddHand(const std::shared_ptr<const Hand>& hand, const Eigen::VectorXd& q, const Pose& X_WH,
              Scene* scene);

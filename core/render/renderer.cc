@@ -33,6 +33,7 @@ int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 2,
 int ChooseTaps(int picture_size) { return picture_size > 512 ? 8 : 4; }
 
 // Everything that is no surface, and the lit table.
+constexpr double kFadeShare = 0.1;  // of the picture, at each edge, for what it may cut
 const Vector3f kBackgroundSrgb = Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
 
 // Inverse of the encoding at the end of the shaders; for values beyond its linear part.
@@ -134,6 +135,7 @@ struct Renderer::Impl {
     const GpuMesh* mesh;
     Matrix4d S_from_M;
     Vector3f colour;
+    bool may_be_cut;
   };
   void DrawItems(const std::vector<Item>& drawn, const Program& program, const StageView& view);
   void DrawMarks(const StageView& view);
@@ -344,7 +346,11 @@ void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const Program& pr
   program.Set("to_key", kToKey);
   program.Set("to_fill", kToFill);
   program.Set("to_rim", kToRim);
+  program.Set("background_srgb", kBackgroundSrgb);
+  program.Set("picture_size", Vector3f(static_cast<float>(picture.width),
+                                       static_cast<float>(picture.height), 0.0f));
   for (const Item& item : drawn) {
+    program.Set("fade_share", item.may_be_cut ? kFadeShare : 0.0);
     program.Set("S_from_M", item.S_from_M);
     program.Set("albedo", item.colour);
     DrawMesh(*item.mesh, GL_BACK);
@@ -424,7 +430,9 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
     const GpuMesh& mesh = FindOrUpload(drawable, share);
     if (mesh.num_indices == 0) continue;
     const Pose X_SM = view.X_SW * drawable.X_WM;
-    (drawable.is_mark ? marks : items).push_back({&mesh, X_SM.matrix(), drawable.colour});
+    const bool may_be_cut = !drawable.must_be_seen && !drawable.is_mark;
+    (drawable.is_mark ? marks : items)
+        .push_back({&mesh, X_SM.matrix(), drawable.colour, may_be_cut});
     if (drawable.is_mark) continue;
     for (int i = 0; i < 8; ++i) corners.push_back(X_SM * mesh.box.Corner(i));
   }

@@ -23,7 +23,9 @@ struct Drawable {
   Eigen::Vector3f colour = Eigen::Vector3f(0.7f, 0.7f, 0.7f);  ///< linear RGB
   double crease_angle = 0.7;  ///< edges sharper than this stay sharp [rad]
   bool is_mark = false;       ///< over all that is none, without shadow: a note on the picture
-  bool must_be_seen = true;  ///< a camera made for the scene (hand_scene.h) keeps it in the picture
+  /** A camera made for the scene (hand_scene.h) keeps it in the picture; what need not be seen fades
+  away towards the picture's edge. */
+  bool must_be_seen = true;
 };
 
 /** Pinhole that looks from `p_WEye` at `p_WTarget`; z of the world is up in the picture (looking

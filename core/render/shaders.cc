@@ -162,6 +162,9 @@ uniform vec3 p_SEye;
 uniform vec3 to_fill;
 uniform vec3 to_rim;
 uniform vec3 albedo;
+uniform vec3 background_srgb;
+uniform vec3 picture_size;
+uniform float fade_share;
 out vec4 srgb;
 void main() {
   vec3 n = normalize(n_S);
@@ -188,6 +191,12 @@ void main() {
   const float kKnee = 0.5;
   vec3 excess = max(radiance - kKnee, 0.0) / (1.0 - kKnee);
   srgb = EncodeSrgb(min(radiance, kKnee) + (1.0 - kKnee) * (1.0 - exp(-excess)));
+  if (fade_share > 0.0) {
+    vec2 share = gl_FragCoord.xy / picture_size.xy;
+    vec2 inside = min(share, 1.0 - share);
+    float shown = smoothstep(0.0, fade_share, min(inside.x, inside.y));
+    srgb.rgb = mix(background_srgb, srgb.rgb, shown);
+  }
 }
 )"};
 }

@@ -10,7 +10,6 @@ namespace graspbench {
 namespace {
 
 constexpr double kSettledTime = 0.01;  ///< [s]
-constexpr double kSlipSpeed = 1e-3;    ///< [m/s]
 
 /** What a link does in one step. */
 struct LinkNow {
@@ -47,7 +46,7 @@ void ContactEventRecorder::Observe(double time, const std::vector<HandContact>& 
   for (const HandContact& contact : contacts) {
     LinkNow& link = now[static_cast<size_t>(contact.link)];
     link.is_touching = true;
-    link.is_sliding = link.is_sliding && contact.is_sliding && contact.slip_speed > kSlipSpeed;
+    link.is_sliding = link.is_sliding && IsSliding(contact);
     link.force += contact.normal_force;
   }
   for (size_t i = 0; i < links_.size(); ++i) {

@@ -13,7 +13,7 @@ TraceInstant MakeInstant(TrialCourse& course) {
   const World& world = course.world();
   TraceInstant instant;
   instant.time = notes.time;
-  instant.phase = notes.phase;
+  instant.phase = instant.next_phase = notes.phase;
   instant.X_WH = world.state().X_WH;
   instant.X_WO = world.CalcObjectPose();
   instant.q = world.state().q;
@@ -33,14 +33,31 @@ TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double inte
   TraceInstant latest;
   long step = 0;
   bool is_kept = true;
+  const auto keep_latest = [&] {
+    if (!is_kept) traced.trace.push_back(latest);
+    is_kept = true;
+  };
   traced.result = runner.Run(setup, [&](TrialCourse& course) {
+    if (step > 0 && course.phase() != latest.phase) {
+      keep_latest();
+      traced.trace.back().next_phase = course.phase();
+    }
     latest = MakeInstant(course);
     traced.closure_start = course.notes().closure_start;
-    is_kept = step++ % every == 0;
-    if (is_kept) traced.trace.push_back(latest);
+    is_kept = false;
+    if (step++ % every == 0) keep_latest();
   });
-  if (!is_kept) traced.trace.push_back(latest);
+  keep_latest();
   return traced;
+}
+
+std::vector<const TraceInstant*> ListPhaseEnds(const std::vector<TraceInstant>& trace) {
+  std::vector<const TraceInstant*> ends;
+  for (const TraceInstant& instant : trace) {
+    if (ends.empty() || ends.back()->phase != instant.phase) ends.push_back(nullptr);
+    ends.back() = &instant;
+  }
+  return ends;
 }
 
 const TraceInstant& FindInstant(const std::vector<TraceInstant>& trace, double time) {

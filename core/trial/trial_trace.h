@@ -16,6 +16,8 @@ namespace graspbench {
 struct TraceInstant {
   double time = 0.0;              ///< since the start of placing [s]
   Phase phase = Phase::kPlacing;  ///< of the step that ended; the last of a whole trial: hold
+  /** That goes on from here, as the record's phases say: another one at the end of a phase. */
+  Phase next_phase = Phase::kPlacing;
   Pose X_WH = Pose::Identity();
   Pose X_WO = Pose::Identity();
   Eigen::VectorXd q;        ///< (num_joints) [rad], [m]
@@ -34,9 +36,13 @@ struct TracedTrial {
 };
 
 /** Runs a trial and keeps its instants, some 2 kB each. Never throws for what happens inside it.
-@param interval  of the instants, rounded up to whole steps [s]; the first and the last are always
-kept. */
+@param interval  of the instants, rounded up to whole steps [s]; the first, the last and the end of
+each phase are always kept. */
 TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double interval);
+
+/** The last instant of each phase that was reached, in their order: the very instants at which the
+next one begins, and the end of the trial. */
+std::vector<const TraceInstant*> ListPhaseEnds(const std::vector<TraceInstant>& trace);
 
 /** The instant nearest to a time. @pre the trace is not empty. */
 const TraceInstant& FindInstant(const std::vector<TraceInstant>& trace, double time);

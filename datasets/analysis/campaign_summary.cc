@@ -41,6 +41,13 @@ double DivideByGrip(double force, const TrialRecord& record) {
   return force == 0.0 ? 0.0 : force / GripForceOf(record);
 }
 
+/** Of b and a; none where it is so small that the same grasp, once from the catalogue and once from
+its file with its rounded angles, gives it. */
+double CalcDifference(double a, double b) {
+  constexpr double kNegligible = 1e-6;
+  return std::abs(b - a) <= kNegligible * std::max(std::abs(a), std::abs(b)) ? 0.0 : b - a;
+}
+
 }  // namespace
 
 const std::vector<VariantMeasure>& ListVariantMeasures() {
@@ -103,7 +110,7 @@ std::vector<double> ListPairedDifferences(const VariantMeasure& measure, const S
   for (const TrialRecord* before : scene.cell(a).records) {
     const TrialRecord* after = FindTrial(scene.cell(b), before->plan.trial);
     if (after == nullptr) continue;
-    const double difference = measure.value(*after) - measure.value(*before);
+    const double difference = CalcDifference(measure.value(*before), measure.value(*after));
     if (std::isfinite(difference)) differences.push_back(difference);
   }
   return differences;
@@ -134,10 +141,11 @@ StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<Scene
     if (!scene.IsComplete() || (!hand.empty() && scene.hand != hand)) continue;
     const double value_a = CalcCellValue(measure, scene.cell(a));
     const double value_b = CalcCellValue(measure, scene.cell(b));
-    if (!std::isfinite(value_a) || !std::isfinite(value_b)) continue;
+    const double gain = CalcDifference(value_a, value_b);
+    if (!std::isfinite(gain)) continue;
     before.push_back(value_a);
-    after.push_back(value_b);
-    if (measure.is_larger_better ? value_b < value_a : value_b > value_a) {
+    after.push_back(gain == 0.0 ? value_a : value_b);
+    if (measure.is_larger_better ? gain < 0.0 : gain > 0.0) {
       effect.worse.push_back(&scene);
     }
   }

@@ -179,7 +179,7 @@ Json MakeContact(const HandContact& contact) {
   add(contact.nhat_W, kNormalUnit);
   add(force_W, kForceUnit);
   numbers.push_back(RoundTo(1e-3, contact.mu));
-  numbers.push_back(contact.is_sliding ? 1 : 0);
+  numbers.push_back(IsSliding(contact) ? 2 : contact.is_at_limit ? 1 : 0);
   return numbers;
 }
 
@@ -196,7 +196,8 @@ Json MakeExtras(const TracedTrial& traced, const std::vector<const TraceInstant*
           {"phases", ListPhases(traced)},
           {"times_s", times},
           {"contacts",
-           {{"fields", {"link", "x", "y", "z", "nx", "ny", "nz", "fx", "fy", "fz", "mu", "slides"}},
+           {{"fields", {"link", "x", "y", "z", "nx", "ny", "nz", "fx", "fy", "fz", "mu", "state"}},
+            {"states", {"sticks", "at its limit", "slides"}},
             {"units", {{"xyz_m", kPositionUnit}, {"normal", kNormalUnit}, {"force_n", kForceUnit}}},
             {"keys", contacts}}}};
 }

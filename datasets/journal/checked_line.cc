@@ -4,6 +4,7 @@
 
 #include "core/base/file_pieces.h"
 #include "core/base/hash.h"
+#include "datasets/journal/json_fault.h"
 
 namespace graspbench {
 namespace {
@@ -49,7 +50,8 @@ Json ParseCheckedLine(std::string_view line) {
   try {
     return Json::parse(line);
   } catch (const Json::exception& e) {
-    throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
+    throw Error(ErrorKind::kFormat,
+                std::string("it is no record of this version: ") + DescribeJsonFault(e));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/json_fault.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -46,7 +47,8 @@ Json ParseVersions(const StoreKind& kind, const std::string& text) {
             {"physics", frozen.at("physics_version")},
             {"schema", IntFrom(frozen.at("schema"))}};
   } catch (const Json::exception& e) {
-    throw Error(ErrorKind::kFormat, std::string(kind.file) + " is damaged: " + e.what());
+    throw Error(ErrorKind::kFormat,
+                std::string(kind.file) + " is damaged: " + DescribeJsonFault(e));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
+#include "datasets/journal/json_fault.h"
 #include "datasets/session/frozen_folder.h"
 #include "datasets/session/session_plan.h"
 
@@ -206,7 +207,8 @@ SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   try {
     scene.result = Json::parse(ReadFile(path));
   } catch (const Json::exception& e) {
-    throw Error(ErrorKind::kFormat, "\"" + path.string() + "\" is damaged: " + e.what() +
+    throw Error(ErrorKind::kFormat, "\"" + path.string() +
+                                        "\" is damaged: " + DescribeJsonFault(e) +
                                         "; delete it and resume, it is made from the journal");
   }
   return scene;

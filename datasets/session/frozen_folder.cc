@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/version.h"
+#include "datasets/journal/json_fault.h"
 #include "datasets/session/model_config.h"
 #include "datasets/session/trial_record.h"
 
@@ -76,7 +77,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     AddModel(frozen.config);
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
-                "\"" + path.string() + "\" is damaged: " + e.what() +
+                "\"" + path.string() + "\" is damaged: " + DescribeJsonFault(e) +
                     "; it is written once and never changed, so take it from a backup");
   }
   StoreState state = VerifyStore(folder, on_damage, only);

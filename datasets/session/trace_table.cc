@@ -59,7 +59,7 @@ void AddContactColumns(const Hand& hand, int digit, const std::string& name,
                      }});
   columns.push_back({"cone_" + name, "number", "",
                      "largest share of the friction cone that a contact of " + name +
-                         " uses, 1: it slides; missing: it does not touch",
+                         " uses, 1: all of it; missing: it does not touch",
                      [&hand, digit](const TraceInstant& instant) {
                        double share = -1.0;
                        for (const HandContact& contact : instant.contacts) {
@@ -94,8 +94,8 @@ std::vector<Column> ListTraceColumns(const Hand& hand) {
   std::vector<Column> columns = {
       {"time_s", "number", "s", "since the start of placing",
        [](const TraceInstant& instant) { return JsonNumber(instant.time); }},
-      {"phase", "string", "", "phase of the strategy",
-       [](const TraceInstant& instant) { return Json(NameOf(instant.phase)); }},
+      {"phase", "string", "", "phase of the strategy that begins or goes on at this time",
+       [](const TraceInstant& instant) { return Json(NameOf(instant.next_phase)); }},
       {"grip_force_n", "number", "N", "sum of the hand's normal forces on the object",
        [](const TraceInstant& instant) { return JsonNumber(instant.grip_force); }},
       {"table_force_n", "number", "N", "normal force of the table on the object",

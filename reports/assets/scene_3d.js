@@ -74,7 +74,7 @@
         var force = new THREE.Vector3(c[7], c[8], c[9]).multiplyScalar(units.force_n);
         largest = Math.max(largest, force.length());
         return {
-          link: c[0], force: force, mu: c[10], slides: c[11] === 1,
+          link: c[0], force: force, mu: c[10], state: contacts.states[c[11]],
           p: new THREE.Vector3(c[1], c[2], c[3]).multiplyScalar(units.xyz_m),
           n: new THREE.Vector3(c[4], c[5], c[6]).normalize()
         };
@@ -130,7 +130,7 @@
       var half = Math.atan(c.mu), rim = CONE_LENGTH * Math.sin(half);
       item.cone.scale.set(rim, rim, CONE_LENGTH * Math.cos(half));
       item.cone.quaternion.setFromUnitVectors(ahead, c.n.clone().negate());
-      item.cone.material = c.slides ? this.paints.slide : this.paints.stick;
+      item.cone.material = c.state === 'slides' ? this.paints.slide : this.paints.stick;
     }
     return contacts;
   };
@@ -265,7 +265,7 @@
     this.panel.appendChild(this.words);
     this.panel.appendChild(make('p', 'small',
       'Drag to turn, wheel to zoom, right button to move. Space plays, arrow keys step, Home and End ' +
-      'jump. Orange: force on the object; green cone: sticks, blue cone: slides.'));
+      'jump. Drawn over the bodies, orange: force on the object; green cone: stands still, blue cone: slides.'));
     this.stage.parentNode.insertBefore(this.panel, this.stage.nextSibling);
   };
 
@@ -335,9 +335,11 @@
     }
     var contacts = this.marks.show(this.findKey(this.time));
     var normal = contacts.reduce(function (sum, c) { return sum + Math.max(c.force.dot(c.n), 0); }, 0);
-    var sliding = contacts.filter(function (c) { return c.slides; }).length;
+    function count(state) { return contacts.filter(function (c) { return c.state === state; }).length; }
+    var sliding = count('slides'), atLimit = count('at its limit');
     var words = this.time.toFixed(2) + ' s, ' + this.findPhase(this.time) + ': ' + contacts.length +
       (contacts.length === 1 ? ' contact' : ' contacts') + (sliding ? ', ' + sliding + ' sliding' : '') +
+      (atLimit ? ', ' + atLimit + ' at the limit of friction' : '') +
       ', ' + normal.toFixed(2) + ' N normal to the object';
     this.words.textContent = words;
     this.slider.value = this.time;

@@ -17,6 +17,28 @@ std::vector<CampaignSection> ListCampaignSections() {
   };
 }
 
+namespace {
+
+/** Every setting that is not the default, in the order of the configuration. */
+void AddSettings(const Json& config, const Json& defaults, const std::string& above,
+                 std::string& line) {
+  for (const auto& [key, value] : config.items()) {
+    if (value.is_object()) {
+      AddSettings(value, defaults.at(key), above + key + ".", line);
+    } else if (value != defaults.at(key)) {
+      line += " --set '" + above + key + "=" + FormatJson(value) + "'";
+    }
+  }
+}
+
+std::string MakeCommand(const CampaignConfig& config) {
+  std::string line = "graspbench campaign";
+  AddSettings(ConfigToJson(config), ConfigToJson(CampaignConfig()), "", line);
+  return line + " --out ANOTHER";
+}
+
+}  // namespace
+
 std::string MakeCampaignReport(const CampaignData& data) {
   const CampaignConfig& config = data.campaign.config;
   const std::string subtitle =
@@ -26,7 +48,7 @@ std::string MakeCampaignReport(const CampaignData& data) {
       FormatCount(config.session.trials, "benchmark trial") + " per variant, seed " +
       std::to_string(config.optimise.seed) + DescribeDamage(data.campaign.damage);
   PageFrame frame = {"Optimised grasps", subtitle};
-  frame.commands = {"graspbench report DIR"};
+  frame.commands = {MakeCommand(config), "graspbench report DIR"};
   frame.facts = {{"Seed of the search", std::to_string(config.optimise.seed)},
                  {"Seed of the benchmark", std::to_string(config.session.seed)},
                  {"Hash of the configuration", CalcHashHex(FormatJson(ConfigToJson(config)))}};

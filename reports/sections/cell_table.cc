@@ -2,6 +2,7 @@
 #include "core/base/units.h"
 #include "reports/filmstrip.h"
 #include "reports/layout.h"
+#include "reports/outcome_words.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
@@ -21,7 +22,7 @@ Html ListFailures(const Tally& tally) {
     const int count = tally.CountOf(outcome);
     if (outcome == Outcome::kSuccess || count == 0) continue;
     if (!list.empty()) list += Text(", ");
-    list += Text(std::to_string(count) + " " + NameOf(outcome));
+    list += Text(std::to_string(count) + " " + WordsOf(outcome));
   }
   return list.empty() ? Text("none") : list;
 }

@@ -7,6 +7,7 @@
 #include "reports/filmstrip.h"
 #include "reports/layout.h"
 #include "reports/line_plot.h"
+#include "reports/outcome_words.h"
 #include "reports/sections/section.h"
 #include "reports/shown_trials.h"
 #include "reports/svg_plot.h"
@@ -31,7 +32,7 @@ std::string DescribeObject(const CellSummary& cell, const SessionModels& models)
 Html DrawTrialStrip(const Filmstrip& strip, const CellSummary& cell, const ReportData& data) {
   const TrialRecord& record = *strip.record;
   const Html trial =
-      Text("Trial " + std::to_string(record.plan.trial) + ", " + NameOf(record.result.outcome) +
+      Text("Trial " + std::to_string(record.plan.trial) + ", " + WordsOf(record.result.outcome) +
            (record.result.reason.empty() ? "" : ": " + record.result.reason) +
            "; times since the start of placing.");
   return DrawFilmstrip(strip.pictures, record.result, NameOfCell(cell, data.models)) +
@@ -104,7 +105,7 @@ Html DrawContactTimes(const CellSummary& cell, const std::vector<std::string>& d
       const double time = FindContactTime(record->result, digit);
       row.dots.push_back({time, record->result.outcome == Outcome::kSuccess,
                           "trial " + std::to_string(record->plan.trial) + ": " +
-                              FormatFixed(time, 3) + " s, " + NameOf(record->result.outcome)});
+                              FormatFixed(time, 3) + " s, " + WordsOf(record->result.outcome)});
     }
     plot.rows.push_back(row);
   }
@@ -168,7 +169,7 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
                 const ReportData& data) {
   const Align number = Align::kNumber;
-  std::vector<Column> columns = {{"Trial"}, {"Outcome"}};
+  std::vector<Column> columns = {{"Trial"}, {"Outcome"}, {"Reason", Align::kProse}};
   for (const std::string& digit : digits) {
     columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]", number,
                        "first contact since the start of closure"});
@@ -186,13 +187,12 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
   columns.push_back({"Steps", number, {}});
   columns.push_back({"Not converged", number, "steps whose solve missed its tolerance"});
   columns.push_back({"Trial id"});
-  columns.push_back({"Reason", Align::kProse});
   Table table("Trials of " + NameOfCell(cell, data.models) + ".", columns);
   const std::vector<const TrialRecord*> shown = ChooseShownTrials(cell, data.summary);
   for (const TrialRecord* record : shown) {
     const TrialResult& result = record->result;
     std::vector<Html> row = {Text(std::to_string(record->plan.trial)),
-                             Text(NameOf(result.outcome))};
+                             Text(WordsOf(result.outcome)), Text(result.reason)};
     for (const std::string& digit : digits) {
       row.push_back(Text(FormatFixed(FindContactTime(result, digit), 3)));
     }
@@ -213,7 +213,6 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
     row.push_back(Text(std::to_string(result.num_steps)));
     row.push_back(Text(std::to_string(result.num_unconverged)));
     row.push_back(Element("code", {}, record->plan.id));
-    row.push_back(Text(result.reason));
     table.AddRow(row, MakeTrialAnchor(record->plan));
   }
   return MakeDetails("All values of " + FormatCount(static_cast<int>(shown.size()), "trial"),

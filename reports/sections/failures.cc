@@ -2,6 +2,7 @@
 #include "core/base/units.h"
 #include "datasets/session/find_trial.h"
 #include "reports/layout.h"
+#include "reports/outcome_words.h"
 #include "reports/sections/section.h"
 #include "reports/shown_trials.h"
 
@@ -48,7 +49,7 @@ Html DrawFailedTrials(const ReportData& data) {
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)),
                   Text(data.models.NameOfHand(planned.hand)),
                   Text(data.models.NameOfObject(planned.object)), Text(planned.grasp),
-                  Text(NameOf(failures[i]->result.outcome)), Text(failures[i]->result.reason),
+                  Text(WordsOf(failures[i]->result.outcome)), Text(failures[i]->result.reason),
                   FormatDraw(data, planned)});
   }
   Html html =

@@ -1,4 +1,5 @@
 #include "reports/layout.h"
+#include "reports/outcome_words.h"
 #include "reports/sections/section.h"
 #include "reports/svg_plot.h"
 
@@ -16,7 +17,8 @@ Html DrawHand(const std::string& hand, const ReportData& data) {
   plot.text.description =
       "One bar per cell, divided by outcome; the same counts stand in the table "
       "of all cells.";
-  for (Outcome outcome : ListOutcomes()) plot.classes.push_back({NameOf(outcome), CodeOf(outcome)});
+  for (Outcome outcome : ListOutcomes())
+    plot.classes.push_back({WordsOf(outcome), CodeOf(outcome)});
   plot.rows.push_back(MakeRow("all objects", {}, data.summary.TallyOf(hand)));
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.hand != hand) continue;

@@ -5,6 +5,7 @@
 #include "reports/filmstrip.h"
 #include "reports/findings.h"
 #include "reports/layout.h"
+#include "reports/outcome_words.h"
 #include "reports/sections/section.h"
 #include "reports/svg_plot.h"
 
@@ -33,7 +34,7 @@ Html DescribeFailures(const ReportData& data) {
   std::string most;  // of equally many all are named
   for (const Outcome outcome : ListOutcomes()) {
     if (IsSuccess(outcome) || total.CountOf(outcome) != total.CountOf(worst)) continue;
-    most += (most.empty() ? "" : " and as ") + std::string(NameOf(outcome));
+    most += (most.empty() ? "" : " and as ") + WordsOf(outcome);
   }
   Html text = LinkTo("failures", FormatCount(others, "trial")) +
               Text(" ended otherwise, most often as " + most + " (" +

@@ -53,7 +53,7 @@ HeatMap::Cell MakeCell(const CellSummary* cell, const MapColumn& column,
   const int n = cell->tally.finished;
   drawn.rate = cell->tally.rate();
   drawn.text = std::to_string(cell->tally.successes()) + " / " + std::to_string(n);
-  if (column.grasp.empty()) drawn.text += "  " + cell->grasp;
+  if (column.grasp.empty()) drawn.text += " " + cell->grasp;
   drawn.hint = NameOfCell(*cell, models) + ": " + FormatRate(cell->tally);
   drawn.anchor = cell->key;
   return drawn;

@@ -29,9 +29,17 @@ std::string FormatWithUnit(double value, const std::string& si_unit);
 
 /** "0.034", "< 0.001". */
 std::string FormatP(double p);
-/** "30, left"; "all trials" for a study without factors. */
-std::string NameOfCell(const std::string& cell);
-/** " by diameter_m, side" for captions; empty for a study without factors. */
+/** "virtual_finger" = "virtual finger". */
+std::string MakeWords(std::string id);
+/** "diameter" of "diameter_m": a known unit at its end stands with the levels. */
+std::string NameOfFactor(const std::string& factor);
+/** "diameter 30 mm, side left" of "0.03, left"; "all trials" for a study without factors. */
+std::string NameOfCell(const std::string& cell, const std::vector<Factor>& factors);
+/** " by diameter, side" for captions; empty for a study without factors. */
 std::string DescribeFactors(const std::vector<Factor>& factors);
+/** "s per m of diameter" of "s per diameter_m": slopes stay in SI, as in statistics.csv. */
+std::string FormatSlopeUnit(const std::string& unit);
+/** An effect of statistics.csv in words: names of factors, and of the conditions of a pair. */
+std::string NameOfEffect(const std::string& effect, const std::vector<Factor>& factors);
 
 }  // namespace graspbench

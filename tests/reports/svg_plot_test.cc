@@ -51,6 +51,25 @@ TEST(DrawHeatMap, AGroupStandsOnceOverItsColumns) {
   EXPECT_LT(heads[4]->DoubleAttribute("y"), heads[2]->DoubleAttribute("y"));
 }
 
+// Two hands fit a phone: 280 px beside the page's edges.
+TEST(DrawHeatMap, LongHeadsWrapAndCellsAreNarrow) {
+  HeatMap map;
+  map.text = {"t", "d"};
+  map.rows = {"voltage tester"};
+  map.columns = {"TUM Hand", "Shadow Hand, developed"};
+  map.cells = {{0.5, "10 / 10 g3", "", ""}, {0.5, "10 / 10 g1", "", ""}};
+  const Drawing drawing(DrawHeatMap(map));
+  EXPECT_LE(drawing.svg->DoubleAttribute("width"), 280.0);
+  const auto heads = drawing.Find("text", "middle head");
+  ASSERT_EQ(heads.size(), 4u);
+  EXPECT_STREQ(heads[0]->GetText(), "TUM Hand");
+  EXPECT_STREQ(heads[1]->GetText(), "Shadow");
+  EXPECT_STREQ(heads[3]->GetText(), "developed");
+  EXPECT_EQ(heads[0]->DoubleAttribute("y"), heads[3]->DoubleAttribute("y"));  // on the cells
+  EXPECT_LT(heads[1]->DoubleAttribute("y"), heads[2]->DoubleAttribute("y"));
+  EXPECT_GT(heads[1]->DoubleAttribute("y"), 0.0);
+}
+
 // Two columns under a long name, and five under a short one.
 TEST(DrawHeatMap, NamesOfGroupsDoNotMeet) {
   HeatMap map;

@@ -19,8 +19,8 @@ TrialPageData MakeData() {
   can.id = can.name = "can";
   can.mesh = MakeRoundedBox({0.06, 0.06, 0.1}, 0.005);
   TrialPageData data;
-  data.hand = std::make_shared<const Hand>(hand);
-  data.object = std::make_shared<const GraspObject>(can);
+  data.setup.hand = std::make_shared<const Hand>(hand);
+  data.setup.object = std::make_shared<const GraspObject>(can);
   data.record.plan = {"0123456789abcdef", "box", "can", "g3", 4};
   data.record.result.outcome = Outcome::kDroppedWhileHolding;
   data.record.result.reason = "it fell after 0.3 s";
@@ -58,8 +58,29 @@ TEST(TrialPage, IsWellFormedWithTheScriptOfEveryPage) {
   tinyxml2::XMLDocument document;
   ParsePage(page, document);
   EXPECT_EQ(CountElements(document, "script"), 2);
-  EXPECT_EQ(CountElements(document, "section"), 7);
+  EXPECT_EQ(CountElements(document, "section"), 9);
   EXPECT_EQ(CountElements(document, "img"), 1);
+}
+
+TEST(TrialPage, IsTitledByTheTrialAndSaysWhatIsWrong) {
+  TrialPageData data = MakeData();
+  tinyxml2::XMLDocument sound, faulty;
+  ParsePage(MakeTrialPage(data), sound);
+  EXPECT_NE(
+      ListText(*FindById(*sound.RootElement(), "findings")).find("No errors and no warnings."),
+      std::string::npos);
+  data.name = "box-can-g3:4";
+  data.warnings = {"differs from its record in gct_s"};
+  data.record.result.num_steps = 100;
+  data.record.result.num_unconverged = 3;
+  data.setup.draw.offset_x = 0.0123;
+  ParsePage(MakeTrialPage(data), faulty);
+  const std::string text = ListText(*faulty.RootElement());
+  for (const char* part :
+       {"Trial box-can-g3:4", "0123456789abcdef", "differs from its record in gct_s",
+        "In 3 of 100 steps the solver missed its tolerance.", "The object stood 12.3 mm and 0.0"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
 }
 
 TEST(TrialPage, ATrialWithoutPicturesAndContactsIsAPageToo) {
@@ -75,8 +96,8 @@ TEST(TrialPage, ATrialWithoutPicturesAndContactsIsAPageToo) {
 TEST(TrialPage, ShowsTheCourseThatWasKept) {
   TrialPageData data = MakeData();
   const TrialView view = MakeTrialView();
-  data.hand = view.hand;
-  data.object = view.object;
+  data.setup.hand = view.hand;
+  data.setup.object = view.object;
   data.record.result.snapshots.clear();
   data.traced = view.traced;
   const std::string page = MakeTrialPage(data);

@@ -22,6 +22,14 @@ TEST(SimultaneityTables, ARelationIsShownWithItsIntervalAndMarkedWhenItHolds) {
             "5 % over all rows (Holm)\n");
 }
 
+TEST(SimultaneityTables, NothingButMissingRelationsIsASentence) {
+  const GraspResponse* success = &ListGraspResponses().front();
+  const SimultaneityRelation none = {"tum", "got_s", success, NoAnswer{"all alike"}, kUnset};
+  const std::string text = FormatRelations({none, none});
+  EXPECT_EQ(text.find("no relation can be found"), 0u) << text;
+  EXPECT_EQ(text.find("n/a"), std::string::npos);
+}
+
 TEST(SimultaneityTables, ADoseShowsItsMeansInTheUnitOfItsLabel) {
   DoseResponse row;
   row.condition = "light";

@@ -75,7 +75,11 @@ void Compare(const CompareOptions& options) {
   const SessionComparison comparison = CompareSessions(before, after);
   if (options.json) {
     Json changes = Json::array();
-    for (const SettingChange& change : comparison.changes) changes.push_back(RecordToJson(change));
+    for (const SettingChange& change : comparison.changes) {
+      changes.push_back(RecordToJson(change));
+      changes.back().erase("setting");  // of a sensitivity; here all that differ stand above
+      changes.back().erase("session_value");
+    }
     return PrintJson({{"pairs", comparison.pairs.size()},
                       {"only_before", comparison.num_only_before},
                       {"only_after", comparison.num_only_after},

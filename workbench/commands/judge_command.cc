@@ -13,6 +13,7 @@
 #include "workbench/experiments/run_session.h"
 #include "workbench/terminal_observer.h"
 #include "workbench/text_table.h"
+#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace {
@@ -61,7 +62,7 @@ ExitCode Judge(const JudgeOptions& options) {
   }
   const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   ExportSession(folder, session);
-  const std::filesystem::path report = WriteSessionReport(folder, session);
+  const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
   if (options.json) {
     PrintJson(ToJson(evidence));

@@ -17,6 +17,7 @@
 #include "workbench/experiments/shell_quote.h"
 #include "workbench/machine_tables.h"
 #include "workbench/summary_table.h"
+#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -101,7 +102,7 @@ ExitCode Merge(const MergeOptions& options) {
   const Session session = LoadSession(options.folder, OnDamage::kRefuse, RecordParts::kBrief);
   SealStore(kSessionStore, options.folder);
   ExportSession(options.folder, session);
-  const fs::path report = WriteSessionReport(options.folder, session);
+  const fs::path report = WriteSessionReport(options.folder, session, MakeKeptTracer(session));
   const std::vector<MachineShards> machines = ListMachines(options.folder);
   const SessionSummary summary = SummariseSession(session);
   if (options.json) {

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
 #include "datasets/session/session_plan.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
@@ -42,12 +41,13 @@ TrialSetup MakeNominalSetup(const RenderOptions& options) {
 void Render(const RenderOptions& options) {
   CheckOutputFile(options.out);
   const PictureSize size = ParsePictureSize(options.size);
+  CheckInstantName(options.at);
   const SceneView view = ParseSceneView(options.view, "render --help");
   const TrialSetup setup = MakeNominalSetup(options);
   TrialRunner runner(setup.hand, setup.object);
   const TracedTrial traced = TraceTrial(runner, setup, kInterval);
   const TraceInstant& instant = FindNamedInstant(traced, options.at);
-  WriteFileAtomically(options.out, EncodePng(DrawTrial(setup, traced, instant, view, size)));
+  WriteOutputFile(options.out, EncodePng(DrawTrial(setup, traced, instant, view, size)));
   PrintResult(options.out + "\n");
   PrintMessage(setup.hand->name + ", " + setup.object->name + ", " + setup.grasp.id + ": " +
                NameOf(traced.result.outcome));

@@ -20,7 +20,7 @@ struct ReportOptions {
   fs::path out;    ///< empty: the result's own folder
   fs::path paper;  ///< empty: the page alone
   bool replace = false;
-  bool with_views = false;
+  PageViews views = PageViews::kAsBefore;
   OnDamage on_damage = OnDamage::kRefuse;
 };
 
@@ -47,11 +47,11 @@ void Report(const ReportOptions& options) {
   fs::path page;
   if (options.out.empty()) {
     page = options.folder /
-           WriteResultPage(options.folder, options.folder, options.on_damage, options.with_views);
+           WriteResultPage(options.folder, options.folder, options.on_damage, options.views);
   } else {
     StagedFolder staged({options.out, "report", options.replace, {options.folder}});
     page = options.out /
-           WriteResultPage(options.folder, staged.path(), options.on_damage, options.with_views);
+           WriteResultPage(options.folder, staged.path(), options.on_damage, options.views);
     staged.Commit();
   }
   PrintResult(page.string() + "\n");
@@ -79,9 +79,16 @@ void AddReportCommand(CLI::App& program, ExitCode&) {
       .add_option("--paper", options->paper,
                   "folder for the page's figures, tables as CSV, methods.md and refs.bib")
       ->option_text("DIR");
-  command.add_flag("--3d", options->with_views,
-                   "of a session: one trial of each outcome and cell carried out again, as a scene "
-                   "to turn and play");
+  const auto add_views = [&](const char* name, PageViews views, const char* text) {
+    return command.add_flag_callback(
+        name, [options, views] { options->views = views; }, text);
+  };
+  CLI::Option* with = add_views("--3d", PageViews::kWith,
+                                "of a session: one trial of each outcome and cell carried out "
+                                "again, as a scene to turn and play; a page that has them keeps "
+                                "them");
+  add_views("--no-3d", PageViews::kWithout, "leave them out of a page that has them")
+      ->excludes(with);
   AddReplaceOption(command, options->replace);
   AddAcceptDamageOption(command, options->on_damage);
   command.callback([options] { Report(*options); });

@@ -18,6 +18,7 @@
 #include "workbench/session_options.h"
 #include "workbench/summary_table.h"
 #include "workbench/terminal_observer.h"
+#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -69,7 +70,8 @@ ExitCode Finish(PreparedSession& work, const RunOptions& options) {
   session.damage = damage;  // what was found before the run sealed what is there
   ExportSession(folder, session);
   const SessionSummary summary = SummariseSession(session);
-  const fs::path report = WriteSessionReport(folder, std::move(session));
+  const TrialTracer trace = MakeKeptTracer(session);
+  const fs::path report = WriteSessionReport(folder, std::move(session), trace);
   if (options.json) {
     PrintJson(MakeSummaryJson(summary, folder, report));
   } else {

@@ -12,6 +12,7 @@
 #include "workbench/experiments/run_sensitivity.h"
 #include "workbench/sensitivity_tables.h"
 #include "workbench/terminal_observer.h"
+#include "workbench/trace_session.h"
 
 namespace graspbench {
 namespace {
@@ -37,7 +38,8 @@ void Run(SensitivityOptions& options) {
   Diagnostics findings;
   const SensitivityData data = LoadSensitivity(session, findings);
   if (!findings.entries().empty()) PrintMessage(findings.Format());
-  const std::filesystem::path report = WriteSessionReport(options.folder, session);
+  const std::filesystem::path report =
+      WriteSessionReport(options.folder, session, MakeKeptTracer(session));
   const SensitivitySummary summary = SummariseSensitivity(session, data);
   if (options.json) {
     PrintJson(RecordToJson(summary));

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/trial_files.h"
@@ -27,6 +26,13 @@ struct TrialOptions {
   bool json = false;
 };
 
+/** A page names no place: of the session's folder its name alone, however it was typed. */
+std::string NameFolder(const std::filesystem::path& folder) {
+  std::error_code status;
+  const std::filesystem::path place = std::filesystem::weakly_canonical(folder, status);
+  return (place.has_filename() ? place : place.parent_path()).filename().string();
+}
+
 /** What was asked for, before anything is simulated. */
 std::map<std::string, const TrialFile*> FindTrialFiles(const TrialOptions& options) {
   std::map<std::string, const TrialFile*> forms;
@@ -38,23 +44,26 @@ std::map<std::string, const TrialFile*> FindTrialFiles(const TrialOptions& optio
       !options.files.count("--film")) {
     throw Error(ErrorKind::kUsage, "--camera requires --render or --film");
   }
+  CheckInstantName(options.how.at);
   ParsePictureSize(options.how.size);
   ParseSceneView(options.how.view, "trial --help");
   return forms;
 }
 
 ExitCode ShowTrial(TrialOptions options) {
-  options.how.folder = options.folder.filename().string();  // a page names no place
+  options.how.folder = NameFolder(options.folder);
   const auto forms = FindTrialFiles(options);
   const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
   const PlannedTrial& planned = FindPlannedTrial(session, options.name);
   const bool needs_all = std::any_of(
       forms.begin(), forms.end(), [](const auto& form) { return form.second->needs_every_step; });
   const ExaminedTrial trial = ExamineTrial(session, planned, needs_all ? 0.0 : kCoarse);
+  std::map<std::string, std::string> contents;  // all of them, before the first is written
+  for (const auto& [file, form] : forms) contents[file] = form->make(options.how, trial);
   const std::string folder = options.folder.string();
   options.json ? PrintJson(MakeTrialJson(trial, folder)) : PrintResult(FormatTrial(trial, folder));
-  for (const auto& [file, form] : forms) {
-    WriteFileAtomically(file, form->make(options.how, trial));
+  for (const auto& [file, content] : contents) {
+    WriteOutputFile(file, content);
     PrintMessage(file);
   }
   return trial.difference ? kExitBadInput : kExitOk;

@@ -15,6 +15,7 @@
 #include "core/base/files.h"
 #include "core/base/version.h"
 #include "datasets/journal/manifest.h"
+#include "datasets/journal/store_kind.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -61,6 +62,23 @@ bool IsMountPoint(const fs::path& folder) {
   return own.st_dev != above.st_dev || own.st_ino == above.st_ino;
 }
 
+/** A result that this folder is or is inside of; empty: none. */
+fs::path FindResultAround(fs::path folder) {
+  for (; !folder.empty(); folder = folder.parent_path()) {
+    if (fs::is_directory(folder) && (FindStoreKind(folder) || FindManifest(folder))) return folder;
+    if (folder == folder.root_path()) break;
+  }
+  return {};
+}
+
+/** Of what is written, only the result itself belongs into its folder. */
+void CheckSurroundings(const fs::path& name, const fs::path& place) {
+  const fs::path result = FindResultAround(place.parent_path());
+  if (result.empty()) return;
+  Refuse(name, "is inside \"" + result.string() +
+                   "\", which holds a result of graspbench and nothing else; name another place");
+}
+
 void CheckPlace(const OutputRequest& request, const fs::path& place) {
   const char* home = std::getenv("HOME");
   if (home && *home && place == FindPlace(home)) {
@@ -73,6 +91,7 @@ void CheckPlace(const OutputRequest& request, const fs::path& place) {
   if (IsWithin(fs::current_path(), place)) {
     Refuse(request.folder, "is the folder you are in; name a new folder for the results");
   }
+  CheckSurroundings(request.folder, place);
   for (const fs::path& input : request.inputs) {
     if (input.empty() || !fs::exists(input)) continue;
     if (IsWithin(FindPlace(input), place)) {
@@ -240,6 +259,16 @@ void CheckOutputFile(const fs::path& file) {
   if (!fs::is_directory(folder)) {
     Refuse(file, "is below \"" + folder.string() + "\", which is no folder");
   }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    Refuse(file, "cannot be written: no permission for \"" + folder.string() + "\"");
+  }
+  CheckSurroundings(file, FindPlace(file));
+}
+
+void WriteOutputFile(const fs::path& file, const std::string& content) {
+  CheckOutputFile(file);  // also what has come into the way since
+  MakeFolder(FindPlace(file).parent_path());
+  WriteFileAtomically(file, content);
 }
 
 StagedFolder::StagedFolder(OutputRequest request) : request_(std::move(request)) {

@@ -7,7 +7,8 @@ A folder is graspbench's when it holds a mark: the frozen configuration of what 
 and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder
 that is not there or empty; a whole result may take the place of an older one of its kind whose
 files are all listed and unchanged. Everything else is refused and named: foreign or changed files,
-an existing file, an empty name, the home folder, a mount point, a folder that holds an input.
+an existing file, an empty name, the home folder, a mount point, a folder that holds an input, and
+whatever is inside of a result.
 
 A new folder is filled beside the target, in .<name>.part-<process>, and swapped in when it is
 complete, so that the target holds the old result, the new one, or nothing. What a killed program
@@ -33,8 +34,10 @@ void CheckOutputFolder(const OutputRequest& request);
 /** For what copies its input. @throws Error(kUsage) when `folder` is `input` or lies in it. */
 void CheckOutside(const std::filesystem::path& folder, const std::filesystem::path& input);
 
-/** A single file is written only where none is. @throws Error(kUsage). */
+/** A single file is written only where none is, outside of results. @throws Error(kUsage). */
 void CheckOutputFile(const std::filesystem::path& file);
+/** Writes it, and the folders that it needs. @throws as CheckOutputFile; Error(kIo). */
+void WriteOutputFile(const std::filesystem::path& file, const std::string& content);
 
 class StagedFolder {
  public:

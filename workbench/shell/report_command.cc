@@ -36,8 +36,7 @@ void ReportTrial(Shell& shell, const ShellArguments& arguments) {
   if (!scene.is_over()) throw Error(ErrorKind::kUsage, "the trial goes on; first: run");
   const TrialSetup& setup = scene.setup();
   TrialPageData data;
-  data.hand = setup.hand;
-  data.object = setup.object;
+  data.setup = setup;
   data.record.plan.hand = setup.hand->id;
   data.record.plan.object = setup.object->id;
   data.record.plan.grasp = setup.grasp.id;

@@ -114,7 +114,7 @@ std::string FormatContacts(ShellScene& scene) {
   for (const HandContact& contact : contacts) {
     table.AddRow({NameDigit(hand, contact.link), hand.links[static_cast<size_t>(contact.link)].name,
                   FormatFixed(contact.normal_force, 3), FormatFixed(contact.friction_W.norm(), 3),
-                  FormatPercent(CalcConeShare(contact)), contact.is_sliding ? "slides" : "sticks",
+                  FormatPercent(CalcConeShare(contact)), DescribeState(contact),
                   FormatFixed(MmFromM(contact.slip_speed), 2)});
   }
   return table.Format();

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "reports/campaign/campaign_section.h"
@@ -68,15 +70,22 @@ Html DrawChanges(const CampaignData& data) {
     plot.rows.push_back(heading);
     for (const VariantMeasure& measure : ListVariantMeasures()) {
       const StepEffect effect = CalcStepEffect(measure, data.scenes, step.before, step.after);
-      if (effect.num_scenes == 0 || !effect.ratio) continue;
+      if (effect.num_scenes == 0 || !std::isfinite(effect.plain_ratio())) continue;
       IntervalPlot::Row row;
-      row.label = measure.name;
+      const std::string name = measure.name;
+      row.label = name.substr(0, name.find(" ["));
       row.series = series;
-      row.value = 100.0 * (effect.ratio->estimate - 1.0);
-      row.low = 100.0 * (effect.ratio->interval.low - 1.0);
-      row.high = 100.0 * (effect.ratio->interval.high - 1.0);
-      row.text = FormatWithRange(row.value, row.low, row.high, 0) + ", " +
-                 FormatCount(effect.num_scenes, "scene");
+      const std::string scenes = ", " + FormatCount(effect.num_scenes, "scene");
+      if (effect.ratio) {
+        row.value = 100.0 * (effect.ratio->estimate - 1.0);
+        row.low = 100.0 * (effect.ratio->interval.low - 1.0);
+        row.high = 100.0 * (effect.ratio->interval.high - 1.0);
+        row.text = FormatWithRange(row.value, row.low, row.high, 0) + scenes;
+      } else {
+        row.value = 100.0 * (effect.plain_ratio() - 1.0);
+        row.low = row.high = std::nan("");
+        row.text = FormatFixed(row.value, 0) + scenes + ", no interval";
+      }
       plot.rows.push_back(row);
     }
     ++series;

@@ -6,33 +6,28 @@
 namespace graspbench {
 namespace {
 
-/** The three values of a scene in one cell: "0.93 / 2.90 / 7.20". */
-std::string FormatThree(const VariantMeasure& measure, const SceneVariants& scene) {
-  std::string text;
-  for (const CellSummary* cell : scene.cells) {
-    const double value = cell ? CalcCellValue(measure, *cell) : std::nan("");
-    text += (text.empty() ? "" : " / ") + FormatFixed(measure.unit * value, measure.decimals);
-  }
-  return text;
-}
-
 Html DrawVariants(const CampaignData& data) {
   if (data.scenes.empty()) return MakeParagraph("There is nothing to show.");
-  std::vector<Column> columns = {{"Scene"}, {"Grasp"}};
+  std::vector<Column> columns = {{"Scene"}, {"Grasp"}, {"Variant"}};
   for (const VariantMeasure& measure : ListVariantMeasures()) {
     columns.push_back({measure.name, Align::kNumber, measure.meaning});
   }
   Table table(
-      "Standard grasp / new pre-grasp / new target grasp. Success, sigma and breaking force "
-      "are means over the trials, the others medians over the trials that have them.",
+      "Every scene under its three variants. Success, sigma and breaking force are means over the "
+      "trials, the others medians over the trials that have them.",
       columns);
   for (const SceneVariants& scene : data.scenes) {
-    std::vector<Html> row = {LinkTo(scene.key, data.NameOfScene(scene)),
-                             Text(NameOfGrasp(scene.grasp))};
-    for (const VariantMeasure& measure : ListVariantMeasures()) {
-      row.push_back(Text(FormatThree(measure, scene)));
+    for (int v = 0; v < kNumVariants; ++v) {
+      std::vector<Html> row = {LinkTo(scene.key, data.NameOfScene(scene)),
+                               Text(NameOfGrasp(scene.grasp)),
+                               Text(WordsOf(static_cast<Variant>(v)))};
+      for (const VariantMeasure& measure : ListVariantMeasures()) {
+        const double value =
+            scene.cells[v] ? CalcCellValue(measure, *scene.cells[v]) : std::nan("");
+        row.push_back(Text(FormatFixed(measure.unit * value, measure.decimals)));
+      }
+      table.AddRow(row);
     }
-    table.AddRow(row);
   }
   return table.ToHtml();
 }

@@ -14,7 +14,7 @@ Html DrawCurves(const StudyPageData& data) {
   LinePlot plot;
   plot.text.title = "Hand opening over the reach";
   plot.x_axis = "share of the time from onset to last contact [%]";
-  plot.y_axis = std::string(opening.id) + " [mm]";
+  plot.y_axis = MakeWords(opening.id) + " [mm]";
   plot.is_y_from_zero = false;
   const DisplayUnit mm = FindDisplayUnit("m");
   const auto in_mm = [&](std::vector<double> values) {
@@ -29,7 +29,8 @@ Html DrawCurves(const StudyPageData& data) {
     }
     if (plot.series.size() == kMaxCurves) break;
     LinePlot::Series series;
-    series.label = NameOfCell(curve.cell) + " (" + FormatCount(curve.num_trials, "trial") + ")";
+    series.label = NameOfCell(curve.cell, data.result.study.factors) + " (" +
+                   FormatCount(curve.num_trials, "trial") + ")";
     for (const double time : curve.times) series.x.push_back(100.0 * time);
     series.y = in_mm(curve.mean);
     series.low = in_mm(curve.low);
@@ -45,7 +46,7 @@ Html DrawCurves(const StudyPageData& data) {
                           std::to_string(kMaxCurves) + " are drawn.");
   }
   return html +
-         MakeFigure("Mean opening of each condition (" + std::string(opening.id) + ")" +
+         MakeFigure("Mean opening of each condition (" + MakeWords(opening.id) + ")" +
                         DescribeFactors(data.result.study.factors) +
                         ", from the onset of the movement to the last contact; bands are one "
                         "standard deviation over trials.",

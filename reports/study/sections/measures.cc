@@ -17,7 +17,7 @@ Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& es
   const DisplayUnit unit = FindDisplayUnit(statistics.measure.unit);
   for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
     IntervalPlot::Row row;
-    row.label = NameOfCell(estimates.cells[cell]);
+    row.label = NameOfCell(estimates.cells[cell], statistics.table.factors);
     row.series = static_cast<int>(series % 8);
     const double mean = estimates.means[cell];
     row.value = mean * unit.factor;
@@ -50,7 +50,7 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
               columns);
   const std::string unit = statistics.measure.unit;
   for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
-    std::vector<Html> row = {Text(NameOfCell(estimates.cells[cell])),
+    std::vector<Html> row = {Text(NameOfCell(estimates.cells[cell], statistics.table.factors)),
                              Text(FormatValue(estimates.means[cell], unit))};
     for (const Answer<Eigen::VectorXd>& widths : estimates.half_widths) {
       row.push_back(

@@ -108,7 +108,7 @@ std::string DescribeTrends(const Study& study) {
   std::string quantities, bounds;
   for (const Factor& factor : study.factors) {
     if (factor.numbers.empty()) continue;
-    quantities += (quantities.empty() ? "" : " and ") + factor.name;
+    quantities += (quantities.empty() ? "" : " and ") + NameOfFactor(factor.name);
   }
   for (const Hypothesis& hypothesis : study.hypotheses) {
     if (std::isnan(hypothesis.equal_within)) continue;
@@ -141,7 +141,7 @@ std::string DescribeStatistics(const StudyResult& result) {
   if (result.study.factors.empty()) return text;
   std::string factors;
   for (const Factor& factor : result.study.factors) {
-    factors += (factors.empty() ? "" : " and ") + factor.name + " (" +
+    factors += (factors.empty() ? "" : " and ") + NameOfFactor(factor.name) + " (" +
                FormatCount(static_cast<int>(factor.levels.size()), "level") + ")";
   }
   return text +

@@ -10,7 +10,7 @@ namespace graspbench {
 namespace {
 
 std::string NameRow(const Universe& universe) {
-  return universe.opening + ", " + FormatSignificant(universe.cutoff, 3) + " Hz";
+  return MakeWords(universe.opening) + ", " + FormatSignificant(universe.cutoff, 3) + " Hz";
 }
 
 size_t FindPlace(std::vector<std::string>& names, const std::string& name) {
@@ -120,11 +120,11 @@ Html DrawMaps(const StudyResult& result, const std::vector<std::string>& detecto
     if (HaveSameNumbers(own, map)) {
       alike += " or " + onsets[i];
     } else {
-      html += MakeParagraph("Onset by " + onsets[i] + ":") +
+      html += MakeParagraph("Onset by " + MakeWords(onsets[i]) + ":") +
               MakeScroll(map.text.title, DrawHeatMap(map));
     }
   }
-  return MakeParagraph("Onset by " + alike +
+  return MakeParagraph("Onset by " + MakeWords(alike) +
                        (alike == onsets.front() ? ":" : " (the same to the digits shown):")) +
          MakeScroll(own.text.title, DrawHeatMap(own)) + html;
 }
@@ -137,7 +137,7 @@ Html DrawMultiverse(const StudyPageData& data) {
                                     [](const Universe& u) { return u.test.has_value(); });
   const std::string what =
       has_test
-          ? "p of the effect of " + result.study.factors.front().name +
+          ? "p of the effect of " + NameOfFactor(result.study.factors.front().name) +
                 " (Greenhouse-Geisser); the shade is partial eta squared."
           : "Medians, because there is no test: " + result.universes.front().test.reason() + ".";
   const Detectors detectors = ListDetectors(result);

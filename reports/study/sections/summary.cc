@@ -30,7 +30,7 @@ std::string DescribeMainTest(const StudyResult& result) {
     text += "no value (" + own.summary.reason() + "). ";
   }
   if (result.study.factors.empty()) return text + "The study names no factor to test.";
-  const std::string& factor = result.study.factors.front().name;
+  const std::string factor = NameOfFactor(result.study.factors.front().name);
   if (!own.test) return text + "Effect of " + factor + ": not tested (" + own.test.reason() + ").";
   const double p = own.test->greenhouse_geisser.p;
   return text + "Effect of " + factor + ": F\u00A0=\u00A0" + FormatFixed(own.test->f, 2) +

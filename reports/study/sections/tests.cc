@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/text.h"
 #include "human_study/study/statistics_table.h"
@@ -34,7 +35,8 @@ std::string FormatDf(const StatisticRow& row) {
 }
 
 /** What each analysis assumes, once; with the effects when it is not the same for all of them. */
-std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows) {
+std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows,
+                                   const std::vector<Factor>& factors) {
   struct Note {
     const StatisticRow* first;
     std::string effects;
@@ -47,10 +49,10 @@ std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows) {
       return note.first->analysis == row.analysis && note.first->note == row.note;
     });
     if (known != notes.end()) {
-      known->effects += ", " + row.effect;
+      known->effects += ", " + NameOfEffect(row.effect, factors);
       continue;
     }
-    notes.push_back({&row, row.effect});
+    notes.push_back({&row, NameOfEffect(row.effect, factors)});
   }
   for (Note& note : notes) {
     note.is_of_all = std::all_of(rows.begin(), rows.end(), [&](const StatisticRow& row) {
@@ -66,18 +68,19 @@ std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows) {
 }
 
 /** Estimates with what they rest on, or tests; a column that no row fills is left out. */
-Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows) {
+Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
+              const std::vector<Factor>& factors) {
   struct Part {
     Column column;
-    std::string (*format)(const StatisticRow& row);
+    std::function<std::string(const StatisticRow& row)> format;
   };
   const bool has_answer = std::any_of(rows.begin(), rows.end(), [](const StatisticRow& row) {
     return !std::isnan(row.estimate) || !std::isnan(row.p);
   });
-  if (!has_answer) return MakeParagraph(caption) + MakeList(ListNotes(rows));
+  if (!has_answer) return MakeParagraph(caption) + MakeList(ListNotes(rows, factors));
   const Align number = Align::kNumber;
   const std::vector<Part> parts = {
-      {{"Effect"}, [](const StatisticRow& row) { return row.effect; }},
+      {{"Effect"}, [&](const StatisticRow& row) { return NameOfEffect(row.effect, factors); }},
       {{"Analysis"}, [](const StatisticRow& row) { return row.analysis; }},
       {{"Estimate", number},
        [](const StatisticRow& row) {
@@ -90,7 +93,8 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows)
       {{"95 % interval", number}, FormatInterval},
       {{"Unit"},
        [](const StatisticRow& row) {
-         return IsSlope(row) ? row.unit : std::string(FindDisplayUnit(row.unit).name);
+         return IsSlope(row) ? FormatSlopeUnit(row.unit)
+                             : std::string(FindDisplayUnit(row.unit).name);
        }},
       {{"Test", number},
        [](const StatisticRow& row) {
@@ -117,11 +121,12 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows)
   }
   Table table(caption, columns);
   for (const std::vector<Html>& row : cells) table.AddRow(row);
-  return table.ToHtml() + MakeList(ListNotes(rows));
+  return table.ToHtml() + MakeList(ListNotes(rows, factors));
 }
 
 Html DrawConditions(const MeasureStatistics& statistics) {
-  Html html = DrawRows("Do the conditions differ?", ListConditionTests(statistics));
+  Html html = DrawRows("Do the conditions differ?", ListConditionTests(statistics),
+                       statistics.table.factors);
   if (!statistics.cells) return html;
   for (const LeftOut& person : statistics.cells->left_out) {
     html += MakeParagraph("Left out: " + person.person + " (" + person.reason + ").");
@@ -131,7 +136,8 @@ Html DrawConditions(const MeasureStatistics& statistics) {
 
 Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
   const Align number = Align::kNumber;
-  Table table("Each person's line over " + trend.factor + ", in SI units (" + unit +
+  Table table("Each person's line over " + NameOfFactor(trend.factor) + ", in SI units (" +
+                  FormatSlopeUnit(unit + " per " + trend.factor) +
                   "); the mixed model draws a person's line towards that of all.",
               {{"Person"},
                {"Slope", number},
@@ -160,13 +166,13 @@ Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
                   Text(FormatFixed(line.r_squared.value_or(std::nan("")), 3)),
                   Text(std::to_string(line.count)), Text(FormatSignificant(mixed, 3))});
   }
-  return MakeDetails("Each person's line over " + trend.factor, table.ToHtml());
+  return MakeDetails("Each person's line over " + NameOfFactor(trend.factor), table.ToHtml());
 }
 
 Html DrawTrends(const MeasureStatistics& statistics) {
   if (statistics.trends.empty()) return {};
   Html html = DrawRows("How much does the measure change with the quantity that was varied?",
-                       ListTrends(statistics));
+                       ListTrends(statistics), statistics.table.factors);
   for (const TrendStatistics& trend : statistics.trends) {
     html += DrawLines(trend, statistics.measure.unit);
   }
@@ -176,7 +182,8 @@ Html DrawTrends(const MeasureStatistics& statistics) {
 Html DrawPairs(const MeasureStatistics& statistics) {
   if (statistics.pairs.empty() || statistics.cells->persons.size() < 2) return {};
   return MakeDetails("Pairs of conditions (" + std::to_string(statistics.pairs.size()) + ")",
-                     DrawRows("Differences of all pairs of conditions.", ListPairs(statistics)));
+                     DrawRows("Differences of all pairs of conditions.", ListPairs(statistics),
+                              statistics.table.factors));
 }
 
 Html DrawTests(const StudyPageData& data) {

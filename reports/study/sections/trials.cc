@@ -92,10 +92,11 @@ Html DrawContacts(const StudyTrial& trial) {
   return MakeScroll(chart.text.title, DrawStripChart(chart));
 }
 
-std::string DescribeTrial(const StudyTrial& trial) {
+std::string DescribeTrial(const StudyTrial& trial, const std::vector<Factor>& factors) {
   const ContactTiming& timing = trial.analysis->timing;
-  std::string text = trial.id;
-  for (const std::string& level : trial.levels) text += ", " + level;
+  std::string cell;
+  for (const std::string& level : trial.levels) cell += (cell.empty() ? "" : ", ") + level;
+  std::string text = trial.id + (cell.empty() ? "" : ", " + NameOfCell(cell, factors));
   text += ": GFT " + FormatWithUnit(timing.gft, "s") + ", GOT " + FormatWithUnit(timing.got, "s") +
           ", GFT% " + FormatWithUnit(timing.gft_ratio, "1");
   const std::string flags = FormatFlags(*trial.analysis);
@@ -122,11 +123,11 @@ Html DrawTrials(const StudyPageData& data) {
   Html html = MakeParagraph(text);
   for (const StudyTrial* trial : trials) {
     const std::string anchor = MakePlainKey({"trial", trial->participant, trial->trial});
-    html += Element(
-        "div", {{"id", anchor}},
-        MakeDetails(DescribeTrial(*trial), Element("div", {{"class", "pair"}},
-                                                   Element("div", {}, DrawOpening(*trial)) +
-                                                       Element("div", {}, DrawContacts(*trial)))));
+    html += Element("div", {{"id", anchor}},
+                    MakeDetails(DescribeTrial(*trial, data.result.study.factors),
+                                Element("div", {{"class", "pair"}},
+                                        Element("div", {}, DrawOpening(*trial)) +
+                                            Element("div", {}, DrawContacts(*trial)))));
   }
   return html;
 }

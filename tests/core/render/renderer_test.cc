@@ -347,5 +347,33 @@ TEST(RendererTest, RefusesImpossibleSizes) {
   }
 }
 
+// A wall that fills the picture: what need not be seen ends at the edge in the background's colour.
+TEST(Renderer, WhatMayBeCutFadesTowardsTheEdge) {
+  Scene scene;
+  scene.has_table = false;
+  scene.drawables.emplace_back();
+  scene.drawables[0].mesh =
+      std::make_shared<const TriMesh>(MakeRoundedBox(Vector3d(4.0, 0.2, 4.0), 0.01));
+  scene.drawables[0].colour = Eigen::Vector3f(0.1f, 0.1f, 0.1f);
+  Camera camera;
+  camera.p_WEye = Vector3d(0.0, -1.0, 0.0);
+  camera.p_WTarget = Vector3d::Zero();
+  const Image cut = SharedRenderer().Render(scene, camera);
+  scene.drawables[0].must_be_seen = false;
+  const Image faded = SharedRenderer().Render(scene, camera);
+  const Vector2d middle(0.5 * kWidth, 0.5 * kHeight);
+  EXPECT_EQ(CalcBrightness(faded, middle), CalcBrightness(cut, middle));
+  const int background = kBackground[0] + kBackground[1] + kBackground[2];
+  int last = CalcBrightness(faded, middle);
+  for (const double share : {0.08, 0.05, 0.02, 0.0}) {  // towards the left edge
+    const Vector2d pixel(share * kWidth, 0.5 * kHeight);
+    const int brightness = CalcBrightness(faded, pixel);
+    EXPECT_GT(brightness, last) << share;
+    EXPECT_LT(CalcBrightness(cut, pixel), background / 2);
+    last = brightness;
+  }
+  EXPECT_NEAR(last, background, 6);
+}
+
 }  // namespace
 }  // namespace graspbench

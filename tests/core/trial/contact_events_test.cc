@@ -26,8 +26,8 @@ class Script {
         HandContact contact;
         contact.link = 1;
         contact.normal_force = 2.0;
-        contact.is_sliding = state == State::kSlides;
-        contact.slip_speed = contact.is_sliding ? 0.01 : 0.0;
+        contact.is_at_limit = state == State::kSlides;
+        contact.slip_speed = contact.is_at_limit ? 0.01 : 0.0;
         contacts.push_back(contact);
       }
       recorder_.Observe(time_, contacts);

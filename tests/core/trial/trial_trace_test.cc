@@ -50,17 +50,40 @@ TEST(TrialTrace, EveryStepIsThereInItsOrder) {
   }
 }
 
-TEST(TrialTrace, ACoarseOneHoldsTheEndsAndWholeSteps) {
+TEST(TrialTrace, ACoarseOneHoldsWholeStepsAndTheEndsOfPhases) {
   const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
   const TracedTrial fine = Trace(setup, 0.0), coarse = Trace(setup, 2.5 * setup.sim.step);
   EXPECT_EQ(coarse.closure_start, fine.closure_start);
-  ASSERT_GT(coarse.trace.size(), 10u);
-  for (size_t i = 0; i + 1 < coarse.trace.size(); ++i) {
-    EXPECT_EQ(coarse.trace[i].time, fine.trace[3 * i].time);
+  std::vector<double> wanted;
+  for (size_t i = 0; i < fine.trace.size(); ++i) {
+    const bool is_end =
+        i + 1 == fine.trace.size() || fine.trace[i + 1].phase != fine.trace[i].phase;
+    if (i % 3 == 0 || is_end) wanted.push_back(fine.trace[i].time);
   }
-  EXPECT_EQ(coarse.trace.back().time, fine.trace.back().time);
+  ASSERT_EQ(coarse.trace.size(), wanted.size());
+  for (size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(coarse.trace[i].time, wanted[i]);
   EXPECT_EQ(&FindInstant(coarse.trace, -1.0), &coarse.trace.front());
   EXPECT_EQ(&FindInstant(coarse.trace, 1e9), &coarse.trace.back());
+}
+
+// The record says when each phase began, and keeps the posture at two of these times.
+TEST(TrialTrace, PhasesEndWhereTheRecordSaysThatTheNextOneBegins) {
+  const TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
+  const TracedTrial traced = Trace(setup, 0.02);
+  const std::vector<const TraceInstant*> ends = ListPhaseEnds(traced.trace);
+  const std::vector<PhaseStart>& phases = traced.result.phases;  // after placing, with "done"
+  ASSERT_EQ(ends.size(), 5u);
+  ASSERT_EQ(phases.size(), 5u);
+  for (size_t i = 0; i < ends.size(); ++i) {
+    EXPECT_NEAR(ends[i]->time, phases[i].time + traced.closure_start, 1e-12) << phases[i].name;
+    const bool is_last = i + 1 == ends.size();
+    EXPECT_EQ(NameOf(ends[i]->next_phase), is_last ? "hold" : phases[i].name);
+  }
+  const SceneSnapshot& closed = traced.result.snapshots.at(1);
+  EXPECT_EQ(closed.moment, Moment::kClosed);
+  EXPECT_EQ(ends[2]->phase, Phase::kStabilisation);
+  EXPECT_EQ(ends[2]->q, closed.q);
+  EXPECT_EQ(ends[2]->X_WO.matrix(), closed.X_WO.matrix());
 }
 
 }  // namespace

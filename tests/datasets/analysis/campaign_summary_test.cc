@@ -32,6 +32,25 @@ TEST(CampaignSummary, TrialsOfOnePoseArePairs) {
   for (double difference : differences) EXPECT_NEAR(difference, 2.0, 1e-12);
 }
 
+// A grasp that was kept comes from a file with rounded angles the second time.
+TEST(CampaignSummary, TheRoundingOfAGraspsFileIsNoDifference) {
+  Campaign campaign = MakeCampaign();
+  for (TrialRecord& record : campaign.benchmark.records) {
+    record.result.stability.sigma =
+        record.plan.grasp == campaign.benchmark.records[0].plan.grasp ? 2.0 : 2.0 - 1e-8;
+  }
+  const Summarised summarised(campaign);
+  const StepEffect effect =
+      CalcStepEffect(FindVariantMeasure("sigma"), summarised.scenes, kStandardGrasp, kNewTarget);
+  EXPECT_EQ(effect.num_scenes, 2);
+  EXPECT_TRUE(effect.worse.empty());
+  EXPECT_EQ(effect.plain_ratio(), 1.0);
+  for (const double difference : ListPairedDifferences(
+           FindVariantMeasure("sigma"), summarised.scenes[0], kStandardGrasp, kNewTarget)) {
+    EXPECT_EQ(difference, 0.0);
+  }
+}
+
 TEST(CampaignSummary, FourOfTenAfterTenOfTenIsSignificant) {
   // Fisher, two-sided: 10/10 against 4/10 has p = 0.011.
   const Summarised summarised(MakeCampaign());

@@ -158,7 +158,8 @@ TEST_P(TrialGltf, HoldsPhasesAndContacts) {
         sum_W[axis] += 1e-3 * contacts[c][7 + at].get<double>();
       }
       force_W += contact.normal_force * contact.nhat_W + contact.friction_W;
-      EXPECT_EQ(contacts[c][11] == 1, contact.is_sliding);
+      const size_t state = contacts[c][11];
+      EXPECT_EQ(extras["contacts"]["states"][state], DescribeState(contact));
     }
     EXPECT_LT((sum_W - force_W).norm(), 1e-3 * static_cast<double>(contacts.size() + 1));
   }

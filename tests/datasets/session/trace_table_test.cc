@@ -23,7 +23,8 @@ TEST(TraceTable, HoldsEveryJointAndTheContactsByDigit) {
   const Hand hand = LoadHand("tum");
   TraceInstant instant;
   instant.time = 0.25;
-  instant.phase = Phase::kClosure;
+  instant.phase = Phase::kPlacing;  // it ends where closure begins
+  instant.next_phase = Phase::kClosure;
   instant.q = Eigen::VectorXd::LinSpaced(hand.num_joints(), 0.1, 0.9);
   instant.X_WO = MakePose(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix(),
                           Eigen::Vector3d(1.0, 2.0, 3.0));

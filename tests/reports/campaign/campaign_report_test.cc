@@ -55,7 +55,26 @@ TEST(CampaignReport, TheHandsAreComparedOnTheSameObjects) {
   ParsePage(page, document);
   std::string text = ListText(*document.RootElement());
   std::replace(text.begin(), text.end(), '\n', ' ');
-  EXPECT_NE(text.find("sigma standard grasp 2 1.04 2.04 0 2"), std::string::npos);
+  EXPECT_NE(text.find("sigma [N] standard grasp 2 1.04 2.04 0 2"), std::string::npos);
+}
+
+// Of one scene there is no interval over scenes; the change is drawn all the same.
+TEST(CampaignReport, OneSceneHasAFigureToo) {
+  Campaign campaign = MakeCampaign();
+  campaign.scenes.resize(1);
+  campaign.config.session.trials = 7;
+  const Summarised summarised(campaign);
+  ASSERT_EQ(CountComplete(summarised.scenes), 1);
+  const SessionModels models;
+  const VariantPictures pictures;
+  const std::string page = MakeCampaignReport(
+      {summarised.campaign, summarised.benchmark, summarised.scenes, models, pictures});
+  tinyxml2::XMLDocument document;
+  ParsePage(page, document);
+  const std::string summary = ListText(*FindById(*document.RootElement(), "summary"));
+  EXPECT_NE(summary.find("1 scene, no interval"), std::string::npos) << summary;
+  EXPECT_NE(page.find("graspbench campaign --set &#39;session.trials=7&#39; --out ANOTHER"),
+            std::string::npos);
 }
 
 TEST(CampaignReport, NothingFinishedIsAPage) {

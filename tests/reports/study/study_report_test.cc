@@ -53,12 +53,15 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectSoundPage(page);
   ExpectContains(SectionText(page, "summary"), "12 of 12 trials were analysed");
   ExpectContains(SectionText(page, "removed"), "No trial was removed.");
-  ExpectContains(SectionText(page, "curves"), "0.03 (6 trials)");
+  ExpectContains(SectionText(page, "curves"), "diameter 30\u00A0mm (6 trials)");
   const MeasureStatistics& gft = result.statistics.measures.front();
   ExpectContains(SectionText(page, "measures"),
                  FormatWithUnit(gft.cells->means.col(1).mean(), gft.measure.unit) + ", 6 trials");
   ExpectContains(SectionText(page, "measures"), std::string(NameOf(BarKind::kLoftusMasson)));
-  ExpectContains(SectionText(page, "tests"), "diameter_m");
+  ExpectContains(SectionText(page, "tests"), "slope over diameter");
+  ExpectContains(SectionText(page, "tests"), "s per m of diameter");
+  ExpectContains(SectionText(page, "tests"), "diameter 60\u00A0mm minus diameter 30\u00A0mm");
+  EXPECT_EQ(SectionText(page, "tests").find("diameter_m"), std::string::npos);
   ExpectContains(SectionText(page, "tests"), FormatP(gft.anova->effects[0].test->p));
   ExpectContains(SectionText(page, "tests"), "Friedman");
   ExpectContains(SectionText(page, "tests"), FormatSignificant(gft.trends[0].slopes.test->mean, 3));
@@ -120,6 +123,26 @@ TEST(StudyReport, AStudyWithoutTrialsSaysSo) {
   EXPECT_EQ(page.find("<img"), std::string::npos);
   ExpectContains(SectionText(page, "summary"), "0 of 0 trials were analysed");
   ExpectContains(SectionText(page, "trials"), "No trial could be analysed.");
+}
+
+TEST(StudyFormat, ConditionsHaveNamesAndUnits) {
+  Factor size, side;
+  size.name = "object_width_m";
+  size.levels = {"0.03", "0.045"};
+  size.numbers = {0.03, 0.045};
+  side.name = "side";
+  side.levels = {"left", "right, near"};
+  EXPECT_EQ(NameOfFactor("object_width_m"), "object width");
+  EXPECT_EQ(NameOfFactor("_m"), " m");
+  EXPECT_EQ(NameOfCell("", {}), "all trials");
+  EXPECT_EQ(NameOfCell("0.045, left", {size, side}), "object width 45\u00A0mm, side left");
+  EXPECT_EQ(NameOfCell("0.03, right, near", {size, side}), "0.03, right, near");  // as it stands
+  EXPECT_EQ(NameOfEffect("0.045 - 0.03", {size}),
+            "object width 45\u00A0mm minus object width 30\u00A0mm");
+  EXPECT_EQ(NameOfEffect("intercept at object_width_m = 0", {size}),
+            "intercept at object width = 0");
+  EXPECT_EQ(FormatSlopeUnit("s per object_width_m"), "s per m of object width");
+  EXPECT_EQ(FormatSlopeUnit("1 per side"), "per side");
 }
 
 TEST(StudyFormat, PeopleReadMillisecondsMillimetresAndPerCent) {

@@ -141,5 +141,25 @@ TEST_F(OutputFolderTest, AFileIsWrittenOnlyWhereNoneIs) {
   EXPECT_NO_THROW(CheckOutputFile(top_ / "new" / "new.csv"));
 }
 
+// The only things in a result's folder are the result's own.
+TEST_F(OutputFolderTest, NothingElseIsWrittenIntoAResult) {
+  WriteResult("one", false);
+  fs::create_directories(top_ / "session" / "report");
+  WriteFileAtomically(top_ / "session" / "session.json", "{}");
+  for (const char* inside : {"out/new.csv", "out/data/new.csv", "out/deep/new/new.csv",
+                             "session/new.csv", "session/report/new.csv"}) {
+    EXPECT_THROW(CheckOutputFile(top_ / inside), Error) << inside;
+    EXPECT_THROW(CheckOutputFolder({top_ / inside, "basin", true, {}}), Error) << inside;
+  }
+  EXPECT_NO_THROW(CheckOutputFile(top_ / "beside.csv"));
+  EXPECT_EQ(FindFault(), "") << "the result itself may be replaced";
+}
+
+TEST_F(OutputFolderTest, AFileIsWrittenWithTheFoldersThatItNeeds) {
+  WriteOutputFile(top_ / "new" / "place" / "a.csv", "x");
+  EXPECT_EQ(ReadFile(top_ / "new" / "place" / "a.csv"), "x");
+  EXPECT_THROW(WriteOutputFile(top_ / "new" / "place" / "a.csv", "y"), Error);
+}
+
 }  // namespace
 }  // namespace graspbench
