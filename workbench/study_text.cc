@@ -35,6 +35,16 @@ std::string FormatZeroGft(const ZeroGft& zero) {
          FormatFixed(MsFromS(zero.median), 0) + " ms\n";
 }
 
+std::string FormatOpeningArgument(const StudyResult& result) {
+  if (result.CountKept() == 0) return "";
+  return "opening  " + DescribeOpeningArgument(result) + "\n";
+}
+
+std::string FormatIndependence(const StudyResult& result) {
+  if (result.CountKept() == 0) return "";
+  return "together " + DescribeIndependence(result.statistics.independence) + "\n";
+}
+
 std::string FormatTruth(const TruthComparison& comparison) {
   return "truth    found - true over the trials that count\n  movement onset  " +
          FormatErrors(comparison.onset) + "\n  widest opening  " +

@@ -15,6 +15,12 @@ std::string FormatRemoved(const StudyResult& result);
 /** What GFT can be told from zero; empty when no trial says. */
 std::string FormatZeroGft(const ZeroGft& zero);
 
+/** Whether the hand opening is more reliable than the aperture; empty when no trial counts. */
+std::string FormatOpeningArgument(const StudyResult& result);
+
+/** Whether people are more simultaneous than independent digits; empty when no trial counts. */
+std::string FormatIndependence(const StudyResult& result);
+
 /** Found minus true times of a made-up study. */
 std::string FormatTruth(const TruthComparison& comparison);
 

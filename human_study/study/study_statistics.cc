@@ -206,6 +206,7 @@ void CalcStudyStatistics(StudyResult& result) {
   result.statistics.openings = CalcOpeningReliability(result);
   result.statistics.bias = CalcBias(result);
   result.statistics.zero_gft = CalcZeroGft(result.trials);
+  result.statistics.independence = CalcIndependenceNull(result.trials, result.digits.size());
 }
 
 UniverseSummary SummariseUniverses(const std::vector<Universe>& universes) {

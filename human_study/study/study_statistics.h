@@ -8,6 +8,7 @@ known asynchrony. */
 #include <string>
 #include <vector>
 
+#include "human_study/study/independence_null.h"
 #include "human_study/study/measure_statistics.h"
 #include "human_study/study/opening_reliability.h"
 #include "human_study/study/synthetic/bias_card.h"
@@ -38,9 +39,10 @@ struct OpeningCurve {
 struct StudyStatistics {
   std::vector<MeasureStatistics> measures;
   std::vector<OpeningCurve> curves;
-  std::vector<OpeningReliability> openings;
+  OpeningFamily openings;
   std::vector<BiasRow> bias;
   ZeroGft zero_gft;
+  Answer<IndependenceNull> independence;
 };
 
 /** @pre the id is one of TrialMeasureList(). */

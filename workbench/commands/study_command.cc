@@ -49,7 +49,8 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const fs::path out = options.out;
   const fs::path report = out / page.lexically_relative(staged.path());
   staged.Commit();
-  PrintResult(FormatRemoved(result) + FormatZeroGft(result.statistics.zero_gft) + "kept     " +
+  PrintResult(FormatRemoved(result) + FormatZeroGft(result.statistics.zero_gft) +
+              FormatOpeningArgument(result) + FormatIndependence(result) + "kept     " +
               std::to_string(result.CountKept()) + " of " +
               FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
               (out / "measures.csv").string() + "\nR        " + (out / "tidy").string() +

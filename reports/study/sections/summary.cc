@@ -47,6 +47,17 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
          FormatWithUnit(zero.median, "s") + ".";
 }
 
+/** The study's argument about the hand opening, and about digits that touch together. */
+Html DrawArgument(const StudyResult& result) {
+  if (result.CountKept() == 0) return {};
+  return Element("p", {},
+                 Text(DescribeOpeningArgument(result) + " ") +
+                     LinkTo("openings", "All openings and criteria")) +
+         Element("p", {},
+                 Text(SayIndependence(result.statistics.independence) + " ") +
+                     LinkTo("simultaneity", "GFT, clocks and power"));
+}
+
 /** Contacts that only the digit's own stop shows. */
 Html DrawUnverified(const StudyResult& result) {
   const UnverifiedTouches touches = CountUnverified(result);
@@ -110,7 +121,7 @@ Html DrawSummary(const StudyPageData& data) {
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawUnverified(result) + DrawMeasureTable(result);
+         DrawArgument(result) + DrawUnverified(result) + DrawMeasureTable(result);
 }
 
 }  // namespace

@@ -259,7 +259,9 @@ TEST(AnalyseTrial, SpoiltTrialsGiveAnswersOrReasonsAndNeverFail) {
     AnalysisOptions options;
     const std::vector<MovementRule>& rules = MovementRuleList();
     options.movement.rule = rules[static_cast<size_t>(random.NextIndex(6))].id;
-    options.opening.measure = HandOpeningList()[static_cast<size_t>(random.NextIndex(8))].id;
+    const std::vector<HandOpening>& openings = HandOpeningList();
+    options.opening.measure =
+        openings[static_cast<size_t>(random.NextIndex(static_cast<int>(openings.size())))].id;
     options.opening.maximum = random.NextUnit() < 0.5 ? "largest" : "last";
     const double noise = random.NextUnit() < 0.3 ? 0.02 * random.NextUnit() : 0.0;
     const double end = trial.times.back();

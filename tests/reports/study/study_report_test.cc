@@ -68,12 +68,45 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectContains(SectionText(page, "order"), "pairs of neighbours are tied.");
   ExpectContains(SectionText(page, "robot"), "No robot session was named.");
   ExpectContains(SectionText(page, "openings"), "virtual_finger");
+  ExpectContains(SectionText(page, "openings"),
+                 "not testable with 3 persons (5 or more are needed)");
+  ExpectContains(SectionText(page, "summary"), "More reliable than the aperture: not testable");
+  ExpectContains(SectionText(page, "simultaneity"), "not testable, only 0 trials in which all 5");
   ExpectContains(SectionText(page, "bias"), "half the cut-off");
   ExpectContains(SectionText(page, "multiverse"), "\u25B6");
   ExpectContains(SectionText(page, "trials"), "01-1, ");
   ExpectContains(SectionText(page, "methods"), "0 of 12 trials were removed.");
   ExpectContains(SectionText(page, "methods"), "a fixed threshold (50\u00A0mm/s)");
   ExpectContains(SectionText(page, "methods"), "bounds of 10.0\u00A0ms for grasp forming time");
+}
+
+TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
+  StudyResult result = SmallStudy();
+  IndependenceNull null;
+  null.num_trials = 90;
+  null.num_incomplete = 2;
+  null.num_persons = 5;
+  null.gft.fill({0.0301, 0.0402, 0.0383, 0.0424, 0.002, 0.07});
+  null.gft_ratio.fill({0.151, 0.202, 0.193, 0.214, 0.002, 0.05});
+  result.statistics.independence = null;
+  OpeningFamily& family = result.statistics.openings;
+  family.num_tests = 1;
+  for (size_t i = 1; i < family.rows.size(); ++i) {
+    for (OpeningComparison& comparison : family.rows[i].against_aperture) {
+      comparison.no_answer = "a reason that stands once";
+    }
+  }
+  family.rows[1].against_aperture[1] = {1.31, 1.12, 1.53, 0.004, 0.012, 5, ""};
+  const std::string page = MakeStudyReport(result, nullptr);
+  ExpectSoundPage(page);
+  ExpectContains(SectionText(page, "summary"), "more simultaneous than digits that move");
+  const std::string together = SectionText(page, "simultaneity");
+  ExpectContains(together, "40.2 (38.3 to 42.4)");
+  ExpectContains(together, "2 trials of those that count lacked the contact");
+  const std::string openings = SectionText(page, "openings");
+  ExpectContains(openings, "shown for virtual_finger");
+  ExpectContains(openings, "1.31 (1.12 to 1.53), p 0.012");
+  ExpectContains(openings, "spread of persons: a reason that stands once");
 }
 
 TEST(StudyReport, TiedDigitsAreOneOrderWhicheverIsNamedFirst) {
