@@ -59,6 +59,8 @@ struct UniverseSummary {
   int num_values = 0;                      ///< universes with a value
   double lowest = NAN, highest = NAN;      ///< medians of the measure, in its unit
   int num_tests = 0, num_significant = 0;  ///< p < 0.05, Greenhouse-Geisser
+  double lowest_p = NAN, highest_p = NAN;
+  double lowest_effect = NAN, highest_effect = NAN;  ///< generalised eta squared
 };
 UniverseSummary SummariseUniverses(const std::vector<Universe>& universes);
 

@@ -17,23 +17,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+StudyResult MakeStudy(int num_people) {
+  const fs::path folder =
+      fs::path(::testing::TempDir()) / ("study_report_test_" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  SyntheticOptions options;
+  options.seed = "study_report_test";
+  options.num_people = num_people;
+  options.trials_per_size = 2;
+  options.diameters = {0.03, 0.06};
+  WriteDemoStudy(MakeSyntheticStudy(options), folder);
+  const StudyResult made = RunStudy(LoadStudy(folder / "study.yaml"));
+  fs::remove_all(folder);
+  return made;
+}
+
 /** A small made-up study, analysed once for all tests. */
 const StudyResult& SmallStudy() {
-  static const StudyResult result = [] {
-    const fs::path folder =
-        fs::path(::testing::TempDir()) / ("study_report_test_" + std::to_string(::getpid()));
-    fs::remove_all(folder);
-    SyntheticOptions options;
-    options.seed = "study_report_test";
-    options.num_people = 3;
-    options.trials_per_size = 2;
-    options.diameters = {0.03, 0.06};
-    WriteDemoStudy(MakeSyntheticStudy(options), folder);
-    const StudyResult made = RunStudy(LoadStudy(folder / "study.yaml"));
-    fs::remove_all(folder);
-    return made;
-  }();
+  static const StudyResult result = MakeStudy(3);
   return result;
+}
+
+int CountOf(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
 }
 
 std::string SectionText(const std::string& page, const char* id) {
@@ -107,6 +115,38 @@ TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
   ExpectContains(openings, "shown for virtual_finger");
   ExpectContains(openings, "1.31 (1.12 to 1.53), p 0.012");
   ExpectContains(openings, "spread of persons: a reason that stands once");
+}
+
+// What cannot be had from one person is said once, not in every cell of every table.
+TEST(StudyReport, OnePersonGetsASentenceNotAWall) {
+  const std::string page = MakeStudyReport(MakeStudy(1), nullptr);
+  ExpectSoundPage(page);
+  const std::string tests = SectionText(page, "tests");
+  ExpectContains(tests, "No measure can be tested:");
+  EXPECT_EQ(CountOf(tests, "repeated-measures ANOVA: none: 1 person"), 1);
+  EXPECT_EQ(CountOf(tests, "n/a"), 0);
+  EXPECT_EQ(CountOf(SectionText(page, "measures"), "n/a"), 0);
+  EXPECT_EQ(CountOf(SectionText(page, "openings"), "n/a"), 0);
+  ExpectContains(tests, "Each person's line over diameter_m");
+  EXPECT_EQ(SectionText(page, "tests").find("mixed model draws"), std::string::npos);
+  EXPECT_EQ(CountOf(SectionText(MakeStudyReport(SmallStudy(), nullptr), "tests"),
+                    "No measure can be tested"),
+            0);
+}
+
+TEST(StudyReport, TheVerdictHasTheRangeOfEveryNumberOverTheChoices) {
+  const StudyResult& result = SmallStudy();
+  const UniverseSummary range = SummariseUniverses(result.universes);
+  ASSERT_GT(range.num_tests, 1);
+  double lowest = 1.0;  // counted anew
+  for (const Universe& universe : result.universes) {
+    if (universe.test) lowest = std::fmin(lowest, universe.test->greenhouse_geisser.p);
+  }
+  EXPECT_EQ(range.lowest_p, lowest);
+  const std::string text = SectionText(MakeStudyReport(result, nullptr), "summary");
+  ExpectContains(text, "(p " + FormatP(range.lowest_p) + " to " + FormatP(range.highest_p) +
+                           ", below 0.05 in " + std::to_string(range.num_significant) + " of " +
+                           std::to_string(range.num_tests) + " choices; eta squared ");
 }
 
 TEST(StudyReport, TiedDigitsAreOneOrderWhicheverIsNamedFirst) {
