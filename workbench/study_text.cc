@@ -28,6 +28,13 @@ std::string FormatRemoved(const StudyResult& result) {
   return text;
 }
 
+std::string FormatFreeze(const Study& study) {
+  if (!study.freeze) return "";
+  std::string text = "frozen   " + DescribeFreeze(study) + "\n";
+  for (const std::string& deviation : ListDeviations(study)) text += "deviates " + deviation + "\n";
+  return text;
+}
+
 std::string FormatZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
   return "zero     GFT below " + FormatFixed(MsFromS(zero.limit), 0) +

@@ -9,6 +9,9 @@ What a human study found, for the terminal. */
 
 namespace graspbench {
 
+/** Whether the choices are the frozen ones, a line for each that is not; empty without a freeze. */
+std::string FormatFreeze(const Study& study);
+
 /** A line for each reason by which trials were removed; first that none is left, if so. */
 std::string FormatRemoved(const StudyResult& result);
 

@@ -59,6 +59,13 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
          FormatWithUnit(zero.median, "s") + ".";
 }
 
+Html DrawFreeze(const Study& study) {
+  if (!study.freeze) return {};
+  Html text = Text(DescribeFreeze(study) + " ");
+  if (!study.freeze->deviations.empty()) text += LinkTo("findings", "What deviates");
+  return Element("p", {}, text);
+}
+
 /** The study's argument about the hand opening, and about digits that touch together. */
 Html DrawArgument(const StudyResult& result) {
   if (result.CountKept() == 0) return {};
@@ -133,7 +140,8 @@ Html DrawSummary(const StudyPageData& data) {
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawArgument(result) + DrawUnverified(result) + DrawMeasureTable(result);
+         DrawFreeze(result.study) + DrawArgument(result) + DrawUnverified(result) +
+         DrawMeasureTable(result);
 }
 
 }  // namespace

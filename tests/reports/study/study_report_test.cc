@@ -105,8 +105,13 @@ TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
     }
   }
   family.rows[1].against_aperture[1] = {1.31, 1.12, 1.53, 0.004, 0.012, 5, ""};
+  result.study.freeze = FreezeCheck{"abcdef0123456789", 0, {{"contact.cutoff_hz", "20.0", "12.0"}}};
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
+  ExpectContains(SectionText(page, "summary"),
+                 "Choices frozen before any recording (SHA-256 abcdef012345): 1 deviation.");
+  ExpectContains(SectionText(page, "findings"),
+                 "Not as frozen: contact.cutoff_hz: frozen 20.0, used 12.0.");
   ExpectContains(SectionText(page, "summary"), "more simultaneous than digits that move");
   const std::string together = SectionText(page, "simultaneity");
   ExpectContains(together, "40.2 (38.3 to 42.4)");
