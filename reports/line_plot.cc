@@ -192,6 +192,23 @@ Html DrawLinePlot(const LinePlot& plot) {
              content);
 }
 
+namespace {
+
+/** Ticks below the middle of a row, in one path: there may be thousands. */
+template <class PlaceX>
+Html DrawSingles(const std::vector<double>& singles, double y, const PlaceX& place_x) {
+  constexpr double kBelow = 4.0, kTick = 5.0;
+  std::string path;
+  for (const double value : singles) {
+    if (!std::isfinite(value)) continue;
+    path += "M" + Px(place_x(value)) + " " + Px(y + kBelow) + "v" + Px(kTick);
+  }
+  if (path.empty()) return {};
+  return Element("path", {{"class", "single"}, {"d", path}});
+}
+
+}  // namespace
+
 Html DrawIntervalPlot(const IntervalPlot& plot) {
   constexpr double kRow = 24.0, kAxis = 38.0, kPlot = 340.0, kDot = 4.0, kCap = 4.0;
   Range range;
@@ -206,6 +223,7 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
     range.Add(row.value);
     range.Add(row.low);
     range.Add(row.high);
+    for (const double value : row.singles) range.Add(value);
   }
   if (plot.holds_zero) range.Add(0.0);
   const Axis axis(range.low, range.high, 5);
@@ -221,6 +239,7 @@ Html DrawIntervalPlot(const IntervalPlot& plot) {
                          Label(row.is_heading ? "end head" : "end", left - kPlotGap, y, row.label));
     content += Label("start small", left + kPlot + 2.0 * kPlotGap, y, row.text);
     if (row.is_heading) continue;
+    content += DrawSingles(row.singles, y, place_x);
     if (std::isfinite(row.low) && std::isfinite(row.high)) {
       const double low = place_x(row.low), high = place_x(row.high);
       content += Line("interval", low, y, high, y);

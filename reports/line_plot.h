@@ -35,12 +35,13 @@ Html DrawLinePlot(const LinePlot& plot);
 struct IntervalPlot {
   struct Row {
     std::string label;
-    double value = 0.0;            ///< NaN: no mark, the text alone
-    double low = 0.0, high = 0.0;  ///< NaN: no interval
-    std::string text;              ///< beside the row
-    std::string anchor;            ///< where the label leads; empty: nowhere
-    int series = 0;                ///< 0..7, the mark's colour
-    bool is_heading = false;       ///< a label over the rows that follow, without a value
+    double value = 0.0;                ///< NaN: no mark, the text alone
+    double low = 0.0, high = 0.0;      ///< NaN: no interval
+    std::string text;                  ///< beside the row
+    std::string anchor;                ///< where the label leads; empty: nowhere
+    int series = 0;                    ///< 0..7, the mark's colour
+    bool is_heading = false;           ///< a label over the rows that follow, without a value
+    std::vector<double> singles = {};  ///< what the estimate was made of: a tick each; NaN: none
   };
   PlotText text;
   std::string axis;  ///< with unit

@@ -28,11 +28,28 @@ std::string FormatRemoved(const StudyResult& result) {
   return text;
 }
 
+std::string FormatFreeze(const Study& study) {
+  if (!study.freeze) return "";
+  std::string text = "frozen   " + DescribeFreeze(study) + "\n";
+  for (const std::string& deviation : ListDeviations(study)) text += "deviates " + deviation + "\n";
+  return text;
+}
+
 std::string FormatZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
   return "zero     GFT below " + FormatFixed(MsFromS(zero.limit), 0) +
          " ms cannot be told from zero here; touching at once would show a median of " +
          FormatFixed(MsFromS(zero.median), 0) + " ms\n";
+}
+
+std::string FormatOpeningArgument(const StudyResult& result) {
+  if (result.CountKept() == 0) return "";
+  return "opening  " + DescribeOpeningArgument(result) + "\n";
+}
+
+std::string FormatIndependence(const StudyResult& result) {
+  if (result.CountKept() == 0) return "";
+  return "together " + DescribeIndependence(result.statistics.independence) + "\n";
 }
 
 std::string FormatTruth(const TruthComparison& comparison) {

@@ -9,11 +9,20 @@ What a human study found, for the terminal. */
 
 namespace graspbench {
 
+/** Whether the choices are the frozen ones, a line for each that is not; empty without a freeze. */
+std::string FormatFreeze(const Study& study);
+
 /** A line for each reason by which trials were removed; first that none is left, if so. */
 std::string FormatRemoved(const StudyResult& result);
 
 /** What GFT can be told from zero; empty when no trial says. */
 std::string FormatZeroGft(const ZeroGft& zero);
+
+/** Whether the hand opening is more reliable than the aperture; empty when no trial counts. */
+std::string FormatOpeningArgument(const StudyResult& result);
+
+/** Whether people are more simultaneous than independent digits; empty when no trial counts. */
+std::string FormatIndependence(const StudyResult& result);
 
 /** Found minus true times of a made-up study. */
 std::string FormatTruth(const TruthComparison& comparison);

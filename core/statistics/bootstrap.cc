@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/statistics/distributions.h"
+#include "core/statistics/jackknife.h"
 #include "core/statistics/summary.h"
 
 namespace graspbench {
@@ -13,21 +14,11 @@ namespace {
 
 /** Efron's a: skewness of the jackknife values / 6. No answer when they do not vary. */
 Answer<double> CalcAcceleration(size_t num_members, const GroupStatistic& statistic) {
-  std::vector<double> values;
-  for (size_t left_out = 0; left_out < num_members; ++left_out) {
-    std::vector<size_t> members;
-    for (size_t i = 0; i < num_members; ++i) {
-      if (i != left_out) members.push_back(i);
-    }
-    values.push_back(statistic(members));
-    if (!std::isfinite(values.back())) {
-      return NoAnswer{"the statistic has no value without member " + std::to_string(left_out + 1)};
-    }
-  }
-  const Moments moments = CalcMoments(values);
-  if (moments.is_constant) return NoAnswer{"the statistic does not depend on who is drawn"};
+  const Answer<std::vector<double>> values = LeaveOneOut(num_members, statistic);
+  if (!values) return values.none();
+  const Moments moments = CalcMoments(*values);
   double cubes = 0.0;
-  for (double value : values) cubes += std::pow(moments.mean - value, 3);
+  for (double value : *values) cubes += std::pow(moments.mean - value, 3);
   return cubes / (6.0 * std::pow(moments.sum_of_squares, 1.5));
 }
 

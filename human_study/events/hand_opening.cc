@@ -1,6 +1,7 @@
 #include "human_study/events/hand_opening.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -55,6 +56,25 @@ double CalcOuterTriangle(const Tips& tips) {
   return std::sqrt(CalcTriangle(tips.col(0), tips.col(1), tips.col(tips.cols() - 1)));
 }
 
+double CalcTetrahedron(const Tips& tips, const std::array<Eigen::Index, 4>& of) {
+  const Eigen::Vector3d origin = tips.col(of[0]);
+  return std::abs(
+             (tips.col(of[1]) - origin)
+                 .dot(
+                     (tips.col(of[2]) - origin).cross(Eigen::Vector3d(tips.col(of[3]) - origin)))) /
+         6;
+}
+
+double CalcHull(const Tips& tips) {
+  if (tips.cols() == 4) return std::cbrt(CalcTetrahedron(tips, {0, 1, 2, 3}));
+  GRASPBENCH_DEMAND(tips.cols() == 5, std::to_string(tips.cols()));
+  double sum = 0.0;
+  for (Eigen::Index out = 0; out < 5; ++out) {
+    sum += CalcTetrahedron(tips, {(out + 1) % 5, (out + 2) % 5, (out + 3) % 5, (out + 4) % 5});
+  }
+  return std::cbrt(sum / 2);
+}
+
 }  // namespace
 
 const std::vector<HandOpening>& HandOpeningList() {
@@ -72,6 +92,7 @@ const std::vector<HandOpening>& HandOpeningList() {
       {"outer_triangle",
        "square root of the area of the triangle of the thumb's, the index and the last digit's tip",
        CalcOuterTriangle, 3},
+      {"hull", "cube root of the volume of the convex hull of the tips", CalcHull, 4},
   };
   return openings;
 }

@@ -12,6 +12,10 @@ With p_T the thumb's tip, p_k the n - 1 others and c the mean of all n:
     fan             sqrt(area of the triangles c p_i p_i+1)      thumb round to thumb (Supuk 2005)
     perimeter       sum of |p_i - p_i+1|            thumb round to thumb
     outer_triangle  sqrt(area of the triangle of thumb, index and last digit)
+    hull            cube root of the volume of the convex hull of four or five tips
+
+The hull of five tips is triangulated in two ways, which together use each of the five tetrahedra of
+four tips once (Radon's theorem): its volume is half the sum of theirs.
 
 All are lengths [m]. With two digits the first three are equal. A measure over "all" digits takes
 the digits given, so compare only like with like. */
@@ -30,7 +34,7 @@ struct HandOpening {
   const char* text;
   /** @param tips  a column a digit, thumb first, then from radial to ulnar. */
   double (*calc)(const Eigen::Matrix3Xd& tips);
-  int min_digits;  ///< with fewer every sample is invalid
+  int min_digits;  ///< with fewer every sample is invalid; at most five take part
 };
 
 inline constexpr const char* kDefaultHandOpening = "virtual_finger";

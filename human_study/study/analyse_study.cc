@@ -5,6 +5,7 @@
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/study_tables.h"
+#include "human_study/study/wide_table.h"
 
 namespace graspbench {
 
@@ -19,6 +20,7 @@ StudyResult AnalyseStudy(const Study& study, const std::filesystem::path& folder
   StudyResult result = RunStudy(study, watch);
   bids.Finish();
   WriteStudyTables(result, folder);
+  WriteWideTable(result, folder);
   std::vector<MeasureTable> tables;
   for (const TrialMeasure& measure : TrialMeasureList()) {
     tables.push_back(MakeMeasureTable(result, measure));

@@ -40,10 +40,12 @@ std::vector<OpeningValues> CalcOpenings(FilteredTrial& trial, const TrialAnalysi
     const std::vector<DigitTrack>& digits = trial.trial().digits;
     for (const DigitTrack& digit : digits) {
       const bool can_leave_out = !digit.is_thumb && digits.size() > 2;
-      value.open_without.push_back(
-          can_leave_out
-              ? find_open(CalcOpeningCurve(trial, opening, options.opening.cutoff, digit.digit))
-              : std::nan(""));
+      const ScalarCurve without =
+          can_leave_out ? CalcOpeningCurve(trial, opening, options.opening.cutoff, digit.digit)
+                        : ScalarCurve();
+      value.open_without.push_back(can_leave_out ? find_open(without) : std::nan(""));
+      value.closed_without.push_back(can_leave_out ? ValueNear(without, last_contact)
+                                                   : std::nan(""));
     }
     values.push_back(value);
   }

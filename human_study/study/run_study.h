@@ -21,8 +21,8 @@ namespace graspbench {
 struct OpeningValues {
   double open = NAN;    ///< largest between the onset and the last contact
   double closed = NAN;  ///< at the last contact
-  /** `open` without each recorded digit, in the order of StudyResult::digits. */
-  std::vector<double> open_without;
+  /** Both without each recorded digit, in the order of StudyResult::digits. */
+  std::vector<double> open_without, closed_without;
 };
 
 struct StudyTrial {

@@ -1,5 +1,8 @@
 #include "human_study/study/statistics_table.h"
 
+#include <iterator>
+#include <utility>
+
 #include "core/base/text.h"
 
 namespace graspbench {
@@ -256,14 +259,80 @@ std::vector<StatisticRow> ListPairs(const MeasureStatistics& statistics) {
   return rows;
 }
 
-std::vector<StatisticRow> ListStatistics(const std::vector<MeasureStatistics>& measures) {
-  std::vector<StatisticRow> all;
-  for (const MeasureStatistics& measure : measures) {
-    if (measure.table.factors.empty()) continue;
-    for (const auto& list : {ListConditionTests, ListTrends, ListPairs}) {
-      for (StatisticRow& row : list(measure)) all.push_back(std::move(row));
+std::vector<StatisticRow> ListOpenings(const OpeningFamily& family) {
+  std::vector<StatisticRow> rows;
+  for (size_t i = 1; i < family.rows.size(); ++i) {
+    for (size_t k = 0; k < kNumOpeningCriteria; ++k) {
+      const OpeningComparison& comparison = family.rows[i].against_aperture[k];
+      StatisticRow row;
+      row.measure = std::string("open_") + family.rows[i].opening->id + "_m";
+      row.analysis = "reliability against the aperture, jackknife";
+      row.effect = ListOpeningCriteria()[k].id;
+      row.unit = "1";
+      if (!comparison.no_answer.empty()) {
+        row.note = "none: " + comparison.no_answer;
+      } else {
+        row.estimate = comparison.ratio;
+        row.low = comparison.low;
+        row.high = comparison.high;
+        row.p = comparison.p;
+        row.p_holm = comparison.p_holm;
+        row.num_persons = comparison.num_persons;
+        row.note = "criterion over the aperture's, above 1 is more reliable; persons left out";
+      }
+      rows.push_back(row);
     }
   }
+  return rows;
+}
+
+std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null) {
+  std::vector<StatisticRow> rows;
+  const auto add = [&](const char* measure,
+                       std::array<IndependenceTest, kNumClocks> IndependenceNull::*tests) {
+    for (size_t clock = 0; clock < kNumClocks; ++clock) {
+      StatisticRow row;
+      row.measure = measure;
+      row.analysis = "independent digits, dealt out anew";
+      row.effect =
+          std::string("mean over that of independent digits, clock ") + ListClocks()[clock];
+      row.unit = "1";
+      if (!null) {
+        row.note = "none: " + null.reason();
+        rows.push_back(row);
+        continue;
+      }
+      const IndependenceTest& test = ((*null).*tests)[clock];
+      row.estimate = test.observed / test.expected;
+      row.p = test.p;
+      row.num_persons = null->num_persons;
+      row.note = "mean " + Format(test.observed) + ", independent digits " + Format(test.expected) +
+                 " (95 % of 999 dealings " + Format(test.low) + " to " + Format(test.high) +
+                 "); a share of " + Format(test.detectable) + " less is found in 8 of 10 studies";
+      if (test.over_persons) {
+        row.low = std::exp(test.over_persons->interval.low);
+        row.high = std::exp(test.over_persons->interval.high);
+        row.note += "; interval over persons";
+      }
+      rows.push_back(row);
+    }
+  };
+  add("grasp_forming_time_s", &IndependenceNull::gft);
+  add("grasp_forming_ratio", &IndependenceNull::gft_ratio);
+  return rows;
+}
+
+std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics) {
+  std::vector<StatisticRow> all;
+  const auto add = [&](std::vector<StatisticRow> rows) {
+    std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  };
+  for (const MeasureStatistics& measure : statistics.measures) {
+    if (measure.table.factors.empty()) continue;
+    for (const auto& list : {ListConditionTests, ListTrends, ListPairs}) add(list(measure));
+  }
+  add(ListOpenings(statistics.openings));
+  add(ListIndependence(statistics.independence));
   return all;
 }
 
@@ -291,7 +360,7 @@ std::vector<CsvColumn<StatisticRow>> ListStatisticColumns() {
       {"df_1", "number", "", "degrees of freedom; of the effect for F", number(&R::df_1)},
       {"df_2", "number", "", "degrees of freedom of the error for F", number(&R::df_2)},
       {"p", "number", "", "two-sided; not adjusted for several tests", number(&R::p)},
-      {"p_holm", "number", "", "adjusted over all pairs of conditions", number(&R::p_holm)},
+      {"p_holm", "number", "", "adjusted over the family of the analysis", number(&R::p_holm)},
       {"effect_size_name", "string", "", "which effect size", text(&R::effect_size_name)},
       {"effect_size", "number", "", "its value", number(&R::effect_size)},
       {"num_persons", "integer", "", "persons that took part; empty without an answer",

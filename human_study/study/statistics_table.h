@@ -8,7 +8,7 @@ same rows. A row names its assumptions, or why it has no answer. */
 #include <vector>
 
 #include "core/base/csv.h"
-#include "human_study/study/measure_statistics.h"
+#include "human_study/study/study_statistics.h"
 
 namespace graspbench {
 
@@ -26,7 +26,7 @@ struct StatisticRow {
   double value = NAN;            ///< of the statistic
   double df_1 = NAN, df_2 = NAN;
   double p = NAN;
-  double p_holm = NAN;           ///< adjusted over all pairs of conditions
+  double p_holm = NAN;           ///< adjusted over the family of the analysis
   std::string effect_size_name;  ///< "generalised eta squared", "d_z"
   double effect_size = NAN;
   int num_persons = 0;
@@ -40,8 +40,14 @@ std::vector<StatisticRow> ListTrends(const MeasureStatistics& statistics);
 /** For every pair of conditions: t, Wilcoxon, persons drawn, equivalence. */
 std::vector<StatisticRow> ListPairs(const MeasureStatistics& statistics);
 
-/** All three, of all measures. */
-std::vector<StatisticRow> ListStatistics(const std::vector<MeasureStatistics>& measures);
+/** Every opening as a multiple of the aperture, by every criterion; p adjusted over all of them. */
+std::vector<StatisticRow> ListOpenings(const OpeningFamily& family);
+
+/** GFT and GFT% against digits that move independently, by every clock, or the reason for none. */
+std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null);
+
+/** All of a study. */
+std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics);
 
 std::vector<CsvColumn<StatisticRow>> ListStatisticColumns();
 

@@ -423,6 +423,11 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings,
   }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");
   study.warnings = problems;
+  study.stated = study.config;
+  const fs::path freeze = FindFreezePath(path);
+  if (fs::exists(freeze)) {
+    study.freeze = CompareWithFreeze(ReadFile(freeze), freeze.string(), study);
+  }
   std::string& detector = study.config.analysis.contact.detector;
   if (detector == kAutomatic) detector = ChooseDetector(study);
   return study;

@@ -35,6 +35,7 @@ times in seconds, frequencies in hertz. */
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ times in seconds, frequencies in hertz. */
 #include "human_study/events/object_surface.h"
 #include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/measure_table.h"
+#include "human_study/study/study_freeze.h"
 
 namespace graspbench {
 
@@ -237,9 +239,11 @@ struct PlannedReach {
 
 struct Study {
   StudyConfig config;
-  std::string file;                  ///< study.yaml, as given
-  std::filesystem::path folder;      ///< of study.yaml
-  std::filesystem::path recordings;  ///< where `file` of a trial starts
+  StudyConfig stated;                 ///< before LoadStudy settled the detector
+  std::optional<FreezeCheck> freeze;  ///< what was frozen against what is used
+  std::string file;                   ///< study.yaml, as given
+  std::filesystem::path folder;       ///< of study.yaml
+  std::filesystem::path recordings;   ///< where `file` of a trial starts
   std::vector<Factor> factors;
   std::vector<StudyObject> objects;
   std::vector<Hypothesis> hypotheses;

@@ -206,6 +206,7 @@ void CalcStudyStatistics(StudyResult& result) {
   result.statistics.openings = CalcOpeningReliability(result);
   result.statistics.bias = CalcBias(result);
   result.statistics.zero_gft = CalcZeroGft(result.trials);
+  result.statistics.independence = CalcIndependenceNull(result.trials, result.digits.size());
 }
 
 UniverseSummary SummariseUniverses(const std::vector<Universe>& universes) {
@@ -218,7 +219,13 @@ UniverseSummary SummariseUniverses(const std::vector<Universe>& universes) {
     summary.highest = std::fmax(summary.highest, universe.summary->median);
     if (!universe.test) continue;
     ++summary.num_tests;
-    summary.num_significant += universe.test->greenhouse_geisser.p < kSignificance;
+    const double p = universe.test->greenhouse_geisser.p;
+    const double effect = universe.test->generalised_eta_squared;
+    summary.num_significant += p < kSignificance;
+    summary.lowest_p = std::fmin(summary.lowest_p, p);
+    summary.highest_p = std::fmax(summary.highest_p, p);
+    summary.lowest_effect = std::fmin(summary.lowest_effect, effect);
+    summary.highest_effect = std::fmax(summary.highest_effect, effect);
   }
   return summary;
 }

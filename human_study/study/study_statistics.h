@@ -8,6 +8,7 @@ known asynchrony. */
 #include <string>
 #include <vector>
 
+#include "human_study/study/independence_null.h"
 #include "human_study/study/measure_statistics.h"
 #include "human_study/study/opening_reliability.h"
 #include "human_study/study/synthetic/bias_card.h"
@@ -38,9 +39,10 @@ struct OpeningCurve {
 struct StudyStatistics {
   std::vector<MeasureStatistics> measures;
   std::vector<OpeningCurve> curves;
-  std::vector<OpeningReliability> openings;
+  OpeningFamily openings;
   std::vector<BiasRow> bias;
   ZeroGft zero_gft;
+  Answer<IndependenceNull> independence;
 };
 
 /** @pre the id is one of TrialMeasureList(). */
@@ -57,6 +59,8 @@ struct UniverseSummary {
   int num_values = 0;                      ///< universes with a value
   double lowest = NAN, highest = NAN;      ///< medians of the measure, in its unit
   int num_tests = 0, num_significant = 0;  ///< p < 0.05, Greenhouse-Geisser
+  double lowest_p = NAN, highest_p = NAN;
+  double lowest_effect = NAN, highest_effect = NAN;  ///< generalised eta squared
 };
 UniverseSummary SummariseUniverses(const std::vector<Universe>& universes);
 

@@ -212,8 +212,7 @@ void WriteStudyTables(const StudyResult& result, const std::filesystem::path& fo
   WriteTable(folder, "trials", ListTrialColumns(result), all, "trial_id");
   WriteTable(folder, "measures", ListMeasureColumns(result), kept, "trial_id");
   WriteTable(folder, "events", ListEventColumns(), events, "");
-  WriteTable(folder, "statistics", ListStatisticColumns(),
-             ListStatistics(result.statistics.measures), "");
+  WriteTable(folder, "statistics", ListStatisticColumns(), ListStatistics(result.statistics), "");
 }
 
 }  // namespace graspbench

@@ -87,6 +87,28 @@ TEST(DrawIntervalPlot, EstimatesStandInTheMiddleOfTheirIntervals) {
   EXPECT_TRUE(drawing.Find("circle", "point series1").empty());
 }
 
+TEST(DrawIntervalPlot, EveryTrialIsATickToScale) {
+  IntervalPlot plot;
+  plot.text = {"GFT", "Means and trials"};
+  IntervalPlot::Row row;
+  row.label = "all trials";
+  row.value = 2.0;
+  row.low = row.high = kMissing;
+  row.singles = {0.0, 2.0, kMissing, 4.0};  // a missing trial has no tick
+  plot.rows = {row};
+  const Drawing drawing(DrawIntervalPlot(plot));
+  const auto ticks = drawing.Find("path", "single");
+  ASSERT_EQ(ticks.size(), 1U);
+  std::vector<double> places;
+  const std::string path = ticks[0]->Attribute("d");
+  for (size_t at = path.find('M'); at != std::string::npos; at = path.find('M', at + 1)) {
+    places.push_back(std::stod(path.substr(at + 1)));
+  }
+  ASSERT_EQ(places.size(), 3U) << path;
+  EXPECT_NEAR(places[2] - places[1], places[1] - places[0], 0.11);
+  EXPECT_NEAR(drawing.Find("circle", "point series0")[0]->DoubleAttribute("cx"), places[1], 0.11);
+}
+
 TEST(DrawStripChart, SpansAreToScaleAndShortPhasesAreHints) {
   StripChart chart;
   chart.text = {"Contacts", "The thumb comes first"};

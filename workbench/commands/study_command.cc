@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "human_study/study/analyse_study.h"
 #include "human_study/study/demo_study.h"
@@ -49,11 +50,13 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const fs::path out = options.out;
   const fs::path report = out / page.lexically_relative(staged.path());
   staged.Commit();
-  PrintResult(FormatRemoved(result) + FormatZeroGft(result.statistics.zero_gft) + "kept     " +
-              std::to_string(result.CountKept()) + " of " +
-              FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
-              (out / "measures.csv").string() + "\nR        " + (out / "tidy").string() +
-              "\nBIDS     " + (out / "bids").string() + "\nreport   " + report.string() + "\n");
+  PrintResult(FormatFreeze(result.study) + FormatRemoved(result) +
+              FormatZeroGft(result.statistics.zero_gft) + FormatOpeningArgument(result) +
+              FormatIndependence(result) + "kept     " + std::to_string(result.CountKept()) +
+              " of " + FormatCount(static_cast<int>(result.trials.size()), "trial") +
+              "\ntables   " + (out / "measures.csv").string() + "\nR        " +
+              (out / "tidy").string() + "\nBIDS     " + (out / "bids").string() + "\nreport   " +
+              report.string() + "\n");
   return result;
 }
 
@@ -61,6 +64,14 @@ StudyResult RunStudyFile(const StudyOptions& options) {
   StagedFolder staged(
       {options.out, "study", options.replace, {options.study_file, options.data, options.robot}});
   return RunAndWrite(options, staged);
+}
+
+/** Writes the choices beside study.yaml, once. */
+void Freeze(const StudyOptions& options) {
+  const fs::path file = FindFreezePath(options.study_file);
+  CheckOutputFile(file);
+  WriteFileAtomically(file, MakeFreeze(options.study_file, options.data));
+  PrintResult("frozen   " + file.string() + "\n");
 }
 
 void RunDemo(StudyOptions options) {
@@ -79,6 +90,7 @@ void AddStudyCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& group =
       AddSubcommand(program, "study", "Analyse people's reaching and grasping from recordings.",
                     "  graspbench study demo --out demo\n"
+                    "  graspbench study freeze study.yaml\n"
                     "  graspbench study run study.yaml --out results/pilot");
   group.require_subcommand(1);
   const auto options = std::make_shared<StudyOptions>();
@@ -108,6 +120,17 @@ void AddStudyCommand(CLI::App& program, ExitCode& exit_code) {
   run.callback([options, &exit_code] {
     if (RunStudyFile(*options).CountKept() == 0) exit_code = kExitFailed;
   });
+
+  CLI::App& freeze = AddSubcommand(
+      group, "freeze", "Write down every choice before the data; a run lists what deviates.",
+      "  graspbench study freeze study.yaml");
+  freeze.add_option("study", options->study_file, "what will be recorded and every choice")
+      ->required()
+      ->option_text("STUDY.YAML");
+  freeze.add_option("--data", options->data, "folder of the recordings")
+      ->option_text("DIR")
+      ->default_str("that of study.yaml");
+  freeze.callback([options] { Freeze(*options); });
 
   CLI::App& demo = AddSubcommand(
       group, "demo", "Make up a study with known contacts, analyse it and report the errors.",

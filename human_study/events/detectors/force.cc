@@ -33,6 +33,40 @@ ScalarCurve CalcForceRate(const ForceChannel& force, double cutoff, double rate)
   return curve;
 }
 
+/** 0 for an open switch and 1 for a closed one, open being what it is before the movement; empty
+when the channel is no switch: it has other values than two, or both of them before the movement.
+*/
+Eigen::VectorXd ReadSwitch(const ForceChannel& force, const SampleRun& baseline) {
+  constexpr double kLevel = 0.1;  // of the range: how far samples of a level may lie from it
+  const auto [low, high] = std::minmax_element(force.values.begin(), force.values.end());
+  const double range = *high - *low;
+  if (!(range > 0.0)) return {};
+  const bool is_open_high = force.values[baseline.first] > *low + range / 2.0;
+  Eigen::VectorXd closed(static_cast<Column>(force.values.size()));
+  for (size_t i = 0; i < force.values.size(); ++i) {
+    const double share = (force.values[i] - *low) / range;
+    if (!(share < kLevel || share > 1.0 - kLevel)) return {};
+    closed[static_cast<Column>(i)] = (share > 0.5) != is_open_high ? 1.0 : 0.0;
+    if (i >= baseline.first && i < baseline.last && closed[static_cast<Column>(i)] > 0.0) return {};
+  }
+  return closed;
+}
+
+/** When a switch closed for good before the hold; openings of less than kBounce are bounces. */
+EventTime FindClosing(const ForceChannel& force, const Eigen::VectorXd& closed, size_t first,
+                      double hold) {
+  constexpr double kBounce = 0.01;  // [s]
+  ScalarCurve curve;
+  curve.times = force.times;
+  curve.states.assign(force.times.size(), SampleState::kMeasured);
+  curve.values = closed;
+  const SampleRun until_hold = FindSamples(force.times, force.times.front(), hold);
+  if (until_hold.size() == 0 || closed[static_cast<Column>(until_hold.last) - 1] == 0.0) {
+    return MissingEvent("the touch switch is open in the hold");
+  }
+  return TraceBack(curve, until_hold.last - 1, first, 0.5, Side::kAbove, kBounce);
+}
+
 EventTime FindByForce(const ContactEvidence& evidence, const DigitEvidence& digit,
                       const ContactOptions& options) {
   const ForceChannel& force = digit.track->force;
@@ -47,6 +81,8 @@ EventTime FindByForce(const ContactEvidence& evidence, const DigitEvidence& digi
   }
   const double rate =
       static_cast<double>(force.times.size() - 1) / (force.times.back() - force.times.front());
+  const Eigen::VectorXd closed = ReadSwitch(force, baseline);
+  if (closed.size() > 0) return FindClosing(force, closed, grip.first, evidence.hold.time);
   ScalarCurve curve = CalcForceRate(force, std::min(kCutoff, 0.3 * rate), rate);
 
   const auto rest = curve.values.segment(static_cast<Column>(baseline.first),
@@ -72,10 +108,12 @@ EventTime FindByForce(const ContactEvidence& evidence, const DigitEvidence& digi
 }  // namespace
 
 ContactDetector MakeForceDetector() {
-  return {"force",
-          "rate of force above the baseline's mean plus four standard deviations, traced back from "
-          "a quarter of the peak (after Luciw et al. 2014)",
-          "a force or tactile sensor on the digit", FindByForce};
+  return {
+      "force",
+      "rate of force above the baseline's mean plus four standard deviations, traced back from "
+      "a quarter of the peak (after Luciw et al. 2014); of a touch switch, whose channel has two "
+      "levels, the instant from which it stays closed",
+      "a force or tactile sensor or a touch switch of the digit", FindByForce};
 }
 
 }  // namespace graspbench

@@ -173,9 +173,7 @@ Recording ImportMotionBids(const ImportSource& source, const ImportOptions& opti
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, channels.size(), reader, options, recording)) break;
     for (size_t i = 0; i < columns.points.size(); ++i) {
-      const auto& [x, y, z] = columns.points[i];
-      const Cells triple = {cells[x], cells[y], cells[z]};
-      AppendTriple(triple, 0, reader, recording.points[i], num_zeros);
+      AppendTriple(cells, columns.points[i], reader, recording.points[i], num_zeros);
     }
     for (size_t a = 0; a < columns.analog.size(); ++a) {
       recording.analog[a].samples.push_back(

@@ -1,6 +1,6 @@
 /** @file
-A plain table with a heading, one row a sample, its columns named by a mapping (table_mapping.h).
-Tabs, commas or semicolons. */
+A plain table, one row a sample, its columns named by a mapping (table_mapping.h): by the names of
+its heading, or by their numbers. Tabs, semicolons, commas or blanks between the cells. */
 
 #include <algorithm>
 #include <cmath>
@@ -15,23 +15,51 @@ Tabs, commas or semicolons. */
 namespace graspbench {
 namespace {
 
+constexpr char kBlanks = ' ';  // runs of them
+
 char FindDelimiter(std::string_view head) {
   for (const char delimiter : {'\t', ';', ','}) {
     if (head.find(delimiter) != std::string_view::npos) return delimiter;
   }
-  return ',';
+  return kBlanks;
 }
+
+void SplitRow(std::string_view line, char delimiter, Cells& cells) {
+  if (delimiter != kBlanks) return SplitCells(line, delimiter, cells);
+  cells.clear();
+  while (true) {
+    const size_t begin = line.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) break;
+    const size_t end = std::min(line.find(kBlanks, begin), line.size());
+    cells.push_back(line.substr(begin, end - begin));
+    line.remove_prefix(end);
+  }
+  if (cells.empty()) cells.emplace_back();
+}
+
+bool IsNumber(std::string_view cell) { return ParseFiniteNumber(cell).has_value(); }
 
 constexpr size_t kNoColumn = SIZE_MAX;
 
 /** Index of a column of the heading; kNoColumn for no name. All absent ones are told at once. */
 class Heading {
  public:
-  explicit Heading(LineReader& reader)
-      : line_(reader.Require("the names of its columns")), delimiter_(FindDelimiter(line_)) {
+  /** Reads the first line; that of a table without heading is still to be read as a row. */
+  Heading(LineReader& reader, bool has_heading)
+      : line_(reader.Require(has_heading ? "the names of its columns" : "its first row")),
+        delimiter_(FindDelimiter(line_)) {
     Cells cells;
-    SplitCells(line_, delimiter_, cells);
+    SplitRow(line_, delimiter_, cells);
     names_.assign(cells.begin(), cells.end());
+    has_numbers_ = std::all_of(names_.begin(), names_.end(), IsNumber);
+    if (has_heading) return;
+    if (std::none_of(names_.begin(), names_.end(), IsNumber)) {
+      reader.Fail(
+          "the first row has no number, but the mapping says heading: false; take that out "
+          "and name the columns");
+    }
+    for (size_t i = 0; i < names_.size(); ++i) names_[i] = std::to_string(i + 1);
+    has_numbers_ = false;
   }
   char delimiter() const { return delimiter_; }
   size_t size() const { return names_.size(); }
@@ -46,6 +74,11 @@ class Heading {
     if (absent_.empty()) return;
     std::string list;
     for (const std::string& name : absent_) list += (list.empty() ? "" : ", ") + name;
+    if (has_numbers_) {
+      reader.Fail("the first row holds numbers, not the names of columns (" + list +
+                  "); for a table without a heading the mapping says heading: false and numbers "
+                  "the columns from 1");
+    }
     reader.Fail("the mapping names columns the table does not have: " + list +
                 SuggestNames(absent_[0], names_));
   }
@@ -53,6 +86,7 @@ class Heading {
  private:
   std::string line_;
   char delimiter_;
+  bool has_numbers_ = false;
   std::vector<std::string> names_, absent_;
 };
 
@@ -73,6 +107,30 @@ std::vector<std::array<size_t, 3>> AddPoints(const TableMapping& mapping, Headin
   return columns;
 }
 
+/** The same of the channels. */
+std::vector<size_t> AddChannels(const TableMapping& mapping, Heading& heading,
+                                Recording& recording) {
+  std::vector<size_t> columns;
+  for (const auto& [label, column] : mapping.channels) {
+    columns.push_back(heading.Find(column));
+    recording.analog.emplace_back();
+    recording.analog.back().label = label;
+  }
+  return columns;
+}
+
+/** Channels have the clock of the rows, which must then be even. */
+void SettleChannels(const ImportSource& source, Recording& recording) {
+  if (recording.analog.empty()) return;
+  if (!recording.times.empty()) {
+    throw Error(ErrorKind::kFormat, source.name +
+                                        ": its times are uneven, so that its channels have no "
+                                        "rate; take them out of the mapping, or export the table "
+                                        "at an even rate");
+  }
+  for (AnalogChannel& channel : recording.analog) channel.rate = recording.rate;
+}
+
 /** Exactly one of the table's trials was read. */
 void CheckTrial(const ImportSource& source, const ImportOptions& options,
                 const std::vector<std::string>& trials, const Recording& recording) {
@@ -90,13 +148,14 @@ void CheckTrial(const ImportSource& source, const ImportOptions& options,
 Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
                        const TableMapping& mapping) {
   Recording recording;
-  LineReader reader(source.stream, source.name);
-  Heading heading(reader);
+  LineReader head(source.stream, source.name);
+  Heading heading(head, mapping.has_heading);
   const std::vector<std::array<size_t, 3>> columns = AddPoints(mapping, heading, recording);
+  const std::vector<size_t> channels = AddChannels(mapping, heading, recording);
   const size_t time = heading.Find(mapping.time);
   const size_t trial = heading.Find(mapping.trial);
   const size_t occluded = heading.Find(mapping.occluded);
-  heading.Check(reader);
+  heading.Check(head);
   SetLengthUnit(recording, mapping.unit.empty() ? options.unit : mapping.unit, "mapping");
   if (mapping.rate > 0) recording.rate = mapping.rate;
   if (trial == kNoColumn && !options.trial.empty()) {
@@ -104,14 +163,18 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
                                        " was asked for, but the mapping names no column \"trial\"");
   }
 
+  source.stream.clear();
+  source.stream.seekg(0);
+  LineReader reader(source.stream, source.name);
   std::string_view line;
+  if (mapping.has_heading) reader.Next(line);
   Cells cells;
   std::vector<double> times;
   std::vector<std::string> trials;
   size_t num_zeros = 0, num_occluded = 0;
   int first_line = 0;
   while (reader.Next(line)) {
-    SplitCells(line, heading.delimiter(), cells);
+    SplitRow(line, heading.delimiter(), cells);
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, heading.size(), reader, options, recording)) break;
     if (trial != kNoColumn) {
@@ -122,12 +185,14 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     const bool is_occluded =
         occluded != kNoColumn && !(ParseNumber(cells, occluded, reader) == 0.0);
     for (size_t i = 0; i < columns.size(); ++i) {
-      const auto& [x, y, z] = columns[i];
-      const Cells triple = {cells[x], cells[y], cells[z]};
-      AppendTriple(triple, 0, reader, recording.points[i], num_zeros);
+      AppendTriple(cells, columns[i], reader, recording.points[i], num_zeros);
       if (is_occluded) recording.points[i].SetInvalid(recording.num_frames);
     }
     num_occluded += is_occluded;
+    for (size_t i = 0; i < channels.size(); ++i) {
+      recording.analog[i].samples.push_back(
+          static_cast<float>(ParseNumber(cells, channels[i], reader)));
+    }
     if (time != kNoColumn) {
       times.push_back(mapping.seconds_per_time_unit * ParseNumber(cells, time, reader));
     }
@@ -141,6 +206,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
         std::to_string(num_occluded) + " rows are flagged as occluded; taken as invalid");
   }
   SettleTimes(std::move(times), first_line, source.name, recording);
+  SettleChannels(source, recording);
   return recording;
 }
 
@@ -151,6 +217,17 @@ Recording ImportTable(const ImportSource& source, const ImportOptions& options) 
                                        "(--mapping columns.yaml)");
   }
   return ImportMapped(source, options, LoadTableMapping(options.mapping));
+}
+
+void ReadChannels(YamlMap& map, TableMapping& mapping) {
+  if (!map.Has("channels")) return;
+  const YAML::Node channels = map.Child("channels");
+  if (!channels.IsMap()) return map.Fail("channels", "must name channels, each with its column");
+  for (const auto& entry : channels) {
+    const auto column = entry.second.IsScalar() ? entry.second.as<std::string>("") : "";
+    if (column.empty()) map.Fail("channels", "each needs the name of one column");
+    mapping.channels.emplace_back(entry.first.as<std::string>(""), column);
+  }
 }
 
 }  // namespace
@@ -168,6 +245,8 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
     map.Read("rate_hz", mapping.rate, Needed::kNo);
     map.Read("trial", mapping.trial, Needed::kNo);
     map.Read("occluded", mapping.occluded, Needed::kNo);
+    map.Read("heading", mapping.has_heading, Needed::kNo);
+    ReadChannels(map, mapping);
     if (time_unit == "ms") {
       mapping.seconds_per_time_unit = 1e-3;
     } else if (time_unit != "s") {
@@ -205,14 +284,18 @@ std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
   std::ifstream stream(table, std::ios::binary);
   if (!stream) throw Error(ErrorKind::kNotFound, "no file \"" + table.string() + "\"");
   LineReader reader(stream, table.string());
-  Heading heading(reader);
+  Heading heading(reader, mapping.has_heading);
   const size_t column = heading.Find(mapping.trial);
   heading.Check(reader);
   std::vector<std::string> trials;
+  stream.clear();
+  stream.seekg(0);
+  LineReader rows(stream, table.string());
   std::string_view line;
+  if (mapping.has_heading) rows.Next(line);
   Cells cells;
-  while (column != kNoColumn && reader.Next(line)) {
-    SplitCells(line, heading.delimiter(), cells);
+  while (column != kNoColumn && rows.Next(line)) {
+    SplitRow(line, heading.delimiter(), cells);
     if (column < cells.size() && (trials.empty() || cells[column] != trials.back())) {
       AddTrial(cells[column], trials);
     }

@@ -10,10 +10,13 @@ Names the columns of a plain table, in YAML:
     time_unit: ms           # s (default) or ms
     rate_hz: 85             # optional; without it the inverse of the median interval
     trial: trialN           # optional; one file, many trials: --trial chooses
-    occluded: fingersOccluded   # optional; a value other than 0 makes all points invalid */
+    occluded: fingersOccluded   # optional; a value other than 0 makes all points invalid
+    channels: {touch: ft1}      # optional; forces or touch switches, at the rate of the rows
+    heading: false              # optional; the table starts with numbers: columns are 1, 2, .. */
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace graspbench {
@@ -30,6 +33,8 @@ struct TableMapping {
   double rate = 0.0;  ///< [Hz]; 0: not stated
   std::string trial;
   std::string occluded;
+  std::vector<std::pair<std::string, std::string>> channels;  ///< label, column
+  bool has_heading = true;  ///< else columns are named by their numbers from 1
 };
 
 /** @throws Error(kNotFound, kFormat) with file and line of every problem. */

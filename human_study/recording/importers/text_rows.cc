@@ -40,16 +40,21 @@ bool HasAllColumns(const Cells& cells, size_t num_columns, const LineReader& rea
   return false;
 }
 
-void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
-                  size_t& num_zeros) {
-  const double x = ParseNumber(cells, column, reader);
-  const double y = ParseNumber(cells, column + 1, reader);
-  const double z = ParseNumber(cells, column + 2, reader);
+void AppendTriple(const Cells& cells, const std::array<size_t, 3>& columns,
+                  const LineReader& reader, RecordedPoint& point, size_t& num_zeros) {
+  const double x = ParseNumber(cells, columns[0], reader);
+  const double y = ParseNumber(cells, columns[1], reader);
+  const double z = ParseNumber(cells, columns[2], reader);
   point.Append(x, y, z);
   if (x == 0 && y == 0 && z == 0) {
     point.SetInvalid(point.states.size() - 1);
     ++num_zeros;
   }
+}
+
+void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
+                  size_t& num_zeros) {
+  AppendTriple(cells, {column, column + 1, column + 2}, reader, point, num_zeros);
 }
 
 void NoteZeros(size_t num_zeros, Recording& recording) {

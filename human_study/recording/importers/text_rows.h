@@ -2,6 +2,7 @@
 /** @file
 What all text formats share: rows of numbers under named columns. */
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,11 @@ bounded: every stored value has paid for itself with a cell of the file. */
 bool HasAllColumns(const Cells& cells, size_t num_columns, const LineReader& reader,
                    const ImportOptions& options, Recording& recording);
 
-/** Appends the triple at `column` to the point. Exactly (0, 0, 0) becomes invalid and is counted.
- */
+/** Appends the triple in those columns to the point. Exactly (0, 0, 0) becomes invalid and is
+counted. */
+void AppendTriple(const Cells& cells, const std::array<size_t, 3>& columns,
+                  const LineReader& reader, RecordedPoint& point, size_t& num_zeros);
+/** The same of three columns from `column` on. */
 void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
                   size_t& num_zeros);
 void NoteZeros(size_t num_zeros, Recording& recording);

@@ -6,7 +6,6 @@ condition.
 With s_w^2 the mean square within persons:
 - within-person standard deviation s_w; it is also the standard error of measurement (SEM) of a
   single trial; SEM / sqrt(k) for the mean of k;
-- within-person coefficient of variation s_w / mean, without unit, for measures that are positive;
 - minimal detectable change z sqrt(2) SEM with z = 1.959964, the normal quantile at 0.975: two
 single trials that differ by less may be equal (J. P. Weir, J. Strength Cond. Res. 19 (2005));
 - trials needed for the mean of k to reach a wanted ICC (Spearman and Brown, 1910):
@@ -17,7 +16,6 @@ Practice and fatigue over trials count as variation within the person. */
 #include <string>
 #include <vector>
 
-#include "core/statistics/bootstrap.h"
 #include "human_study/statistics/reliability/icc.h"
 
 namespace graspbench {
@@ -37,7 +35,6 @@ struct Reliability {
   double within_person_sd = 0.0;
   Interval within_person_interval;  ///< 95 %
   double between_person_sd = 0.0;   ///< of true values; 0 when the estimated variance is negative
-  Answer<double> within_person_cv;  ///< none when a value is not positive
   double minimal_detectable_change = 0.0;
   Answer<IccPair> one_way, agreement, consistency;
   Answer<TrialsNeeded> trials_needed;
@@ -53,38 +50,5 @@ Answer<Reliability> CalcReliability(const std::vector<PersonTrials>& persons,
 
 /** No answer unless the ICC is positive. @pre single.num_trials == 1, 0 < wanted_icc < 1. */
 Answer<TrialsNeeded> CalcTrialsNeeded(const Icc& single, double wanted_icc);
-
-/** Is one measure more reliable than another? ICC(1,1) of `a` minus that of `b`, with an interval
-from drawing persons; `a` and `b` hold the same persons in the same order. @pre equal sizes. */
-Answer<BootstrapInterval> CompareReliability(const std::vector<PersonTrials>& a,
-                                             const std::vector<PersonTrials>& b,
-                                             const std::string& id);
-
-/** What a measure loses when one digit's marker is left out. */
-struct PrecisionLoss {
-  Answer<double> cv_ratio;    ///< within-person CV without / with; above 1 is a loss
-  Answer<double> icc_change;  ///< ICC(1,1) without - with; below 0 is a loss
-};
-
-/** @param full  of the measure over all digits; `reduced`: over the digits that are left. */
-PrecisionLoss CalcPrecisionLoss(const Answer<Reliability>& full,
-                                const Answer<Reliability>& reduced);
-
-/** How clearly a measure tells the open from the closed hand. */
-struct Separation {
-  int num_open = 0;
-  int num_closed = 0;
-  double difference = 0.0;  ///< mean open - mean closed
-  double pooled_sd = 0.0;
-  double d_prime = 0.0;  ///< difference / pooled_sd
-  /** 95 %, large-sample (Hedges and Olkin, "Statistical methods for meta-analysis", 1985, section
-  5.E), open and closed taken as independent. */
-  Interval interval;
-};
-
-/** Trials of one person; NaN is missing. No answer below two trials on either side, with an
-infinite value or without spread. */
-Answer<Separation> CalcSeparation(const std::vector<double>& open,
-                                  const std::vector<double>& closed);
 
 }  // namespace graspbench

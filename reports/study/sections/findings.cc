@@ -11,6 +11,9 @@ std::vector<std::string> ListFindings(const StudyResult& result) {
   for (const Diagnostic& entry : result.study.warnings.entries()) {
     findings.push_back("Settings: " + entry.text);
   }
+  for (const std::string& deviation : ListDeviations(result.study)) {
+    findings.push_back("Not as frozen: " + deviation + ".");
+  }
   for (const RemovalGroup& group : GroupRemoved(result.trials)) {
     findings.push_back(FormatCount(static_cast<int>(group.trials.size()), "trial") +
                        " removed: " + group.text + ".");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text.h"
@@ -9,14 +10,26 @@
 namespace graspbench {
 namespace {
 
+/** The values of the trials of one cell. */
+std::vector<double> ListSingles(const MeasureTable& table, const std::vector<std::string>& levels,
+                                double factor) {
+  std::vector<double> values;
+  for (const Observation& row : table.rows) {
+    if (row.levels == levels) values.push_back(factor * row.value);
+  }
+  return values;
+}
+
 Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& estimates,
                size_t series) {
   IntervalPlot plot;
   plot.text.title = statistics.measure.name;
   plot.axis = FormatHead(statistics.measure);
   const DisplayUnit unit = FindDisplayUnit(statistics.measure.unit);
+  const std::vector<std::vector<std::string>> levels = ListLevels(statistics.table.factors);
   for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
     IntervalPlot::Row row;
+    row.singles = ListSingles(statistics.table, levels[cell], unit.factor);
     row.label = NameOfCell(estimates.cells[cell], statistics.table.factors);
     row.series = static_cast<int>(series % 8);
     const double mean = estimates.means[cell];
@@ -31,20 +44,31 @@ Html DrawCells(const MeasureStatistics& statistics, const ConditionEstimates& es
                FormatCount(estimates.num_trials[cell], "trial");
     plot.rows.push_back(row);
   }
-  plot.text.description = "Mean of each condition with its interval.";
-  return MakeFigure(
-      std::string(statistics.measure.name) + DescribeFactors(statistics.table.factors) +
-          ": mean over people of their means. " + "Bars: " + estimates.drawn_kind + ".",
-      "the order of the conditions; whether two differ stands under Tests and trends.",
-      MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
+  plot.text.description = "Mean of each condition with its interval, and every trial.";
+  return MakeFigure(std::string(statistics.measure.name) +
+                        DescribeFactors(statistics.table.factors) +
+                        ": mean over people of their means. Bars: " + estimates.drawn_kind +
+                        ". Ticks: single trials.",
+                    "trials far from the others, which carry a mean with them; the order of the "
+                    "conditions; whether two differ stands under Tests and trends.",
+                    MakeScroll(statistics.measure.name, DrawIntervalPlot(plot)));
 }
 
 /** All four kinds of bars, so that nobody has to trust the choice of one. */
 Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates& estimates) {
-  if (!statistics.cells) return {};
+  const std::vector<Answer<Eigen::VectorXd>>& widths = estimates.half_widths;
+  const bool has_bars = std::any_of(widths.begin(), widths.end(),
+                                    [](const auto& answer) { return answer.has_value(); });
+  if (!has_bars) return {};  // the figure says why
   std::vector<Column> columns = {{"Condition"}, {"Mean", Align::kNumber}};
-  for (const BarKind kind : ListBarKinds()) {
-    columns.push_back({std::string(NameOf(kind)), Align::kNumber, "half the length of the bar"});
+  std::vector<std::string> without;
+  for (size_t i = 0; i < widths.size(); ++i) {
+    const std::string name(NameOf(ListBarKinds()[i]));
+    if (widths[i]) {
+      columns.push_back({name, Align::kNumber, "half the length of the bar"});
+    } else {
+      without.push_back(name + ": none, " + widths[i].reason());
+    }
   }
   Table table("Half-lengths of all kinds of error bars, " + FormatHead(statistics.measure) + ".",
               columns);
@@ -52,13 +76,14 @@ Html DrawBarTable(const MeasureStatistics& statistics, const ConditionEstimates&
   for (size_t cell = 0; cell < estimates.cells.size(); ++cell) {
     std::vector<Html> row = {Text(NameOfCell(estimates.cells[cell], statistics.table.factors)),
                              Text(FormatValue(estimates.means[cell], unit))};
-    for (const Answer<Eigen::VectorXd>& widths : estimates.half_widths) {
-      row.push_back(
-          Text(widths ? FormatValue((*widths)[static_cast<Eigen::Index>(cell)], unit) : "n/a"));
+    for (const Answer<Eigen::VectorXd>& answer : widths) {
+      if (!answer) continue;
+      row.push_back(Text(FormatValue((*answer)[static_cast<Eigen::Index>(cell)], unit)));
     }
     table.AddRow(row);
   }
-  return MakeDetails("All kinds of error bars", table.ToHtml());
+  return MakeDetails("All kinds of error bars",
+                     without.empty() ? table.ToHtml() : table.ToHtml() + MakeList(without));
 }
 
 Html DrawMeasures(const StudyPageData& data) {

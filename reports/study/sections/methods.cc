@@ -153,11 +153,29 @@ std::string DescribeStatistics(const StudyResult& result) {
          DescribeTrends(result.study);
 }
 
+/** How the two arguments of the study's first page are made. */
+std::string DescribeArguments(const StudyResult& result) {
+  std::string text;
+  if (result.statistics.openings.num_tests > 0) {
+    text +=
+        "Measures of hand opening were compared with the aperture on the same trials by ratios of "
+        "four criteria (F of persons, d' of the open and the closed hand, slope over the within-"
+        "person standard deviation, d' without the digit whose loss costs most), with intervals "
+        "from the jackknife over persons on the logarithm and p values adjusted after Holm. ";
+  }
+  if (!result.statistics.independence) return text;
+  return text +
+         "GFT was compared with that of digits that move independently: contact times of each "
+         "digit dealt out anew 999 times among the trials of one person and condition, counted "
+         "from the onset, from the widest opening, and from the onset with the length of the "
+         "movement taken out; the clocks' own uncertainty was removed from the spread dealt out. ";
+}
+
 Html DrawMethods(const StudyPageData& data) {
   const StudyResult& result = data.result;
   return MakeMethodsText({DescribeRecording(result), DescribeEvents(result),
-                          DescribeStatistics(result) + "The analysis was made with graspbench " +
-                              program_version() + "."}) +
+                          DescribeStatistics(result) + DescribeArguments(result) +
+                              "The analysis was made with graspbench " + program_version() + "."}) +
          MakeParagraph(
              "Known from the thesis: the names of GCT, GFT, GOT and their ratios, and the widest "
              "opening as the start of closure. Inferred: their formulas. Proposed by graspbench: "

@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 
 #include "core/base/range_text.h"
 #include "core/base/text.h"
@@ -14,58 +14,111 @@ std::string FormatIcc(const OpeningReliability& row) {
   return FormatWithRange(icc.value, icc.interval.low, icc.interval.high, 2);
 }
 
-std::string FormatAgainst(const OpeningReliability& row) {
-  if (!row.against_aperture) return "n/a";
-  const BootstrapInterval& b = *row.against_aperture;
-  return FormatWithRange(b.estimate, b.interval.low, b.interval.high, 2);
-}
-
 std::string FormatNeeded(const OpeningReliability& row) {
   if (!row.reliability || !row.reliability->trials_needed) return "n/a";
   return std::to_string(row.reliability->trials_needed->num_trials);
 }
 
-Html DrawReliability(const std::vector<OpeningReliability>& rows) {
+Html DrawReliability(const OpeningFamily& family) {
   const Align number = Align::kNumber;
-  Table table(
-      "Largest opening of each trial, the means of conditions taken out. Intervals are 95 %.",
-      {{"Opening"},
-       {"Mean [mm]", number},
-       {"SEM [mm]", number, "standard deviation within persons: the error of a single trial"},
-       {"CV [%]", number, "SEM / mean"},
-       {"MDC [mm]", number, "minimal detectable change: two single trials differ by less"},
-       {"ICC(1,1)", number, "share of the variance that is due to persons"},
-       {"ICC - aperture's", number, "persons resampled"},
-       {"Trials for 0.9", number, "whose mean reaches an ICC of 0.9"},
-       {"d' open, closed", number, "mean over persons"}});
-  for (const OpeningReliability& row : rows) {
-    const double mean = row.open ? row.open->mean : std::nan("");
-    table.AddRow({Element("code", {}, row.opening->id), Text(FormatValue(mean, "m")),
-                  Text(FormatValue(row.within_person_sd, "m")),
-                  Text(FormatFixed(100.0 * row.within_person_cv, 1)),
-                  Text(FormatValue(row.minimal_detectable_change, "m")), Text(FormatIcc(row)),
-                  Text(FormatAgainst(row)), Text(FormatNeeded(row)),
-                  Text(FormatFixed(row.d_prime, 2))});
+  // One person has no ICC: a sentence says so, not a column of n/a.
+  const bool has_icc = family.num_persons > 1;
+  std::vector<Column> columns = {
+      {"Opening"},
+      {"Mean [mm]", number},
+      {"SEM [mm]", number, "standard deviation within persons and conditions: error of one trial"},
+      {"MDC [mm]", number, "minimal detectable change: two single trials differ by less"}};
+  if (has_icc) {
+    columns.push_back({"ICC(1,1)", number, "share of the variance that is due to persons, 95 %"});
+    columns.push_back({"Trials for 0.9", number, "whose mean reaches an ICC of 0.9"});
+  }
+  columns.push_back({"d'", number, "open and closed hand"});
+  if (!family.slope_factor.empty()) {
+    columns.push_back(
+        {"Slope / SEM", number, "mean slope over " + family.slope_factor + ", its unit inverted"});
+  }
+  columns.push_back({"d' left", number, "without the digit whose loss costs most"});
+  Table table("Largest opening of each trial, the means of conditions taken out.", columns);
+  for (const OpeningReliability& row : family.rows) {
+    if (!row.open) continue;
+    std::vector<Html> cells = {Element("code", {}, row.opening->id),
+                               Text(FormatValue(row.open->mean, "m")),
+                               Text(FormatValue(row.within_person_sd, "m")),
+                               Text(FormatValue(row.minimal_detectable_change, "m"))};
+    if (has_icc) {
+      cells.push_back(Text(FormatIcc(row)));
+      cells.push_back(Text(FormatNeeded(row)));
+    }
+    for (size_t i = 1; i < kNumOpeningCriteria; ++i) {
+      if (i == 2 && family.slope_factor.empty()) continue;
+      cells.push_back(Text(row.criteria[i] ? FormatSignificant(*row.criteria[i], 3) : "n/a"));
+    }
+    table.AddRow(cells);
   }
   return table.ToHtml();
+}
+
+std::string FormatRatio(const OpeningComparison& comparison) {
+  if (!comparison.no_answer.empty()) return "not tested";
+  const std::string p = comparison.p_holm < 0.05 ? ", p " + FormatP(comparison.p_holm) : "";
+  return FormatWithRange(comparison.ratio, comparison.low, comparison.high, 2) + p;
+}
+
+/** Why single comparisons have no answer, each reason once. */
+Html DrawUntested(const OpeningFamily& family) {
+  std::vector<std::string> reasons;
+  for (size_t i = 1; i < family.rows.size(); ++i) {
+    for (size_t k = 0; k < kNumOpeningCriteria; ++k) {
+      const std::string& reason = family.rows[i].against_aperture[k].no_answer;
+      if (reason.empty()) continue;
+      const std::string text = std::string(ListOpeningCriteria()[k].text) + ": " + reason;
+      if (std::find(reasons.begin(), reasons.end(), text) == reasons.end()) {
+        reasons.push_back(text);
+      }
+    }
+  }
+  if (reasons.empty()) return {};
+  return MakeParagraph("Not tested:") + MakeList(reasons);
+}
+
+Html DrawComparisons(const OpeningFamily& family) {
+  if (family.num_tests == 0) return {};
+  std::vector<Column> columns = {{"Opening"}};
+  for (const OpeningCriterion& criterion : ListOpeningCriteria()) {
+    columns.push_back({criterion.text, Align::kNumber});
+  }
+  Table table(
+      "Each criterion as a multiple of the aperture's, above 1 is more reliable, with the 95 % "
+      "interval of that comparison alone (persons left out in turn); p after Holm over all " +
+          std::to_string(family.num_tests) + " comparisons where it is below 0.05.",
+      columns);
+  for (size_t i = 1; i < family.rows.size(); ++i) {
+    std::vector<Html> cells = {Element("code", {}, family.rows[i].opening->id)};
+    for (const OpeningComparison& comparison : family.rows[i].against_aperture) {
+      cells.push_back(Text(FormatRatio(comparison)));
+    }
+    table.AddRow(cells);
+  }
+  return table.ToHtml() + DrawUntested(family);
 }
 
 Html DrawLosses(const StudyResult& result) {
   if (result.digits.size() < 3) return {};
   std::vector<Column> columns = {{"Opening"}};
   for (size_t i = 1; i < result.digits.size(); ++i) {
-    columns.push_back({"without " + NameOfDigit(result.digits[i]), Align::kNumber,
-                       "CV without the digit / CV with it"});
+    columns.push_back(
+        {"without " + NameOfDigit(result.digits[i]), Align::kNumber, "d' without / d' with it"});
   }
   Table table(
-      "Loss of precision when one digit's marker is missing: above 1 the measure becomes "
-      "less precise.",
+      "What is left of d' when one digit's marker is missing: below 1 the measure tells the open "
+      "from the closed hand less well.",
       columns);
-  for (const OpeningReliability& row : result.statistics.openings) {
+  for (const OpeningReliability& row : result.statistics.openings.rows) {
+    if (!row.open) continue;
     std::vector<Html> cells = {Element("code", {}, row.opening->id)};
     for (size_t i = 1; i < result.digits.size(); ++i) {
-      const Answer<double>& ratio = row.without_digit[i].cv_ratio;
-      cells.push_back(Text(ratio ? FormatFixed(*ratio, 2) : "n/a"));
+      const Answer<double>& kept = row.kept_without[i];
+      cells.push_back(Text(kept ? FormatFixed(*kept, 2) : "n/a"));
     }
     table.AddRow(cells);
   }
@@ -81,15 +134,16 @@ Html DrawMeaning() {
 }
 
 Html DrawOpenings(const StudyPageData& data) {
-  const std::vector<OpeningReliability>& rows = data.result.statistics.openings;
   if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
-  Html html = MakeParagraph(
-      "Is a measure over all fingers more reliable than the distance of thumb and index? The whole "
-      "family on the same trials. A higher ICC and d' and a smaller CV are better.");
-  if (!rows.front().reliability) {
-    html += MakeParagraph("No ICC: " + rows.front().reliability.reason() + ".");
-  }
-  return html + DrawReliability(rows) + DrawLosses(data.result) + DrawMeaning();
+  const OpeningFamily& family = data.result.statistics.openings;
+  Html html = MakeParagraph(DescribeOpeningArgument(data.result)) +
+              MakeParagraph(
+                  "The whole family on the same trials, by criteria that neither a constant added "
+                  "to a measure nor its unit changes.");
+  const Answer<Reliability>& reliability = family.rows.front().reliability;
+  if (!reliability) html += MakeParagraph("No ICC: " + reliability.reason() + ".");
+  return html + DrawReliability(family) + DrawComparisons(family) + DrawLosses(data.result) +
+         DrawMeaning();
 }
 
 }  // namespace

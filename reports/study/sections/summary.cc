@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/base/text.h"
 #include "human_study/study/trial_flags.h"
 #include "human_study/study/trial_removal.h"
@@ -15,6 +16,16 @@ std::string DescribeRange(const StudyResult& result, const char* unit) {
   if (summary.num_values < 2) return "";
   return " (" + FormatValue(summary.lowest, unit) + " to " + FormatWithUnit(summary.highest, unit) +
          " over " + std::to_string(summary.num_values) + " choices of the analysis)";
+}
+
+/** The same of the test's p and effect. */
+std::string DescribeTestRange(const std::vector<Universe>& universes) {
+  const UniverseSummary summary = SummariseUniverses(universes);
+  if (summary.num_tests < 2) return "";
+  return " (p " + FormatP(summary.lowest_p) + " to " + FormatP(summary.highest_p) +
+         ", below 0.05 in " + std::to_string(summary.num_significant) + " of " +
+         std::to_string(summary.num_tests) + " choices; eta squared " +
+         FormatRange(summary.lowest_effect, summary.highest_effect, 2) + ")";
 }
 
 /** The study's main test in a sentence, or why there is none. */
@@ -36,7 +47,8 @@ std::string DescribeMainTest(const StudyResult& result) {
   return text + "Effect of " + factor + ": F\u00A0=\u00A0" + FormatFixed(own.test->f, 2) +
          ", p\u00A0" + (p < 0.001 ? "" : "=\u00A0") + FormatP(p) +
          " (Greenhouse-Geisser), generalised eta squared " +
-         FormatFixed(own.test->generalised_eta_squared, 2) + ".";
+         FormatFixed(own.test->generalised_eta_squared, 2) + DescribeTestRange(result.universes) +
+         ".";
 }
 
 /** What this recording cannot separate from touching at once. */
@@ -45,6 +57,24 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
   return " GFT below " + FormatWithUnit(zero.limit, "s") +
          " cannot be told from zero here: digits that all touch at once would show a median of " +
          FormatWithUnit(zero.median, "s") + ".";
+}
+
+Html DrawFreeze(const Study& study) {
+  if (!study.freeze) return {};
+  Html text = Text(DescribeFreeze(study) + " ");
+  if (!study.freeze->deviations.empty()) text += LinkTo("findings", "What deviates");
+  return Element("p", {}, text);
+}
+
+/** The study's argument about the hand opening, and about digits that touch together. */
+Html DrawArgument(const StudyResult& result) {
+  if (result.CountKept() == 0) return {};
+  return Element("p", {},
+                 Text(DescribeOpeningArgument(result) + " ") +
+                     LinkTo("openings", "All openings and criteria")) +
+         Element("p", {},
+                 Text(SayIndependence(result.statistics.independence) + " ") +
+                     LinkTo("simultaneity", "GFT, clocks and power"));
 }
 
 /** Contacts that only the digit's own stop shows. */
@@ -110,7 +140,8 @@ Html DrawSummary(const StudyPageData& data) {
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawUnverified(result) + DrawMeasureTable(result);
+         DrawFreeze(result.study) + DrawArgument(result) + DrawUnverified(result) +
+         DrawMeasureTable(result);
 }
 
 }  // namespace

@@ -67,6 +67,12 @@ std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows,
   return texts;
 }
 
+bool HasAnswer(const std::vector<StatisticRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const StatisticRow& row) {
+    return !std::isnan(row.estimate) || !std::isnan(row.p);
+  });
+}
+
 /** Estimates with what they rest on, or tests; a column that no row fills is left out. */
 Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
               const std::vector<Factor>& factors) {
@@ -74,10 +80,7 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
     Column column;
     std::function<std::string(const StatisticRow& row)> format;
   };
-  const bool has_answer = std::any_of(rows.begin(), rows.end(), [](const StatisticRow& row) {
-    return !std::isnan(row.estimate) || !std::isnan(row.p);
-  });
-  if (!has_answer) return MakeParagraph(caption) + MakeList(ListNotes(rows, factors));
+  if (!HasAnswer(rows)) return MakeParagraph(caption) + MakeList(ListNotes(rows, factors));
   const Align number = Align::kNumber;
   const std::vector<Part> parts = {
       {{"Effect"}, [&](const StatisticRow& row) { return NameOfEffect(row.effect, factors); }},
@@ -136,37 +139,62 @@ Html DrawConditions(const MeasureStatistics& statistics) {
 
 Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
   const Align number = Align::kNumber;
-  Table table("Each person's line over " + NameOfFactor(trend.factor) + ", in SI units (" +
-                  FormatSlopeUnit(unit + " per " + trend.factor) +
-                  "); the mixed model draws a person's line towards that of all.",
-              {{"Person"},
-               {"Slope", number},
-               {"SE", number},
-               {"Intercept", number},
-               {"R\u00B2", number},
-               {"n", number, "trials"},
-               {"Slope, mixed model", number}});
+  const bool has_mixed = trend.mixed.has_value();
+  std::vector<Column> columns = {{"Person"},          {"Slope", number},
+                                 {"SE", number},      {"Intercept", number},
+                                 {"R\u00B2", number}, {"n", number, "trials"}};
+  if (has_mixed) columns.push_back({"Slope, mixed model", number});
+  Table table(
+      "Each person's line over " + NameOfFactor(trend.factor) + ", in SI units (" +
+          FormatSlopeUnit(unit + " per " + trend.factor) + ")" +
+          (has_mixed ? "; the mixed model draws a person's line towards that of all." : "."),
+      columns);
   for (const PersonLine& person : trend.slopes.persons) {
-    double mixed = std::nan("");
-    if (trend.mixed) {
+    std::vector<Html> cells;
+    if (person.line) {
+      const LineFit& line = *person.line;
+      cells = {Text(person.person),
+               Text(FormatSignificant(line.slope, 3)),
+               Text(FormatSignificant(line.slope_error.value_or(std::nan("")), 3)),
+               Text(FormatSignificant(line.intercept, 3)),
+               Text(FormatFixed(line.r_squared.value_or(std::nan("")), 3)),
+               Text(std::to_string(line.count))};
+    } else {
+      cells.assign(columns.size() - (has_mixed ? 1 : 0), Text("n/a"));
+      cells.front() = Text(person.person + " (" + person.line.reason() + ")");
+    }
+    if (has_mixed) {
+      double mixed = std::nan("");
       for (const PersonEffect& effect : trend.mixed->persons) {
         if (effect.person == person.person) mixed = effect.slope;
       }
+      cells.push_back(Text(FormatSignificant(mixed, 3)));
     }
-    if (!person.line) {
-      table.AddRow({Text(person.person + " (" + person.line.reason() + ")"), Text("n/a"),
-                    Text("n/a"), Text("n/a"), Text("n/a"), Text("n/a"),
-                    Text(FormatSignificant(mixed, 3))});
-      continue;
-    }
-    const LineFit& line = *person.line;
-    table.AddRow({Text(person.person), Text(FormatSignificant(line.slope, 3)),
-                  Text(FormatSignificant(line.slope_error.value_or(std::nan("")), 3)),
-                  Text(FormatSignificant(line.intercept, 3)),
-                  Text(FormatFixed(line.r_squared.value_or(std::nan("")), 3)),
-                  Text(std::to_string(line.count)), Text(FormatSignificant(mixed, 3))});
+    table.AddRow(cells);
   }
   return MakeDetails("Each person's line over " + NameOfFactor(trend.factor), table.ToHtml());
+}
+
+/** A study in which nothing can be tested, such as that of one person: every reason once, and what
+each person's trials still say. Empty when something can. */
+Html DrawUntestable(const std::vector<MeasureStatistics>& measures) {
+  std::vector<std::string> reasons;
+  Html lines;
+  for (const MeasureStatistics& statistics : measures) {
+    std::vector<StatisticRow> rows = ListConditionTests(statistics);
+    for (const StatisticRow& row : ListTrends(statistics)) rows.push_back(row);
+    if (HasAnswer(rows)) return {};
+    for (const std::string& reason : ListNotes(rows)) {
+      if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
+        reasons.push_back(reason);
+      }
+    }
+    for (const TrendStatistics& trend : statistics.trends) {
+      lines +=
+          Element("h3", {}, statistics.measure.name) + DrawLines(trend, statistics.measure.unit);
+    }
+  }
+  return MakeParagraph("No measure can be tested:") + MakeList(reasons) + lines;
 }
 
 Html DrawTrends(const MeasureStatistics& statistics) {
@@ -190,6 +218,8 @@ Html DrawTests(const StudyPageData& data) {
   if (data.result.study.factors.empty()) {
     return MakeParagraph("The study names no factor, so there is nothing to compare.");
   }
+  const Html untestable = DrawUntestable(data.result.statistics.measures);
+  if (!untestable.markup().empty()) return untestable;
   Html html = MakeParagraph(
       "All of this stands in statistics.csv, too, in SI units. A test is no better than what it "
       "assumes; that stands below each table.");

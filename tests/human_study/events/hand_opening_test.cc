@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/base/units.h"
 #include "tests/human_study/events/trajectories.h"
 
@@ -59,6 +60,44 @@ TEST(HandOpening, AllAreLengthsThatAMotionOfTheHandDoesNotChange) {
   }
 }
 
+/** The hull by brute force: three tips are a face when the others lie on one side of their plane. */
+double CalcHullVolume(const Matrix3Xd& tips) {
+  const Vector3d inside = tips.rowwise().mean();
+  double volume = 0.0;
+  for (Eigen::Index a = 0; a < tips.cols(); ++a) {
+    for (Eigen::Index b = a + 1; b < tips.cols(); ++b) {
+      for (Eigen::Index c = b + 1; c < tips.cols(); ++c) {
+        const Vector3d normal =
+            (tips.col(b) - tips.col(a)).cross(Vector3d(tips.col(c) - tips.col(a)));
+        int num_above = 0, num_below = 0;
+        for (Eigen::Index i = 0; i < tips.cols(); ++i) {
+          if (i == a || i == b || i == c) continue;
+          (normal.dot(tips.col(i) - tips.col(a)) > 0 ? num_above : num_below)++;
+        }
+        if (num_above > 0 && num_below > 0) continue;
+        volume += std::abs(normal.dot(inside - tips.col(a))) / 6;
+      }
+    }
+  }
+  return volume;
+}
+
+TEST(HandOpening, TheHullIsThatOfAllFacesAlsoWithATipInside) {
+  RandomStream random("hull", "test");
+  int num_inside = 0;
+  for (int round = 0; round < 500; ++round) {
+    Matrix3Xd tips(3, round % 2 == 0 ? 5 : 4);
+    for (double& value : tips.reshaped()) value = 0.1 * random.NextUnit();
+    if (round % 4 == 0) {
+      tips.col(4) = tips.leftCols(4).rowwise().mean();
+      ++num_inside;
+    }
+    EXPECT_NEAR(std::pow(Calc("hull", tips), 3), CalcHullVolume(tips), 1e-15);
+  }
+  EXPECT_EQ(num_inside, 125);
+  EXPECT_NEAR(Calc("hull", MakePolygon(5, 0.04)), 0.0, 1e-6);  // flat
+}
+
 ReachTrial MakeTrial(int num_digits) {
   ReachTrial trial;
   trial.times = MakeTimes(0, 1, 100);
@@ -87,11 +126,12 @@ TEST(OpeningCurve, ASampleWithoutOneDigitIsMissingAndOneWithAFilledDigitSaysSo) 
   EXPECT_NEAR(without.values[35], 0.04, 1e-9);
 }
 
-TEST(OpeningCurve, AFanNeedsThreeDigits) {
-  const ReachTrial trial = MakeTrial(2);
-  FilteredTrial filtered(trial);
-  const ScalarCurve curve = CalcOpeningCurve(filtered, FindHandOpening("fan"), 10.0);
-  EXPECT_FALSE(curve.IsValid(0));
+TEST(OpeningCurve, AFanNeedsThreeDigitsAndAHullFour) {
+  const ReachTrial two = MakeTrial(2), four = MakeTrial(4);
+  FilteredTrial of_two(two), of_four(four);
+  EXPECT_FALSE(CalcOpeningCurve(of_two, FindHandOpening("fan"), 10.0).IsValid(0));
+  EXPECT_TRUE(CalcOpeningCurve(of_four, FindHandOpening("hull"), 10.0).IsValid(0));
+  EXPECT_FALSE(CalcOpeningCurve(of_four, FindHandOpening("hull"), 10.0, "D2").IsValid(0));
 }
 
 }  // namespace

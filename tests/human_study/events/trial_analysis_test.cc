@@ -53,6 +53,48 @@ TEST(AnalyseTrial, FindsWhatTheTruthSays) {
   EXPECT_FALSE(analysis.used_gap);
 }
 
+/** The thumb's channel becomes a switch that closes at `closing`. */
+ReachTrial MakeSwitched(const SyntheticTrial& trial, double closing, double open, double closed) {
+  ReachTrial reach = MakeReachTrial(trial);
+  ForceChannel& force = reach.digits[0].force;
+  for (size_t i = 0; i < force.times.size(); ++i) {
+    force.values[i] = force.times[i] < closing ? open : closed;
+  }
+  return reach;
+}
+
+// A switch has no filter: the instant lies between two of its samples.
+TEST(AnalyseTrial, ATouchSwitchTellsTheInstantItStaysClosed) {
+  const SyntheticTrial trial = MakeOne();
+  const double closing = trial.truth.contacts[0];
+  const size_t detector = FindContactDetector("force");
+  for (const auto& [open, closed] : {std::pair(0.0, 1.0), {5.0, 0.02}, {-3.0, -2.0}}) {
+    ReachTrial reach = MakeSwitched(trial, closing, open, closed);
+    ForceChannel& force = reach.digits[0].force;
+    const double interval = force.times[1] - force.times[0];
+    const auto find = [&] {
+      return AnalyseTrial(reach, AnalysisOptions()).contacts[0].by_detector[detector];
+    };
+    EXPECT_NEAR(find().time, closing, interval) << open;
+    EXPECT_LT(find().uncertainty, 2.0 * interval);
+    // Bounces after the closing, and a touch that was let go of before it.
+    for (size_t i = 0; i < force.times.size(); ++i) {
+      const double after = force.times[i] - closing;
+      if (after > 0.006 && after < 0.009) force.values[i] = open;
+      if (after > -0.08 && after < -0.05) force.values[i] = closed;
+    }
+    EXPECT_NEAR(find().time, closing, interval) << open;
+    // Open again in the hold: it touched nothing there.
+    for (size_t i = 0; i < force.times.size(); ++i) {
+      if (force.times[i] > trial.truth.lift_off - 0.05) force.values[i] = open;
+    }
+    EXPECT_EQ(find().missing, "the touch switch is open in the hold");
+  }
+  // Never closed: no switch, and no force that rises.
+  const ReachTrial never = MakeSwitched(trial, INFINITY, 1.0, 0.0);
+  EXPECT_FALSE(AnalyseTrial(never, AnalysisOptions()).contacts[0].by_detector[detector].IsFound());
+}
+
 /** Every measure and what the tables print beside them, with the same bits. */
 void ExpectEqual(const TrialAnalysis& a, const TrialAnalysis& b, const std::string& what) {
   const auto is_same = [](double x, double y) {
@@ -259,7 +301,9 @@ TEST(AnalyseTrial, SpoiltTrialsGiveAnswersOrReasonsAndNeverFail) {
     AnalysisOptions options;
     const std::vector<MovementRule>& rules = MovementRuleList();
     options.movement.rule = rules[static_cast<size_t>(random.NextIndex(6))].id;
-    options.opening.measure = HandOpeningList()[static_cast<size_t>(random.NextIndex(8))].id;
+    const std::vector<HandOpening>& openings = HandOpeningList();
+    options.opening.measure =
+        openings[static_cast<size_t>(random.NextIndex(static_cast<int>(openings.size())))].id;
     options.opening.maximum = random.NextUnit() < 0.5 ? "largest" : "last";
     const double noise = random.NextUnit() < 0.3 ? 0.02 * random.NextUnit() : 0.0;
     const double end = trial.times.back();

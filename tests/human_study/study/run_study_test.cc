@@ -80,8 +80,8 @@ TEST_F(RunStudyTest, TheTruthComesOutAtTheEndOfTheWay) {
     if (std::string(statistics.measure.id) != "peak_opening_m") continue;
     EXPECT_GT(statistics.by_cell[1]->mean, statistics.by_cell[0]->mean + 0.01);
   }
-  EXPECT_EQ(result.statistics.openings.size(), HandOpeningList().size());
-  EXPECT_GT(result.statistics.openings.front().d_prime, 1.0);
+  EXPECT_EQ(result.statistics.openings.rows.size(), HandOpeningList().size());
+  EXPECT_GT(*result.statistics.openings.rows.front().criteria[1], 1.0);
   EXPECT_TRUE(result.statistics.bias.empty());
 }
 

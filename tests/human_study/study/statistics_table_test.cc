@@ -26,6 +26,12 @@ StatisticRow FindRow(const std::vector<StatisticRow>& rows, const std::string& a
   return {};
 }
 
+std::vector<StatisticRow> ListAll(const MeasureStatistics& measure) {
+  StudyStatistics statistics;
+  statistics.measures = {measure};
+  return ListStatistics(statistics);
+}
+
 TEST(StatisticsTable, ConditionTestsAreThoseOfR) {
   const std::vector<StatisticRow> rows = ListConditionTests(MakeStatistics());
   const StatisticRow anova = FindRow(rows, "repeated-measures ANOVA", "size");
@@ -96,7 +102,7 @@ TEST(StatisticsTable, WhatHasNoAnswerSaysWhy) {
   MeasureTable table = MakeReachTable();
   table.rows.resize(4);  // one person
   const MeasureStatistics statistics = CalcMeasureStatistics(kAperture, table, {"", 0.0, 5.0});
-  const std::vector<StatisticRow> rows = ListStatistics({statistics});
+  const std::vector<StatisticRow> rows = ListAll(statistics);
   ASSERT_FALSE(rows.empty());
   for (const StatisticRow& row : rows) {
     if (row.analysis == "Wilcoxon signed ranks") {
@@ -109,11 +115,42 @@ TEST(StatisticsTable, WhatHasNoAnswerSaysWhy) {
 }
 
 TEST(StatisticsTable, EveryRowHasACellInEveryColumn) {
-  const std::vector<StatisticRow> rows =
-      ListStatistics({MakeStatistics({"aperture_mm", 0.82, 5.0})});
+  const std::vector<StatisticRow> rows = ListAll(MakeStatistics({"aperture_mm", 0.82, 5.0}));
   const std::string csv = FormatCsv(ListStatisticColumns(), rows);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<std::ptrdiff_t>(rows.size()) + 1);
   EXPECT_NE(csv.find("aperture_mm,Friedman,condition,"), std::string::npos);
+}
+
+TEST(StatisticsTable, OpeningsHaveARowForEveryCriterionOrTheReason) {
+  OpeningFamily family;
+  family.rows.resize(2);
+  family.rows[0].opening = &FindHandOpening("aperture");
+  family.rows[1].opening = &FindHandOpening("hull");
+  for (OpeningComparison& comparison : family.rows[1].against_aperture) {
+    comparison.no_answer = "4 persons; expected 5 or more";
+  }
+  family.rows[1].against_aperture[1] = {1.2, 0.9, 1.6, 0.15, 0.6, 7, ""};
+  const std::vector<StatisticRow> rows = ListOpenings(family);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0].measure, "open_hull_m");
+  EXPECT_EQ(rows[0].note, "none: 4 persons; expected 5 or more");
+  EXPECT_EQ(rows[1].effect, "separation");
+  EXPECT_EQ(rows[1].estimate, 1.2);
+  EXPECT_EQ(rows[1].p_holm, 0.6);
+  EXPECT_EQ(rows[1].num_persons, 7);
+}
+
+TEST(StatisticsTable, IndependenceHasARowForEveryClockOrTheReason) {
+  EXPECT_EQ(ListIndependence(NoAnswer{"too few"}).size(), 6u);
+  EXPECT_EQ(ListIndependence(NoAnswer{"too few"}).front().note, "none: too few");
+  IndependenceNull null;
+  null.num_persons = 2;
+  null.gft_ratio[2] = {0.2, 0.25, 0.24, 0.26, 0.002, 0.08};
+  const StatisticRow row = ListIndependence(null).back();
+  EXPECT_EQ(row.measure, "grasp_forming_ratio");
+  EXPECT_NEAR(row.estimate, 0.8, 1e-12);
+  EXPECT_EQ(row.p, 0.002);
+  EXPECT_TRUE(std::isnan(row.low));  // two persons
 }
 
 }  // namespace

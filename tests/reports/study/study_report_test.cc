@@ -17,23 +17,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+StudyResult MakeStudy(int num_people) {
+  const fs::path folder =
+      fs::path(::testing::TempDir()) / ("study_report_test_" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  SyntheticOptions options;
+  options.seed = "study_report_test";
+  options.num_people = num_people;
+  options.trials_per_size = 2;
+  options.diameters = {0.03, 0.06};
+  WriteDemoStudy(MakeSyntheticStudy(options), folder);
+  const StudyResult made = RunStudy(LoadStudy(folder / "study.yaml"));
+  fs::remove_all(folder);
+  return made;
+}
+
 /** A small made-up study, analysed once for all tests. */
 const StudyResult& SmallStudy() {
-  static const StudyResult result = [] {
-    const fs::path folder =
-        fs::path(::testing::TempDir()) / ("study_report_test_" + std::to_string(::getpid()));
-    fs::remove_all(folder);
-    SyntheticOptions options;
-    options.seed = "study_report_test";
-    options.num_people = 3;
-    options.trials_per_size = 2;
-    options.diameters = {0.03, 0.06};
-    WriteDemoStudy(MakeSyntheticStudy(options), folder);
-    const StudyResult made = RunStudy(LoadStudy(folder / "study.yaml"));
-    fs::remove_all(folder);
-    return made;
-  }();
+  static const StudyResult result = MakeStudy(3);
   return result;
+}
+
+int CountOf(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
 }
 
 std::string SectionText(const std::string& page, const char* id) {
@@ -71,12 +79,82 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   ExpectContains(SectionText(page, "order"), "pairs of neighbours are tied.");
   ExpectContains(SectionText(page, "robot"), "No robot session was named.");
   ExpectContains(SectionText(page, "openings"), "virtual_finger");
+  ExpectContains(SectionText(page, "openings"),
+                 "not testable with 3 persons (5 or more are needed)");
+  ExpectContains(SectionText(page, "summary"), "More reliable than the aperture: not testable");
+  ExpectContains(SectionText(page, "simultaneity"), "not testable, only 0 trials in which all 5");
   ExpectContains(SectionText(page, "bias"), "half the cut-off");
   ExpectContains(SectionText(page, "multiverse"), "\u25B6");
   ExpectContains(SectionText(page, "trials"), "01-1, ");
   ExpectContains(SectionText(page, "methods"), "0 of 12 trials were removed.");
   ExpectContains(SectionText(page, "methods"), "a fixed threshold (50\u00A0mm/s)");
   ExpectContains(SectionText(page, "methods"), "bounds of 10.0\u00A0ms for grasp forming time");
+}
+
+TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
+  StudyResult result = SmallStudy();
+  IndependenceNull null;
+  null.num_trials = 90;
+  null.num_incomplete = 2;
+  null.num_persons = 5;
+  null.gft.fill({0.0301, 0.0402, 0.0383, 0.0424, 0.002, 0.07});
+  null.gft_ratio.fill({0.151, 0.202, 0.193, 0.214, 0.002, 0.05});
+  result.statistics.independence = null;
+  OpeningFamily& family = result.statistics.openings;
+  family.num_tests = 1;
+  for (size_t i = 1; i < family.rows.size(); ++i) {
+    for (OpeningComparison& comparison : family.rows[i].against_aperture) {
+      comparison.no_answer = "a reason that stands once";
+    }
+  }
+  family.rows[1].against_aperture[1] = {1.31, 1.12, 1.53, 0.004, 0.012, 5, ""};
+  result.study.freeze = FreezeCheck{"abcdef0123456789", 0, {{"contact.cutoff_hz", "20.0", "12.0"}}};
+  const std::string page = MakeStudyReport(result, nullptr);
+  ExpectSoundPage(page);
+  ExpectContains(SectionText(page, "summary"),
+                 "Choices frozen before any recording (SHA-256 abcdef012345): 1 deviation.");
+  ExpectContains(SectionText(page, "findings"),
+                 "Not as frozen: contact.cutoff_hz: frozen 20.0, used 12.0.");
+  ExpectContains(SectionText(page, "summary"), "more simultaneous than digits that move");
+  const std::string together = SectionText(page, "simultaneity");
+  ExpectContains(together, "40.2 (38.3 to 42.4)");
+  ExpectContains(together, "2 trials of those that count lacked the contact");
+  const std::string openings = SectionText(page, "openings");
+  ExpectContains(openings, "shown for virtual_finger");
+  ExpectContains(openings, "1.31 (1.12 to 1.53), p 0.012");
+  ExpectContains(openings, "spread of persons: a reason that stands once");
+}
+
+// What cannot be had from one person is said once, not in every cell of every table.
+TEST(StudyReport, OnePersonGetsASentenceNotAWall) {
+  const std::string page = MakeStudyReport(MakeStudy(1), nullptr);
+  ExpectSoundPage(page);
+  const std::string tests = SectionText(page, "tests");
+  ExpectContains(tests, "No measure can be tested:");
+  EXPECT_EQ(CountOf(tests, "repeated-measures ANOVA: none: 1 person"), 1);
+  EXPECT_EQ(CountOf(tests, "n/a"), 0);
+  EXPECT_EQ(CountOf(SectionText(page, "measures"), "n/a"), 0);
+  EXPECT_EQ(CountOf(SectionText(page, "openings"), "n/a"), 0);
+  ExpectContains(tests, "Each person's line over diameter_m");
+  EXPECT_EQ(SectionText(page, "tests").find("mixed model draws"), std::string::npos);
+  EXPECT_EQ(CountOf(SectionText(MakeStudyReport(SmallStudy(), nullptr), "tests"),
+                    "No measure can be tested"),
+            0);
+}
+
+TEST(StudyReport, TheVerdictHasTheRangeOfEveryNumberOverTheChoices) {
+  const StudyResult& result = SmallStudy();
+  const UniverseSummary range = SummariseUniverses(result.universes);
+  ASSERT_GT(range.num_tests, 1);
+  double lowest = 1.0;  // counted anew
+  for (const Universe& universe : result.universes) {
+    if (universe.test) lowest = std::fmin(lowest, universe.test->greenhouse_geisser.p);
+  }
+  EXPECT_EQ(range.lowest_p, lowest);
+  const std::string text = SectionText(MakeStudyReport(result, nullptr), "summary");
+  ExpectContains(text, "(p " + FormatP(range.lowest_p) + " to " + FormatP(range.highest_p) +
+                           ", below 0.05 in " + std::to_string(range.num_significant) + " of " +
+                           std::to_string(range.num_tests) + " choices; eta squared ");
 }
 
 TEST(StudyReport, TiedDigitsAreOneOrderWhicheverIsNamedFirst) {

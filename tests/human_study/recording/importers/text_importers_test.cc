@@ -305,16 +305,55 @@ TEST(Table, AMappingNamesTheColumns) {
 
 TEST(Table, AWrongMappingTellsAllItsFaults) {
   try {
-    LoadTableMapping(WriteText("bad.yaml", "points:\n  tip: [a, b]\ntime_unit: h\nextra: 1\n"));
+    LoadTableMapping(WriteText(
+        "bad.yaml", "points:\n  tip: [a, b]\ntime_unit: h\nextra: 1\nchannels: {f: [a, b]}\n"));
     FAIL();
   } catch (const Error& error) {
     const std::string text = error.what();
     for (const char* part :
-         {"needs the three columns", "is \"h\"; expected s or ms",
-          "rate_hz: is needed when no column of times", "unknown key \"extra\""}) {
+         {"needs the three columns", "each needs the name of one column",
+          "is \"h\"; expected s or ms", "rate_hz: is needed when no column of times",
+          "unknown key \"extra\""}) {
       EXPECT_NE(text.find(part), std::string::npos) << text;
     }
   }
+}
+
+TEST(Table, WithoutAHeadingColumnsAreNumbered) {
+  ImportOptions options;
+  options.mapping = WriteText("bare.yaml",
+                              "unit: mm\nheading: false\npoints:\n  tip: [2, 3, 4]\ntime: 1\n"
+                              "channels: {touch: 5}\n");
+  // Tabs, semicolons, commas and runs of blanks hold the same.
+  for (const char* rows : {"0\t1\t2\t3\t0\n0.01\t1\t2\t4\t1\n", "0;1;2;3;0\n0.01;1;2;4;1\n",
+                           "0,1,2,3,0\n0.01,1,2,4,1\n", "  0 1  2 3   0\n 0.01 1 2  4 1 \n"}) {
+    const Recording read = ImportBytes(rows, "table", options);
+    ASSERT_EQ(read.num_frames, 2u) << rows;
+    EXPECT_NEAR(read.points[0].Position(1).z(), 0.004, 1e-12) << rows;
+    EXPECT_NEAR(read.rate, 100.0, 1e-9);
+    ASSERT_EQ(read.analog.size(), 1u);
+    EXPECT_EQ(read.analog[0].label, "touch");
+    EXPECT_EQ(read.analog[0].rate, read.rate);
+    EXPECT_EQ(read.analog[0].samples, (std::vector<float>{0.0f, 1.0f}));
+  }
+  EXPECT_EQ(ImportFault("t;x;y;z;f\n0;1;2;3;0\n", "table", options),
+            "file:1: the first row has no number, but the mapping says heading: false; take that "
+            "out and name the columns");
+  EXPECT_EQ(ImportFault("0;1;2\n", "table", options),
+            "file:1: the mapping names columns the table does not have: 4, 5; did you mean \"1\"? "
+            "Known: 1, 2, 3");
+  EXPECT_EQ(ImportFault("", "table", options), "file:1: the file ends before its first row");
+  EXPECT_EQ(ImportFault("0;1;2;3;0\n0.01;1;2;3;0\n0.03;1;2;3;0\n0.04;1;2;3;0\n", "table", options),
+            "file: its times are uneven, so that its channels have no rate; take them out of the "
+            "mapping, or export the table at an even rate");
+  // A decimal comma is no delimiter of this table's.
+  EXPECT_EQ(ImportFault("0,0;1,5;2;3;0\n", "table", options),
+            "file:1: column 2: \"1,5\" is not a number");
+  options.mapping = WriteText("mapping.yaml", kMapping);
+  EXPECT_EQ(ImportFault("1;0;1;2;3;0\n", "table", options),
+            "file:1: the first row holds numbers, not the names of columns (a, b, c, t, n, o); for "
+            "a table without a heading the mapping says heading: false and numbers the columns "
+            "from 1");
 }
 
 std::string N3d(int num_frames, int num_values = 3) {

@@ -113,7 +113,6 @@ TEST(Reliability, AgreesWithR) {
   EXPECT_NEAR(result->within_person_interval.low, 0.407007277877, 1e-11);
   EXPECT_NEAR(result->within_person_interval.high, 0.936932570141, 1e-11);
   EXPECT_NEAR(result->between_person_sd, 1.30853975975, 1e-10);
-  EXPECT_NEAR(*result->within_person_cv, 0.567585040129 / result->mean, 1e-12);
   EXPECT_NEAR(result->minimal_detectable_change, 1.959964 * std::sqrt(2.0) * 0.56758504, 1e-6);
   EXPECT_FALSE(result->agreement);
   // 0.9 (1 - 0.8416) / (0.8416 * 0.1) = 1.69
@@ -158,63 +157,6 @@ TEST(Reliability, GivesReasons) {
             "person \"A\": a value is infinite");
   EXPECT_EQ(CalcReliability({{"A", {NAN}}, {"B", {}}}).reason(),
             "0 persons with a value; expected 2 or more");
-  EXPECT_EQ(CalcReliability({{"A", {-1, 2}}, {"B", {3, 4}}})->within_person_cv.reason(),
-            "a value is not positive");
-}
-
-TEST(CompareReliability, SeesThatNoiseCosts) {
-  RandomStream random("compare", "test");
-  std::vector<PersonTrials> clean, noisy;
-  for (int p = 0; p < 15; ++p) {
-    clean.push_back({std::to_string(p), {}});
-    noisy.push_back(clean.back());
-    const double own = 3.0 * random.NextNormal();
-    for (int t = 0; t < 6; ++t) {
-      clean.back().values.push_back(own + random.NextNormal());
-      noisy.back().values.push_back(clean.back().values.back() + 4.0 * random.NextNormal());
-    }
-  }
-  const auto difference = CompareReliability(clean, noisy, "compare");
-  ASSERT_TRUE(difference) << difference.reason();
-  EXPECT_GT(difference->interval.low, 0.0);
-  EXPECT_NEAR(CompareReliability(noisy, clean, "compare")->estimate, -difference->estimate, 1e-12);
-  EXPECT_EQ(CompareReliability(clean, clean, "compare").reason(),
-            "the statistic does not depend on who is drawn");
-}
-
-TEST(PrecisionLoss, ComparesWithAndWithout) {
-  const auto full = CalcReliability({{"A", {10, 11, 12}}, {"B", {20, 21, 22}}});
-  const auto reduced = CalcReliability({{"A", {10, 12, 14}}, {"B", {20, 22, 24}}});
-  const PrecisionLoss loss = CalcPrecisionLoss(full, reduced);
-  EXPECT_NEAR(*loss.cv_ratio, 2.0 * 16.0 / 17.0, 1e-12);
-  EXPECT_LT(*loss.icc_change, 0.0);
-  EXPECT_EQ(*CalcPrecisionLoss(full, full).cv_ratio, 1.0);
-  const auto none = CalcReliability({});
-  EXPECT_EQ(CalcPrecisionLoss(full, none).cv_ratio.reason(), none.reason());
-  EXPECT_EQ(CalcPrecisionLoss(none, full).icc_change.reason(), none.reason());
-  const auto signless = CalcReliability({{"A", {-1, 2}}, {"B", {3, 4}}});
-  EXPECT_EQ(CalcPrecisionLoss(full, signless).cv_ratio.reason(), "a value is not positive");
-}
-
-TEST(Separation, OfKnownSpreads) {
-  // Pooled variance (2 * 1 + 4 * 2.5) / 6 = 2.
-  const auto result = CalcSeparation({10, 11, 12, NAN}, {1, 2, 3, 4, 5});
-  ASSERT_TRUE(result) << result.reason();
-  EXPECT_EQ(result->num_open, 3);
-  EXPECT_NEAR(result->difference, 8.0, 1e-12);
-  EXPECT_NEAR(result->pooled_sd, std::sqrt(2.0), 1e-12);
-  EXPECT_NEAR(result->d_prime, 8.0 / std::sqrt(2.0), 1e-12);
-  const double error = std::sqrt(1.0 / 3.0 + 1.0 / 5.0 + 32.0 / 16.0);
-  EXPECT_NEAR(result->interval.high, result->d_prime + 1.959964 * error, 1e-5);
-  EXPECT_NEAR(CalcSeparation({1, 2, 3, 4, 5}, {10, 11, 12})->d_prime, -result->d_prime, 1e-12);
-}
-
-TEST(Separation, GivesReasons) {
-  EXPECT_EQ(CalcSeparation({1, 2}, {3, NAN}).reason(),
-            "2 open and 1 closed trials; expected 2 or more of each");
-  EXPECT_EQ(CalcSeparation({2, 2}, {1, 1}).reason(),
-            "the values of every group are equal: no spread within");
-  EXPECT_EQ(CalcSeparation({2, INFINITY}, {1, 1}).reason(), "a value is not finite");
 }
 
 TEST(ListTrials, TakesOneCellInOrder) {

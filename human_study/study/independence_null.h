@@ -1,0 +1,76 @@
+#pragma once
+/** @file
+Are people more simultaneous than digits that move independently would be?
+
+A digit that moves on its own keeps its habits but knows nothing of the others in the same trial.
+Such digits are made from the study itself: the contact times of each digit are dealt out anew among
+the trials of one person and condition, each digit on its own, and GFT and GFT% are taken again.
+Habits (the thumb first by 40 ms) stay; what digits share within a trial is lost. The p value is the
+share of 999 dealings at least as extreme, two-sided, from a stream that the study's trials name.
+
+Times must be counted from something in the trial, and what all digits share with that clock makes
+them look simultaneous. So three clocks are asked, and the one that speaks least for a difference
+decides:
+
+    onset     seconds since the movement's onset
+    widest    seconds since the widest opening, the start of closure
+    movement  the same as onset, less what the length of the movement says of that digit (a
+              straight line within each person): slow and fast movements make nobody simultaneous
+
+An error of the clock is shared by all digits of a trial, too, and would be taken for coordination:
+the spread of each digit's times within person and condition is reduced by the variance of the
+clock's stated uncertainty (and of what the contacts share) before they are dealt out.
+
+Only trials in which all digits of the study touched take part. A slow change over a session that
+all digits follow, but the movement does not, still counts as coordination. */
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/statistics/jackknife.h"
+
+namespace graspbench {
+
+struct StudyTrial;
+struct StudyResult;
+
+inline constexpr size_t kNumClocks = 3;
+/** "onset", "widest", "movement". */
+const std::array<const char*, kNumClocks>& ListClocks();
+
+/** One measure against what independent digits would show. */
+struct IndependenceTest {
+  double observed = NAN;         ///< mean over the trials, in the measure's unit, as `expected`
+  double expected = NAN;         ///< mean over trials and dealings
+  double low = NAN, high = NAN;  ///< 95 % of the dealings' means
+  double p = NAN;                ///< two-sided
+  /** A mean smaller by this share of `expected` is found in 8 of 10 such studies. */
+  double detectable = NAN;
+  /** Logarithm of observed / expected over persons, each person one value. None below five. */
+  Answer<JackknifeInterval> over_persons = NoAnswer{"not calculated"};
+};
+
+struct IndependenceNull {
+  int num_trials = 0;                                  ///< that take part
+  int num_incomplete = 0;                              ///< kept, but a digit did not touch
+  int num_persons = 0;                                 ///< who take part
+  std::array<IndependenceTest, kNumClocks> gft;        ///< [s]
+  std::array<IndependenceTest, kNumClocks> gft_ratio;  ///< GFT / GCT
+
+  /** The clock whose p value is largest; the first whose sign differs when the clocks disagree. */
+  static size_t FindStrictest(const std::array<IndependenceTest, kNumClocks>& tests);
+};
+
+/** No answer with fewer than two digits, or when there are so few trials of a person in a condition
+that no dealing could be told from chance. */
+Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& trials,
+                                              size_t num_digits);
+
+/** The verdict in a sentence: more simultaneous, less, or not told apart. */
+std::string SayIndependence(const Answer<IndependenceNull>& null);
+/** With numbers of the strictest clock, and power. */
+std::string DescribeIndependence(const Answer<IndependenceNull>& null);
+
+}  // namespace graspbench

@@ -1,0 +1,168 @@
+#include "human_study/study/study_freeze.h"
+
+#include <set>
+
+#include "core/base/config.h"
+#include "core/base/files.h"
+#include "core/base/sha256.h"
+#include "core/base/text.h"
+#include "core/base/version.h"
+#include "human_study/study/study_config.h"
+#include "human_study/study/study_table.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kWhat = "graspbench: choices of a study, frozen";
+
+/** What a choice is called in study.yaml: "contact.cutoff_hz". */
+std::string NameOfPointer(const std::string& pointer) {
+  std::string name = pointer.substr(1);
+  for (char& c : name) c = c == '/' ? '.' : c;
+  return name;
+}
+
+/** Every setting that is a choice of the analysis. */
+Json ListChoices(const StudyConfig& config) {
+  Json settings = ConfigToJson(config);
+  settings.erase("name");
+  settings.erase("robot");
+  return settings;
+}
+
+/** Hashes of the tables that hold choices; null for one that is not named or not there. */
+Json HashTables(const StudyConfig& config, const fs::path& folder) {
+  Json tables = Json::object();
+  for (const auto& [key, name] :
+       {std::pair("objects", config.objects), {"hypotheses", config.hypotheses}}) {
+    tables[key] = nullptr;
+    if (!name.empty() && fs::exists(folder / name)) {
+      tables[key] = CalcSha256(ReadFile(folder / name));
+    }
+  }
+  return tables;
+}
+
+/** Recordings that trials.csv names and that are there; 0 without trials.csv. */
+int CountRecordings(const fs::path& trials, const fs::path& recordings) {
+  if (!fs::exists(trials)) return 0;
+  Diagnostics problems;
+  const StudyTable table(ReadFile(trials), trials.string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be frozen");
+  std::set<std::string> present;
+  for (size_t row = 0; row < table.num_rows(); ++row) {
+    const std::string& file = table.Text(row, "file");
+    if (!file.empty() && fs::exists(recordings / file)) present.insert(file);
+  }
+  return static_cast<int>(present.size());
+}
+
+std::string HashChoices(const Json& choices) { return CalcSha256(FormatJson(choices)); }
+
+[[noreturn]] void FailFreeze(const std::string& name, const std::string& text) {
+  throw Error(ErrorKind::kFormat, name + ": " + text);
+}
+
+void CompareSettings(const Json& frozen, const Json& used, FreezeCheck& check) {
+  const Json a = frozen.flatten(), b = used.flatten();
+  std::set<std::string> pointers;
+  for (const Json* settings : {&a, &b}) {
+    for (const auto& [pointer, value] : settings->items()) pointers.insert(pointer);
+  }
+  for (const std::string& pointer : pointers) {
+    const auto show = [&](const Json& settings) {
+      return settings.contains(pointer) ? settings[pointer].dump() : std::string("nothing");
+    };
+    if (show(a) != show(b)) {
+      check.deviations.push_back({NameOfPointer(pointer), show(a), show(b)});
+    }
+  }
+}
+
+}  // namespace
+
+fs::path FindFreezePath(const fs::path& study_file) {
+  return study_file.parent_path() / (study_file.stem().string() + ".freeze.json");
+}
+
+std::string MakeFreeze(const fs::path& study_file, const fs::path& recordings) {
+  Diagnostics problems;
+  const StudyConfig config = ParseStudyConfig(ReadFile(study_file), study_file.string(), problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be frozen");
+  const fs::path folder = study_file.parent_path();
+  Json choices = {{"what", kWhat},
+                  {"program", program_version()},
+                  {"settings", ListChoices(config)},
+                  {"tables", HashTables(config, folder)},
+                  {"num_recordings", CountRecordings(folder / config.trials,
+                                                     recordings.empty() ? folder : recordings)}};
+  choices["sha256"] = HashChoices(choices);
+  return FormatJson(choices, 2) + "\n";
+}
+
+FreezeCheck CompareWithFreeze(const std::string& text, const std::string& name,
+                              const Study& study) {
+  Json frozen = Json::parse(text, nullptr, false);
+  if (!frozen.is_object() || frozen.value("what", Json()) != kWhat ||
+      !frozen.value("sha256", Json()).is_string()) {
+    FailFreeze(name,
+               "this is no file of \"graspbench study freeze\"; remove it, or bring the "
+               "frozen one back");
+  }
+  FreezeCheck check;
+  check.hash = frozen["sha256"].get<std::string>();
+  frozen.erase("sha256");
+  if (HashChoices(frozen) != check.hash) {
+    FailFreeze(name,
+               "the frozen choices were changed since they were written (their SHA-256 does "
+               "not fit); bring the frozen file back, or remove it and say so");
+  }
+  if (!frozen.value("settings", Json()).is_object() ||
+      !frozen.value("tables", Json()).is_object() ||
+      !frozen.value("num_recordings", Json()).is_number_integer()) {
+    FailFreeze(name, "settings, tables or num_recordings are missing; freeze anew");
+  }
+  check.num_recordings = frozen["num_recordings"].get<int>();
+  if (frozen.value("program", Json()) != program_version()) {
+    check.deviations.push_back({"version of graspbench", frozen.value("program", Json()).dump(),
+                                Json(program_version()).dump()});
+  }
+  CompareSettings(frozen["settings"], ListChoices(study.stated), check);
+  const Json tables = HashTables(study.stated, study.folder);
+  for (const auto& [key, hash] : tables.items()) {
+    const Json before = frozen["tables"].value(key, Json());
+    if (before == hash) continue;
+    const auto show = [](const Json& table) {
+      return table.is_string() ? "SHA-256 " + table.get<std::string>().substr(0, 12)
+                               : std::string("no table");
+    };
+    check.deviations.push_back({"table " + key, show(before), show(hash)});
+  }
+  return check;
+}
+
+std::string DescribeFreeze(const Study& study) {
+  if (!study.freeze) return "";
+  const FreezeCheck& check = *study.freeze;
+  const int count = static_cast<int>(check.deviations.size());
+  return "Choices frozen " +
+         (check.num_recordings == 0
+              ? std::string("before any recording")
+              : "when " + FormatCount(check.num_recordings, "recording was", "recordings were") +
+                    " there already") +
+         " (SHA-256 " + check.hash.substr(0, 12) +
+         "): " + (count == 0 ? std::string("no deviation") : FormatCount(count, "deviation")) + ".";
+}
+
+std::vector<std::string> ListDeviations(const Study& study) {
+  std::vector<std::string> lines;
+  if (!study.freeze) return lines;
+  for (const Deviation& deviation : study.freeze->deviations) {
+    lines.push_back(deviation.what + ": frozen " + deviation.frozen + ", used " + deviation.used);
+  }
+  return lines;
+}
+
+}  // namespace graspbench

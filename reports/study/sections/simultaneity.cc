@@ -1,0 +1,83 @@
+#include <cmath>
+
+#include "core/base/range_text.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "reports/study/study_format.h"
+#include "reports/study/study_section.h"
+
+namespace graspbench {
+namespace {
+
+const char* TextOfClock(size_t clock) {
+  constexpr const char* kTexts[] = {"since the movement's onset", "since the widest opening",
+                                    "onset, length of the movement taken out"};
+  return kTexts[clock];
+}
+
+std::string FormatOverPersons(const IndependenceTest& test) {
+  const JackknifeInterval& ratio = *test.over_persons;
+  return FormatWithRange(std::exp(ratio.estimate), std::exp(ratio.interval.low),
+                         std::exp(ratio.interval.high), 2);
+}
+
+void AddTests(const char* name, const std::array<IndependenceTest, kNumClocks>& tests,
+              double factor, bool has_persons, Table& table) {
+  for (size_t clock = 0; clock < kNumClocks; ++clock) {
+    const IndependenceTest& test = tests[clock];
+    std::vector<Html> cells = {
+        Text(name),
+        Text(TextOfClock(clock)),
+        Text(FormatFixed(factor * test.observed, 1)),
+        Text(FormatWithRange(factor * test.expected, factor * test.low, factor * test.high, 1)),
+        Text(FormatP(test.p)),
+        Text(FormatFixed(100.0 * test.detectable, 0))};
+    if (has_persons) cells.push_back(Text(FormatOverPersons(test)));
+    table.AddRow(cells);
+  }
+}
+
+Html DrawTests(const IndependenceNull& null) {
+  const Align number = Align::kNumber;
+  const bool has_persons = static_cast<bool>(null.gft[0].over_persons);
+  std::vector<Column> columns = {
+      {"Measure"},
+      {"Times counted"},
+      {"People", number, "mean over the trials"},
+      {"Independent digits", number, "mean, and 95 % of the dealings"},
+      {"p", number, "two-sided"},
+      {"Found [%]", number, "smaller by so much is found in 8 of 10 such studies"}};
+  if (has_persons) columns.push_back({"Ratio over persons", number, "95 % interval"});
+  Table table(
+      "People against digits that move independently: contact times of each digit dealt out anew "
+      "among the trials of one person and condition, 999 times.",
+      columns);
+  AddTests("GFT [ms]", null.gft, MsFromS(1.0), has_persons, table);
+  AddTests("GFT% [%]", null.gft_ratio, 100.0, has_persons, table);
+  return table.ToHtml();
+}
+
+Html DrawSimultaneity(const StudyPageData& data) {
+  if (data.result.CountKept() == 0) return MakeParagraph("No trial counts.");
+  const Answer<IndependenceNull>& null = data.result.statistics.independence;
+  Html html = MakeParagraph(DescribeIndependence(null));
+  if (!null) return html;
+  std::string note =
+      "What all digits share with the clock is no coordination of digits, so three clocks are "
+      "asked and the one that speaks least for a difference decides. The clock's own errors are "
+      "taken out.";
+  if (null->num_incomplete > 0) {
+    note += " " + FormatCount(null->num_incomplete, "trial") +
+            " of those that count lacked the contact of a digit or a clock and took no part.";
+  }
+  return html + DrawTests(*null) + MakeParagraph(note) +
+         Element("p", {}, LinkTo("robot", "The robot's GFT% beside that of people"));
+}
+
+}  // namespace
+
+StudySection simultaneity_study_section() {
+  return {"simultaneity", "People against independent digits", DrawSimultaneity};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,114 @@
+#include "human_study/study/study_freeze.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "human_study/study/study_config.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudyFreeze : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / ("freeze_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    Write("study.yaml",
+          "name: Pilot\nmarkers: {thumb: t, index: i}\nhypotheses: hypotheses.csv\n"
+          "contact: {cutoff_hz: 15}\n");
+    Write("hypotheses.csv", "measure,equal_within\ngrasp_forming_time_s,0.01\n");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void Write(const std::string& name, const std::string& text) {
+    WriteFileAtomically(folder_ / name, text);
+  }
+  void WriteTrials() { Write("trials.csv", "participant,file\n01,a.tsv\n01,b.tsv\n"); }
+  void Freeze() { Write("study.freeze.json", MakeFreeze(folder_ / "study.yaml")); }
+  std::vector<std::string> Deviations(const std::vector<std::string>& settings = {}) {
+    return ListDeviations(LoadStudy(folder_ / "study.yaml", {}, settings));
+  }
+  std::string Fault() {
+    try {
+      LoadStudy(folder_ / "study.yaml");
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      return text.substr(text.find("study.freeze.json"));
+    }
+    return "";
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(StudyFreeze, BeforeTheDataAndNothingChanged) {
+  Freeze();  // there is no trials.csv yet
+  WriteTrials();
+  const Study study = LoadStudy(folder_ / "study.yaml");
+  ASSERT_TRUE(study.freeze);
+  EXPECT_TRUE(study.freeze->deviations.empty());
+  EXPECT_EQ(DescribeFreeze(study), "Choices frozen before any recording (SHA-256 " +
+                                       study.freeze->hash.substr(0, 12) + "): no deviation.");
+  // The same choices have the same bytes; the title is no choice.
+  const std::string before = ReadFile(folder_ / "study.freeze.json");
+  EXPECT_EQ(MakeFreeze(folder_ / "study.yaml"), before);
+  fs::remove(folder_ / "study.freeze.json");
+  EXPECT_FALSE(LoadStudy(folder_ / "study.yaml").freeze);
+}
+
+TEST_F(StudyFreeze, EveryDeviationIsNamedWithBothValues) {
+  WriteTrials();
+  Write("a.tsv", "anything");
+  Freeze();
+  EXPECT_EQ(Deviations({"contact.cutoff_hz=12", "contact.detector=speed"}),
+            (std::vector<std::string>{"contact.cutoff_hz: frozen 15.0, used 12.0",
+                                      "contact.detector: frozen \"auto\", used \"speed\""}));
+  Write("study.yaml",
+        "name: Another title\nmarkers: {thumb: t, index: [i, j]}\nhypotheses: hypotheses.csv\n"
+        "contact: {cutoff_hz: 15}\n");
+  EXPECT_EQ(Deviations(),
+            (std::vector<std::string>{"markers.index.1: frozen nothing, used \"j\""}));
+  Write("hypotheses.csv", "measure,equal_within\ngrasp_forming_time_s,0.02\n");
+  const std::vector<std::string> two = Deviations();
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(two[1].find("table hypotheses: frozen SHA-256 "), 0u) << two[1];
+  const std::string text = DescribeFreeze(LoadStudy(folder_ / "study.yaml"));
+  EXPECT_EQ(text.find("Choices frozen when 1 recording was there already (SHA-256 "), 0u) << text;
+  EXPECT_NE(text.find("): 2 deviations."), std::string::npos) << text;
+}
+
+TEST_F(StudyFreeze, AFileThatIsNoFreezeOrWasTouchedIsRefused) {
+  WriteTrials();
+  Freeze();
+  const std::string good = ReadFile(folder_ / "study.freeze.json");
+  const std::string none =
+      "study.freeze.json: this is no file of \"graspbench study freeze\"; remove it, or bring the "
+      "frozen one back";
+  for (const char* bad : {"", "{", "[]", "{}", "{\"what\": 1, \"sha256\": \"x\"}"}) {
+    Write("study.freeze.json", bad);
+    EXPECT_EQ(Fault(), none) << bad;
+  }
+  std::string touched = good;
+  touched.replace(touched.find("15.0"), 4, "12.0");
+  Write("study.freeze.json", touched);
+  EXPECT_EQ(Fault(),
+            "study.freeze.json: the frozen choices were changed since they were written (their "
+            "SHA-256 does not fit); bring the frozen file back, or remove it and say so");
+  // Any other byte: refused with a message, or without weight (white space).
+  for (size_t i = 0; i < good.size(); i += 41) {
+    std::string damaged = good;
+    damaged[i] = '\x01';
+    Write("study.freeze.json", damaged);
+    EXPECT_NE(Fault(), "") << i;
+  }
+  Write("study.yaml", "markers: {thumb: t}\n");
+  EXPECT_THROW(MakeFreeze(folder_ / "study.yaml"), Error);
+}
+
+}  // namespace
+}  // namespace graspbench
