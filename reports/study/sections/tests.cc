@@ -184,7 +184,7 @@ Html DrawUntestable(const std::vector<MeasureStatistics>& measures) {
     std::vector<StatisticRow> rows = ListConditionTests(statistics);
     for (const StatisticRow& row : ListTrends(statistics)) rows.push_back(row);
     if (HasAnswer(rows)) return {};
-    for (const std::string& reason : ListNotes(rows)) {
+    for (const std::string& reason : ListNotes(rows, statistics.table.factors)) {
       if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
         reasons.push_back(reason);
       }
