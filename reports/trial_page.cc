@@ -48,6 +48,11 @@ Html DrawResult(const DrawnTrial& data) {
 }
 
 Html DrawPictures(const DrawnTrial& data) {
+  if (!data.course.empty()) {
+    return Element(
+        "p", {},
+        Text("All phases stand in pictures under ") + LinkTo("course", "Course") + Text("."));
+  }
   if (data.record.result.snapshots.empty()) {
     return Element("p", {{"class", "missing"}}, "The trial ended before its first picture.");
   }
