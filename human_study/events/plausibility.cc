@@ -91,6 +91,32 @@ std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
                        is_large ? median : largest, kTypical, likely)}};
 }
 
+std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits) {
+  constexpr double kNearOrigin = 0.15, kTravel = 0.05;  // [m]; no reach ends so near its start
+  double farthest = 0.0;
+  Vector3d low = Vector3d::Constant(INFINITY), high = -low;
+  for (size_t i = 0; i < digits.front().tip.size(); ++i) {
+    Vector3d middle = Vector3d::Zero();
+    bool shows_all = true;
+    for (const DigitTrack& digit : digits) {
+      shows_all = shows_all && digit.tip.IsValid(i);
+      middle += digit.tip.p.col(static_cast<Column>(i)) / static_cast<double>(digits.size());
+    }
+    if (!shows_all) continue;
+    farthest = std::max(farthest, middle.norm());
+    low = low.cwiseMin(middle);
+    high = high.cwiseMax(middle);
+  }
+  const double travel = (high - low).norm();
+  if (!(farthest > 0.0 && farthest < kNearOrigin && travel < kTravel)) return {};
+  return {
+      {"hand_centred",
+       fmt::format("the digits' middle stays within {:.0f} mm of the origin and moves {:.0f} mm: "
+                   "the places are counted from the hand itself, so that its reach is not in "
+                   "them. Record in a frame that stands still",
+                   MmFromM(farthest), MmFromM(travel))}};
+}
+
 std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts,
                                   const PlausibilityOptions& options) {
   constexpr double kInside = 1e-3;    // no marker's middle is nearer to what its skin touches [m]

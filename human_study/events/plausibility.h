@@ -10,6 +10,8 @@ the numbers; none repairs anything.
   other_lift_axis: the object moves far, but not along the stated direction of the lift; names the
     likely one (recordings with y up).
   wrong_unit: the digits are as far apart as no hand's; names the unit that would explain it.
+  hand_centred: the hand's middle stays at the origin of its own coordinates (landmarks of a camera
+    that count from the hand): its reach is not in them.
   wrong_shape: in the hold the markers lie inside the stated solid, or all are farther from it than
     from any skin they could sit on (than the given pad offsets explain).
   contact_after_end: a contact later after the end of the movement than a limit, unless the object
@@ -60,6 +62,10 @@ struct Doubt {
 
 /** Doubt about the unit of length. */
 std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits);
+
+/** Doubt about what the places are counted from: the middle of the digits stays within 0.15 m of the
+origin and within 0.05 m of its own place in every sample that shows all digits. */
+std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits);
 
 /** Doubt about the object's shape, from where the markers are in the hold. */
 std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts,

@@ -265,6 +265,9 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
   TrialAnalysis analysis;
   analysis.trial_doubts = FindWrongUnit(trial.digits);
+  for (Doubt& doubt : FindHandCentred(trial.digits)) {
+    analysis.trial_doubts.push_back(std::move(doubt));
+  }
 
   ObjectTravel travel;
   if (trial.object.IsRecorded()) {

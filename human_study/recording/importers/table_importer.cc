@@ -131,6 +131,34 @@ void SettleChannels(const ImportSource& source, Recording& recording) {
   for (AnalogChannel& channel : recording.analog) channel.rate = recording.rate;
 }
 
+/** MediaPipe's image landmarks are shares of a picture, with depths from the wrist's: whatever unit
+the mapping states, they are no lengths. */
+void RefuseImageLandmarks(const ImportSource& source, const Recording& recording) {
+  constexpr float kNone = 1e-5f, kSome = 1e-4f;
+  const RecordedPoint* wrist = nullptr;
+  bool within_picture = recording.num_frames > 0, has_depth = false;
+  for (const RecordedPoint& point : recording.points) {
+    if (point.label == "wrist") wrist = &point;
+    for (size_t i = 0; i < point.states.size(); ++i) {
+      if (point.states[i] == SampleState::kInvalid) continue;
+      const float* const p = &point.xyz[3 * i];
+      within_picture =
+          within_picture && std::min(p[0], p[1]) > -0.5f && std::max(p[0], p[1]) < 1.5f;
+      has_depth = has_depth || std::abs(p[2]) > kSome;
+    }
+  }
+  if (wrist == nullptr || !within_picture || !has_depth) return;
+  for (size_t i = 0; i < wrist->states.size(); ++i) {
+    if (wrist->states[i] == SampleState::kInvalid) continue;
+    if (std::abs(wrist->xyz[3 * i + 2]) > kNone) return;
+  }
+  throw Error(ErrorKind::kFormat,
+              source.name +
+                  ": these are landmarks of an image (the wrist's z is 0 in every row, x and y lie "
+                  "within a picture): shares of its width, not lengths. Place them by a depth "
+                  "camera or by two cameras first");
+}
+
 /** Exactly one of the table's trials was read. */
 void CheckTrial(const ImportSource& source, const ImportOptions& options,
                 const std::vector<std::string>& trials, const Recording& recording) {
@@ -207,6 +235,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   }
   SettleTimes(std::move(times), first_line, source.name, recording);
   SettleChannels(source, recording);
+  RefuseImageLandmarks(source, recording);
   return recording;
 }
 

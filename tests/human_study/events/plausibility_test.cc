@@ -57,6 +57,28 @@ TEST(FindWrongUnit, NamesTheUnitThatWouldExplainTheHand) {
   EXPECT_NE(doubts(1e-3)[0].text.find("metres read as millimetres"), std::string::npos);
 }
 
+TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
+  const std::vector<double> times = MakeTimes(0, 1, 100);
+  const auto doubts = [&](double reach, const Vector3d& place) {
+    std::vector<DigitTrack> digits(2);
+    for (size_t d = 0; d < 2; ++d) {
+      const double side = d == 0 ? -1.0 : 1.0;
+      digits[d].tip = SamplePath(times, [&](double t) {
+        return Vector3d(place + Vector3d(side * (0.03 + 0.02 * std::sin(3.0 * t)), reach * t, 0));
+      });
+    }
+    HideSamples(digits[1].tip, 0.2, 0.3);
+    return FindHandCentred(digits);
+  };
+  ASSERT_EQ(doubts(0.01, Vector3d(0, 0.05, 0)).size(), 1u);
+  EXPECT_EQ(doubts(0.01, Vector3d(0, 0.05, 0))[0].code, "hand_centred");
+  EXPECT_NE(
+      doubts(0.01, Vector3d(0, 0.05, 0))[0].text.find("within 60 mm of the origin and moves 10"),
+      std::string::npos);
+  EXPECT_TRUE(doubts(0.3, Vector3d(0, 0, 0)).empty());     // reaches through the origin
+  EXPECT_TRUE(doubts(0.01, Vector3d(0.4, 0, 0)).empty());  // rests elsewhere: no landmark's frame
+}
+
 TEST(FindWrongShape, MarkersInsideTheSolidAndFarFromItAreNamed) {
   const auto text = [](double first, double second, bool has_pad_offset) -> std::string {
     std::vector<DigitContactEvents> contacts(2);

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 
+#include "core/base/files.h"
 #include "human_study/recording/importers/table_mapping.h"
 #include "tests/human_study/recording/synthetic_recording.h"
 
@@ -354,6 +356,44 @@ TEST(Table, WithoutAHeadingColumnsAreNumbered) {
             "file:1: the first row holds numbers, not the names of columns (a, b, c, t, n, o); for "
             "a table without a heading the mapping says heading: false and numbers the columns "
             "from 1");
+}
+
+/** Rows of 21 landmarks; `place` gives x, y, z of one. */
+template <class Place>
+std::string MakeLandmarks(const Place& place) {
+  std::string text = "time_s";
+  for (int i = 0; i < 21; ++i) {
+    for (const char* axis : {"x", "y", "z"}) text += "," + (axis + std::to_string(i));
+  }
+  for (int row = 0; row < 3; ++row) {
+    text += "\n" + std::to_string(0.05 * row);
+    for (int i = 0; i < 21; ++i) {
+      for (const double value : place(row, i)) text += "," + std::to_string(value);
+    }
+  }
+  return text + "\n";
+}
+
+TEST(Table, TheShippedMappingReadsMediaPipesLandmarksAndRefusesThoseOfAnImage) {
+  ImportOptions options;
+  options.mapping = FindDataRoot() / "human_study/examples/mediapipe/columns.yaml";
+  const auto in_space = [](int row, int i) {
+    return std::array<double, 3>{0.01 * i, 0.1 * row, 0.6 - 0.01 * i};
+  };
+  const Recording read = ImportBytes(MakeLandmarks(in_space), "table", options);
+  EXPECT_NEAR(read.rate, 20.0, 1e-6);
+  ASSERT_EQ(read.points.size(), 21u);
+  EXPECT_NEAR((read.FindPoint("little_tip").Position(2) - Eigen::Vector3d(0.2, 0.2, 0.4)).norm(),
+              0.0, 1e-6);
+  EXPECT_NEAR(read.FindPoint("thumb_tip").Position(0).x(), 0.04, 1e-6);
+  // Shares of the picture; the wrist's depth is 0 by definition.
+  const auto in_image = [](int row, int i) {
+    return std::array<double, 3>{0.3 + 0.01 * i, 0.5 + 0.05 * row, -0.005 * i};
+  };
+  EXPECT_EQ(ImportFault(MakeLandmarks(in_image), "table", options),
+            "file: these are landmarks of an image (the wrist's z is 0 in every row, x and y lie "
+            "within a picture): shares of its width, not lengths. Place them by a depth camera or "
+            "by two cameras first");
 }
 
 std::string N3d(int num_frames, int num_values = 3) {
