@@ -41,6 +41,9 @@ void WritePaper(const ReportOptions& options, const fs::path& page) {
 }
 
 void Report(const ReportOptions& options) {
+  for (const fs::path& folder : {options.paper, options.out}) {
+    if (!folder.empty()) CheckOutsideResults(folder);
+  }
   if (!options.paper.empty()) {
     CheckOutputFolder({options.paper, "paper", options.replace, {options.folder}});
   }

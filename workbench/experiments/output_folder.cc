@@ -71,14 +71,6 @@ fs::path FindResultAround(fs::path folder) {
   return {};
 }
 
-/** Of what is written, only the result itself belongs into its folder. */
-void CheckSurroundings(const fs::path& name, const fs::path& place) {
-  const fs::path result = FindResultAround(place.parent_path());
-  if (result.empty()) return;
-  Refuse(name, "is inside \"" + result.string() +
-                   "\", which holds a result of graspbench and nothing else; name another place");
-}
-
 void CheckPlace(const OutputRequest& request, const fs::path& place) {
   const char* home = std::getenv("HOME");
   if (home && *home && place == FindPlace(home)) {
@@ -91,7 +83,6 @@ void CheckPlace(const OutputRequest& request, const fs::path& place) {
   if (IsWithin(fs::current_path(), place)) {
     Refuse(request.folder, "is the folder you are in; name a new folder for the results");
   }
-  CheckSurroundings(request.folder, place);
   for (const fs::path& input : request.inputs) {
     if (input.empty() || !fs::exists(input)) continue;
     if (IsWithin(FindPlace(input), place)) {
@@ -248,6 +239,13 @@ void CheckOutputFolder(const OutputRequest& request) {
   CheckContent(request, place);
 }
 
+void CheckOutsideResults(const fs::path& path) {
+  const fs::path result = FindResultAround(FindPlace(path).parent_path());
+  if (result.empty()) return;
+  Refuse(path, "is inside \"" + result.string() +
+                   "\", which holds a result of graspbench and nothing else; name another place");
+}
+
 void CheckOutputFile(const fs::path& file) {
   CheckName(file);
   const fs::file_status status = fs::symlink_status(file);
@@ -262,7 +260,7 @@ void CheckOutputFile(const fs::path& file) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     Refuse(file, "cannot be written: no permission for \"" + folder.string() + "\"");
   }
-  CheckSurroundings(file, FindPlace(file));
+  CheckOutsideResults(file);
 }
 
 void WriteOutputFile(const fs::path& file, const std::string& content) {

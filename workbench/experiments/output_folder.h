@@ -7,8 +7,7 @@ A folder is graspbench's when it holds a mark: the frozen configuration of what 
 and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder
 that is not there or empty; a whole result may take the place of an older one of its kind whose
 files are all listed and unchanged. Everything else is refused and named: foreign or changed files,
-an existing file, an empty name, the home folder, a mount point, a folder that holds an input, and
-whatever is inside of a result.
+an existing file, an empty name, the home folder, a mount point, a folder that holds an input.
 
 A new folder is filled beside the target, in .<name>.part-<process>, and swapped in when it is
 complete, so that the target holds the old result, the new one, or nothing. What a killed program
@@ -33,6 +32,9 @@ void CheckOutputFolder(const OutputRequest& request);
 
 /** For what copies its input. @throws Error(kUsage) when `folder` is `input` or lies in it. */
 void CheckOutside(const std::filesystem::path& folder, const std::filesystem::path& input);
+/** Into a result's folder goes only what belongs to the result: no file or folder that a person
+names. @throws Error(kUsage) for a place inside of one. */
+void CheckOutsideResults(const std::filesystem::path& path);
 
 /** A single file is written only where none is, outside of results. @throws Error(kUsage). */
 void CheckOutputFile(const std::filesystem::path& file);
