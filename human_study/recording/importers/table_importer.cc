@@ -173,6 +173,22 @@ void CheckTrial(const ImportSource& source, const ImportOptions& options,
   }
 }
 
+void CheckTrialIsNamed(const TableMapping& mapping, const ImportOptions& options) {
+  if (!mapping.trial.empty() || options.trial.empty()) return;
+  throw Error(ErrorKind::kUsage, "--trial " + options.trial +
+                                     " was asked for, but the mapping names no column \"trial\"");
+}
+
+/** From the start, behind the heading. */
+LineReader OpenRows(std::istream& stream, const std::string& file, bool has_heading) {
+  stream.clear();
+  stream.seekg(0);
+  LineReader reader(stream, file);
+  std::string_view line;
+  if (has_heading) reader.Next(line);
+  return reader;
+}
+
 Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
                        const TableMapping& mapping) {
   Recording recording;
@@ -186,16 +202,10 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   heading.Check(head);
   SetLengthUnit(recording, mapping.unit.empty() ? options.unit : mapping.unit, "mapping");
   if (mapping.rate > 0) recording.rate = mapping.rate;
-  if (trial == kNoColumn && !options.trial.empty()) {
-    throw Error(ErrorKind::kUsage, "--trial " + options.trial +
-                                       " was asked for, but the mapping names no column \"trial\"");
-  }
+  CheckTrialIsNamed(mapping, options);
 
-  source.stream.clear();
-  source.stream.seekg(0);
-  LineReader reader(source.stream, source.name);
+  LineReader reader = OpenRows(source.stream, source.name, mapping.has_heading);
   std::string_view line;
-  if (mapping.has_heading) reader.Next(line);
   Cells cells;
   std::vector<double> times;
   std::vector<std::string> trials;
@@ -317,11 +327,8 @@ std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
   const size_t column = heading.Find(mapping.trial);
   heading.Check(reader);
   std::vector<std::string> trials;
-  stream.clear();
-  stream.seekg(0);
-  LineReader rows(stream, table.string());
+  LineReader rows = OpenRows(stream, table.string(), mapping.has_heading);
   std::string_view line;
-  if (mapping.has_heading) rows.Next(line);
   Cells cells;
   while (column != kNoColumn && rows.Next(line)) {
     SplitRow(line, heading.delimiter(), cells);
