@@ -135,7 +135,7 @@ TEST(StudyReport, OnePersonGetsASentenceNotAWall) {
   EXPECT_EQ(CountOf(tests, "n/a"), 0);
   EXPECT_EQ(CountOf(SectionText(page, "measures"), "n/a"), 0);
   EXPECT_EQ(CountOf(SectionText(page, "openings"), "n/a"), 0);
-  ExpectContains(tests, "Each person's line over diameter_m");
+  ExpectContains(tests, "Each person's line over diameter, in SI units");
   EXPECT_EQ(SectionText(page, "tests").find("mixed model draws"), std::string::npos);
   EXPECT_EQ(CountOf(SectionText(MakeStudyReport(SmallStudy(), nullptr), "tests"),
                     "No measure can be tested"),
