@@ -49,15 +49,17 @@ ClaimVerdict Join(ClaimVerdict a, ClaimVerdict b) {
 std::string FormatScenes(int count) { return FormatCount(count, "scene"); }
 
 ThesisClaim JudgeSimultaneity(const Campaign& campaign) {
-  ThesisClaim claim = {"simultaneous", "Good grasps touch simultaneously.", 0.0, {}};
+  ThesisClaim claim = {
+      "simultaneous", "simultaneity", "Good grasps touch simultaneously.", 0.0, {}};
   bool is_shown = false, is_weak = true;
   for (const SimultaneityRelation& row : SummariseSimultaneity(campaign.benchmark)) {
     const std::string response = row.response->shown.id;
     if (row.measure != "gft_ratio" || (response != "success" && response != "sigma_n")) continue;
     if (!row.relation || !row.relation->interval) continue;
     const Interval& interval = *row.relation->interval;
-    claim.evidence.push_back({row.hand + ", GFT% with " + response, row.relation->correlation,
-                              interval, FormatCount(row.relation->num_pairs, "trial")});
+    claim.evidence.push_back(
+        {row.hand, response == "success" ? "GFT% with success" : "GFT% with sigma",
+         row.relation->correlation, interval, FormatCount(row.relation->num_pairs, "trial")});
     is_shown = is_shown || IsBelow(interval, 0.0);
     is_weak = is_weak && interval.low > -kWeakCorrelation;
   }
@@ -75,7 +77,8 @@ ClaimEvidence MeasureStep(const char* measure, const Scenes& scenes, Variant bef
   const StepEffect effect =
       CalcStepEffect(FindVariantMeasure(measure), scenes, before, after, hand);
   ClaimEvidence evidence;
-  evidence.label = (hand.empty() ? "all hands" : hand) + ", " + measure;
+  evidence.hand = hand;
+  evidence.what = measure;
   evidence.counted = FormatScenes(effect.num_scenes);
   if (effect.num_scenes > 0) evidence.value = effect.plain_ratio();
   if (effect.ratio) {
@@ -99,9 +102,9 @@ ThesisClaim JudgeStep(ThesisClaim claim, const char* measure, int sign, const Sc
 }
 
 ThesisClaim JudgeBetter(const Scenes& scenes) {
-  ThesisClaim claim =
-      JudgeStep({"better", "Optimised grasps are better, on very different hands.", 1.0, {}},
-                "breaking", 1, scenes, kStandardGrasp, kNewTarget);
+  ThesisClaim claim = JudgeStep(
+      {"better", "both steps", "Optimised grasps are better, on very different hands.", 1.0, {}},
+      "breaking", 1, scenes, kStandardGrasp, kNewTarget);
   const PairedCounts counts = CountPairedSuccesses(scenes, kStandardGrasp, kNewTarget);
   if (counts.num_pairs() == 0) return claim;
   const Interval success = CalcPairedDifferenceInterval(counts);
@@ -109,7 +112,8 @@ ThesisClaim JudgeBetter(const Scenes& scenes) {
   const double held = counts.both + counts.first_only;
   const double per_point = held > 0.0 ? counts.num_pairs() / held : kUnset;
   const int gained = counts.second_only - counts.first_only;
-  claim.evidence.push_back({"all hands, success",
+  claim.evidence.push_back({"",
+                            "success",
                             1.0 + per_point * gained / counts.num_pairs(),
                             {1.0 + per_point * success.low, 1.0 + per_point * success.high},
                             FormatCount(counts.num_pairs(), "pair")});
@@ -123,7 +127,7 @@ ThesisClaim JudgeBetter(const Scenes& scenes) {
 
 /** Of the scenes in which a new target was taken: both change, and alike. */
 ThesisClaim JudgeSigma(const Scenes& scenes) {
-  ThesisClaim claim = {"sigma", "Sigma says what breaks a grasp.", 0.5, {}};
+  ThesisClaim claim = {"sigma", "sigma", "Sigma says what breaks a grasp.", 0.5, {}};
   int num_alike = 0, num_changed = 0;
   for (const SceneVariants& scene : scenes) {
     const auto step = scene.scene->result.find("target_step");
@@ -142,8 +146,7 @@ ThesisClaim JudgeSigma(const Scenes& scenes) {
   }
   if (num_changed == 0) return claim;
   const Interval interval = CalcWilsonInterval(num_alike, num_changed);
-  claim.evidence.push_back({"share of scenes in which both change alike",
-                            CalcShare(num_alike, num_changed), interval,
+  claim.evidence.push_back({"", "both change alike", CalcShare(num_alike, num_changed), interval,
                             FormatScenes(num_changed)});
   claim.verdict = JudgeInterval(interval, claim.neutral, 1);
   return claim;
@@ -170,14 +173,20 @@ PairedCounts CountPairedSuccesses(const Scenes& scenes, Variant a, Variant b,
 }
 
 std::vector<ThesisClaim> JudgeThesis(const Campaign& campaign, const Scenes& scenes) {
-  return {
-      JudgeSimultaneity(campaign),
-      JudgeStep(
-          {"learned", "A pre-grasp can be learned from which the digits touch together.", 1.0, {}},
-          "GFT%", -1, scenes, kStandardGrasp, kNewPreGrasp),
-      JudgeStep({"thumb", "The thumb's target posture decides how firmly a grasp holds.", 1.0, {}},
-                "breaking/grip", 1, scenes, kNewPreGrasp, kNewTarget),
-      JudgeBetter(scenes), JudgeSigma(scenes)};
+  return {JudgeSimultaneity(campaign),
+          JudgeStep({"learned",
+                     "step 1",
+                     "A pre-grasp can be learned from which the digits touch together.",
+                     1.0,
+                     {}},
+                    "GFT%", -1, scenes, kStandardGrasp, kNewPreGrasp),
+          JudgeStep({"thumb",
+                     "step 2",
+                     "The thumb's target posture decides how firmly a grasp holds.",
+                     1.0,
+                     {}},
+                    "breaking/grip", 1, scenes, kNewPreGrasp, kNewTarget),
+          JudgeBetter(scenes), JudgeSigma(scenes)};
 }
 
 }  // namespace graspbench

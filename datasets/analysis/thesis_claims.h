@@ -42,7 +42,8 @@ inline constexpr ClaimVerdictRow kClaimVerdicts[] = {{ClaimVerdict::kHolds, "hol
 
 /** A number that a verdict rests on. */
 struct ClaimEvidence {
-  std::string label;      ///< "tum, GFT%, after / before"
+  std::string hand;       ///< id; empty: all hands
+  std::string what;       ///< "GFT% with success"
   double value = kUnset;  ///< NaN: there is none
   Interval interval = {kUnset, kUnset};
   std::string counted;  ///< "12 scenes"
@@ -50,6 +51,7 @@ struct ClaimEvidence {
 
 struct ThesisClaim {
   const char* id;        ///< "simultaneous"
+  const char* topic;     ///< in a figure
   const char* sentence;  ///< what is claimed
   double neutral;        ///< a value that says neither
   std::vector<ClaimEvidence> evidence;

@@ -16,8 +16,14 @@ std::string FormatEvidence(const ClaimEvidence& evidence) {
          evidence.counted;
 }
 
+/** "TUM Hand, GFT%". */
+std::string NameEvidence(const ClaimEvidence& evidence, const SessionModels& models) {
+  return (evidence.hand.empty() ? "all hands" : models.NameOfHand(evidence.hand)) + ", " +
+         evidence.what;
+}
+
 /** Each number less what would say neither, so that zero is the line to cross in all of them. */
-Html DrawEvidence(const std::vector<ThesisClaim>& claims) {
+Html DrawEvidence(const std::vector<ThesisClaim>& claims, const SessionModels& models) {
   IntervalPlot plot;
   plot.text.title = "What the verdicts rest on";
   plot.text.description = "One row per number with its 95 % interval, grouped by claim.";
@@ -25,12 +31,12 @@ Html DrawEvidence(const std::vector<ThesisClaim>& claims) {
   int series = 0;
   for (const ThesisClaim& claim : claims) {
     IntervalPlot::Row heading;
-    heading.label = claim.sentence;
+    heading.label = claim.topic;
     heading.is_heading = true;
     plot.rows.push_back(heading);
     for (const ClaimEvidence& evidence : claim.evidence) {
       IntervalPlot::Row row;
-      row.label = evidence.label;
+      row.label = NameEvidence(evidence, models);
       row.series = series;
       row.value = evidence.value - claim.neutral;
       row.low = evidence.interval.low - claim.neutral;
@@ -52,20 +58,20 @@ Html DrawClaims(const CampaignData& data) {
     return MakeParagraph("No scene has trials of all three variants yet, so nothing is decided.");
   }
   const std::vector<ThesisClaim> claims = JudgeThesis(data.campaign, data.scenes);
-  Table table("The thesis's claims and what these trials say of them.",
-              {{"Claim", Align::kProse},
-               {"ClaimVerdict"},
-               {"Evidence, with 95 % intervals", Align::kProse}});
+  Table table(
+      "The thesis's claims and what these trials say of them.",
+      {{"Claim", Align::kProse}, {"Verdict"}, {"Evidence, with 95 % intervals", Align::kProse}});
   for (const ThesisClaim& claim : claims) {
     std::string text;
     for (const ClaimEvidence& evidence : claim.evidence) {
-      text += (text.empty() ? "" : "; ") + evidence.label + " " + FormatEvidence(evidence);
+      text += (text.empty() ? "" : "; ") + NameEvidence(evidence, data.models) + " " +
+              FormatEvidence(evidence);
     }
     table.AddRow({Text(claim.sentence), Text(NameOf(claim.verdict)),
                   Text(text.empty() ? "too few trials" : text)},
                  std::string("claim-") + claim.id);
   }
-  return table.ToHtml() + DrawEvidence(claims) +
+  return table.ToHtml() + DrawEvidence(claims, data.models) +
          MakeParagraph(
              "A claim about a step holds when the interval of its factor, over all scenes and for "
              "each hand alone, lies on the claimed side of 1, and does not hold when one lies on "
