@@ -7,10 +7,10 @@
 #include <set>
 
 #include "core/base/config.h"
+#include "core/base/data_table.h"
+#include "core/base/delimited_text.h"
 #include "core/base/files.h"
-#include "human_study/recording/importers/delimited_text.h"
 #include "human_study/study/study_keys.h"
-#include "human_study/study/study_table.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -150,7 +150,7 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
   CheckAnalysis(config.analysis, out_of_range.empty(), check);
 }
 
-std::vector<Factor> ReadFactors(const StudyConfig& config, StudyTable& table) {
+std::vector<Factor> ReadFactors(const StudyConfig& config, DataTable& table) {
   std::vector<Factor> factors;
   for (const std::string& name : config.factors) {
     Factor factor;
@@ -177,7 +177,7 @@ std::vector<Factor> ReadFactors(const StudyConfig& config, StudyTable& table) {
   return factors;
 }
 
-std::vector<PlannedReach> ReadTrials(const Study& study, StudyTable& table, Diagnostics& problems) {
+std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagnostics& problems) {
   static const std::set<std::string> known = {"participant", "trial",   "file",  "table_trial",
                                               "object",      "start_s", "end_s", "remove"};
   table.Require("participant");
@@ -228,7 +228,7 @@ std::vector<PlannedReach> ReadTrials(const Study& study, StudyTable& table, Diag
   return trials;
 }
 
-SurfaceDistance ReadShape(StudyTable& table, size_t row, Diagnostics& problems) {
+SurfaceDistance ReadShape(DataTable& table, size_t row, Diagnostics& problems) {
   const std::string& shape = table.Text(row, "shape");
   const auto fail = [&](const std::string& text) {
     problems.Fail(table.file(), table.LineOfRow(row), text);
@@ -265,7 +265,7 @@ SurfaceDistance ReadShape(StudyTable& table, size_t row, Diagnostics& problems) 
   return {};
 }
 
-std::vector<StudyObject> ReadObjects(StudyTable& table, Diagnostics& problems) {
+std::vector<StudyObject> ReadObjects(DataTable& table, Diagnostics& problems) {
   table.Require("object");
   std::vector<StudyObject> objects;
   for (size_t row = 0; row < table.num_rows(); ++row) {
@@ -287,7 +287,7 @@ std::vector<StudyObject> ReadObjects(StudyTable& table, Diagnostics& problems) {
   return objects;
 }
 
-std::vector<Hypothesis> ReadHypotheses(StudyTable& table, Diagnostics& problems) {
+std::vector<Hypothesis> ReadHypotheses(DataTable& table, Diagnostics& problems) {
   table.Require("measure");
   for (const std::string& column : table.columns()) {
     if (column != "measure" && column != "slope" && column != "equal_within") {
@@ -397,10 +397,10 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings,
   for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
     *lines[digit] = FindConfigLine(root, std::string("markers.") + NameOfDigit(digit));
   }
-  const auto read = [&](const char* key, const std::string& name) -> std::optional<StudyTable> {
+  const auto read = [&](const char* key, const std::string& name) -> std::optional<DataTable> {
     const fs::path table = study.folder / name;
     try {
-      return StudyTable(ReadFile(table), table.string(), problems);
+      return DataTable(ReadFile(table), table.string(), problems);
     } catch (const Error& error) {
       problems.Fail(study.file, FindConfigLine(root, key), std::string(key) + ": " + error.what());
       return std::nullopt;

@@ -3,12 +3,12 @@
 #include <set>
 
 #include "core/base/config.h"
+#include "core/base/data_table.h"
 #include "core/base/files.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "human_study/study/study_config.h"
-#include "human_study/study/study_table.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ Json HashTables(const StudyConfig& config, const fs::path& folder) {
 int CountRecordings(const fs::path& trials, const fs::path& recordings) {
   if (!fs::exists(trials)) return 0;
   Diagnostics problems;
-  const StudyTable table(ReadFile(trials), trials.string(), problems);
+  const DataTable table(ReadFile(trials), trials.string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be frozen");
   std::set<std::string> present;
   for (size_t row = 0; row < table.num_rows(); ++row) {

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <map>
 
+#include "core/base/data_table.h"
 #include "core/base/files.h"
 #include "core/statistics/summary.h"
 #include "human_study/study/demo_study.h"
-#include "human_study/study/study_table.h"
 #include "workbench/program.h"
 
 namespace graspbench {
@@ -34,7 +34,7 @@ std::map<std::string, double> ListTrueGfts(const std::vector<SyntheticTrial>& tr
 std::vector<double> FindErrors(const fs::path& out, const std::vector<SyntheticTrial>& trials) {
   const std::map<std::string, double> truth = ListTrueGfts(trials);
   Diagnostics problems;
-  StudyTable table(ReadFile(out / "measures.csv"), "measures.csv", problems);
+  DataTable table(ReadFile(out / "measures.csv"), "measures.csv", problems);
   std::vector<double> errors;
   for (size_t row = 0; row < table.num_rows(); ++row) {
     const double found = table.Number(row, "grasp_forming_time_s");

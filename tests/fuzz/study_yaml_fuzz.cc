@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/data_table.h"
 #include "core/base/error.h"
 #include "human_study/study/study_config.h"
-#include "human_study/study/study_table.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     GRASPBENCH_DEMAND(!config.markers.tips.thumb.empty(), "a study without a thumb");
   }
   Diagnostics table_problems;
-  StudyTable table(bytes, "fuzz", table_problems);
+  DataTable table(bytes, "fuzz", table_problems);
   table.Require("participant");
   for (size_t row = 0; row < table.num_rows(); ++row) {
     table.Text(row, "file");

@@ -1,11 +1,11 @@
-#include "human_study/study/study_table.h"
+#include "core/base/data_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "core/base/csv.h"
-#include "human_study/recording/importers/delimited_text.h"
+#include "core/base/delimited_text.h"
 
 namespace graspbench {
 namespace {
@@ -14,7 +14,7 @@ const std::string kEmpty;
 
 }  // namespace
 
-StudyTable::StudyTable(const std::string& text, const std::string& file, Diagnostics& problems)
+DataTable::DataTable(const std::string& text, const std::string& file, Diagnostics& problems)
     : file_(file), problems_(&problems) {
   std::istringstream stream(text);
   LineReader reader(stream, file);
@@ -50,23 +50,23 @@ StudyTable::StudyTable(const std::string& text, const std::string& file, Diagnos
   }
 }
 
-bool StudyTable::Has(const std::string& column) const {
+bool DataTable::Has(const std::string& column) const {
   return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
 
-void StudyTable::Require(const std::string& column) {
+void DataTable::Require(const std::string& column) {
   if (Has(column)) return;
   problems_->Fail(file_, 1,
                   "the column \"" + column + "\" is missing" + SuggestNames(column, columns_));
 }
 
-const std::string& StudyTable::Text(size_t row, const std::string& column) const {
+const std::string& DataTable::Text(size_t row, const std::string& column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found == columns_.end()) return kEmpty;
   return rows_[row].cells[static_cast<size_t>(found - columns_.begin())];
 }
 
-double StudyTable::Number(size_t row, const std::string& column) {
+double DataTable::Number(size_t row, const std::string& column) {
   const std::string& text = Text(row, column);
   if (text.empty()) return std::nan("");
   const std::optional<double> number = ParseFiniteNumber(text);

@@ -1,4 +1,4 @@
-#include "human_study/recording/importers/delimited_text.h"
+#include "core/base/delimited_text.h"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "human_study/recording/importers/import_errors.h"
+#include "core/base/error.h"
 
 namespace graspbench {
 namespace {
@@ -46,12 +46,15 @@ bool LineReader::Next(std::string_view& line) {
 std::string_view LineReader::Require(const std::string& what) {
   std::string_view line;
   if (!Next(line)) {
-    FailAtLine(file_, line_ + 1, "the file ends before " + what);
+    ++line_;
+    Fail("the file ends before " + what);
   }
   return line;
 }
 
-void LineReader::Fail(const std::string& text) const { FailAtLine(file_, line_, text); }
+void LineReader::Fail(const std::string& text) const {
+  throw Error(ErrorKind::kFormat, file_ + ":" + std::to_string(line_) + ": " + text);
+}
 
 void SplitCells(std::string_view line, char delimiter, Cells& cells) {
   cells.clear();

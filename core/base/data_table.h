@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The small tables a person writes beside study.yaml: comma- or tab-separated, a heading, one thing a
+The small tables that a person writes: comma- or tab-separated, a heading, one thing a
 row. Every fault goes into Diagnostics with file and line. */
 
 #include <filesystem>
@@ -11,11 +11,11 @@ row. Every fault goes into Diagnostics with file and line. */
 
 namespace graspbench {
 
-class StudyTable {
+class DataTable {
  public:
   /** Rows with another number of cells than the heading, names given twice and a table without rows
   are problems. `file` is its name in messages. */
-  StudyTable(const std::string& text, const std::string& file, Diagnostics& problems);
+  DataTable(const std::string& text, const std::string& file, Diagnostics& problems);
 
   size_t num_rows() const { return rows_.size(); }
   int LineOfRow(size_t row) const { return rows_[row].line; }
