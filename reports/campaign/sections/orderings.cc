@@ -26,7 +26,9 @@ std::vector<Column> MakeColumns() {
 
 Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
   const TapeCourse course = FindTapeCourse(scene);
-  Table table("Adhesive tape, TUM Hand, power grasp.", MakeColumns());
+  Table table("Adhesive tape, " + models.NameOfHand(scene.hand) +
+                  ", power grasp.",
+              MakeColumns());
   std::string rates;
   for (const CellSummary* cell : scene.cells) {
     rates += (rates.empty() ? "" : ", ") + std::to_string(cell->tally.successes()) + " of " +
@@ -49,18 +51,12 @@ Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
          describe(kStandardGrasp, kNewPreGrasp), course.is_much_firmer);
   AddRow(table, "It is larger again after step 2.", describe(kNewPreGrasp, kNewTarget),
          course.is_firmer_again);
-  return table.ToHtml() +
-         MakeParagraph(
-             "The thesis's standard posture is not known. In the one proposed here index and "
-             "middle "
-             "finger mirror each other, so where the tape stands as expected they come together "
-             "from the start; what parts them is the tape's place, which differs from trial to "
-             "trial, and no pre-grasp can know it.");
+  return table.ToHtml();
 }
 
 Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObject& object) {
   const PropellerCourse course = FindPropellerCourse(scene, hand, object);
-  Table table("Toy propeller, TUM Hand.", MakeColumns());
+  Table table("Toy propeller, " + hand.name + ".", MakeColumns());
   const auto describe = [](const ThumbPlace& place) {
     return "thumb " + FormatFixed(MmFromM(place.height), 1) + " mm above the table's side, " +
            FormatFixed(place.from_blade_deg, 0) + " degrees from the nearest blade";
@@ -71,35 +67,55 @@ Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObje
          describe(course.places[kNewPreGrasp]), course.moves_between_blades);
   AddRow(table, "After step 2 the contacts are on the cube below them.",
          describe(course.places[kNewTarget]), course.ends_on_cube);
-  return table.ToHtml() +
-         MakeParagraph(
-             "The rule that places the hand aims at half the object's height, 25.7 mm, and the "
-             "blades begin at 31 mm: here the thumb meets the cube below the blades from the "
-             "start, where in the thesis only step 2 leads it.");
+  return table.ToHtml();
 }
 
 Html LinkToPictures(const SceneVariants& scene) {
   return Element("p", {}, LinkTo(scene.key, "Pictures and contacts of the three variants"));
 }
 
+/** Where this hand's own postures do not have the fault from which a course of the thesis starts. */
+Html ExplainStart(const std::string& hand, const std::string& object) {
+  if (hand != "tum") return {};
+  if (object == "adhesive_tape") {
+    return MakeParagraph(
+        "The thesis's standard posture is not known. In the one proposed here index and middle "
+        "finger mirror each other, so where the tape stands as expected they come together from "
+        "the start; what parts them is the tape's place, which differs from trial to trial, and no "
+        "pre-grasp can know it.");
+  }
+  return MakeParagraph(
+      "The rule that places the hand aims at half the object's height, 25.7 mm, and the blades "
+      "begin at 31 mm: here the thumb meets the cube below the blades from the start, where in the "
+      "thesis only step 2 leads it.");
+}
+
 Html DrawOrderings(const CampaignData& data) {
-  Html html = MakeParagraph(
-      "Two courses of events are known from the thesis. Means are over the benchmark's trials; "
-      "the thumb's place is that of its pad when the grasp is closed.");
-  if (const SceneVariants* scene = FindScene(data.scenes, "tum", "adhesive_tape")) {
-    html += DrawTape(*scene, data.models) + LinkToPictures(*scene);
-  } else {
-    html += MakeParagraph("The adhesive tape with the TUM Hand is not among the finished scenes.");
+  Html courses;
+  for (const char* hand_id : {"tum", "tum-courses"}) {
+    const auto hand = data.models.FindHand(hand_id);
+    if (const SceneVariants* scene = FindScene(data.scenes, hand_id, "adhesive_tape")) {
+      courses += DrawTape(*scene, data.models) + ExplainStart(hand_id, "adhesive_tape") +
+                 LinkToPictures(*scene);
+    }
+    const auto object = data.models.FindObject("toy_propeller");
+    const SceneVariants* scene = FindScene(data.scenes, hand_id, "toy_propeller");
+    if (scene && hand && object) {
+      courses += DrawPropeller(*scene, *hand, *object) + ExplainStart(hand_id, "toy_propeller") +
+                 LinkToPictures(*scene);
+    }
   }
-  const auto hand = data.models.FindHand("tum");
-  const auto object = data.models.FindObject("toy_propeller");
-  const SceneVariants* scene = FindScene(data.scenes, "tum", "toy_propeller");
-  if (scene && hand && object) {
-    html += DrawPropeller(*scene, *hand, *object) + LinkToPictures(*scene);
-  } else {
-    html += MakeParagraph("The toy propeller with the TUM Hand is not among the finished scenes.");
+  if (courses.empty()) {
+    return MakeParagraph(
+        "Two courses of events are known from the thesis: adhesive tape and toy propeller with the "
+        "TUM Hand. They are not among the finished scenes. The hand tum-courses starts both from "
+        "the faults that the thesis describes.");
   }
-  return html;
+  return MakeParagraph(
+             "Two courses of events are known from the thesis. Means are over the benchmark's "
+             "trials; the thumb's place is that of its pad when the grasp is closed. The hand "
+             "tum-courses starts both from the faults that the thesis describes.") +
+         courses;
 }
 
 }  // namespace

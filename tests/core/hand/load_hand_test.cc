@@ -16,8 +16,9 @@ namespace {
 const std::filesystem::path kGood = std::filesystem::path(TEST_DATA_DIR) / "two_joint_hand";
 
 TEST(LoadHandTest, EveryHandOfTheProjectIsFreeOfProblems) {
-  EXPECT_EQ(ListHands(), (std::vector<std::string>{"shadow", "shadow-developed", "tum",
-                                                   "tum-developed", "tum-original"}));
+  EXPECT_EQ(ListHands(),
+            (std::vector<std::string>{"shadow", "shadow-developed", "tum", "tum-courses",
+                                      "tum-developed", "tum-original"}));
   for (const std::string& id : ListHands()) {
     Diagnostics problems;
     CheckHand(id, problems);
@@ -129,7 +130,7 @@ std::string MessageOf(const std::string& id_or_folder, ErrorKind kind) {
 TEST(LoadHandTest, SaysWhatToGiveInsteadOfAWrongName) {
   EXPECT_EQ(MessageOf("shadw", ErrorKind::kNotFound),
             "no hand and no folder \"shadw\"; did you mean \"shadow\"? Known: shadow, "
-            "shadow-developed, tum, tum-developed, tum-original");
+            "shadow-developed, tum, tum-courses, tum-developed, tum-original");
   const std::string file = (kGood / "hand.urdf").string();
   EXPECT_EQ(MessageOf(file, ErrorKind::kNotFound),
             "\"" + file + "\" is a file; give the folder that holds hand.urdf and hand.yaml");
