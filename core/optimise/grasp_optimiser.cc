@@ -284,11 +284,13 @@ const GripBudgetRow& GripOf(const OptimiseConfig& config) {
 }
 
 int CountLearningTrials(const OptimiseConfig& config) {
+  constexpr double kShareOfPairs = 0.6;  // until a check is decided, in the campaigns run so far
+  constexpr int kNumPreGrasps = 5;       // the standard one and, of six, those that differ
   const OptimiseStepRow& steps = StepsOf(config);
-  const int step1 = (1 + 2 * static_cast<int>(std::size(kWidthChoices))) * config.choice_trials +
-                    2 * config.check_pairs;
+  const int check = static_cast<int>(2.0 * kShareOfPairs * config.check_pairs);
+  const int step1 = kNumPreGrasps * config.choice_trials + check;
   const int step2 = config.evaluations * config.fitness_trials + kNumCandidates * kScreeningTrials +
-                    kNumFinalists * kFinalShare * config.choice_trials + 2 * config.check_pairs;
+                    kNumFinalists * kFinalShare * config.choice_trials + check;
   return (steps.learns_pregrasp ? step1 : 0) + (steps.searches_target ? step2 : 0);
 }
 

@@ -128,7 +128,7 @@ angles rounded as in a grasp file, so that a file holds the very grasp that was 
 StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
                               const StandardGrasp& standard, const std::string& id);
 
-/** How many trials OptimiseGrasp runs at most. */
+/** How many trials OptimiseGrasp will run, about: how soon a check is decided is not known before. */
 int CountLearningTrials(const OptimiseConfig& config);
 
 int CountSuccesses(const std::vector<LearningTrial>& trials);

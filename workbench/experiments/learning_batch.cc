@@ -1,5 +1,6 @@
 #include "workbench/experiments/learning_batch.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "workbench/experiments/worker_pool.h"
@@ -17,13 +18,13 @@ bool RunLearningBatch(const std::vector<LearningTask>& tasks, int num_workers, O
       const LearningTask& task = tasks[i];
       int num_trials = 0;
       task.run(*pool, [&](const LearningRequest& request, const LearningTrial& trial) {
-        ++num_trials;
+        if (++num_trials > task.num_trials) ++num_planned;  // which was an estimate
         board.Count(trial.outcome);
         board.SetBusy(worker, PlannedTrial{"", task.hand, task.object,
                                            task.grasp + "  " + NameOf(request.stage),
                                            request.individual.number});
       });
-      num_planned -= task.num_trials - num_trials;
+      num_planned -= std::max(0, task.num_trials - num_trials);
       board.SetBusy(worker, std::nullopt);
     };
   };

@@ -1,5 +1,6 @@
 #include "workbench/experiments/scene_runner.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/base/config.h"
@@ -166,7 +167,7 @@ OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneCon
     status.busy = {PlannedTrial{"", inputs.hand->id, inputs.object->id,
                                 config.grasp + "  " + NameOf(request.stage),
                                 request.individual.number}};
-    observer.ShowStatus(status, stage.num_trials);
+    observer.ShowStatus(status, std::max(stage.num_trials, status.num_done));
   };
   OptimisedGrasp optimised = RunScene(folder, config, inputs, pool, observe);
   observer.ShowStatus(status, status.num_done);

@@ -213,7 +213,7 @@ TEST(OptimiseGrasp, ChecksOnTrialsThatTheSearchHasNotSeen) {
   }
   for (const int draw : searched) EXPECT_EQ(checked.count(draw), 0u);
   EXPECT_EQ(searched.size(), 2u);
-  EXPECT_LE(num_trials, CountLearningTrials(MakeConfig()));
+  EXPECT_NEAR(num_trials, CountLearningTrials(MakeConfig()), 0.2 * num_trials);
 }
 
 TEST(OptimiseGrasp, AsksTheSameQuestionsForTheSameAnswers) {
