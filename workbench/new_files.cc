@@ -5,11 +5,13 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
+#include "datasets/campaign/real_trials.h"
 #include "datasets/session/session_config.h"
 #include "datasets/session/session_keys.h"
 #include "human_study/study/study_config.h"
@@ -182,9 +184,30 @@ grasps:
 )";
 }
 
+constexpr int kPlannedTrials = 10;  ///< of each variant in a laboratory
+
+/** A laboratory's trials of one scene: to be filled in, or with numbers that nobody has measured. */
+std::string MakeRealTrials(int num_trials, bool is_made_up) {
+  std::string text = "hand,object,variant,trial,success,t_TH_s,t_FF_s,t_MF_s,note\n";
+  for (const VariantRow& variant : kVariants) {
+    for (int trial = 0; trial < num_trials; ++trial) {
+      text += std::string("tum,adhesive_tape,") + variant.name + "," + std::to_string(trial) + ",";
+      if (!is_made_up) {
+        text += ",,,,\n";
+        continue;
+      }
+      const double spread = 0.12 - 0.04 * variant.value + 0.005 * (trial % 4);
+      text += std::string(trial % 5 > variant.value ? "yes" : "no") + ",0.4," +
+              FormatFixed(0.4 + spread, 3) + "," + FormatFixed(0.4 + 0.5 * spread, 3) +
+              ",made up\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
-std::vector<std::string> ListNewKinds() { return {"session", "object", "hand", "study"}; }
+std::vector<std::string> ListNewKinds() { return {"session", "object", "hand", "study", "trials"}; }
 
 std::vector<NewFile> MakeNewFiles(const std::string& kind) {
   if (kind == "session") return {{"session.yaml", MakeSession()}};
@@ -192,6 +215,10 @@ std::vector<NewFile> MakeNewFiles(const std::string& kind) {
   if (kind == "study") {
     return {{"study.yaml", MakeStudy()},
             {"trials.csv", "participant,trial,file,size_m\nP01,1,P01_1.c3d,0.04\n"}};
+  }
+  if (kind == "trials") {
+    return {{"trials.csv", MakeRealTrials(kPlannedTrials, false)},
+            {"made-up-example.csv", MakeRealTrials(kPlannedTrials, true)}};
   }
   GRASPBENCH_DEMAND(kind == "object", kind);
   const TriMesh cube = MakeRoundedBox({0.04, 0.04, 0.04}, 0.0);
@@ -203,6 +230,12 @@ void CheckNewFiles(const std::string& kind, const std::string& folder) {
   if (kind == "object") LoadObject(folder, FieldUse::kLater);
   if (kind == "hand") LoadStandardGrasps(LoadHand(folder));
   if (kind == "study") LoadStudy(folder + "/study.yaml");
+  if (kind == "trials") {
+    const std::string file = folder + "/made-up-example.csv";
+    Diagnostics problems;
+    ReadRealTrials(ReadFile(file), file, problems);
+    problems.ThrowIfErrors(ErrorKind::kFormat, "the example cannot be read");
+  }
 }
 
 }  // namespace graspbench

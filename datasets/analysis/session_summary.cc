@@ -24,16 +24,6 @@ void RaiseTo(double value, double& worst) {
   if (std::isfinite(value) && !(worst >= value)) worst = value;
 }
 
-void Add(const Tally& part, Tally& sum) {
-  sum.planned += part.planned;
-  sum.finished += part.finished;
-  for (size_t i = 0; i < kNumOutcomes; ++i) sum.outcomes[i] += part.outcomes[i];
-  RaiseTo(part.worst_penetration, sum.worst_penetration);
-  RaiseTo(part.worst_energy_residual, sum.worst_energy_residual);
-  sum.num_steps += part.num_steps;
-  sum.num_unconverged += part.num_unconverged;
-}
-
 Tally EmptyTally() {
   Tally tally;
   tally.worst_penetration = tally.worst_energy_residual = std::numeric_limits<double>::quiet_NaN();
@@ -49,8 +39,7 @@ void FinishCell(CellSummary& cell) {
   std::map<std::string, int> orders;
   for (const TrialRecord* record : cell.records) {
     const TrialResult& result = record->result;
-    ++cell.tally.finished;
-    ++cell.tally.outcomes[IndexOf(result.outcome)];
+    cell.tally.Count(result.outcome);
     cell.tally.num_steps += result.num_steps;
     cell.tally.num_unconverged += result.num_unconverged;
     if (IsNumericalFailure(result.outcome)) continue;
@@ -81,6 +70,16 @@ void FinishCell(CellSummary& cell) {
 
 }  // namespace
 
+void AddTally(const Tally& part, Tally& sum) {
+  sum.planned += part.planned;
+  sum.finished += part.finished;
+  for (size_t i = 0; i < kNumOutcomes; ++i) sum.outcomes[i] += part.outcomes[i];
+  RaiseTo(part.worst_penetration, sum.worst_penetration);
+  RaiseTo(part.worst_energy_residual, sum.worst_energy_residual);
+  sum.num_steps += part.num_steps;
+  sum.num_unconverged += part.num_unconverged;
+}
+
 Spread CalcSpread(std::vector<double> values) {
   values.erase(
       std::remove_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }),
@@ -89,6 +88,11 @@ Spread CalcSpread(std::vector<double> values) {
   if (values.empty()) return {0, kNoValue, kNoValue, kNoValue};
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   return {static_cast<int>(values.size()), CalcMedian(values), *lowest, *highest};
+}
+
+void Tally::Count(Outcome outcome) {
+  ++finished;
+  ++outcomes[IndexOf(outcome)];
 }
 
 int Tally::CountOf(Outcome outcome) const { return outcomes[IndexOf(outcome)]; }
@@ -132,7 +136,7 @@ const CellSummary* SessionSummary::FindCell(const std::string& hand, const std::
 Tally SessionSummary::TallyOf(const std::string& hand, const std::string& grasp) const {
   Tally sum = EmptyTally();
   for (const CellSummary& cell : cells) {
-    if (cell.hand == hand && (grasp.empty() || cell.grasp == grasp)) Add(cell.tally, sum);
+    if (cell.hand == hand && (grasp.empty() || cell.grasp == grasp)) AddTally(cell.tally, sum);
   }
   return sum;
 }
@@ -167,7 +171,7 @@ SessionSummary SummariseSession(const Session& session) {
   summary.total = EmptyTally();
   for (CellSummary& cell : summary.cells) {
     FinishCell(cell);
-    Add(cell.tally, summary.total);
+    AddTally(cell.tally, summary.total);
   }
   return summary;
 }

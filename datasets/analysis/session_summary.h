@@ -41,6 +41,7 @@ struct Tally {
   long num_steps = 0;
   long num_unconverged = 0;
 
+  void Count(Outcome outcome);  ///< of one more finished trial
   int CountOf(Outcome outcome) const;
   int successes() const { return CountOf(Outcome::kSuccess); }
   double rate() const;             ///< of success; NaN without a finished trial
@@ -49,6 +50,7 @@ struct Tally {
   Outcome most_frequent_failure() const;
   double share_unconverged() const;  ///< of the steps; NaN without a step
 };
+void AddTally(const Tally& part, Tally& sum);
 
 /** "9 of 10 trials (90.0 %, 95 % interval 59.6 to 98.2 %)" and the interval alone; see
 core/statistics/proportion.h. */

@@ -255,6 +255,7 @@ Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
     campaign.benchmark = LoadSession(folder / "benchmark", on_damage);
   }
   campaign.comparison = LoadComparison(folder, campaign.config);
+  campaign.real = LoadRealTrials(folder);
   return campaign;
 }
 

@@ -14,6 +14,7 @@ search methods are compared over several seeds. Its folder:
                                         scene's new pre-grasp
     summary.csv                         one row per scene and variant, of the benchmark's trials
     comparison.csv                      one row per search: best fitness, evaluations to 90 %
+    real/trials.csv                     a laboratory's own trials (real_trials.h), where there are any
 
 Same promise as for sessions: the same bytes for any number of workers and interruptions, run.json
 and the benchmark's journals of each worker aside. */
@@ -22,6 +23,7 @@ and the benchmark's journals of each worker aside. */
 #include <string>
 #include <vector>
 
+#include "datasets/campaign/real_trials.h"
 #include "datasets/scene/scene_store.h"
 #include "datasets/session/session_store.h"
 
@@ -129,6 +131,7 @@ struct Campaign {
   std::vector<SceneRecord> scenes;
   Session benchmark;  ///< empty plan: not begun
   std::vector<ComparisonRun> comparison;
+  std::vector<RealTrial> real;
   std::vector<Damage> damage;  ///< found and accepted, that of scenes and benchmark too
 };
 /** Everything that is stored, finished or not; hands and objects are not loaded.

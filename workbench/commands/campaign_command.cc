@@ -35,6 +35,7 @@ struct CampaignOptions {
   bool resume = false;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
+  fs::path real;  ///< a laboratory's trials; empty: none given
   std::string out;
 };
 
@@ -65,6 +66,7 @@ ExitCode Run(CampaignOptions options) {
   const fs::path folder = request.folder = FindFolder(options);
   request.num_workers = options.num_workers;
   request.trial_time_limit = options.trial_time_limit;
+  request.real = options.real;
   if (options.plan_only) {
     const int num_scenes = PlanCampaign(folder, *request.config);
     RecordPlanning(folder);
@@ -122,6 +124,11 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("DIR")
       ->default_str("results/campaign-HASH");
   AddResumeOption(command, options->resume);
+  command
+      .add_option("--real", options->real,
+                  "trials with real hands, to stand beside the simulated ones; graspbench new "
+                  "trials DIR writes such a table")
+      ->option_text("FILE.csv");
   AddTrialTimeoutOption(command, options->trial_time_limit);
   command.callback([options, &command, &exit_code] {
     if (options->resume) {

@@ -17,6 +17,9 @@ std::string FindNextCommand(const std::string& kind, const std::string& folder) 
   if (kind == "session") return "run " + QuoteForShell(folder + "/session.yaml");
   if (kind == "object") return "object check " + name;
   if (kind == "hand") return "hand check " + name;
+  if (kind == "trials") {
+    return "campaign --resume --out CAMPAIGN --real " + QuoteForShell(folder + "/trials.csv");
+  }
   return "study run " + QuoteForShell(folder + "/study.yaml") + " --out results/study";
 }
 

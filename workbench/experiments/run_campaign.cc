@@ -32,10 +32,12 @@ class CampaignRun {
         observer_(observer),
         stop_(stop) {
     PlanComparison(config_, scenes_, folder_);  // its names must exist before hours are spent
+    if (!request.real.empty()) ReadReal(request.real);
   }
 
   bool Run() {
     Plan();
+    if (!real_.empty()) KeepRealTrials(folder_, real_);
     return OptimiseScenes() && Benchmark() && Compare();
   }
 
@@ -68,6 +70,14 @@ class CampaignRun {
   }
 
  private:
+  void ReadReal(const fs::path& file) {
+    real_ = ReadFile(file);
+    Diagnostics problems;
+    CheckRealTrials(ReadRealTrials(real_, file.string(), problems), file.string(), inputs_,
+                    problems);
+    problems.ThrowIfErrors(ErrorKind::kFormat, "the trials with real hands cannot be used");
+  }
+
   bool OptimiseScenes() {
     std::vector<LearningTask> tasks;
     for (const CampaignScene& scene : scenes_) {
@@ -148,6 +158,7 @@ class CampaignRun {
   fs::path folder_;
   SessionInputs inputs_;
   std::vector<CampaignScene> scenes_;
+  std::string real_;  ///< the table of real trials; empty: none given
   Observer& observer_;
   const std::atomic<bool>& stop_;
 };
@@ -189,13 +200,18 @@ bool IsSearchFinished(const ComparisonTask& search) {
 int PlanCampaign(const fs::path& folder, const CampaignConfig& config) {
   Observer nobody;
   const std::atomic<bool> stop{false};
-  return CampaignRun({folder, config}, nobody, stop).Plan();
+  CampaignRequest request;
+  request.folder = folder;
+  request.config = config;
+  return CampaignRun(request, nobody, stop).Plan();
 }
 
 int PlanBenchmark(const fs::path& folder) {
   Observer nobody;
   const std::atomic<bool> stop{false};
-  return CampaignRun({folder, std::nullopt}, nobody, stop).PlanBenchmark();
+  CampaignRequest request;
+  request.folder = folder;
+  return CampaignRun(request, nobody, stop).PlanBenchmark();
 }
 
 bool RunCampaign(const CampaignRequest& request, Observer& observer,

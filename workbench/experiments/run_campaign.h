@@ -27,6 +27,8 @@ struct CampaignRequest {
   std::optional<CampaignConfig> config;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
+  /** A laboratory's trials (real_trials.h), in the place of those that are kept; empty: none. */
+  std::filesystem::path real;
 };
 
 /** Makes the folder of a campaign with copies of the user's own inputs, and those of its scenes, or
@@ -40,7 +42,8 @@ int PlanBenchmark(const std::filesystem::path& folder);
 /** Starts or continues a campaign. Stages: optimisation, benchmark, judge and, when searches are
 compared, comparison.
 @returns whether it is finished; else `stop` was set and all finished trials are kept.
-@throws Error(kUsage) for a folder with another campaign; what LoadSessionInputs and the stores
+@throws Error(kFormat) for real trials that cannot be read, before anything runs; Error(kUsage) for
+a folder with another campaign; what LoadSessionInputs and the stores
 throw. */
 bool RunCampaign(const CampaignRequest& request, Observer& observer, const std::atomic<bool>& stop);
 

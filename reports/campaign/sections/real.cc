@@ -1,0 +1,101 @@
+#include "core/base/range_text.h"
+#include "core/base/text.h"
+#include "datasets/analysis/real_comparison.h"
+#include "reports/campaign/campaign_section.h"
+
+namespace graspbench {
+namespace {
+
+std::string FormatCounts(const Tally& tally) {
+  return std::to_string(tally.successes()) + " of " + std::to_string(tally.finished) + " (" +
+         FormatRateInterval(tally) + ")";
+}
+
+Html DrawTotals(const RealComparison& found) {
+  Table table("Success over all scenes of which there are real trials, 95 % intervals in per cent.",
+              {{"Variant"},
+               {"Scenes", Align::kNumber},
+               {"Really", Align::kNumber},
+               {"In the simulation", Align::kNumber}});
+  for (const RealTotal& total : found.totals) {
+    table.AddRow({Text(WordsOf(total.variant)), Text(std::to_string(total.num_scenes)),
+                  Text(FormatCounts(total.real)), Text(FormatCounts(total.simulated))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawAgreements(const RealComparison& found) {
+  Table table(
+      "Does a step change reality as it changes the simulation? Scenes in which both change.",
+      {{"Step"},
+       {"Measure"},
+       {"Scenes", Align::kNumber},
+       {"Alike", Align::kNumber},
+       {"95 % interval [%]", Align::kNumber}});
+  for (const RealAgreement& agreement : found.agreements) {
+    table.AddRow({Text(agreement.step), Text(agreement.measure),
+                  Text(std::to_string(agreement.num_scenes)),
+                  Text(std::to_string(agreement.num_alike)),
+                  Text(FormatRange(100.0 * agreement.share.low, 100.0 * agreement.share.high, 1))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawCells(const RealComparison& found, const CampaignData& data) {
+  const VariantMeasure& gft = FindVariantMeasure("GFT%");
+  Table table("Every scene of which there are real trials.",
+              {{"Scene"},
+               {"Variant"},
+               {"Success, really [95 %]", Align::kNumber},
+               {"In the simulation", Align::kNumber},
+               {"p", Align::kNumber,
+                "that both succeed as often: Fisher's exact test, two-sided, "
+                "not corrected for the number of rows"},
+               {"Median GFT%, really [%]", Align::kNumber,
+                "of the trials in which all digits of "
+                "the grasp touched"},
+               {"Trials with it", Align::kNumber},
+               {"In the simulation [%]", Align::kNumber}});
+  for (const RealCell& cell : found.cells) {
+    const CellSummary& simulated = cell.scene->cell(cell.variant);
+    table.AddRow({LinkTo(cell.scene->key, data.NameOfScene(*cell.scene)),
+                  Text(WordsOf(cell.variant)), Text(FormatCounts(cell.real)),
+                  Text(FormatCounts(simulated.tally)),
+                  Text(cell.success_p < 0.001 ? "< 0.001" : FormatFixed(cell.success_p, 3)),
+                  Text(FormatFixed(gft.unit * cell.median_gft_ratio(), 1)),
+                  Text(std::to_string(cell.gft_ratios.size())),
+                  Text(FormatFixed(gft.unit * CalcCellValue(gft, simulated), 1))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawReal(const CampaignData& data) {
+  const auto num_all = static_cast<int>(data.campaign.real.size());
+  if (num_all == 0) {
+    return MakeParagraph(
+        "There are none. A laboratory that tries the grasps with its own hands fills in the table "
+        "that graspbench new trials DIR writes; graspbench campaign --out DIR --resume --real FILE "
+        "puts it here, beside the simulated trials.");
+  }
+  const RealComparison found = CompareWithReal(data.campaign.real, data.scenes);
+  Html html;
+  if (found.num_made_up > 0) {
+    html += MakeParagraph("Not a measurement: " + std::to_string(found.num_made_up) + " of these " +
+                          FormatCount(num_all, "trial") + " are marked as made up in their notes.");
+  }
+  if (found.num_unmatched > 0) {
+    html += MakeParagraph(FormatCount(found.num_unmatched, "trial") +
+                          " of scenes that are not finished are left out.");
+  }
+  if (found.cells.empty()) return html;
+  return html + DrawTotals(found) + DrawAgreements(found) + DrawCells(found, data) +
+         MakeParagraph(
+             "The table of the laboratory's trials is kept in real/trials.csv. That two success "
+             "rates cannot be told apart by few trials does not mean that they are equal.");
+}
+
+}  // namespace
+
+CampaignSection real_campaign_section() { return {"real", "Trials with real hands", DrawReal}; }
+
+}  // namespace graspbench
