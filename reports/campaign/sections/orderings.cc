@@ -26,9 +26,7 @@ std::vector<Column> MakeColumns() {
 
 Html DrawTape(const SceneVariants& scene, const SessionModels& models) {
   const TapeCourse course = FindTapeCourse(scene);
-  Table table("Adhesive tape, " + models.NameOfHand(scene.hand) +
-                  ", power grasp.",
-              MakeColumns());
+  Table table("Adhesive tape, " + models.NameOfHand(scene.hand) + ", power grasp.", MakeColumns());
   std::string rates;
   for (const CellSummary* cell : scene.cells) {
     rates += (rates.empty() ? "" : ", ") + std::to_string(cell->tally.successes()) + " of " +
@@ -70,8 +68,18 @@ Html DrawPropeller(const SceneVariants& scene, const Hand& hand, const GraspObje
   return table.ToHtml();
 }
 
-Html LinkToPictures(const SceneVariants& scene) {
-  return Element("p", {}, LinkTo(scene.key, "Pictures and contacts of the three variants"));
+/** What became of each step, and the way to the pictures. */
+Html ExplainSteps(const SceneVariants& scene) {
+  std::string decisions;
+  for (const auto& [step, name] :
+       {std::pair("pregrasp_step", "Step 1: "), std::pair("target_step", "Step 2: ")}) {
+    const auto found = scene.scene->result.find(step);
+    if (found != scene.scene->result.end()) {
+      decisions += name + found->at("verdict").get<std::string>() + ". ";
+    }
+  }
+  return Element(
+      "p", {}, Text(decisions) + LinkTo(scene.key, "Pictures and contacts of the three variants"));
 }
 
 /** Where this hand's own postures do not have the fault from which a course of the thesis starts. */
@@ -96,13 +104,13 @@ Html DrawOrderings(const CampaignData& data) {
     const auto hand = data.models.FindHand(hand_id);
     if (const SceneVariants* scene = FindScene(data.scenes, hand_id, "adhesive_tape")) {
       courses += DrawTape(*scene, data.models) + ExplainStart(hand_id, "adhesive_tape") +
-                 LinkToPictures(*scene);
+                 ExplainSteps(*scene);
     }
     const auto object = data.models.FindObject("toy_propeller");
     const SceneVariants* scene = FindScene(data.scenes, hand_id, "toy_propeller");
     if (scene && hand && object) {
       courses += DrawPropeller(*scene, *hand, *object) + ExplainStart(hand_id, "toy_propeller") +
-                 LinkToPictures(*scene);
+                 ExplainSteps(*scene);
     }
   }
   if (courses.empty()) {
