@@ -136,6 +136,7 @@ struct DigitContactEvents {
   /** Something other than the digit's own stop says that it touched: the object's shape or a force.
   Without, a digit that stops off the surface looks like one that touches. */
   bool is_verified = false;
+  bool is_reviewed = false;  ///< a person looked at it: `contact` stays, whatever is believed
   /** Latest minus earliest of the detectors that found one [s]; NaN below two. */
   double disagreement = std::numeric_limits<double>::quiet_NaN();
 };

@@ -35,7 +35,7 @@ bool IsRough(const std::string& detector) {
 }
 
 void AddDisagreement(const DigitContactEvents& digit, double limit, std::vector<Doubt>& doubts) {
-  if (!digit.contact.IsFound()) return;
+  if (!digit.contact.IsFound() || digit.is_reviewed) return;
   const std::vector<ContactDetector>& detectors = ContactDetectorList();
   for (size_t i = 0; i < detectors.size(); ++i) {
     const EventTime& other = digit.by_detector[i];

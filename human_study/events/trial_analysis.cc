@@ -305,7 +305,13 @@ TrialAnalysis AnalyseTrial(const ReachTrial& trial, const AnalysisOptions& optio
 void BelieveDetector(const std::string& detector, const AnalysisOptions& options,
                      TrialAnalysis& analysis) {
   const size_t believed = FindContactDetector(detector);
-  for (DigitContactEvents& digit : analysis.contacts) digit.contact = digit.by_detector[believed];
+  for (DigitContactEvents& digit : analysis.contacts) {
+    if (!digit.is_reviewed) digit.contact = digit.by_detector[believed];
+  }
+  CalcMeasures(options, analysis);
+}
+
+void RecalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
   CalcMeasures(options, analysis);
 }
 

@@ -99,6 +99,9 @@ a second search.
 void BelieveDetector(const std::string& detector, const AnalysisOptions& options,
                      TrialAnalysis& analysis);
 
+/** All measures, after contacts were changed. */
+void RecalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis);
+
 /** Latest of the first contacts [s]; NaN without any. */
 double FindLastContact(const std::vector<DigitContactEvents>& contacts);
 

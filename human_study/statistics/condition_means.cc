@@ -86,4 +86,36 @@ std::vector<PairComparison> ComparePairs(const CellMeans& cells) {
   return pairs;
 }
 
+std::vector<GroupComparison> CompareGroups(const CellMeans& cells) {
+  const Eigen::VectorXd means = cells.means.rowwise().mean();
+  const auto list_means = [&](size_t group, size_t level) {
+    std::vector<double> own;
+    for (size_t person = 0; person < cells.persons.size(); ++person) {
+      if (cells.group_levels[person][group] == level) {
+        own.push_back(means(static_cast<Eigen::Index>(person)));
+      }
+    }
+    return own;
+  };
+  std::vector<GroupComparison> pairs;
+  std::vector<double> p;
+  for (size_t group = 0; group < cells.groups.size(); ++group) {
+    const size_t num_levels = cells.groups[group].levels.size();
+    for (size_t a = 0; a < num_levels; ++a) {
+      for (size_t b = a + 1; b < num_levels; ++b) {
+        GroupComparison pair;
+        pair.group = group;
+        pair.a = a;
+        pair.b = b;
+        pair.test = CalcWelchTest(list_means(group, b), list_means(group, a));
+        p.push_back(pair.test ? pair.test->p : std::numeric_limits<double>::quiet_NaN());
+        pairs.push_back(std::move(pair));
+      }
+    }
+  }
+  const std::vector<double> adjusted = AdjustHolm(p);
+  for (size_t i = 0; i < pairs.size(); ++i) pairs[i].p_holm = adjusted[i];
+  return pairs;
+}
+
 }  // namespace graspbench

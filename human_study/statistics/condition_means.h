@@ -44,4 +44,14 @@ struct PairComparison {
 /** Every pair of cells, in order. */
 std::vector<PairComparison> ComparePairs(const CellMeans& cells);
 
+/** Two levels of a factor between persons, b - a in the means of each person over all cells. */
+struct GroupComparison {
+  size_t group = 0;     ///< factor
+  size_t a = 0, b = 0;  ///< its levels, a < b
+  Answer<WelchTest> test;
+  double p_holm = 1.0;  ///< over all pairs of all such factors; NaN without a test
+};
+
+std::vector<GroupComparison> CompareGroups(const CellMeans& cells);
+
 }  // namespace graspbench

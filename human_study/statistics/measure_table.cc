@@ -58,6 +58,20 @@ Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& r
   return cell;
 }
 
+Answer<std::vector<size_t>> FindGroups(const std::vector<Factor>& groups, const Observation& row) {
+  Observation own = row;
+  own.levels = row.groups;
+  if (own.levels.size() != groups.size()) return FindCell(groups, own).none();
+  std::vector<size_t> levels;
+  for (size_t i = 0; i < groups.size(); ++i) {
+    own.levels = {row.groups[i]};
+    const Answer<size_t> level = FindCell({groups[i]}, own);
+    if (!level) return level.none();
+    levels.push_back(*level);
+  }
+  return levels;
+}
+
 std::vector<std::string> ListCells(const std::vector<Factor>& factors) {
   std::vector<std::string> cells = {""};
   for (const Factor& factor : factors) {
@@ -73,15 +87,19 @@ std::vector<std::string> ListCells(const std::vector<Factor>& factors) {
 }
 
 Answer<CellMeans> CalcCellMeans(const MeasureTable& table) {
-  const std::string fault = FindFactorFault(table.factors);
+  std::vector<Factor> all = table.factors;
+  all.insert(all.end(), table.groups.begin(), table.groups.end());
+  const std::string fault = FindFactorFault(all);
   if (!fault.empty()) return NoAnswer{fault};
   CellMeans result;
   result.factors = table.factors;
   result.cells = ListCells(table.factors);
+  result.groups = table.groups;
   const size_t num_cells = result.cells.size();
 
   std::vector<std::string> persons;
   std::map<std::string, Sums> sums;
+  std::map<std::string, std::vector<size_t>> groups;
   for (const Observation& row : table.rows) {
     const Answer<size_t> cell = FindCell(table.factors, row);
     if (!cell) return cell.none();
@@ -89,6 +107,11 @@ Answer<CellMeans> CalcCellMeans(const MeasureTable& table) {
     auto [entry, is_new] = sums.try_emplace(
         row.person, Sums{std::vector<double>(num_cells, 0.0), std::vector<int>(num_cells, 0)});
     if (is_new) persons.push_back(row.person);
+    const Answer<std::vector<size_t>> own_groups = FindGroups(table.groups, row);
+    if (!own_groups) return own_groups.none();
+    if (groups.try_emplace(row.person, *own_groups).first->second != *own_groups) {
+      return NoAnswer{DescribeRow(row) + " is in another group than the person's other trials"};
+    }
     if (std::isnan(row.value)) {
       ++result.num_missing;
       continue;
@@ -103,6 +126,7 @@ Answer<CellMeans> CalcCellMeans(const MeasureTable& table) {
     const auto empty = std::find(counts.begin(), counts.end(), 0);
     if (empty == counts.end()) {
       result.persons.push_back(person);
+      result.group_levels.push_back(groups.at(person));
     } else {
       result.left_out.push_back(
           {person, "no value in " + result.cells[static_cast<size_t>(empty - counts.begin())]});

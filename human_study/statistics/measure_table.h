@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 What every statistic of a study starts from: one measure, a row a trial, in long ("tidy") form; and
-its mean per person and condition, the unit of analysis of a repeated-measures design. */
+its mean per person and condition, the unit of analysis of a repeated-measures design. Factors vary
+within each person; groups (patients, controls) are factors that do not. */
 
 #include <Eigen/Core>
 #include <limits>
@@ -12,7 +13,7 @@ its mean per person and condition, the unit of analysis of a repeated-measures d
 
 namespace graspbench {
 
-/** What is varied within each person. */
+/** What is varied within each person, or what a person is. */
 struct Factor {
   std::string name;                 ///< "object_width"
   std::vector<std::string> levels;  ///< in the order of tables and figures
@@ -26,6 +27,8 @@ struct Observation {
   std::string trial;                                        ///< label, only carried through
   std::vector<std::string> levels;                          ///< one per factor
   double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: missing
+  std::vector<std::string> groups = {};                     ///< one per group factor
+  std::string session = {};                                 ///< empty: none named
 };
 
 struct MeasureTable {
@@ -34,6 +37,8 @@ struct MeasureTable {
   std::string description;
   std::vector<Factor> factors;
   std::vector<Observation> rows;
+  std::vector<Factor> groups;         ///< factors between persons
+  std::vector<std::string> sessions;  ///< in their order; empty: none are named
 };
 
 /** A person left out, and why: reports must say so. */
@@ -47,6 +52,8 @@ struct CellMeans {
   std::vector<std::string> cells;    ///< "30 mm, left"; the last factor varies fastest
   std::vector<std::string> persons;  ///< those with a value in every cell, in order of appearance
   Eigen::MatrixXd means;             ///< (num_persons x num_cells)
+  std::vector<Factor> groups;        ///< between persons
+  std::vector<std::vector<size_t>> group_levels;  ///< of each person, one per group factor
   std::vector<LeftOut> left_out;
   int num_trials = 0;   ///< with a value
   int num_missing = 0;  ///< without
@@ -54,12 +61,15 @@ struct CellMeans {
 
 /** Averages the trials of each person in each cell. Missing trials are skipped and counted; a
 person without any value in some cell is left out, by name. No answer when nobody is left, the table
-is not a complete design (an unknown level, two factors of the same name, ..) or a value is
-infinite. */
+is not a complete design (an unknown level, two factors of the same name, a person in two groups,
+..) or a value is infinite. */
 Answer<CellMeans> CalcCellMeans(const MeasureTable& table);
 
 /** Index of a row's cell. No answer unless its levels are known. */
 Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& row);
+
+/** Index of each of a row's groups' levels. No answer unless they are known. */
+Answer<std::vector<size_t>> FindGroups(const std::vector<Factor>& groups, const Observation& row);
 
 /** The labels of all combinations of levels, the last factor varying fastest. */
 std::vector<std::string> ListCells(const std::vector<Factor>& factors);

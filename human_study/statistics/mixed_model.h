@@ -4,19 +4,12 @@ A straight line with an intercept and a slope of its own for each person:
 
     y = (beta_0 + b_0p) + (beta_1 + b_1p) x + e,   (b_0p, b_1p) ~ N(0, Psi),   e ~ N(0, sigma^2)
 
-fitted by restricted maximum likelihood; lme4's y ~ x + (x | person). All trials enter, persons may
-have different numbers of them. With Z_p = [1 x], V_p = I + Z_p G Z_p^T, G = Psi / sigma^2, the
-criterion -2 log L with beta and sigma profiled out is
+fitted by restricted maximum likelihood (reml.h); lme4's y ~ x + (x | person). All trials enter,
+persons may have different numbers of them. Where that is singular FitMixedModelLadder goes on to
+uncorrelated intercepts and slopes, x counted from its mean (x || person), then without the one
+whose variance is zero, and says what it took.
 
-    sum log|V_p| + log|C| + (N - 2) (1 + log(2 pi Q / (N - 2))),
-    C = sum Z_p^T V_p^-1 Z_p,   Q = sum r_p^T V_p^-1 r_p
-
-(Bates, Maechler, Bolker and Walker, J. Stat. Softw. 67 (2015)). It is minimised over the Cholesky
-factor of G by Newton steps, which may reach the boundary (a variance of zero, a correlation of 1):
-the fit is then called singular. Degrees of freedom of the fixed effects are Satterthwaite's
-(Kuznetsova, Brockhoff and Christensen, J. Stat. Softw. 82 (2017)), which do not hold there.
-
-Not modelled: further predictors, other groupings. The exported R script is the way to those. */
+Not modelled: further predictors (effects_model.h). The exported R script is the way to others. */
 
 #include <string>
 #include <vector>
@@ -46,7 +39,15 @@ struct PersonEffect {
   double slope = 0.0;
 };
 
+/** What varies between persons. */
+enum class LineStructure { kCorrelated, kUncorrelated, kIntercept, kSlope };
+
+/** For notes: "an intercept and a slope for each person". */
+const char* NameOf(LineStructure structure);
+
 struct MixedModel {
+  LineStructure structure = LineStructure::kCorrelated;
+  std::string fallback;  ///< why the fuller structures were left; empty: none was
   int num_persons = 0;
   int num_observations = 0;
   FixedEffect intercept;
@@ -62,6 +63,11 @@ struct MixedModel {
 
 /** No answer below two persons or with no more observations than two per person, when all x are
 equal, a value is not finite or every person's points lie on a line. */
-Answer<MixedModel> FitMixedModel(const std::vector<PersonPoint>& points);
+Answer<MixedModel> FitMixedModel(const std::vector<PersonPoint>& points,
+                                 LineStructure structure = LineStructure::kCorrelated);
+
+/** The fullest structure that is not singular. No answer as above, and when persons differ in
+neither intercept nor slope. */
+Answer<MixedModel> FitMixedModelLadder(const std::vector<PersonPoint>& points);
 
 }  // namespace graspbench

@@ -59,6 +59,47 @@ Answer<TTest> CalcPairedTTest(const std::vector<double>& a, const std::vector<do
   return CalcTest(differences, 0.0, scale);
 }
 
+Answer<WelchTest> CalcWelchTest(const std::vector<double>& a, const std::vector<double>& b) {
+  // Each group's own mean and spread; the reference does not matter.
+  double scale = 0.0;
+  for (const auto* values : {&a, &b}) {
+    for (const double value : *values) scale = std::fmax(scale, std::abs(value));
+  }
+  std::vector<double> present[2];
+  for (int i = 0; i < 2; ++i) {
+    for (const double value : i == 0 ? a : b) {
+      if (std::isinf(value)) return NoAnswer{"a value is infinite"};
+      if (!std::isnan(value)) present[i].push_back(value);
+    }
+    if (present[i].size() < 2) {
+      return NoAnswer{FormatCount(present[i].size(), "person") +
+                      " with a value in a group; expected 2 or more"};
+    }
+  }
+  const Moments first = CalcMoments(present[0], scale), second = CalcMoments(present[1], scale);
+  if (first.is_constant && second.is_constant) {
+    return NoAnswer{"the values within both groups are equal: no spread to test against"};
+  }
+  const auto n_a = static_cast<double>(present[0].size());
+  const auto n_b = static_cast<double>(present[1].size());
+  const double error_a = first.sum_of_squares / (n_a - 1.0) / n_a;
+  const double error_b = second.sum_of_squares / (n_b - 1.0) / n_b;
+  WelchTest test;
+  test.count_a = static_cast<int>(present[0].size());
+  test.count_b = static_cast<int>(present[1].size());
+  test.difference = first.mean - second.mean;
+  test.standard_error = std::sqrt(error_a + error_b);
+  test.t = test.difference / test.standard_error;
+  test.df = (error_a + error_b) * (error_a + error_b) /
+            (error_a * error_a / (n_a - 1.0) + error_b * error_b / (n_b - 1.0));
+  test.p = CalcStudentTwoSidedP(test.t, test.df);
+  const double half_width = CalcStudentQuantile(0.975, test.df) * test.standard_error;
+  test.interval = {test.difference - half_width, test.difference + half_width};
+  test.d_s = test.difference /
+             std::sqrt((first.sum_of_squares + second.sum_of_squares) / (n_a + n_b - 2.0));
+  return test;
+}
+
 Answer<EquivalenceTest> CalcEquivalence(const Answer<TTest>& test, Interval bounds) {
   if (!test) return test.none();
   if (!(bounds.low < bounds.high)) return NoAnswer{"the lower bound is not below the upper one"};

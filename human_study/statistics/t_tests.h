@@ -34,6 +34,23 @@ Answer<TTest> CalcTTest(const std::vector<double>& values, double reference = 0.
 out. @pre equal sizes. No answer as above. */
 Answer<TTest> CalcPairedTTest(const std::vector<double>& a, const std::vector<double>& b);
 
+/** Two groups of persons, one value a person, whose spread may differ (B. L. Welch, Biometrika 34
+(1947)); a - b. */
+struct WelchTest {
+  int count_a = 0, count_b = 0;  ///< persons with a value
+  double difference = 0.0;
+  double standard_error = 0.0;
+  double t = 0.0;
+  double df = 0.0;    ///< Satterthwaite's
+  double p = 1.0;     ///< two-sided
+  Interval interval;  ///< of the difference, 95 %
+  double d_s = 0.0;   ///< difference / pooled standard deviation
+};
+
+/** NaN is missing. No answer below two values in a group, with an infinite one, or when the values
+of both groups are equal among themselves. */
+Answer<WelchTest> CalcWelchTest(const std::vector<double>& a, const std::vector<double>& b);
+
 /** Two one-sided tests: is the mean surely within the bounds? (Schuirmann, "A comparison of the two
 one-sided tests procedure ..", J. Pharmacokinet. Biopharm. 15 (1987)). */
 struct EquivalenceTest {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <unsupported/Eigen/KroneckerProduct>
 
@@ -25,6 +26,14 @@ MatrixXd MakeHelmert(Eigen::Index num_levels) {
     contrasts.col(k).normalize();
   }
   return contrasts;
+}
+
+/** (num_levels x (num_levels - 1)), as R's contr.sum. */
+MatrixXd MakeEffectCoding(Eigen::Index num_levels) {
+  MatrixXd coding = MatrixXd::Zero(num_levels, num_levels - 1);
+  coding.topRows(num_levels - 1).setIdentity();
+  coding.row(num_levels - 1).setConstant(-1.0);
+  return coding;
 }
 
 /** (num_cells x d); an empty effect gives the scaled mean of all cells. */
@@ -82,6 +91,7 @@ CorrectedF Correct(double f, double epsilon, double df_effect, double df_error) 
   return corrected;
 }
 
+/** @param num_persons  degrees of freedom of the covariance and one. */
 Answer<WithinTest> CalcTest(const WithinEffect& effect, const MatrixXd& covariance, int num_cells,
                             int num_persons) {
   const int d = static_cast<int>(covariance.rows());
@@ -102,15 +112,38 @@ Answer<WithinTest> CalcTest(const WithinEffect& effect, const MatrixXd& covarian
   return test;
 }
 
+/** A combination of groups with fewer than two persons; empty: there is none. */
+std::string FindPoorGroup(const CellMeans& cells) {
+  if (cells.groups.empty()) return "";
+  const std::vector<std::string> names = ListCells(cells.groups);
+  std::vector<int> counts(names.size(), 0);
+  for (const std::vector<size_t>& levels : cells.group_levels) {
+    size_t group = 0;
+    for (size_t i = 0; i < levels.size(); ++i) {
+      group = group * cells.groups[i].levels.size() + levels[i];
+    }
+    ++counts[group];
+  }
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (counts[i] < 2) {
+      return "group \"" + names[i] + "\" has " + FormatCount(counts[i], "person") +
+             " with a value in every condition; expected 2 or more";
+    }
+  }
+  return "";
+}
+
 /** Why there is nothing to compare. */
 std::optional<NoAnswer> FindObstacle(const CellMeans& cells) {
   constexpr size_t kMaxFactors = 8;
-  if (cells.factors.empty()) return NoAnswer{"no factor: nothing to compare"};
-  if (cells.factors.size() > kMaxFactors) {
-    return NoAnswer{std::to_string(cells.factors.size()) + " factors; expected at most " +
+  std::vector<Factor> factors = cells.factors;
+  factors.insert(factors.end(), cells.groups.begin(), cells.groups.end());
+  if (factors.empty()) return NoAnswer{"no factor: nothing to compare"};
+  if (factors.size() > kMaxFactors) {
+    return NoAnswer{std::to_string(factors.size()) + " factors; expected at most " +
                     std::to_string(kMaxFactors)};
   }
-  for (const Factor& factor : cells.factors) {
+  for (const Factor& factor : factors) {
     if (factor.levels.size() < 2) {
       return NoAnswer{"factor \"" + factor.name + "\" has one level: nothing to compare"};
     }
@@ -119,8 +152,62 @@ std::optional<NoAnswer> FindObstacle(const CellMeans& cells) {
   if (num_persons < 2) {
     return NoAnswer{FormatCount(num_persons, "person") + "; expected 2 or more"};
   }
+  const std::string poor_group = FindPoorGroup(cells);
+  if (!poor_group.empty()) return NoAnswer{poor_group};
   return std::nullopt;
 }
+
+/** The persons' groups as effect-coded columns, and which columns belong to which set of groups. */
+class GroupDesign {
+ public:
+  explicit GroupDesign(const CellMeans& cells)
+      : cells_(cells), x_(MatrixXd::Ones(cells.means.rows(), 1)) {
+    columns_[{}] = {0, 1};
+    for (const std::vector<size_t>& effect : ListEffects(cells.groups.size())) {
+      const MatrixXd own = MakeColumns(effect);
+      columns_[effect] = {x_.cols(), own.cols()};
+      x_.conservativeResize(Eigen::NoChange, x_.cols() + own.cols());
+      x_.rightCols(own.cols()) = own;
+    }
+    inverse_ = (x_.transpose() * x_).inverse();
+  }
+
+  int df_error() const { return static_cast<int>(x_.rows() - x_.cols()); }
+  Eigen::Index num_columns(const std::vector<size_t>& effect) const {
+    return columns_.at(effect).second;
+  }
+  MatrixXd CalcResiduals(const MatrixXd& scores) const {
+    return scores - x_ * (inverse_ * (x_.transpose() * scores));
+  }
+  /** Sum of squares of type III. */
+  double CalcSquares(const std::vector<size_t>& effect, const MatrixXd& scores) const {
+    const auto [first, count] = columns_.at(effect);
+    const MatrixXd own = (inverse_ * (x_.transpose() * scores)).middleRows(first, count);
+    const MatrixXd inner = inverse_.block(first, first, count, count);
+    return (own.transpose() * inner.inverse() * own).trace();
+  }
+
+ private:
+  MatrixXd MakeColumns(const std::vector<size_t>& effect) const {
+    MatrixXd columns = MatrixXd::Ones(x_.rows(), 1);
+    for (const size_t group : effect) {
+      const MatrixXd coding =
+          MakeEffectCoding(static_cast<Eigen::Index>(cells_.groups[group].levels.size()));
+      MatrixXd longer(x_.rows(), columns.cols() * coding.cols());
+      for (Eigen::Index person = 0; person < x_.rows(); ++person) {
+        const auto level =
+            static_cast<Eigen::Index>(cells_.group_levels[static_cast<size_t>(person)][group]);
+        longer.row(person) = Eigen::kroneckerProduct(columns.row(person), coding.row(level)).eval();
+      }
+      columns = longer;
+    }
+    return columns;
+  }
+
+  const CellMeans& cells_;
+  MatrixXd x_, inverse_;
+  std::map<std::vector<size_t>, std::pair<Eigen::Index, Eigen::Index>> columns_;
+};
 
 }  // namespace
 
@@ -159,34 +246,38 @@ Answer<WithinAnova> CalcWithinAnova(const CellMeans& cells) {
 
   // The common level carries no information but costs digits.
   const MatrixXd centred = y.array() - y.mean();
-  const double df_person = num_persons - 1.0;
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * y.cwiseAbs().maxCoeff();
   const double negligible = rounding * rounding * static_cast<double>(y.size());
 
+  const GroupDesign design(cells);
+  const size_t num_factors = cells.factors.size();
   WithinAnova anova;
   anova.num_persons = num_persons;
-  anova.ss_person = (centred * MakeContrasts(cells.factors, {})).squaredNorm();
+  anova.ss_person = design.CalcResiduals(centred * MakeContrasts(cells.factors, {})).squaredNorm();
   double ss_error_of_all = 0.0;
-  for (const std::vector<size_t>& factors : ListEffects(cells.factors.size())) {
+  for (const std::vector<size_t>& members : ListEffects(num_factors + cells.groups.size())) {
     WithinEffect effect;
-    effect.factors = factors;
-    for (size_t factor : factors) {
-      effect.name += (effect.name.empty() ? "" : " x ") + cells.factors[factor].name;
+    for (const size_t member : members) {
+      const bool is_within = member < num_factors;
+      (is_within ? effect.factors : effect.groups)
+          .push_back(is_within ? member : member - num_factors);
+      effect.name += (effect.name.empty() ? "" : " x ") +
+                     (is_within ? cells.factors[member] : cells.groups[member - num_factors]).name;
     }
-    const MatrixXd scores = centred * MakeContrasts(cells.factors, factors);
-    const Eigen::RowVectorXd mean = scores.colwise().mean();
-    const MatrixXd deviations = scores.rowwise() - mean;
-    effect.ss_effect = num_persons * mean.squaredNorm();
-    effect.ss_error = deviations.squaredNorm();
-    effect.df_effect = static_cast<double>(scores.cols());
-    effect.df_error = effect.df_effect * df_person;
-    ss_error_of_all += effect.ss_error;
+    const MatrixXd scores = centred * MakeContrasts(cells.factors, effect.factors);
+    const MatrixXd residuals = design.CalcResiduals(scores);
+    effect.ss_effect = design.CalcSquares(effect.groups, scores);
+    effect.ss_error = residuals.squaredNorm();
+    effect.df_effect = static_cast<double>(scores.cols() * design.num_columns(effect.groups));
+    effect.df_error = static_cast<double>(scores.cols() * design.df_error());
+    // The same contrasts with other groups have the same error.
+    if (effect.groups.empty()) ss_error_of_all += effect.ss_error;
     if (effect.ss_error <= negligible) {
       effect.test = NoAnswer{"the effect is the same in all " + std::to_string(num_persons) +
                              " persons: no spread to test against"};
     } else {
-      effect.test = CalcTest(effect, deviations.transpose() * deviations / df_person,
-                             static_cast<int>(y.cols()), num_persons);
+      effect.test = CalcTest(effect, residuals.transpose() * residuals / design.df_error(),
+                             static_cast<int>(y.cols()), design.df_error() + 1);
     }
     anova.effects.push_back(std::move(effect));
   }

@@ -1,31 +1,38 @@
 #pragma once
 /** @file
-Repeated-measures analysis of variance: every person in every cell of a design of any number of
-within-person factors.
+Analysis of variance of persons: every person in every cell of any number of factors within persons,
+and in one group of each factor between persons.
 
-Each effect (a factor, or several together) is a set of d orthonormal contrasts of the cells, the
-Kronecker product of Helmert contrasts of its factors and of the mean over all others. With the
-contrast scores Z (persons x d), their mean zbar and covariance S,
+Each effect takes a set of factors. Those within persons make d orthonormal contrasts of the cells,
+the Kronecker product of Helmert contrasts of its factors and of the mean over all others; the
+persons' contrast scores are Z (persons x d). Those between persons make columns of the design X
+(persons x q, effect coded, full factorial). With B = (X^T X)^-1 X^T Z and J the columns of the
+effect (the constant, for an effect within persons alone)
 
-    SS_effect = n |zbar|^2,  SS_error = (n - 1) tr S,
-    F = (SS_effect / d) / (SS_error / (d (n - 1)))
+    SS_effect = tr B_J^T ([(X^T X)^-1]_JJ)^-1 B_J,   SS_error = tr E,  E = |Z - X B|^2
+    F = (SS_effect / (d |J|)) / (SS_error / (d (n - q)))
 
-Sphericity (S proportional to the identity) is what the F distribution assumes:
+which are sums of squares of type III: groups of different size weigh the same. Without groups X is
+a column of ones and SS_effect = n |zbar|^2.
+
+Sphericity (S = E / (n - q) proportional to the identity) is what the F distribution assumes:
 - Mauchly: W = det S / (tr S / d)^d, p by Box's expansion to second order (T. W. Anderson, "An
   introduction to multivariate statistical analysis", 3rd ed. 2003, section 10.7.4). One term takes
   the number of cells where Anderson has d, as R and its package car do, so that a reader who checks
   finds the same figure. For 8 persons and W = 0.0327 the exact p is 0.00180, R's 0.00178,
   Anderson's 0.00177;
 - Greenhouse-Geisser: epsilon = (tr S)^2 / (d tr S^2) (Psychometrika 24 (1959));
-- Huynh-Feldt: (n d epsilon - 2) / (d (n - 1 - d epsilon)) (J. Educ. Stat. 1 (1976)), at most 1.
+- Huynh-Feldt: ((n - q + 1) d epsilon - 2) / (d (n - q - d epsilon)) (J. Educ. Stat. 1 (1976), as
+  afex and car have it for groups), at most 1.
 A corrected test multiplies both degrees of freedom by epsilon.
 
 Effect sizes: partial eta squared SS_effect / (SS_effect + SS_error); generalised eta squared
 SS_effect / (SS_effect + SS_person + sum of all SS_error), every factor being manipulated (Olejnik
-and Algina, Psychol. Methods 8 (2003); Bakeman, Behav. Res. Methods 37 (2005)).
+and Algina, Psychol. Methods 8 (2003); Bakeman, Behav. Res. Methods 37 (2005)). A group that was
+found, not made, is no manipulation: then its generalised eta squared is too large.
 
-Not modelled: factors between persons, covariates, missing cells (measure_table.h leaves the person
-out and says so; a mixed model would keep them). */
+Not modelled: covariates, missing cells (measure_table.h leaves the person out and says so; the
+model of effects_model.h keeps them). */
 
 #include <string>
 #include <vector>
@@ -58,7 +65,8 @@ struct WithinTest {
 
 struct WithinEffect {
   std::string name;             ///< "object", "object x condition"
-  std::vector<size_t> factors;  ///< indices
+  std::vector<size_t> factors;  ///< indices of those within persons
+  std::vector<size_t> groups;   ///< and of those between
   double ss_effect = 0.0;
   double ss_error = 0.0;
   double df_effect = 0.0;
@@ -68,11 +76,12 @@ struct WithinEffect {
 
 struct WithinAnova {
   int num_persons = 0;
-  double ss_person = 0.0;
-  std::vector<WithinEffect> effects;  ///< main effects, then pairs, ..
+  double ss_person = 0.0;             ///< within groups
+  std::vector<WithinEffect> effects;  ///< main effects, within persons first, then pairs, ..
 };
 
-/** No answer for a single person, a factor of one level, or more than 8 factors. */
+/** No answer for a single person, a factor of one level, more than 8 factors, or a group (or a
+combination of groups) with fewer than two persons, whose spread nobody knows. */
 Answer<WithinAnova> CalcWithinAnova(const CellMeans& cells);
 
 /** Huynh-Feldt's epsilon, at most 1, from Greenhouse and Geisser's. No answer unless

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/base/files.h"
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/study/motion_bids.h"
 #include "human_study/study/study_tables.h"
@@ -25,7 +26,12 @@ StudyResult AnalyseStudy(const Study& study, const std::filesystem::path& folder
   for (const TrialMeasure& measure : TrialMeasureList()) {
     tables.push_back(MakeMeasureTable(result, measure));
   }
-  SaveTidyExport(tables, folder / "tidy");
+  std::vector<ScriptHypothesis> hypotheses;
+  for (const Hypothesis& h : study.hypotheses) {
+    hypotheses.push_back({h.measure, h.slope, h.equal_within});
+  }
+  SaveTidyExport(tables, folder / "tidy", hypotheses);
+  WriteFileAtomically(folder / "tidy" / "openings.csv", FormatOpeningTable(result));
   return result;
 }
 

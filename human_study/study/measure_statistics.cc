@@ -73,6 +73,7 @@ TrendStatistics CalcTrend(const MeasureTable& table, size_t factor, double refer
     trend.slopes.test = points.none();
     trend.bootstrap = points.none();
     trend.mixed = points.none();
+    trend.groups = points.none();
     return trend;
   }
   trend.slopes = CalcPersonSlopes(*points, reference);
@@ -81,7 +82,9 @@ TrendStatistics CalcTrend(const MeasureTable& table, size_t factor, double refer
     if (person.line) slopes.push_back(person.line->slope);
   }
   trend.bootstrap = CalcMeanInterval(slopes, table.measure + " over " + trend.factor);
-  trend.mixed = FitMixedModel(*points);
+  trend.mixed = FitMixedModelLadder(*points);
+  trend.groups = table.groups.empty() ? Answer<EffectsModel>(NoAnswer{"the study names no groups"})
+                                      : FitQuantityModel(table, factor);
   return trend;
 }
 
@@ -110,7 +113,9 @@ Answer<Summary> SummariseRows(const MeasureTable& table) {
 
 Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells) {
   if (!cells) return cells.none();
-  if (cells->factors.empty()) return NoAnswer{"the study names no factor"};
+  if (cells->factors.empty() && cells->groups.empty()) {
+    return NoAnswer{"the study names no factor"};
+  }
   return CalcWithinAnova(*cells);
 }
 
@@ -127,9 +132,14 @@ MeasureStatistics CalcMeasureStatistics(const TrialMeasure& measure, const Measu
   if (statistics.cells) {
     statistics.friedman = CalcFriedman(*statistics.cells);
     statistics.pairs = CalcPairs(*statistics.cells, table.measure, hypothesis);
+    statistics.group_pairs = CompareGroups(*statistics.cells);
   } else {
     statistics.friedman = statistics.cells.none();
   }
+  statistics.model = FitEffectsModel(table);
+  statistics.retest = table.sessions.empty()
+                          ? Answer<Retest>(NoAnswer{"the study names no session"})
+                          : CalcRetest(table);
   for (size_t factor = 0; factor < table.factors.size(); ++factor) {
     if (table.factors[factor].numbers.empty()) continue;
     statistics.trends.push_back(CalcTrend(table, factor, hypothesis.slope));

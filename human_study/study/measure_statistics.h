@@ -9,9 +9,11 @@ over factors whose levels are quantities. */
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
 #include "human_study/statistics/condition_means.h"
+#include "human_study/statistics/effects_model.h"
 #include "human_study/statistics/line_fit.h"
 #include "human_study/statistics/mixed_model.h"
 #include "human_study/statistics/rank_tests.h"
+#include "human_study/statistics/reliability/retest.h"
 #include "human_study/statistics/within_anova.h"
 #include "human_study/study/study_config.h"
 
@@ -32,18 +34,29 @@ struct TrendStatistics {
   PersonSlopes slopes;                  ///< tested against the hypothesis' slope
   Answer<BootstrapInterval> bootstrap;  ///< of the mean slope, persons drawn
   Answer<MixedModel> mixed;
+  Answer<EffectsModel> groups;  ///< do slopes differ between groups? none without groups
+};
+
+/** How far the choices of the analysis move the median over all trials. */
+struct ChoiceRange {
+  int num_values = 0;  ///< combinations of choices with a value
+  double lowest = NAN, highest = NAN;
 };
 
 struct MeasureStatistics {
   TrialMeasure measure;
   Hypothesis hypothesis;
-  MeasureTable table;                    ///< the kept trials
-  Answer<Summary> summary;               ///< over them
+  MeasureTable table;       ///< the kept trials
+  Answer<Summary> summary;  ///< over them
+  ChoiceRange over_choices;
   std::vector<Answer<Summary>> by_cell;  ///< the same within each cell, as ListCells() orders them
   Answer<CellMeans> cells;
   Answer<WithinAnova> anova;
+  Answer<EffectsModel> model;  ///< all trials, also of persons with an empty condition
   Answer<FriedmanTest> friedman;
   std::vector<PairStatistics> pairs;
+  std::vector<GroupComparison> group_pairs;
+  Answer<Retest> retest;                ///< none without sessions
   std::vector<TrendStatistics> trends;  ///< one for each factor with numbers
 };
 
@@ -54,7 +67,7 @@ MeasureStatistics CalcMeasureStatistics(const TrialMeasure& measure, const Measu
 std::vector<std::vector<std::string>> ListLevels(const std::vector<Factor>& factors);
 /** Over the rows with a value. */
 Answer<Summary> SummariseRows(const MeasureTable& table);
-/** No answer for a study without factors. */
+/** No answer for a study without factors and groups. */
 Answer<WithinAnova> CalcAnova(const Answer<CellMeans>& cells);
 
 }  // namespace graspbench

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
@@ -74,7 +75,10 @@ void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
 class Runner {
  public:
   Runner(const StudyWatch& watch, StudyResult& result)
-      : study_(result.study), watch_(watch), result_(result) {}
+      : study_(result.study),
+        watch_(watch),
+        result_(result),
+        measures_(ListStudyMeasures(result.study)) {}
 
   void Run(const PlannedReach& planned) {
     StudyTrial trial;
@@ -83,6 +87,8 @@ class Runner {
     trial.file = planned.file;
     trial.object = planned.object;
     trial.levels = planned.levels;
+    trial.groups = planned.groups;
+    trial.session = planned.session;
     if (!planned.remove.empty()) {
       Remove({"left_out", planned.remove}, trial);
       return Add(trial);
@@ -103,6 +109,7 @@ class Runner {
 
   void Finish() {
     CheckMarkersFound();
+    CheckReviews();
     result_.rate = CalcMedian(rates_);
     result_.noise = CalcMedian(noises_);
     result_.advised_cutoff = CalcMedian(cutoffs_);
@@ -122,7 +129,7 @@ class Runner {
 
   /** Several rows may be parts of one recording. */
   void Load(const PlannedReach& planned) {
-    const std::string key = planned.file + "\n" + planned.table_trial;
+    const std::string key = planned.file + "\n" + planned.table_trial + "\n" + planned.hand;
     if (loaded_ == key) return;
     loaded_.clear();
     const RecordingConfig& config = study_.config.recording;
@@ -136,7 +143,9 @@ class Runner {
     for (const ImportFinding& finding : recording.findings) {
       result_.findings.push_back({planned.file, finding});
     }
-    prepared_ = PrepareRecording(recording, study_.config);
+    StudyConfig own = study_.config;
+    own.markers = MarkersOfHand(own.markers, planned.hand);
+    prepared_ = PrepareRecording(recording, own);
     loaded_ = key;
     ++num_read_;
     for (const MissingMarker& missing : prepared_.missing) {
@@ -176,6 +185,7 @@ class Runner {
       const AnalysisOptions& options = study_.config.analysis;
       FilteredTrial filtered(*reach);
       trial.analysis = AnalyseTrial(filtered, options);
+      Review(planned, options, trial, *trial.analysis);
       Remove(FindRemoval(*trial.analysis, study_.config.removal), trial);
       if (trial.IsKept() && !result_.universes.empty()) {
         trial.openings = CalcOpenings(filtered, *trial.analysis, options);
@@ -187,11 +197,29 @@ class Runner {
     }
     Add(std::move(trial));
     const StudyTrial& added = result_.trials.back();
+    if (added.analysis && watch_.on_analysed) watch_.on_analysed(added, *reach);
     if (added.IsKept() && watch_.on_trial) watch_.on_trial(added, *reach);
+  }
+
+  /** What a person said of this trial; a fault of that stops the run, as one of study.yaml does. */
+  void Review(const PlannedReach& planned, const AnalysisOptions& options, StudyTrial& trial,
+              TrialAnalysis& analysis) {
+    const std::string id = planned.participant + "-" + trial.trial;
+    for (const ContactReview& review : study_.reviews) {
+      if (review.trial != id) continue;
+      trial.reviews.push_back(review);
+      reviewed_.insert(review.line);
+    }
+    try {
+      ApplyReviews(trial.reviews, options, trial.begin, trial.end, 1.0 / prepared_.rate, analysis);
+    } catch (const Error& error) {
+      review_problems_.Fail(study_.config.reviews, trial.reviews.front().line, error.what());
+    }
   }
 
   void CalcUniverses(FilteredTrial& reach, StudyTrial& trial) {
     const TrialMeasure& measure = FindMeasure(study_.config.multiverse.measure);
+    trial.measure_universes.resize(measures_.size());
     const Universe* previous = nullptr;
     TrialAnalysis analysis;
     for (const Universe& universe : result_.universes) {
@@ -201,9 +229,14 @@ class Runner {
         BelieveDetector(universe.detector, options, analysis);
       } else {
         analysis = AnalyseTrial(reach, options);
+        ApplyReviews(trial.reviews, options, trial.begin, trial.end, 1.0 / prepared_.rate,
+                     analysis);
       }
       previous = &universe;
       trial.universes.push_back(measure.value(analysis));
+      for (size_t i = 0; i < measures_.size(); ++i) {
+        trial.measure_universes[i].push_back(measures_[i].value(analysis));
+      }
     }
   }
 
@@ -215,6 +248,21 @@ class Runner {
       if (std::isfinite(residual.cutoff)) cutoffs_.push_back(residual.cutoff);
     } catch (const Error&) {
     }
+  }
+
+  void CheckReviews() {
+    std::vector<std::string> ids;
+    for (const StudyTrial& trial : result_.trials) ids.push_back(trial.id);
+    for (const ContactReview& review : study_.reviews) {
+      if (reviewed_.count(review.line) > 0) continue;
+      const bool is_known = std::find(ids.begin(), ids.end(), review.trial) != ids.end();
+      review_problems_.Fail(
+          study_.config.reviews, review.line,
+          "trial \"" + review.trial + "\" " +
+              (is_known ? std::string("could not be analysed")
+                        : "is not of this study" + SuggestNames(review.trial, ids)));
+    }
+    review_problems_.ThrowIfErrors(ErrorKind::kFormat, "the reviews cannot be replayed");
   }
 
   /** A label that no recording has is a fault of study.yaml, not of a trial. */
@@ -244,10 +292,13 @@ class Runner {
   const Study& study_;
   const StudyWatch& watch_;
   StudyResult& result_;
+  std::vector<TrialMeasure> measures_;  // that the study tests
   PreparedRecording prepared_;
   std::string loaded_;  // which recording `prepared_` is
   int num_read_ = 0;
   std::map<int, int> num_parts_;  // by line of trials.csv
+  std::set<int> reviewed_;        // lines of the reviews
+  Diagnostics review_problems_;
   int num_missing_[PerDigit<int>::kNumDigits] = {};
   std::string missing_texts_[PerDigit<int>::kNumDigits];
   std::vector<double> rates_, noises_, cutoffs_;
@@ -259,6 +310,7 @@ std::vector<StudyTrial> RunSome(const Study& study) {
   StudyResult result;
   result.study = study;
   result.study.config.analysis.contact.max_uncertainty = 0.0;
+  result.study.reviews.clear();
   const StudyWatch nobody;
   Runner runner(nobody, result);
   const size_t step = (study.trials.size() + kMaxRows - 1) / kMaxRows;

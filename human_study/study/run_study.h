@@ -29,12 +29,17 @@ struct StudyTrial {
   std::string id;  ///< "<participant>-<trial>"
   std::string participant, trial, file, object;
   std::vector<std::string> levels;  ///< one per factor
+  std::vector<std::string> groups;  ///< one per group factor
+  std::string session;              ///< empty: none named
   std::string removed;              ///< why it does not count; empty: it counts
   std::string removed_code;         ///< the same for programs (trial_removal.h)
   double begin = NAN, end = NAN;    ///< part of the recording [s]; NaN when it was not read
   std::optional<TrialAnalysis> analysis;
+  std::vector<ContactReview> reviews;   ///< what a person said of its contacts
   std::vector<OpeningValues> openings;  ///< in the order of HandOpeningList()
   std::vector<double> universes;        ///< main measure, in the order of StudyResult::universes
+  /** The measures that the study tests, each in that order. */
+  std::vector<std::vector<double>> measure_universes;
 
   bool IsKept() const { return removed.empty(); }
 };
@@ -67,6 +72,8 @@ struct StudyWatch {
   std::function<void(size_t, size_t)> on_row;
   /** Every trial that counts, with the cleaned data it was analysed from. */
   std::function<void(const StudyTrial&, const ReachTrial&)> on_trial;
+  /** The same of every trial that was analysed, whether it counts or not. */
+  std::function<void(const StudyTrial&, const ReachTrial&)> on_analysed;
 };
 
 /** @throws Error(kFormat) when no recording has a marker that study.yaml names, with file and line;

@@ -66,7 +66,8 @@ StatisticRow MakeAnovaRow(const MeasureStatistics& statistics, const char* analy
 }
 
 void AddAnova(const MeasureStatistics& statistics, std::vector<StatisticRow>& rows) {
-  constexpr const char* kAnalysis = "repeated-measures ANOVA";
+  const char* const kAnalysis =
+      statistics.table.groups.empty() ? "repeated-measures ANOVA" : "mixed ANOVA (type III)";
   if (!statistics.anova) {
     rows.push_back(MakeRow(statistics, kAnalysis, "condition"));
     rows.back().unit.clear();
@@ -83,6 +84,13 @@ void AddAnova(const MeasureStatistics& statistics, std::vector<StatisticRow>& ro
     const WithinTest& test = *effect.test;
     rows.push_back(
         MakeAnovaRow(statistics, kAnalysis, effect, effect.df_effect, effect.df_error, test.p));
+    if (effect.factors.empty()) {
+      rows.back().note =
+          "assumes persons' means that are normal with one spread in all groups; partial eta "
+          "squared " +
+          Format(test.partial_eta_squared);
+      continue;
+    }
     rows.back().note = "assumes normal differences and sphericity; partial eta squared " +
                        Format(test.partial_eta_squared);
     rows.back().note +=
@@ -143,9 +151,12 @@ void AddMixedModel(const MeasureStatistics& statistics, const TrendStatistics& t
       row.p = fixed.test->p;
       row.low = fixed.test->interval.low;
       row.high = fixed.test->interval.high;
-      row.note =
-          "all trials, an intercept and a slope for each person; assumes normal persons "
-          "and residuals; df after Satterthwaite; tested against 0";
+      row.note = std::string("all trials, ") + NameOf(model.structure) +
+                 (model.fallback.empty() ? "" : " (" + model.fallback + ")") +
+                 "; assumes normal persons and residuals; df after Satterthwaite; tested against 0";
+      if (model.structure == LineStructure::kIntercept) {
+        row.note += "; p is too small if persons' slopes do vary";
+      }
     } else {
       row.note = "no test: " + fixed.test.reason();
     }
@@ -166,6 +177,98 @@ void AddMixedModel(const MeasureStatistics& statistics, const TrendStatistics& t
                                : "no correlation: " + model.correlation.reason());
   add_spread("SD of trials about a person's line", model.residual_sd, statistics.measure.unit,
              std::to_string(model.num_observations) + " trials");
+}
+
+/** F of every effect, the parts that vary and what the conditions' means are. */
+void AddEffectsModel(const MeasureStatistics& statistics, const Answer<EffectsModel>& model,
+                     const char* analysis, std::vector<StatisticRow>& rows) {
+  const auto add = [&](const std::string& effect) -> StatisticRow& {
+    rows.push_back(MakeRow(statistics, analysis, effect));
+    if (model) rows.back().num_persons = model->num_persons;
+    return rows.back();
+  };
+  if (!model) {
+    StatisticRow& row = add("condition");
+    row.unit.clear();
+    row.note = "none: " + model.reason();
+    return;
+  }
+  for (const EffectTest& effect : model->effects) {
+    StatisticRow& row = add(effect.name);
+    row.unit.clear();
+    if (!effect.test) {
+      row.note = "none: " + effect.test.reason();
+      continue;
+    }
+    row.statistic = "F";
+    row.value = effect.test->f;
+    row.df_1 = effect.test->df_1;
+    row.df_2 = effect.test->df_2;
+    row.p = effect.test->p;
+    row.note = "all " + FormatCount(model->num_observations, "trial") +
+               ", also of persons with an empty condition; type III, df after Satterthwaite; "
+               "assumes normal persons and residuals; " +
+               DescribeRandom(*model);
+  }
+  for (const CellEstimate& cell : model->cells) {
+    StatisticRow& row = add("mean in " + (cell.cell.empty() ? "all trials" : cell.cell));
+    row.estimate = cell.estimate;
+    row.standard_error = cell.standard_error;
+    if (!cell.test) continue;
+    row.df_1 = cell.test->df;
+    row.low = cell.test->interval.low;
+    row.high = cell.test->interval.high;
+    row.note = "every person and group weighs the same";
+  }
+  for (const RandomPart& part : model->random) {
+    StatisticRow& row = add("SD of " + part.name);
+    row.estimate = part.sd;
+    const std::string slope = "slope over ";
+    if (part.name.rfind(slope, 0) == 0) row.unit += " per " + part.name.substr(slope.size());
+  }
+  add("SD of trials").estimate = model->residual_sd;
+}
+
+void AddGroups(const MeasureStatistics& statistics, std::vector<StatisticRow>& rows) {
+  for (const GroupComparison& pair : statistics.group_pairs) {
+    const Factor& group = statistics.table.groups[pair.group];
+    rows.push_back(
+        MakeRow(statistics, "Welch t test of groups",
+                group.name + ": " + group.levels[pair.b] + " minus " + group.levels[pair.a]));
+    StatisticRow& row = rows.back();
+    if (!pair.test) {
+      row.note = "none: " + pair.test.reason();
+      continue;
+    }
+    row.estimate = pair.test->difference;
+    row.standard_error = pair.test->standard_error;
+    row.low = pair.test->interval.low;
+    row.high = pair.test->interval.high;
+    row.statistic = "t";
+    row.value = pair.test->t;
+    row.df_1 = pair.test->df;
+    row.p = pair.test->p;
+    row.p_holm = pair.p_holm;
+    row.effect_size_name = "d_s";
+    row.effect_size = pair.test->d_s;
+    row.num_persons = pair.test->count_a + pair.test->count_b;
+    row.note = "persons' means over all conditions, normal within groups whose spread may differ";
+  }
+}
+
+void AddShifts(const MeasureStatistics& statistics, const Retest& retest,
+               std::vector<StatisticRow>& rows) {
+  for (const SessionShift& shift : retest.shifts) {
+    rows.push_back(
+        MakeRow(statistics, "test-retest, shift (paired t test)",
+                "session " + retest.sessions[shift.b] + " minus " + retest.sessions[shift.a]));
+    if (shift.test) {
+      SetTTest(*shift.test, rows.back());
+      rows.back().note = "assumes normal differences";
+    } else {
+      rows.back().note = "none: " + shift.test.reason();
+    }
+  }
 }
 
 void AddPair(const MeasureStatistics& statistics, const PairStatistics& pair,
@@ -224,6 +327,9 @@ void AddPair(const MeasureStatistics& statistics, const PairStatistics& pair,
 std::vector<StatisticRow> ListConditionTests(const MeasureStatistics& statistics) {
   std::vector<StatisticRow> rows;
   AddAnova(statistics, rows);
+  AddEffectsModel(statistics, statistics.model, "mixed model (REML), all factors", rows);
+  AddGroups(statistics, rows);
+  if (statistics.table.factors.empty()) return rows;
   rows.push_back(MakeRow(statistics, "Friedman", "condition"));
   StatisticRow& row = rows.back();
   row.unit.clear();
@@ -249,7 +355,52 @@ std::vector<StatisticRow> ListTrends(const MeasureStatistics& statistics) {
   for (const TrendStatistics& trend : statistics.trends) {
     AddSlopes(statistics, trend, rows);
     AddMixedModel(statistics, trend, rows);
+    if (statistics.table.groups.empty()) continue;
+    const std::string analysis = "mixed model (REML), " + trend.factor + " as a quantity";
+    AddEffectsModel(statistics, trend.groups, analysis.c_str(), rows);
   }
+  return rows;
+}
+
+std::vector<StatisticRow> ListRetest(const MeasureStatistics& statistics) {
+  std::vector<StatisticRow> rows;
+  if (statistics.table.sessions.empty()) return rows;
+  const auto add = [&](const char* effect) -> StatisticRow& {
+    rows.push_back(MakeRow(statistics, "test-retest", effect));
+    return rows.back();
+  };
+  const Answer<Retest>& retest = statistics.retest;
+  if (!retest || !retest->reliability) {
+    add("between sessions").note =
+        "none: " + (retest ? retest->reliability : Answer<Reliability>(retest.none())).reason();
+    if (retest) AddShifts(statistics, *retest, rows);
+    return rows;
+  }
+  const Reliability& reliability = *retest->reliability;
+  const auto add_icc = [&](const Answer<IccPair>& icc, const char* effect, const char* note) {
+    StatisticRow& row = add(effect);
+    row.unit = "1";
+    row.num_persons = reliability.num_persons;
+    row.note = icc ? note : "none: " + icc.reason();
+    if (!icc) return;
+    row.estimate = icc->single.value;
+    row.low = icc->single.interval.low;
+    row.high = icc->single.interval.high;
+  };
+  add_icc(reliability.agreement, "ICC(2,1)",
+          "of one session's mean over its conditions; a shift between sessions counts as error");
+  add_icc(reliability.consistency, "ICC(3,1)", "the same; a shift between sessions does not count");
+  StatisticRow& sem = add("SEM");
+  sem.estimate = reliability.within_person_sd;
+  sem.low = reliability.within_person_interval.low;
+  sem.high = reliability.within_person_interval.high;
+  sem.num_persons = reliability.num_persons;
+  sem.note = "standard deviation of a person's sessions";
+  StatisticRow& change = add("minimal detectable change");
+  change.estimate = reliability.minimal_detectable_change;
+  change.num_persons = reliability.num_persons;
+  change.note = "two sessions that differ by less may be equal";
+  AddShifts(statistics, *retest, rows);
   return rows;
 }
 
@@ -328,7 +479,8 @@ std::vector<StatisticRow> ListStatistics(const StudyStatistics& statistics) {
     std::move(rows.begin(), rows.end(), std::back_inserter(all));
   };
   for (const MeasureStatistics& measure : statistics.measures) {
-    if (measure.table.factors.empty()) continue;
+    add(ListRetest(measure));
+    if (measure.table.factors.empty() && measure.table.groups.empty()) continue;
     for (const auto& list : {ListConditionTests, ListTrends, ListPairs}) add(list(measure));
   }
   add(ListOpenings(statistics.openings));

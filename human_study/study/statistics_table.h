@@ -33,10 +33,13 @@ struct StatisticRow {
   std::string note;  ///< what it assumes; with it, what else belongs to the answer
 };
 
-/** Analysis of variance of every effect without and with both corrections, then Friedman's test. */
+/** Analysis of variance of every effect without and with both corrections, the mixed model of all
+trials, pairs of groups, then Friedman's test. */
 std::vector<StatisticRow> ListConditionTests(const MeasureStatistics& statistics);
 /** For every factor with numbers: persons' slopes, then the mixed model. */
 std::vector<StatisticRow> ListTrends(const MeasureStatistics& statistics);
+/** Reliability between sessions; none for a study without them. */
+std::vector<StatisticRow> ListRetest(const MeasureStatistics& statistics);
 /** For every pair of conditions: t, Wilcoxon, persons drawn, equivalence. */
 std::vector<StatisticRow> ListPairs(const MeasureStatistics& statistics);
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kLeastNear = 1e-3;         // [m]
 constexpr const char* kAutomatic = "auto";  // contact.detector: chosen by what is known
+constexpr const char* kHand = "{hand}";     // in labels of markers
 
 constexpr const char* kDigitIds[] = {"TH", "FF", "MF", "RF", "LF"};
 constexpr const char* kDigitNames[] = {"thumb", "index", "middle", "ring", "little"};
@@ -71,7 +72,8 @@ void CheckMarkers(const StudyConfig& config, ConfigChecker& check) {
   if (num_tips < 2 || config.markers.tips.thumb.empty()) {
     check.Fail("markers",
                "name the marker of the thumb's tip and of at least one other digit, for instance "
-               "{thumb: thumb_tip, index: index_tip}");
+               "{thumb: thumb_tip, index: index_tip}; a single marker (aiming) tells when a hand "
+               "moves, not when digits touch, and is not analysed here");
   }
 }
 
@@ -116,21 +118,32 @@ void CheckAnalysis(const AnalysisOptions& options, bool are_numbers_good, Config
   }
 }
 
+/** Columns of trials.csv that the design is made of. */
+void CheckColumns(const StudyConfig& config, ConfigChecker& check) {
+  std::set<std::string> columns;
+  const auto add = [&](const char* key, const std::string& column) {
+    if (!columns.insert(column).second) check.Fail(key, "\"" + column + "\" stands twice");
+    // The name becomes a heading of every table.
+    if (column.find_first_of("=+-@") == 0) {
+      check.Fail(key, "\"" + column +
+                          "\" begins like a formula, which spreadsheets would run; rename the "
+                          "column");
+    }
+  };
+  for (const std::string& factor : config.factors) add("factors", factor);
+  for (const std::string& group : config.groups) add("groups", group);
+  // A session may be a factor, too.
+  const bool is_factor = std::find(config.factors.begin(), config.factors.end(), config.session) !=
+                         config.factors.end();
+  if (!config.session.empty() && !is_factor) add("session", config.session);
+}
+
 void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
   if (!IsLabel(config.task)) {
     check.Fail("task", "\"" + config.task + "\"; expected letters and digits alone");
   }
   if (config.trials.empty()) check.Fail("trials", "expected the name of a table");
-  std::set<std::string> factors;
-  for (const std::string& factor : config.factors) {
-    if (!factors.insert(factor).second) check.Fail("factors", "\"" + factor + "\" stands twice");
-    // The name becomes a heading of every table.
-    if (factor.find_first_of("=+-@") == 0) {
-      check.Fail("factors",
-                 "\"" + factor +
-                     "\" begins like a formula, which spreadsheets would run; rename the column");
-    }
-  }
+  CheckColumns(config, check);
   CheckMarkers(config, check);
   for (const std::string& measure : config.measures) {
     check.CheckName("measures", measure, ConfigChecker::ListIds(TrialMeasureList()));
@@ -150,9 +163,9 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
   CheckAnalysis(config.analysis, out_of_range.empty(), check);
 }
 
-std::vector<Factor> ReadFactors(const StudyConfig& config, DataTable& table) {
+std::vector<Factor> ReadFactors(const std::vector<std::string>& names, DataTable& table) {
   std::vector<Factor> factors;
-  for (const std::string& name : config.factors) {
+  for (const std::string& name : names) {
     Factor factor;
     factor.name = name;
     table.Require(name);
@@ -177,20 +190,56 @@ std::vector<Factor> ReadFactors(const StudyConfig& config, DataTable& table) {
   return factors;
 }
 
+/** A group that changes within a person, and a factor that never does. */
+void CheckDesign(const Study& study, const std::string& file, Diagnostics& problems) {
+  std::map<std::string, const PlannedReach*> first;
+  std::vector<bool> varies(study.config.factors.size(), false);
+  for (const PlannedReach& trial : study.trials) {
+    const PlannedReach& known = *first.try_emplace(trial.participant, &trial).first->second;
+    for (size_t i = 0; i < trial.groups.size(); ++i) {
+      if (trial.groups[i] == known.groups[i]) continue;
+      const std::string& name = study.config.groups[i];
+      problems.Fail(file, trial.line,
+                    name + ": participant " + trial.participant + " is \"" + trial.groups[i] +
+                        "\" here and \"" + known.groups[i] + "\" in line " +
+                        std::to_string(known.line) +
+                        "; a group is the same in all trials of a person, what changes within "
+                        "persons belongs under factors");
+    }
+    for (size_t i = 0; i < varies.size(); ++i) {
+      varies[i] = varies[i] || trial.levels[i] != known.levels[i];
+    }
+  }
+  for (size_t i = 0; i < varies.size(); ++i) {
+    if (varies[i] || first.size() < 2 || study.factors[i].levels.size() < 2) continue;
+    problems.Warn(file, 1,
+                  study.config.factors[i] +
+                      " never changes within a participant, so it cannot be tested as a factor; "
+                      "if it says what a participant is, name it under groups");
+  }
+}
+
 std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagnostics& problems) {
-  static const std::set<std::string> known = {"participant", "trial",   "file",  "table_trial",
-                                              "object",      "start_s", "end_s", "remove"};
+  static const std::set<std::string> known = {"participant", "trial",  "file",
+                                              "table_trial", "object", "start_s",
+                                              "end_s",       "remove", "hand"};
   table.Require("participant");
   table.Require("file");
   const std::vector<std::string>& factors = study.config.factors;
+  const std::vector<std::string>& groups = study.config.groups;
+  std::vector<std::string> design = factors;
+  design.insert(design.end(), groups.begin(), groups.end());
+  if (!study.config.session.empty()) design.push_back(study.config.session);
   for (const std::string& column : table.columns()) {
-    const bool is_factor = std::find(factors.begin(), factors.end(), column) != factors.end();
-    if (is_factor && known.count(column) > 0 && column != "object") {
+    const bool is_factor = std::find(design.begin(), design.end(), column) != design.end();
+    if (is_factor && known.count(column) > 0 && column != "object" && column != "hand") {
       problems.Fail(table.file(), 1, "\"" + column + "\" cannot be a factor");
     } else if (!is_factor && known.count(column) == 0) {
       problems.Warn(table.file(), 1, "the column \"" + column + "\" is not used");
     }
   }
+  const bool needs_hand =
+      FormatJson(ConfigToJson(study.config.markers)).find(kHand) != std::string::npos;
   std::vector<PlannedReach> trials;
   std::map<std::string, int> counts;
   std::map<std::pair<std::string, std::string>, int> lines;
@@ -211,6 +260,18 @@ std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagn
     for (const std::string& factor : factors) {
       trial.levels.push_back(table.Text(row, factor));
       if (trial.levels.back().empty()) fail(factor + ": empty; expected the trial's condition");
+    }
+    for (const std::string& group : groups) {
+      trial.groups.push_back(table.Text(row, group));
+      if (trial.groups.back().empty()) fail(group + ": empty; expected the participant's group");
+    }
+    if (!study.config.session.empty()) {
+      trial.session = table.Text(row, study.config.session);
+      if (trial.session.empty()) fail(study.config.session + ": empty; expected the session");
+    }
+    trial.hand = table.Text(row, "hand");
+    if (trial.hand.empty() && needs_hand) {
+      fail("hand: empty; the labels under markers contain {hand}, expected what stands for it");
     }
     const double start = table.Number(row, "start_s"), end = table.Number(row, "end_s");
     if (!std::isnan(start)) trial.start = start;
@@ -351,6 +412,25 @@ std::string NameOfDigit(const std::string& id) {
   return id;
 }
 
+MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand) {
+  const auto replace = [&](std::string& label) {
+    const std::string name = kHand;
+    for (size_t at = label.find(name); at != std::string::npos;
+         at = label.find(name, at + hand.size())) {
+      label.replace(at, name.size(), hand);
+    }
+  };
+  MarkerConfig own = markers;
+  const auto replace_all = [&](const char*, std::vector<std::string>& labels) {
+    for (std::string& label : labels) replace(label);
+  };
+  own.tips.Visit(replace_all);
+  replace_all("", own.wrist);
+  replace_all("", own.object);
+  own.companions.Visit([&](const char*, std::string& label) { replace(label); });
+  return own;
+}
+
 const StudyObject* Study::FindObject(const std::string& id) const {
   for (const StudyObject& object : objects) {
     if (object.id == id) return &object;
@@ -416,9 +496,19 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings,
       study.hypotheses = ReadHypotheses(*table, problems);
     }
   }
+  if (!study.config.reviews.empty()) {
+    if (auto table = read("reviews", study.config.reviews)) {
+      study.reviews = ReadReviews(*table, problems);
+    }
+  }
   if (auto table = read("trials", study.config.trials)) {
-    study.factors = ReadFactors(study.config, *table);
+    study.factors = ReadFactors(study.config.factors, *table);
+    study.groups = ReadFactors(study.config.groups, *table);
+    if (!study.config.session.empty()) {
+      study.sessions = ReadFactors({study.config.session}, *table).front().levels;
+    }
     study.trials = ReadTrials(study, *table, problems);
+    CheckDesign(study, table->file(), problems);
     CheckObjectNames(study, table->file(), problems);
   }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");

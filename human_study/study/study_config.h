@@ -6,7 +6,10 @@ study.yaml: what was recorded, what the markers are, and every choice of the ana
     trials: trials.csv          # beside this file; a row a trial, see below
     objects: objects.csv        # optional
     hypotheses: hypotheses.csv  # optional
+    reviews: reviews.csv        # optional: contacts that a person looked at (trial_review.h)
     factors: [diameter_m]       # columns of trials.csv, varied within each person
+    groups: [group]             # optional: columns that say what a person is, patient or control
+    session: day                # optional: the column that says which session a trial belongs to
     markers:
       thumb: [thumb_tip, RTTI]  # the first of these labels that a recording has
       index: [index_tip, RIFT]
@@ -16,7 +19,9 @@ study.yaml: what was recorded, what the markers are, and every choice of the ana
 
 trials.csv needs the columns participant and file (from the folder of the recordings); trial (label;
 else counted within the person), object (of objects.csv), table_trial (of a plain table), start_s,
-end_s, remove (the reason why a person leaves the trial out) and one for each factor are optional.
+end_s, remove (the reason why a person leaves the trial out), hand and one for each factor are
+optional. The text of `hand` stands for {hand} in the labels of markers ("{hand}_thumb", so that
+left and right are one study); it may be a factor, too.
 
 hypotheses.csv, decided before the data were seen: measure (an id of measures.csv), slope (of
 persons over a factor with numbers, tested against; else 0), equal_within (conditions that differ by
@@ -44,6 +49,7 @@ times in seconds, frequencies in hertz. */
 #include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/measure_table.h"
 #include "human_study/study/study_freeze.h"
+#include "human_study/study/trial_review.h"
 
 namespace graspbench {
 
@@ -176,8 +182,11 @@ struct StudyConfig {
   std::string trials = "trials.csv";
   std::string objects;
   std::string hypotheses;
+  std::string reviews;
   std::string robot;
   std::vector<std::string> factors;
+  std::vector<std::string> groups;    ///< columns that are the same in all trials of a person
+  std::string session;                ///< column; empty: none
   std::vector<std::string> measures;  ///< ids tested and drawn; empty: the usual ones
   MarkerConfig markers;
   PerDigit<std::string> forces;                              ///< labels of analog channels
@@ -197,8 +206,11 @@ struct StudyConfig {
     v("trials", trials);
     v("objects", objects);
     v("hypotheses", hypotheses);
+    v("reviews", reviews);
     v("robot", robot);
     v("factors", factors);
+    v("groups", groups);
+    v("session", session);
     v("measures", measures);
     v("markers", markers);
     v("forces", forces);
@@ -232,6 +244,8 @@ struct PlannedReach {
   std::string participant, trial, file, table_trial;
   std::string object;                                       ///< empty: none named
   std::vector<std::string> levels;                          ///< one per factor
+  std::vector<std::string> groups;                          ///< one per group factor
+  std::string session, hand;                                ///< empty: none named
   double start = -std::numeric_limits<double>::infinity();  ///< [s], as end
   double end = std::numeric_limits<double>::infinity();
   std::string remove;  ///< why a person left it out; empty: kept
@@ -245,8 +259,11 @@ struct Study {
   std::filesystem::path folder;       ///< of study.yaml
   std::filesystem::path recordings;   ///< where `file` of a trial starts
   std::vector<Factor> factors;
+  std::vector<Factor> groups;         ///< factors between persons
+  std::vector<std::string> sessions;  ///< in the order of numbers, else of appearance
   std::vector<StudyObject> objects;
   std::vector<Hypothesis> hypotheses;
+  std::vector<ContactReview> reviews;
   std::vector<PlannedReach> trials;
   PerDigit<int> marker_lines;  ///< lines of markers.thumb, .. in study.yaml, for messages
   Diagnostics warnings;
@@ -264,6 +281,9 @@ struct Study {
 files, each with file and line. */
 Study LoadStudy(const std::filesystem::path& path, const std::filesystem::path& recordings = {},
                 const std::vector<std::string>& settings = {});
+
+/** The markers of a hand: its name stands for every {hand} in their labels. */
+MarkerConfig MarkersOfHand(const MarkerConfig& markers, const std::string& hand);
 
 /** The settings alone, from text in memory; `file` is its name in messages. Problems, also of
 ranges and unknown names, go into `problems`. */

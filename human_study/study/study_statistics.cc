@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/statistics/summary.h"
 #include "human_study/study/run_study.h"
 
 namespace graspbench {
@@ -18,7 +19,7 @@ constexpr const char* kUsualMeasures[] = {
 constexpr double kBiasGfts[] = {0.0, 0.03, 0.06};
 
 Observation MakeObservation(const StudyTrial& trial, double value) {
-  return {trial.participant, trial.id, trial.levels, value};
+  return {trial.participant, trial.id, trial.levels, value, trial.groups, trial.session};
 }
 
 /** Value at `share` of the way from the onset to the last contact; NaN when it is missing. */
@@ -67,6 +68,24 @@ void CalcUniverse(const StudyResult& result, size_t index, Universe& universe) {
   universe.summary = SummariseRows(table);
   const Answer<WithinAnova> anova = CalcAnova(CalcCellMeans(table));
   universe.test = anova ? anova->effects.front().test : Answer<WithinTest>(anova.none());
+}
+
+/** @param index  of the measure in ListStudyMeasures(). */
+ChoiceRange CalcOverChoices(const StudyResult& result, size_t index) {
+  ChoiceRange range;
+  for (size_t universe = 0; universe < result.universes.size(); ++universe) {
+    std::vector<double> values;
+    for (const StudyTrial& trial : result.trials) {
+      if (!trial.IsKept() || index >= trial.measure_universes.size()) continue;
+      values.push_back(trial.measure_universes[index][universe]);
+    }
+    const double median = CalcMedianOfFinite(values);
+    if (std::isnan(median)) continue;
+    ++range.num_values;
+    range.lowest = std::fmin(range.lowest, median);
+    range.highest = std::fmax(range.highest, median);
+  }
+  return range;
 }
 
 std::vector<BiasRow> CalcBias(const StudyResult& result) {
@@ -188,6 +207,8 @@ MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& mea
   table.unit = measure.unit;
   table.description = measure.name;
   table.factors = result.study.factors;
+  table.groups = result.study.groups;
+  table.sessions = result.study.sessions;
   for (const StudyTrial& trial : result.trials) {
     if (trial.IsKept()) {
       table.rows.push_back(MakeObservation(trial, measure.value(*trial.analysis)));
@@ -198,8 +219,10 @@ MeasureTable MakeMeasureTable(const StudyResult& result, const TrialMeasure& mea
 
 void CalcStudyStatistics(StudyResult& result) {
   for (const TrialMeasure& measure : ListStudyMeasures(result.study)) {
+    const size_t index = result.statistics.measures.size();
     result.statistics.measures.push_back(CalcMeasureStatistics(
         measure, MakeMeasureTable(result, measure), result.study.FindHypothesis(measure.id)));
+    result.statistics.measures.back().over_choices = CalcOverChoices(result, index);
   }
   for (size_t i = 0; i < result.universes.size(); ++i) CalcUniverse(result, i, result.universes[i]);
   result.statistics.curves = CalcOpeningCurves(result);

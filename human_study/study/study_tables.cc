@@ -1,5 +1,6 @@
 #include "human_study/study/study_tables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/files.h"
@@ -23,6 +24,17 @@ void AddDesign(const StudyResult& result, TrialColumns& columns) {
                          const std::string& level = trial->levels[i];
                          return is_number ? Json::parse(level, nullptr, false) : Json(level);
                        }});
+  }
+  for (size_t i = 0; i < result.study.groups.size(); ++i) {
+    columns.push_back({result.study.groups[i].name, "string", "", "group of the participant",
+                       [i](const StudyTrial* trial) { return Json(trial->groups[i]); }});
+  }
+  const std::string& session = result.study.config.session;
+  const bool is_factor =
+      std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == session; });
+  if (!session.empty() && !is_factor) {
+    columns.push_back({session, "string", "", "session",
+                       [](const StudyTrial* trial) { return Json(trial->session); }});
   }
 }
 
@@ -49,6 +61,9 @@ TrialColumns ListTrialColumns(const StudyResult& result) {
                      text(&StudyTrial::removed)});
   columns.push_back(
       {"removed_code", "string", "", "the same for programs", text(&StudyTrial::removed_code)});
+  columns.push_back(
+      {"reviewed", "string", "", "contacts that a person looked at; empty: none",
+       [](const StudyTrial* trial) { return Json(DescribeReviews(trial->reviews)); }});
   return columns;
 }
 
@@ -185,9 +200,16 @@ std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& c
   add("maximum_opening", analysis.peak_opening.largest, maximum == "largest");
   add("last_maximum_opening", analysis.peak_opening.last, maximum == "last");
   for (const DigitContactEvents& digit : analysis.contacts) {
+    const bool is_changed =
+        std::any_of(trial.reviews.begin(), trial.reviews.end(), [&](const ContactReview& review) {
+          return review.digit == digit.digit && review.verdict != ReviewVerdict::kConfirmed;
+        });
     for (size_t i = 0; i < detectors.size(); ++i) {
       events.push_back({&trial, "contact", digit.digit, detectors[i].id, digit.by_detector[i],
-                        config.analysis.contact.detector == detectors[i].id});
+                        config.analysis.contact.detector == detectors[i].id && !is_changed});
+    }
+    if (is_changed) {
+      events.push_back({&trial, "contact", digit.digit, "review", digit.contact, true});
     }
   }
   if (!config.markers.object.empty()) {
@@ -196,6 +218,53 @@ std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& c
   }
   add("movement_end", analysis.movement.end);
   return events;
+}
+
+std::string FormatOpeningTable(const StudyResult& result) {
+  struct Row {
+    const StudyTrial* trial;
+    size_t opening;
+    const OpeningValues& values() const { return trial->openings[opening]; }
+  };
+  const Study& study = result.study;
+  std::vector<CsvColumn<Row>> columns = {
+      {"person", "string", "", "who reached",
+       [](const Row& r) { return Json(r.trial->participant); }},
+      {"trial", "string", "", "which trial", [](const Row& r) { return Json(r.trial->id); }}};
+  for (size_t i = 0; i < study.factors.size(); ++i) {
+    const Factor& factor = study.factors[i];
+    columns.push_back({factor.name, "string", "", "factor of the design",
+                       [i](const Row& r) { return Json(r.trial->levels[i]); }});
+    if (factor.numbers.empty()) continue;
+    columns.push_back(
+        {factor.name + "_number", "number", "", "the same as a quantity",
+         [i, &factor](const Row& r) {
+           const auto level =
+               std::find(factor.levels.begin(), factor.levels.end(), r.trial->levels[i]);
+           return JsonNumber(factor.numbers[static_cast<size_t>(level - factor.levels.begin())]);
+         }});
+  }
+  columns.push_back({"opening", "string", "", "measure of hand opening",
+                     [](const Row& r) { return Json(HandOpeningList()[r.opening].id); }});
+  columns.push_back({"open", "number", "m", "largest between the onset and the last contact",
+                     [](const Row& r) { return JsonNumber(r.values().open); }});
+  columns.push_back({"closed", "number", "m", "at the last contact",
+                     [](const Row& r) { return JsonNumber(r.values().closed); }});
+  for (size_t i = 0; i < result.digits.size(); ++i) {
+    columns.push_back({"open_without_" + result.digits[i], "number", "m", "without this digit",
+                       [i](const Row& r) { return JsonNumber(r.values().open_without[i]); }});
+    columns.push_back({"closed_without_" + result.digits[i], "number", "m", "without this digit",
+                       [i](const Row& r) { return JsonNumber(r.values().closed_without[i]); }});
+  }
+  std::vector<Row> rows;
+  for (const StudyTrial& trial : result.trials) {
+    for (size_t i = 0; trial.IsKept() && i < trial.openings.size(); ++i)
+      rows.push_back({&trial, i});
+  }
+  // By opening, in the order of their list: the first is the aperture.
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.opening < b.opening; });
+  return FormatCsv(columns, rows);
 }
 
 void WriteStudyTables(const StudyResult& result, const std::filesystem::path& folder) {

@@ -28,7 +28,8 @@ Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
     const std::string name = NameOfDigit(digit.digit);
     if (digit.contact.IsFound()) {
       if (!digit.is_thumb) ++num_fingers;
-      if (rules.max_disagreement > 0.0 && digit.disagreement > rules.max_disagreement) {
+      if (rules.max_disagreement > 0.0 && !digit.is_reviewed &&
+          digit.disagreement > rules.max_disagreement) {
         return {"disagreement", "detectors disagree on the contact of the " + name};
       }
       continue;

@@ -67,6 +67,10 @@ std::vector<WideColumn> ListWideColumns(const StudyResult& result) {
   std::vector<WideColumn> columns = {
       {"participant", "string", "", "who reached",
        [](const WidePerson& person) { return Json(person.front()->participant); }}};
+  for (size_t i = 0; i < result.study.groups.size(); ++i) {
+    columns.push_back({result.study.groups[i].name, "string", "", "group of the participant",
+                       [i](const WidePerson& person) { return Json(person.front()->groups[i]); }});
+  }
   const auto add = [&](const std::string& id, const char* type, const std::string& unit,
                        const std::string& meaning, auto value) {
     for (const std::vector<std::string>& levels : ListLevels(factors)) {

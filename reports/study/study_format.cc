@@ -115,6 +115,8 @@ std::string NameOfEffect(const std::string& effect, const std::vector<Factor>& f
     return NameOfCell(effect.substr(0, minus), factors) + " minus " +
            NameOfCell(effect.substr(minus + 3), factors);
   }
+  constexpr std::string_view kMean = "mean in ";
+  if (effect.rfind(kMean, 0) == 0) return NameOfCell(effect.substr(kMean.size()), factors);
   std::string text = effect;
   for (const Factor& factor : factors) text = Replace(text, factor.name, NameOfFactor(factor.name));
   return text;

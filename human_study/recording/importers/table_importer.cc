@@ -5,6 +5,7 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 
 #include "core/base/yaml.h"
 #include "human_study/recording/importers/import_errors.h"
@@ -93,6 +94,42 @@ class Heading {
 void AddTrial(std::string_view trial, std::vector<std::string>& trials) {
   if (std::find(trials.begin(), trials.end(), trial) == trials.end()) trials.emplace_back(trial);
 }
+
+/** A glove's columns and the points that its angles make. */
+class GloveRows {
+ public:
+  GloveRows(const TableMapping& mapping, Heading& heading, Recording& recording) {
+    if (!mapping.glove.IsNamed()) return;
+    model_.emplace(mapping.glove);
+    for (const std::string& column : mapping.glove.ListColumns()) {
+      columns_.push_back(heading.Find(column));
+    }
+    first_ = recording.points.size();
+    for (const std::string& label : model_->labels()) {
+      recording.points.emplace_back();
+      recording.points.back().label = label;
+    }
+    recording.Note("glove_model", "mapping", model_->Describe());
+  }
+
+  void Append(const Cells& cells, LineReader& reader, Recording& recording) const {
+    if (!model_) return;
+    std::vector<double> numbers;
+    for (const size_t column : columns_) numbers.push_back(ParseNumber(cells, column, reader));
+    const std::vector<Eigen::Vector3d> points =
+        model_->CalcPoints(numbers, recording.points[first_].metres_per_unit);
+    for (size_t i = 0; i < model_->labels().size(); ++i) {
+      const Eigen::Vector3d p =
+          points.empty() ? Eigen::Vector3d::Constant(std::nan("")) : points[i];
+      recording.points[first_ + i].Append(p.x(), p.y(), p.z());
+    }
+  }
+
+ private:
+  std::optional<GloveModel> model_;
+  std::vector<size_t> columns_;
+  size_t first_ = 0;
+};
 
 /** Columns of each point of the mapping; the points are added to the recording. */
 std::vector<std::array<size_t, 3>> AddPoints(const TableMapping& mapping, Heading& heading,
@@ -196,11 +233,13 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   Heading heading(head, mapping.has_heading);
   const std::vector<std::array<size_t, 3>> columns = AddPoints(mapping, heading, recording);
   const std::vector<size_t> channels = AddChannels(mapping, heading, recording);
+  const GloveRows glove(mapping, heading, recording);
   const size_t time = heading.Find(mapping.time);
   const size_t trial = heading.Find(mapping.trial);
   const size_t occluded = heading.Find(mapping.occluded);
   heading.Check(head);
   SetLengthUnit(recording, mapping.unit.empty() ? options.unit : mapping.unit, "mapping");
+  if (mapping.glove.IsNamed()) CheckLengthUnits(recording, source.name);
   if (mapping.rate > 0) recording.rate = mapping.rate;
   CheckTrialIsNamed(mapping, options);
 
@@ -226,6 +265,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
       AppendTriple(cells, columns[i], reader, recording.points[i], num_zeros);
       if (is_occluded) recording.points[i].SetInvalid(recording.num_frames);
     }
+    glove.Append(cells, reader, recording);
     num_occluded += is_occluded;
     for (size_t i = 0; i < channels.size(); ++i) {
       recording.analog[i].samples.push_back(
@@ -258,6 +298,48 @@ Recording ImportTable(const ImportSource& source, const ImportOptions& options) 
   return ImportMapped(source, options, LoadTableMapping(options.mapping));
 }
 
+void ReadGlove(YamlMap& map, const std::filesystem::path& path, TableMapping& mapping) {
+  if (!map.Has("glove")) return;
+  const YAML::Node glove = map.Child("glove");
+  if (!glove.IsMap()) return map.Fail("glove", "must name a hand, its joints and its base");
+  GloveMapping& own = mapping.glove;
+  for (const auto& entry : glove) {
+    const auto key = entry.first.as<std::string>("");
+    if (key == "hand") {
+      own.hand = entry.second.as<std::string>("");
+      const std::filesystem::path beside = path.parent_path() / own.hand;
+      if (std::filesystem::is_directory(beside)) own.hand = beside.string();
+    } else if (key == "angle_unit") {
+      const auto unit = entry.second.as<std::string>("");
+      own.is_in_degrees = unit == "deg";
+      if (unit != "deg" && unit != "rad") {
+        map.Fail("glove", "angle_unit is \"" + unit + "\"; expected deg or rad");
+      }
+    } else if (key == "joints" && entry.second.IsMap()) {
+      for (const auto& joint : entry.second) {
+        own.joints.emplace_back(joint.first.as<std::string>(""), joint.second.as<std::string>(""));
+      }
+    } else if ((key == "base" || key == "base_quaternion") && entry.second.IsSequence()) {
+      for (const YAML::Node& name : entry.second) {
+        (key == "base" ? own.base : own.quaternion).push_back(name.as<std::string>(""));
+      }
+    } else {
+      map.Fail("glove", "\"" + key +
+                            "\" is not known or no list; known: hand, angle_unit, joints, "
+                            "base, base_quaternion");
+    }
+  }
+  if (own.hand.empty() || own.joints.empty()) {
+    map.Fail("glove", "needs hand, a model, and joints, each with its column");
+  }
+  if (own.base.size() != 3 || own.quaternion.size() != 4) {
+    map.Fail(
+        "glove",
+        "needs base [x, y, z] and base_quaternion [x, y, z, w]: joint angles alone do not tell "
+        "where the hand is, so neither its reach nor its contacts");
+  }
+}
+
 void ReadChannels(YamlMap& map, TableMapping& mapping) {
   if (!map.Has("channels")) return;
   const YAML::Node channels = map.Child("channels");
@@ -288,13 +370,18 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
     ReadChannels(map, mapping);
     if (time_unit == "ms") {
       mapping.seconds_per_time_unit = 1e-3;
+    } else if (time_unit == "us") {
+      mapping.seconds_per_time_unit = 1e-6;
     } else if (time_unit != "s") {
-      map.Fail("time_unit", "is \"" + time_unit + "\"; expected s or ms");
+      map.Fail("time_unit", "is \"" + time_unit + "\"; expected s, ms or us");
     }
     if (mapping.time.empty() && !(mapping.rate > 0)) {
       map.Fail("rate_hz", "is needed when no column of times is named");
     }
-    const YAML::Node points = map.Child("points");
+    ReadGlove(map, path, mapping);
+    // Angles of a glove are points enough.
+    const YAML::Node points =
+        map.Child("points", mapping.glove.IsNamed() ? Needed::kNo : Needed::kYes);
     if (points && (!points.IsMap() || points.size() == 0)) {
       map.Fail("points", "must name points, each with its three columns");
     } else if (points) {

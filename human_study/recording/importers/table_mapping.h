@@ -7,17 +7,20 @@ Names the columns of a plain table, in YAML:
       index: [indexXraw, indexYraw, indexZraw]
       thumb: [thumbXraw, thumbYraw, thumbZraw]
     time: globalTime        # optional; without it rate_hz is needed
-    time_unit: ms           # s (default) or ms
+    time_unit: ms           # s (default), ms or us
     rate_hz: 85             # optional; without it the inverse of the median interval
     trial: trialN           # optional; one file, many trials: --trial chooses
     occluded: fingersOccluded   # optional; a value other than 0 makes all points invalid
     channels: {touch: ft1}      # optional; forces or touch switches, at the rate of the rows
-    heading: false              # optional; the table starts with numbers: columns are 1, 2, .. */
+    heading: false              # optional; the table starts with numbers: columns are 1, 2, ..
+    glove: {hand: shadow, ..}   # optional; joint angles instead of points, see glove.h */
 
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "human_study/recording/importers/glove.h"
 
 namespace graspbench {
 
@@ -34,6 +37,7 @@ struct TableMapping {
   std::string trial;
   std::string occluded;
   std::vector<std::pair<std::string, std::string>> channels;  ///< label, column
+  GloveMapping glove;
   bool has_heading = true;  ///< else columns are named by their numbers from 1
 };
 

@@ -138,16 +138,23 @@ std::string DescribeStatistics(const StudyResult& result) {
   std::string text =
       std::to_string(result.trials.size() - static_cast<size_t>(result.CountKept())) + " of " +
       std::to_string(result.trials.size()) + " trials were removed. ";
-  if (result.study.factors.empty()) return text;
+  if (result.study.factors.empty() && result.study.groups.empty()) return text;
   std::string factors;
-  for (const Factor& factor : result.study.factors) {
-    factors += (factors.empty() ? "" : " and ") + NameOfFactor(factor.name) + " (" +
-               FormatCount(static_cast<int>(factor.levels.size()), "level") + ")";
+  for (const auto* list : {&result.study.factors, &result.study.groups}) {
+    for (const Factor& factor : *list) {
+      factors += (factors.empty() ? "" : " and ") + NameOfFactor(factor.name) + " (" +
+                 FormatCount(static_cast<int>(factor.levels.size()), "level") +
+                 (list == &result.study.groups ? ", between persons)" : ")");
+    }
   }
   return text +
          "The unit of analysis is the mean of a person's trials in a condition. Effects of " +
-         factors + " were tested by repeated-measures analysis of variance with " +
-         "Greenhouse-Geisser correction and by Friedman's test; pairs of conditions by paired t "
+         factors + " were tested by " +
+         (result.study.groups.empty() ? "repeated-measures" : "mixed") +
+         " analysis of variance (sums of squares of type III) with Greenhouse-Geisser correction, "
+         "by a linear mixed model of all trials (restricted maximum likelihood, the fullest random "
+         "part that is not singular, degrees of freedom after Satterthwaite) and by Friedman's "
+         "test; pairs of conditions by paired t "
          "tests and exact Wilcoxon signed-rank tests, p values adjusted after Holm. Effect sizes "
          "are generalised eta squared, d_z, Kendall's W and the rank-biserial correlation. " +
          DescribeTrends(result.study);

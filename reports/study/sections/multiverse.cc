@@ -137,7 +137,11 @@ Html DrawMultiverse(const StudyPageData& data) {
                                     [](const Universe& u) { return u.test.has_value(); });
   const std::string what =
       has_test
-          ? "p of the effect of " + NameOfFactor(result.study.factors.front().name) +
+          ? "p of the effect of " +
+                NameOfFactor(
+                    (result.study.factors.empty() ? result.study.groups : result.study.factors)
+                        .front()
+                        .name) +
                 " (Greenhouse-Geisser); the shade is partial eta squared."
           : "Medians, because there is no test: " + result.universes.front().test.reason() + ".";
   const Detectors detectors = ListDetectors(result);

@@ -28,6 +28,25 @@ std::string DescribeTestRange(const std::vector<Universe>& universes) {
          FormatRange(summary.lowest_effect, summary.highest_effect, 2) + ")";
 }
 
+/** Who is missing in that test, and what the mixed model says with them. */
+std::string DescribeLeftOut(const StudyResult& result) {
+  const std::string& main = result.study.config.multiverse.measure;
+  for (const MeasureStatistics& measure : result.statistics.measures) {
+    if (measure.measure.id != main || !measure.cells || measure.cells->left_out.empty()) continue;
+    const int count = static_cast<int>(measure.cells->left_out.size());
+    std::string text =
+        " It leaves out " + FormatCount(count, "person") + " without a value in some condition; ";
+    if (!measure.model) return text + "no mixed model keeps them (" + measure.model.reason() + ").";
+    const Answer<RemlFTest>& test = measure.model->effects.front().test;
+    if (!test) return text + "no mixed model keeps them (" + test.reason() + ").";
+    return text + "the mixed model of all " +
+           FormatCount(measure.model->num_observations, "trial") + " keeps them: F\u00A0=\u00A0" +
+           FormatFixed(test->f, 2) + ", p\u00A0" + (test->p < 0.001 ? "" : "=\u00A0") +
+           FormatP(test->p) + ".";
+  }
+  return "";
+}
+
 /** The study's main test in a sentence, or why there is none. */
 std::string DescribeMainTest(const StudyResult& result) {
   if (result.universes.empty()) return "";
@@ -40,15 +59,19 @@ std::string DescribeMainTest(const StudyResult& result) {
   } else {
     text += "no value (" + own.summary.reason() + "). ";
   }
-  if (result.study.factors.empty()) return text + "The study names no factor to test.";
-  const std::string factor = NameOfFactor(result.study.factors.front().name);
+  if (result.study.factors.empty() && result.study.groups.empty()) {
+    return text + "The study names no factor to test.";
+  }
+  const std::vector<Factor>& tested =
+      result.study.factors.empty() ? result.study.groups : result.study.factors;
+  const std::string factor = NameOfFactor(tested.front().name);
   if (!own.test) return text + "Effect of " + factor + ": not tested (" + own.test.reason() + ").";
   const double p = own.test->greenhouse_geisser.p;
   return text + "Effect of " + factor + ": F\u00A0=\u00A0" + FormatFixed(own.test->f, 2) +
          ", p\u00A0" + (p < 0.001 ? "" : "=\u00A0") + FormatP(p) +
          " (Greenhouse-Geisser), generalised eta squared " +
          FormatFixed(own.test->generalised_eta_squared, 2) + DescribeTestRange(result.universes) +
-         ".";
+         "." + DescribeLeftOut(result);
 }
 
 /** What this recording cannot separate from touching at once. */
@@ -77,6 +100,35 @@ Html DrawArgument(const StudyResult& result) {
                      LinkTo("simultaneity", "GFT, clocks and power"));
 }
 
+/** What a person confirmed or corrected, trial by trial. */
+Html DrawReviewed(const StudyResult& result) {
+  int num_contacts = 0, num_changed = 0;
+  std::vector<std::string> lines;
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.reviews.empty()) continue;
+    lines.push_back(trial.id + ": " + DescribeReviews(trial.reviews));
+    for (const ContactReview& review : trial.reviews) {
+      ++num_contacts;
+      num_changed += review.verdict != ReviewVerdict::kConfirmed;
+    }
+  }
+  if (lines.empty()) return {};
+  return MakeParagraph("A person looked at " + FormatCount(num_contacts, "contact") + " of " +
+                       FormatCount(static_cast<int>(lines.size()), "trial") + " and changed " +
+                       std::to_string(num_changed) +
+                       "; they are the same under every choice of the analysis.") +
+         MakeDetails("Reviewed trials", MakeList(lines));
+}
+
+/** What cannot be told with a thumb and one finger. */
+Html DrawTwoDigits(const StudyResult& result) {
+  if (result.digits.size() != 2) return {};
+  return MakeParagraph(
+      "Two digits were recorded: GFT and GOT are one number, and it says nothing of the digits "
+      "that "
+      "were not.");
+}
+
 /** Contacts that only the digit's own stop shows. */
 Html DrawUnverified(const StudyResult& result) {
   const UnverifiedTouches touches = CountUnverified(result);
@@ -90,6 +142,14 @@ Html DrawUnverified(const StudyResult& result) {
           "stops off the surface looks like one that touches."));
 }
 
+/** How far the choices of the analysis move the median. */
+std::string FormatChoices(const MeasureStatistics& measure) {
+  const ChoiceRange& range = measure.over_choices;
+  if (range.num_values < 2) return "";
+  return FormatValue(range.lowest, measure.measure.unit) + " to " +
+         FormatValue(range.highest, measure.measure.unit);
+}
+
 Html DrawMeasureTable(const StudyResult& result) {
   const Align number = Align::kNumber;
   Table table("Every measure over the trials that count.",
@@ -97,6 +157,8 @@ Html DrawMeasureTable(const StudyResult& result) {
                {"n", number, "trials with a value"},
                {"Missing", number, "trials without"},
                {"Median", number},
+               {"Median over all choices", number,
+                "smallest and largest over the combinations of the multiverse"},
                {"Quartiles", number},
                {"Mean", number},
                {"SD", number, "over trials, people and conditions together"}});
@@ -104,14 +166,15 @@ Html DrawMeasureTable(const StudyResult& result) {
     const char* unit = row.measure.unit;
     if (!row.summary) {
       table.AddRow({Text(FormatHead(row.measure)), Text("0"),
-                    Text(std::to_string(row.table.rows.size())), Text("n/a"), Text("n/a"),
-                    Text("n/a"), Text("n/a")});
+                    Text(std::to_string(row.table.rows.size())), Text("n/a"),
+                    Text(FormatChoices(row)), Text("n/a"), Text("n/a"), Text("n/a")});
       continue;
     }
     const Summary& s = *row.summary;
     table.AddRow(
         {Text(FormatHead(row.measure)), Text(std::to_string(s.count)),
          Text(std::to_string(s.num_missing)), Text(FormatValue(s.median, unit)),
+         Text(FormatChoices(row)),
          Text(FormatValue(s.lower_quartile, unit) + " to " + FormatValue(s.upper_quartile, unit)),
          Text(FormatValue(s.mean, unit)),
          Text(FormatValue(s.standard_deviation.value_or(std::nan("")), unit))});
@@ -140,8 +203,8 @@ Html DrawSummary(const StudyPageData& data) {
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawFreeze(result.study) + DrawArgument(result) + DrawUnverified(result) +
-         DrawMeasureTable(result);
+         DrawFreeze(result.study) + DrawArgument(result) + DrawTwoDigits(result) +
+         DrawReviewed(result) + DrawUnverified(result) + DrawMeasureTable(result);
 }
 
 }  // namespace

@@ -128,10 +128,33 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
 }
 
 Html DrawConditions(const MeasureStatistics& statistics) {
-  Html html = DrawRows("Do the conditions differ?", ListConditionTests(statistics),
-                       statistics.table.factors);
+  std::vector<StatisticRow> tests, groups, estimates;
+  for (const StatisticRow& row : ListConditionTests(statistics)) {
+    const bool is_group = row.effect_size_name == "d_s";
+    (is_group ? groups : std::isnan(row.estimate) ? tests : estimates).push_back(row);
+  }
+  const std::vector<Factor>& factors = statistics.table.factors;
+  Html html = DrawRows("Do the conditions differ?", tests, factors);
+  if (!groups.empty()) html += DrawRows("How far do the groups differ?", groups, factors);
+  if (!estimates.empty()) {
+    html += MakeDetails("Means and spreads of the mixed model",
+                        DrawRows("What the mixed model estimates.", estimates, factors));
+  }
   if (!statistics.cells) return html;
   for (const LeftOut& person : statistics.cells->left_out) {
+    html += MakeParagraph("Left out of all but the mixed model: " + person.person + " (" +
+                          person.reason + ").");
+  }
+  return html;
+}
+
+Html DrawRetest(const MeasureStatistics& statistics) {
+  const std::vector<StatisticRow> rows = ListRetest(statistics);
+  if (rows.empty()) return {};
+  Html html =
+      DrawRows("Does a person show the same in another session?", rows, statistics.table.factors);
+  if (!statistics.retest) return html;
+  for (const LeftOut& person : statistics.retest->left_out) {
     html += MakeParagraph("Left out: " + person.person + " (" + person.reason + ").");
   }
   return html;
@@ -182,7 +205,9 @@ Html DrawUntestable(const std::vector<MeasureStatistics>& measures) {
   Html lines;
   for (const MeasureStatistics& statistics : measures) {
     std::vector<StatisticRow> rows = ListConditionTests(statistics);
-    for (const StatisticRow& row : ListTrends(statistics)) rows.push_back(row);
+    for (const auto& list : {ListTrends, ListRetest}) {
+      for (const StatisticRow& row : list(statistics)) rows.push_back(row);
+    }
     if (HasAnswer(rows)) return {};
     for (const std::string& reason : ListNotes(rows, statistics.table.factors)) {
       if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
@@ -215,7 +240,8 @@ Html DrawPairs(const MeasureStatistics& statistics) {
 }
 
 Html DrawTests(const StudyPageData& data) {
-  if (data.result.study.factors.empty()) {
+  const Study& study = data.result.study;
+  if (study.factors.empty() && study.groups.empty() && study.sessions.empty()) {
     return MakeParagraph("The study names no factor, so there is nothing to compare.");
   }
   const Html untestable = DrawUntestable(data.result.statistics.measures);
@@ -224,8 +250,9 @@ Html DrawTests(const StudyPageData& data) {
       "All of this stands in statistics.csv, too, in SI units. A test is no better than what it "
       "assumes; that stands below each table.");
   for (const MeasureStatistics& statistics : data.result.statistics.measures) {
-    html += Element("h3", {}, statistics.measure.name) + DrawConditions(statistics) +
-            DrawTrends(statistics) + DrawPairs(statistics);
+    html += Element("h3", {}, statistics.measure.name);
+    if (!study.factors.empty() || !study.groups.empty()) html += DrawConditions(statistics);
+    html += DrawRetest(statistics) + DrawTrends(statistics) + DrawPairs(statistics);
   }
   return html;
 }

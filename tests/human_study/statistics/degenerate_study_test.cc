@@ -6,9 +6,11 @@
 #include "core/base/random.h"
 #include "core/statistics/bootstrap.h"
 #include "human_study/statistics/condition_means.h"
+#include "human_study/statistics/effects_model.h"
 #include "human_study/statistics/mixed_model.h"
 #include "human_study/statistics/rank_tests.h"
 #include "human_study/statistics/reliability/reliability.h"
+#include "human_study/statistics/reliability/retest.h"
 #include "human_study/statistics/within_anova.h"
 
 namespace graspbench {
@@ -36,11 +38,22 @@ MeasureTable MakePoorStudy(RandomStream& random) {
   const int num_values = 1 + random.NextIndex(4);
   const bool is_coarse = random.NextIndex(2) == 0;
   const size_t num_cells = ListCells(table.factors).size();
+  const int num_groups = random.NextIndex(4);
+  if (num_groups > 0) {
+    Factor group;
+    group.name = "group";
+    for (int level = 0; level < num_groups; ++level) group.levels.push_back(std::to_string(level));
+    table.groups.push_back(group);
+  }
+  const bool has_sessions = random.NextIndex(2) == 0;
+  if (has_sessions) table.sessions = {"0", "1"};
   for (int person = 0; person < num_persons; ++person) {
     for (size_t cell = 0; cell < num_cells; ++cell) {
       for (int trial = 0; trial < num_trials; ++trial) {
         Observation row;
         row.person = std::to_string(person);
+        if (num_groups > 0) row.groups.push_back(std::to_string(person % num_groups));
+        if (has_sessions) row.session = std::to_string(trial % 2);
         size_t rest = cell;
         row.levels.resize(table.factors.size());
         for (size_t f = table.factors.size(); f-- > 0;) {
@@ -76,6 +89,9 @@ class PoorStudy : public testing::TestWithParam<int> {
     for (BarKind kind : ListBarKinds()) {
       const auto widths = CalcHalfWidths(cells, kind);
       if (HasValue(widths)) ExpectFinite(widths->sum(), "half width");
+    }
+    for (const GroupComparison& pair : CompareGroups(cells)) {
+      if (HasValue(pair.test)) ExpectP(pair.p_holm, "Holm, groups");
     }
     for (const PairComparison& pair : ComparePairs(cells)) {
       if (HasValue(pair.test)) ExpectP(pair.p_holm, "Holm");
@@ -123,6 +139,18 @@ class PoorStudy : public testing::TestWithParam<int> {
     if (HasValue(model->correlation)) ExpectP(std::abs(*model->correlation) - 1e-9, "correlation");
   }
 
+  void CheckEffects(const Answer<EffectsModel>& model) {
+    if (!HasValue(model)) return;
+    ExpectFinite(model->reml_criterion + model->residual_sd, "criterion");
+    for (const EffectTest& effect : model->effects) {
+      if (HasValue(effect.test)) ExpectP(effect.test->p, "p, effects");
+    }
+    for (const CellEstimate& cell : model->cells) {
+      ExpectFinite(cell.estimate + cell.standard_error, "mean of the model");
+      HasValue(cell.test);
+    }
+  }
+
   void CheckReliability(const Answer<Reliability>& reliability) {
     if (!HasValue(reliability)) return;
     ExpectFinite(reliability->within_person_interval.high, "upper limit");
@@ -154,7 +182,12 @@ TEST_P(PoorStudy, GivesANumberOrAReason) {
       ASSERT_TRUE(HasValue(points));
       HasValue(CalcPersonSlopes(*points, 0.0).test);
       CheckModel(FitMixedModel(*points));
+      CheckModel(FitMixedModelLadder(*points));
     }
+    CheckEffects(FitEffectsModel(table));
+    if (!table.factors.empty()) CheckEffects(FitQuantityModel(table, 0));
+    const auto retest = CalcRetest(table);
+    if (HasValue(retest)) CheckReliability(retest->reliability);
     const auto trials = ListTrials(table, 0);
     ASSERT_TRUE(HasValue(trials));
     CheckReliability(CalcReliability(*trials));

@@ -114,6 +114,62 @@ TEST(StatisticsTable, WhatHasNoAnswerSaysWhy) {
   }
 }
 
+/** The reaching study, its persons in two groups and seen twice. */
+MeasureTable MakeGroupedTable() {
+  MeasureTable table = MakeReachTable();
+  table.groups = {{"group", {"old", "young"}, {}, ""}};
+  table.sessions = {"1", "2"};
+  const size_t num_rows = table.rows.size();
+  for (size_t i = 0; i < num_rows; ++i) {
+    Observation& row = table.rows[i];
+    row.groups = {std::stoi(row.person.substr(1)) <= 3 ? "old" : "young"};
+    row.session = "1";
+    Observation again = row;
+    again.session = "2";
+    again.value += 2.0 + static_cast<double>(i * 5 % 7) / 2.0;
+    table.rows.push_back(again);
+  }
+  return table;
+}
+
+TEST(StatisticsTable, GroupsMakeAMixedDesignAndSessionsARetest) {
+  const MeasureStatistics statistics = CalcMeasureStatistics(kAperture, MakeGroupedTable(), {});
+  const std::vector<StatisticRow> rows = ListAll(statistics);
+  const StatisticRow group = FindRow(rows, "mixed ANOVA (type III)", "group");
+  EXPECT_EQ(group.df_1, 1.0);
+  EXPECT_EQ(group.df_2, 6.0);
+  const StatisticRow both = FindRow(rows, "mixed ANOVA (type III)", "size x group");
+  EXPECT_EQ(both.df_1, 3.0);
+  EXPECT_EQ(both.df_2, 18.0);
+  FindRow(rows, "ANOVA, Greenhouse-Geisser", "size x group");
+  // Two groups: Welch's t has the sign of the means' difference and at most all degrees of freedom.
+  const StatisticRow welch = FindRow(rows, "Welch t test of groups", "group: young minus old");
+  EXPECT_LE(welch.df_1, 6.0);
+  EXPECT_GT(welch.value * welch.estimate, 0.0);
+  const StatisticRow model = FindRow(rows, "mixed model (REML), all factors", "size x group");
+  EXPECT_EQ(model.df_1, 3.0);
+  EXPECT_NE(model.note.find("varies between persons: level of persons"), std::string::npos);
+  FindRow(rows, "mixed model (REML), size as a quantity", "size x group");
+  FindRow(rows, "mixed model (REML), all factors", "mean in 30");
+  const StatisticRow icc = FindRow(rows, "test-retest", "ICC(2,1)");
+  EXPECT_LT(icc.estimate, FindRow(rows, "test-retest", "ICC(3,1)").estimate);
+  EXPECT_GT(FindRow(rows, "test-retest, shift (paired t test)", "session 2 minus 1").estimate, 2.0);
+}
+
+TEST(StatisticsTable, AGroupWithOnePersonIsASentence) {
+  MeasureTable table = MakeGroupedTable();
+  for (Observation& row : table.rows) {
+    row.groups = {row.person == "P1" ? "old" : "young"};
+  }
+  const std::vector<StatisticRow> rows = ListAll(CalcMeasureStatistics(kAperture, table, {}));
+  EXPECT_EQ(FindRow(rows, "mixed ANOVA (type III)", "condition").note,
+            "none: group \"old\" has 1 person with a value in every condition; expected 2 or more");
+  EXPECT_EQ(FindRow(rows, "mixed model (REML), all factors", "condition").note,
+            "none: group \"old\" has 1 person; expected 2 or more");
+  EXPECT_EQ(FindRow(rows, "Welch t test of groups", "group: young minus old").note,
+            "none: 1 person with a value in a group; expected 2 or more");
+}
+
 TEST(StatisticsTable, EveryRowHasACellInEveryColumn) {
   const std::vector<StatisticRow> rows = ListAll(MakeStatistics({"aperture_mm", 0.82, 5.0}));
   const std::string csv = FormatCsv(ListStatisticColumns(), rows);

@@ -112,6 +112,55 @@ TEST_F(StudyFolder, EveryThingWrittenArrives) {
   EXPECT_NE(study.warnings.Format().find("the column \"notes\" is not used"), std::string::npos);
 }
 
+/** Study.yaml with other factors, without tables beside trials.csv. */
+std::string MakeDesignYaml(const std::string& design, const std::string& thumb = "t") {
+  return design + "markers: {thumb: \"" + thumb + "\", index: i}\n";
+}
+
+TEST_F(StudyFolder, GroupsSessionsAndHandsArrive) {
+  Write("study.yaml",
+        MakeDesignYaml("factors: [hand]\ngroups: [group]\nsession: day\n", "{hand}_thumb"));
+  Write("trials.csv",
+        "participant,file,hand,group,day\n01,a,left,old,10\n01,b,right,old,9\n"
+        "02,c,left,young,9\n");
+  const Study study = LoadStudy(folder_ / "study.yaml");
+  ASSERT_EQ(study.groups.size(), 1u);
+  EXPECT_EQ(study.groups[0].levels, (std::vector<std::string>{"old", "young"}));
+  EXPECT_EQ(study.sessions, (std::vector<std::string>{"9", "10"}));  // by number
+  EXPECT_EQ(study.trials[1].groups, (std::vector<std::string>{"old"}));
+  EXPECT_EQ(study.trials[1].session, "9");
+  EXPECT_EQ(study.trials[1].hand, "right");
+  EXPECT_EQ(MarkersOfHand(study.config.markers, "right").tips.thumb,
+            (std::vector<std::string>{"right_thumb"}));
+}
+
+TEST_F(StudyFolder, FaultsOfTheDesignHaveTheirLine) {
+  const auto expect = [&](const std::string& design, const std::string& trials,
+                          const std::string& part) {
+    Write("study.yaml", MakeDesignYaml(design));
+    Write("trials.csv", trials);
+    ExpectFault(part);
+  };
+  expect("groups: [grup]\n", "participant,file,group\n01,a,old\n",
+         "the column \"grup\" is missing; did you mean \"group\"?");
+  expect("groups: [group]\n", "participant,file,group\n01,a,old\n01,b,young\n",
+         "trials.csv:3: error: group: participant 01 is \"young\" here and \"old\" in line 2");
+  expect("groups: [group]\n", "participant,file,group\n01,a,\n",
+         "trials.csv:2: error: group: empty");
+  expect("session: day\n", "participant,file,day\n01,a,\n", "trials.csv:2: error: day: empty");
+  expect("factors: [group]\ngroups: [group]\n", "participant,file,group\n01,a,old\n",
+         "groups: \"group\" stands twice");
+  expect("groups: [=group]\n", "participant,file,=group\n01,a,old\n", "begins like a formula");
+  Write("study.yaml", MakeDesignYaml("", "{hand}_thumb"));
+  Write("trials.csv", "participant,file\n01,a\n");
+  ExpectFault("trials.csv:2: error: hand: empty; the labels under markers contain {hand}");
+  // A group that was named as a factor is said, not refused.
+  Write("study.yaml", MakeDesignYaml("factors: [group]\n"));
+  Write("trials.csv", "participant,file,group\n01,a,old\n02,b,young\n");
+  EXPECT_NE(LoadStudy(folder_ / "study.yaml").warnings.Format().find("name it under groups"),
+            std::string::npos);
+}
+
 TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
   const auto expect = [&](const std::string& yaml, const std::string& part) {
     Write("study.yaml", yaml);

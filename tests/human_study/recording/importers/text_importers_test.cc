@@ -396,6 +396,52 @@ TEST(Table, TheShippedMappingReadsMediaPipesLandmarksAndRefusesThoseOfAnImage) {
             "by two cameras first");
 }
 
+TEST(Table, TheShippedMappingReadsLeapHands) {
+  ImportOptions options;
+  options.mapping = FindDataRoot() / "human_study/examples/leap/columns.yaml";
+  const TableMapping mapping = LoadTableMapping(options.mapping);
+  std::string head = "timestamp", rows[2] = {"1000000", "1010000"};
+  int place = 0;
+  for (const TableMapping::Point& point : mapping.points) {
+    for (const std::string& column : point.columns) {
+      head += "," + column;
+      for (int row = 0; row < 2; ++row) rows[row] += "," + std::to_string(100 + place + 5 * row);
+      ++place;
+    }
+  }
+  const Recording read =
+      ImportBytes(head + "\n" + rows[0] + "\n" + rows[1] + "\n", "table", options);
+  EXPECT_NEAR(read.rate, 100.0, 1e-6);  // microseconds
+  ASSERT_EQ(read.points.size(), 12u);
+  EXPECT_NEAR((read.FindPoint("wrist").Position(1) - Eigen::Vector3d(0.105, 0.106, 0.107)).norm(),
+              0.0, 1e-6);
+  EXPECT_NO_THROW(read.FindPoint("little_tip"));
+}
+
+TEST(Table, TheShippedMappingMakesTipsOfAGlovesAngles) {
+  ImportOptions options;
+  options.mapping = FindDataRoot() / "human_study/examples/glove/columns.yaml";
+  const std::vector<std::string> columns = LoadTableMapping(options.mapping).glove.ListColumns();
+  std::string head = "time_s";
+  for (const std::string& column : columns) head += "," + column;
+  std::string text = head + "\n";
+  for (int row = 0; row < 3; ++row) {
+    text += std::to_string(0.01 * row);
+    for (size_t i = 0; i + 7 < columns.size(); ++i) text += row == 1 ? ",30" : ",0";
+    text += row == 2 ? ",1,2,3,,0,0,1\n" : ",1,2,3,0,0,0,1\n";
+  }
+  const Recording read = ImportBytes(text, "table", options);
+  ASSERT_EQ(read.points.size(), 6u);
+  EXPECT_NEAR((read.FindPoint("wrist").Position(0) - Eigen::Vector3d(1, 2, 3)).norm(), 0.0, 1e-6);
+  // Bent fingers bring the tips nearer to the wrist; a missing cell is a missing point.
+  const RecordedPoint& tip = read.FindPoint("index_tip");
+  const RecordedPoint& wrist = read.FindPoint("wrist");
+  EXPECT_LT((tip.Position(1) - wrist.Position(1)).norm(),
+            (tip.Position(0) - wrist.Position(0)).norm() - 0.01);
+  EXPECT_EQ(tip.states[2], SampleState::kInvalid);
+  EXPECT_EQ(read.findings.front().code, "glove_model");
+}
+
 std::string N3d(int num_frames, int num_values = 3) {
   std::string bytes(256, '\0');
   bytes[0] = 32;

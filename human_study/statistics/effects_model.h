@@ -1,0 +1,74 @@
+#pragma once
+/** @file
+All trials of a measure under all factors, within and between persons, as a mixed model (reml.h):
+
+    y = mean + factors, groups and all that they do together
+          + the person's own level and own effect of each factor + the session's + e
+
+lme4's y ~ A * B * G + (A + B | person) + (1 | person:session), factors coded to sum to zero, a
+quantity as a line about its mean. Persons with empty conditions and different numbers of trials stay
+in. Effects are tested together (type III) with Satterthwaite's degrees of freedom.
+
+The random part is the fullest that the data carry, down this ladder; what was left, and why, is in
+`fallbacks`:
+1. the person's level and effects with all their correlations, and the session's level;
+2. the same without correlations (which then hang on the coding);
+3. the same without each part whose variance is zero, until none is.
+Where nothing is left persons cannot be told from each other, and there is no answer. An effect that
+no longer varies between persons is tested against trials: its p is too small if it does vary.
+
+Not modelled: persons' own interactions, groupings that cross persons (objects as a sample of
+objects), covariates. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/statistics/measure_table.h"
+#include "human_study/statistics/mixed_model.h"
+#include "human_study/statistics/reml.h"
+
+namespace graspbench {
+
+struct EffectTest {
+  std::string name;  ///< "object", "object x group"
+  Answer<RemlFTest> test;
+};
+
+/** Mean of a condition as the model has it: persons and groups weigh the same, whoever was missing. */
+struct CellEstimate {
+  std::string cell;
+  double estimate = 0.0;
+  double standard_error = 0.0;
+  Answer<CoefficientTest> test;  ///< its interval counts
+};
+
+/** A part of the random effects and its standard deviation. */
+struct RandomPart {
+  std::string name;  ///< "level of persons", "object: cup", "level of sessions"
+  double sd = 0.0;   ///< of a slope: per unit of the quantity
+};
+
+struct EffectsModel {
+  int num_persons = 0;
+  int num_observations = 0;
+  bool is_correlated = false;  ///< the persons' level and effects
+  std::vector<std::string> fallbacks;
+  std::vector<EffectTest> effects;  ///< main effects, within persons first, then pairs, ..
+  std::vector<CellEstimate> cells;  ///< as ListCells(); none for a quantity
+  std::vector<RandomPart> random;   ///< of the rung it stands on
+  double residual_sd = 0.0;
+  double reml_criterion = 0.0;
+};
+
+/** All factors by their levels. No answer for one level or one person, a group with one person, a
+combination of levels without a trial, or when no rung of the ladder holds. */
+Answer<EffectsModel> FitEffectsModel(const MeasureTable& table);
+
+/** One factor as the quantity it is, with all groups: does its slope differ between them?
+No answer as above, and when the factor has no numbers. @pre factor < table.factors.size(). */
+Answer<EffectsModel> FitQuantityModel(const MeasureTable& table, size_t factor);
+
+/** What varies between persons and sessions, for notes. */
+std::string DescribeRandom(const EffectsModel& model);
+
+}  // namespace graspbench

@@ -1,0 +1,388 @@
+#include "human_study/statistics/reml.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/statistics/distributions.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kSingularTheta = 1e-4;  // as lme4's isSingular
+
+/** An entry of Lambda. */
+struct Entry {
+  Index row = 0, column = 0;
+  Index parameter = 0;
+};
+
+std::vector<Entry> ListEntries(const RemlStructure& structure, Index num_columns) {
+  std::vector<Entry> entries;
+  Index parameter = 0;
+  for (Index column = 0; column < structure.num_correlated; ++column) {
+    for (Index row = column; row < structure.num_correlated; ++row) {
+      entries.push_back({row, column, parameter++});
+    }
+  }
+  Index next = structure.num_correlated;
+  for (int i = 0; i < structure.num_separate; ++i, ++next) {
+    entries.push_back({next, next, parameter++});
+  }
+  for (; next < num_columns; ++next) entries.push_back({next, next, parameter});
+  return entries;
+}
+
+/** One person's sums of products; X orthonormal over all, y its residuals. */
+struct Products {
+  MatrixXd zz, zx, xx;
+  VectorXd zy, xy;
+  double yy = 0.0;
+  std::vector<Entry> entries;
+};
+
+MatrixXd MakeLambda(const Products& group, const VectorXd& theta) {
+  MatrixXd lambda = MatrixXd::Zero(group.zz.rows(), group.zz.rows());
+  for (const Entry& entry : group.entries) lambda(entry.row, entry.column) = theta(entry.parameter);
+  return lambda;
+}
+
+/** Of one person at some theta: weight = (I + Z^T Z G)^-1, so that Z^T V^-1 v = weight Z^T v. */
+struct Weights {
+  MatrixXd lambda, weight, zvz, zvx;
+  VectorXd zvy;
+  double log_det = 0.0;
+
+  Weights(const Products& group, const VectorXd& theta) : lambda(MakeLambda(group, theta)) {
+    const Index n = lambda.rows();
+    const MatrixXd g = lambda * lambda.transpose();
+    const Eigen::PartialPivLU<MatrixXd> lu(MatrixXd::Identity(n, n) + group.zz * g);
+    weight = lu.inverse();
+    log_det = std::log(std::abs(lu.determinant()));
+    zvz = weight * group.zz;
+    zvx = weight * group.zx;
+    zvy = weight * group.zy;
+  }
+};
+
+/** The criterion's parts and their derivatives by theta. */
+struct Terms {
+  double log_dets = 0.0;
+  double quadratic = 0.0;
+  VectorXd beta;
+  MatrixXd c_inverse;
+  VectorXd log_dets_slope, quadratic_slope;
+};
+
+Terms CalcTerms(const std::vector<Products>& groups, const VectorXd& theta) {
+  const Index p = groups.front().xx.rows();
+  Terms terms;
+  MatrixXd c = MatrixXd::Zero(p, p);
+  VectorXd xvy = VectorXd::Zero(p);
+  double yvy = 0.0;
+  std::vector<Weights> weights;
+  weights.reserve(groups.size());
+  for (const Products& group : groups) {
+    const Weights& own = weights.emplace_back(group, theta);
+    const MatrixXd g = own.lambda * own.lambda.transpose();
+    c += group.xx - group.zx.transpose() * (g * own.zvx);
+    xvy += group.xy - group.zx.transpose() * (g * own.zvy);
+    yvy += group.yy - group.zy.dot(g * own.zvy);
+    terms.log_dets += own.log_det;
+  }
+  const Eigen::LLT<MatrixXd> llt(0.5 * (c + c.transpose()));
+  terms.c_inverse = llt.solve(MatrixXd::Identity(p, p));
+  terms.log_dets += 2.0 * llt.matrixLLT().diagonal().array().log().sum();
+  terms.beta = llt.solve(xvy);
+  terms.quadratic = yvy - xvy.dot(terms.beta);
+  terms.log_dets_slope = terms.quadratic_slope = VectorXd::Zero(theta.size());
+  for (size_t i = 0; i < groups.size(); ++i) {
+    const Weights& own = weights[i];
+    const VectorXd u = own.zvy - own.zvx * terms.beta;  // Z^T V^-1 r
+    const MatrixXd by_log_dets =
+        2.0 * (own.zvz - own.zvx * terms.c_inverse * own.zvx.transpose()) * own.lambda;
+    const MatrixXd by_quadratic = -2.0 * u * (u.transpose() * own.lambda);
+    for (const Entry& entry : groups[i].entries) {
+      terms.log_dets_slope(entry.parameter) += by_log_dets(entry.row, entry.column);
+      terms.quadratic_slope(entry.parameter) += by_quadratic(entry.row, entry.column);
+    }
+  }
+  return terms;
+}
+
+/** Central differences of a gradient, made symmetric. */
+template <typename Gradient>
+MatrixXd CalcHessian(const VectorXd& at, double step, const Gradient& calc_gradient) {
+  MatrixXd hessian(at.size(), at.size());
+  for (Index i = 0; i < at.size(); ++i) {
+    VectorXd above = at, below = at;
+    const double own = step * std::max(std::abs(at(i)), 0.1);
+    above(i) += own;
+    below(i) -= own;
+    hessian.col(i) = (calc_gradient(above) - calc_gradient(below)) / (above(i) - below(i));
+  }
+  return 0.5 * (hessian + hessian.transpose());
+}
+
+/** The criterion with beta and sigma profiled out, without its constants. */
+struct Profile {
+  double value = 0.0;
+  VectorXd gradient;
+
+  Profile(const std::vector<Products>& groups, double df, const VectorXd& theta) {
+    const Terms terms = CalcTerms(groups, theta);
+    value = terms.log_dets + df * std::log(terms.quadratic);
+    gradient = terms.log_dets_slope + df / terms.quadratic * terms.quadratic_slope;
+  }
+};
+
+VectorXd MakeStart(const Products& group, Index num_parameters) {
+  VectorXd theta = VectorXd::Zero(num_parameters);
+  for (const Entry& entry : group.entries) {
+    if (entry.row == entry.column) theta(entry.parameter) = 1.0;
+  }
+  return theta;
+}
+
+/** Newton's method with the curvature's magnitude, so that every step goes downhill, shortened
+until it does not climb. The criterion depends on L L^T alone, so signs of L need no bounds. */
+Answer<VectorXd> FindTheta(const std::vector<Products>& groups, double df, VectorXd theta) {
+  constexpr int kMaxSteps = 200;
+  Profile profile(groups, df, theta);
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const MatrixXd hessian = CalcHessian(
+        theta, 1e-5, [&](const VectorXd& at) { return Profile(groups, df, at).gradient; });
+    if (!hessian.allFinite()) break;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> curvature(hessian);
+    const VectorXd& values = curvature.eigenvalues();
+    const double largest = values.cwiseAbs().maxCoeff();
+    const VectorXd magnitudes = values.cwiseAbs().cwiseMax(1e-10 * largest);
+    const MatrixXd& axes = curvature.eigenvectors();
+    VectorXd move = -axes * (axes.transpose() * profile.gradient).cwiseQuotient(magnitudes);
+    const double longest = 1.0 + theta.norm();
+    if (move.norm() > longest) move *= longest / move.norm();
+
+    Profile next(groups, df, theta + move);
+    while (!(next.value <= profile.value) && move.norm() > 1e-10 * longest) {
+      move *= 0.5;
+      next = Profile(groups, df, theta + move);
+    }
+    if (next.value <= profile.value) {
+      theta += move;
+      profile = next;
+    }
+    if (move.norm() <= 1e-9 * longest) return theta;
+  }
+  return NoAnswer{"the likelihood has no clear maximum (" + std::to_string(kMaxSteps) + " steps)"};
+}
+
+/** What persons' own effects cannot take up of a column: its residuals about Z_p. */
+VectorXd TakeOut(const MatrixXd& z, const VectorXd& column) {
+  if (z.cols() == 0) return column;
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(z);
+  return column - z * qr.solve(column);
+}
+
+/** Why fixed and random effects together leave nothing to estimate the residual from. */
+std::string FindNoResidual(const std::vector<RemlGroup>& groups, const MatrixXd& x,
+                           const VectorXd& y) {
+  MatrixXd x_left(x.rows(), x.cols());
+  VectorXd y_left(y.size());
+  Index first = 0, num_taken = 0;
+  for (const RemlGroup& group : groups) {
+    const Index n = group.y.size();
+    for (Index column = 0; column < x.cols(); ++column) {
+      x_left.col(column).segment(first, n) = TakeOut(group.z, group.x.col(column));
+    }
+    y_left.segment(first, n) = TakeOut(group.z, y.segment(first, n));
+    if (group.z.cols() > 0) num_taken += Eigen::ColPivHouseholderQR<MatrixXd>(group.z).rank();
+    first += n;
+  }
+  // What is left of a column that persons explain is rounding, and no rank.
+  for (Index column = 0; column < x.cols(); ++column) {
+    if (x_left.col(column).norm() <= 1e-9 * x.col(column).norm()) x_left.col(column).setZero();
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(x_left.rows(), x_left.cols());
+  qr.setThreshold(1e-9);
+  qr.compute(x_left);
+  const Index left = y.size() - num_taken - qr.rank();
+  if (left <= 0) {
+    return std::to_string(y.size()) +
+           " trials are no more than the fixed and random effects: no residual to compare with";
+  }
+  VectorXd residual = y_left;
+  if (qr.rank() > 0) residual -= x_left * qr.solve(y_left);
+  if (residual.norm() <= 1e-12 * y.norm() || y.norm() == 0.0) {
+    return "the effects explain every trial: no residual to compare with";
+  }
+  return "";
+}
+
+/** sigma and what CalcDf needs, at the optimum. */
+void FillParameterCovariance(const std::vector<Products>& groups, double df, const Terms& terms,
+                             const MatrixXd& back, RemlFit& fit) {
+  const Index n = fit.theta.size();
+  const double sigma = fit.sigma, sigma2 = sigma * sigma;
+  MatrixXd hessian(n + 1, n + 1);
+  hessian.topLeftCorner(n, n) = CalcHessian(fit.theta, 1e-4, [&](const VectorXd& at) {
+    const Terms near = CalcTerms(groups, at);
+    return VectorXd(near.log_dets_slope + near.quadratic_slope / sigma2);
+  });
+  hessian.col(n).head(n) = -2.0 * terms.quadratic_slope / (sigma2 * sigma);
+  hessian.row(n).head(n) = hessian.col(n).head(n).transpose();
+  hessian(n, n) = 4.0 * df / sigma2;
+  fit.parameter_covariance = 2.0 * hessian.inverse();
+
+  const Index p = fit.beta.size();
+  fit.covariance_slopes.assign(static_cast<size_t>(n + 1), MatrixXd::Zero(p, p));
+  for (const Products& group : groups) {
+    const Weights own(group, fit.theta);
+    const MatrixXd f = own.zvx * terms.c_inverse * back.transpose();
+    const MatrixXd lf = own.lambda.transpose() * f;
+    for (const Entry& entry : group.entries) {
+      const MatrixXd half = sigma2 * f.row(entry.row).transpose() * lf.row(entry.column);
+      fit.covariance_slopes[static_cast<size_t>(entry.parameter)] += half + half.transpose();
+    }
+  }
+  fit.covariance_slopes.back() = 2.0 / sigma * fit.covariance;
+}
+
+/** lmerTest's degrees of freedom of the mean of squared t values. */
+double CombineDf(const std::vector<double>& dfs) {
+  const auto [low, high] = std::minmax_element(dfs.begin(), dfs.end());
+  if (*high - *low < 1e-8 * *high) return *low;
+  if (*low <= 2.0) return 2.0;
+  double sum = 0.0;
+  for (const double df : dfs) sum += df / (df - 2.0);
+  return 2.0 * sum / (sum - static_cast<double>(dfs.size()));
+}
+
+}  // namespace
+
+int RemlStructure::num_parameters() const {
+  return num_correlated * (num_correlated + 1) / 2 + num_separate + (has_shared ? 1 : 0);
+}
+
+MatrixXd RemlFit::CalcCovariance(int num_correlated) const {
+  MatrixXd factor = MatrixXd::Zero(num_correlated, num_correlated);
+  Index parameter = 0;
+  for (Index column = 0; column < num_correlated; ++column) {
+    for (Index row = column; row < num_correlated; ++row) factor(row, column) = theta(parameter++);
+  }
+  return sigma * sigma * factor * factor.transpose();
+}
+
+Answer<double> RemlFit::CalcDf(const VectorXd& contrast) const {
+  if (is_singular) {
+    return NoAnswer{"singular fit: a variance between persons is zero or their correlation is 1"};
+  }
+  VectorXd slope(static_cast<Index>(covariance_slopes.size()));
+  for (Index i = 0; i < slope.size(); ++i) {
+    slope(i) = contrast.dot(covariance_slopes[static_cast<size_t>(i)] * contrast);
+  }
+  const double variance = contrast.dot(covariance * contrast);
+  const double df = 2.0 * variance * variance / slope.dot(parameter_covariance * slope);
+  if (!(df >= 0.5)) {
+    return NoAnswer{"the likelihood is too flat: less than half a degree of freedom"};
+  }
+  return df;
+}
+
+Answer<RemlFTest> RemlFit::TestContrasts(const MatrixXd& contrasts) const {
+  const MatrixXd own = contrasts * covariance * contrasts.transpose();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(own);
+  const VectorXd& variances = eigen.eigenvalues();
+  if (variances.minCoeff() <= 1e-12 * variances.maxCoeff()) {
+    return NoAnswer{"the contrasts depend on each other"};
+  }
+  RemlFTest test;
+  test.df_1 = static_cast<double>(contrasts.rows());
+  std::vector<double> dfs;
+  for (Index i = 0; i < variances.size(); ++i) {
+    const VectorXd contrast = contrasts.transpose() * eigen.eigenvectors().col(i);
+    const Answer<double> df = CalcDf(contrast);
+    if (!df) return df.none();
+    dfs.push_back(*df);
+    const double estimate = contrast.dot(beta);
+    test.f += estimate * estimate / variances(i) / test.df_1;
+  }
+  test.df_2 = CombineDf(dfs);
+  test.p = CalcFisherUpperP(test.f, test.df_1, test.df_2);
+  return test;
+}
+
+Answer<RemlFit> FitReml(const std::vector<RemlGroup>& groups, const RemlStructure& structure) {
+  Index num_rows = 0;
+  for (const RemlGroup& group : groups) num_rows += group.y.size();
+  const Index p = groups.front().x.cols();
+  if (num_rows <= p) {
+    return NoAnswer{FormatCount(static_cast<int>(num_rows), "trial") + " for " +
+                    FormatCount(static_cast<int>(p), "fixed effect")};
+  }
+  MatrixXd x(num_rows, p);
+  VectorXd y(num_rows);
+  Index first = 0;
+  for (const RemlGroup& group : groups) {
+    x.middleRows(first, group.x.rows()) = group.x;
+    y.segment(first, group.y.size()) = group.y;
+    first += group.y.size();
+  }
+  // X is made orthonormal and y free of it: neither changes the fit, both keep its digits.
+  if (Eigen::ColPivHouseholderQR<MatrixXd>(x).rank() < p) {
+    return NoAnswer{"the fixed effects depend on each other"};
+  }
+  const Eigen::HouseholderQR<MatrixXd> qr(x);
+  const MatrixXd r = qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
+  const MatrixXd q = qr.householderQ() * MatrixXd::Identity(num_rows, p);
+  const VectorXd ordinary = r.triangularView<Eigen::Upper>().solve(q.transpose() * y);
+  const VectorXd residual = y - x * ordinary;
+  if (residual.norm() <= 1e-14 * y.norm()) {
+    return NoAnswer{"the effects explain every trial: no residual to compare with"};
+  }
+  const std::string no_residual = FindNoResidual(groups, x, residual);
+  if (!no_residual.empty()) return NoAnswer{no_residual};
+
+  std::vector<Products> products;
+  first = 0;
+  for (const RemlGroup& group : groups) {
+    const Index n = group.y.size();
+    const MatrixXd own = q.middleRows(first, n);
+    const VectorXd own_y = residual.segment(first, n);
+    products.push_back({group.z.transpose() * group.z, group.z.transpose() * own,
+                        own.transpose() * own, group.z.transpose() * own_y, own.transpose() * own_y,
+                        own_y.squaredNorm(), ListEntries(structure, group.z.cols())});
+    first += n;
+  }
+  const double df = static_cast<double>(num_rows - p);
+  const Answer<VectorXd> theta =
+      FindTheta(products, df, MakeStart(products.front(), structure.num_parameters()));
+  if (!theta) return theta.none();
+
+  const Terms terms = CalcTerms(products, *theta);
+  const MatrixXd back = r.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
+  RemlFit fit;
+  fit.theta = *theta;
+  fit.sigma = std::sqrt(terms.quadratic / df);
+  fit.beta = ordinary + back * terms.beta;
+  fit.covariance = fit.sigma * fit.sigma * back * terms.c_inverse * back.transpose();
+  fit.criterion = terms.log_dets + df * (1.0 + std::log(2.0 * kPi * terms.quadratic / df)) +
+                  2.0 * r.diagonal().cwiseAbs().array().log().sum();
+  for (const Products& group : products) {
+    for (const Entry& entry : group.entries) {
+      fit.is_singular |=
+          entry.row == entry.column && std::abs((*theta)(entry.parameter)) < kSingularTheta;
+    }
+    const Weights own(group, *theta);
+    fit.random.push_back(own.lambda * own.lambda.transpose() * (own.zvy - own.zvx * terms.beta));
+  }
+  if (!fit.is_singular) FillParameterCovariance(products, df, terms, back, fit);
+  return fit;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,28 @@
+#pragma once
+/** @file One trial of a study as figures, for the report and for the pages of a review. */
+
+#include <string>
+#include <vector>
+
+#include "human_study/study/run_study.h"
+#include "reports/html.h"
+
+namespace graspbench {
+
+// All but CodeOfDetector: @pre the trial was analysed.
+
+/** Hand opening over time with the events that the measures rest on. */
+Html DrawTrialOpening(const StudyTrial& trial);
+/** One row a digit: a mark a detector, a span of the believed one's 95 %. */
+Html DrawTrialContacts(const StudyTrial& trial);
+/** Speed of every tip against the object, and its distance: from the surface where the shape is
+known, else from its place in the hold; with the contacts believed.
+@param reach  what the trial was analysed from. */
+Html DrawTrialTips(const StudyTrial& trial, const ReachTrial& reach,
+                   const AnalysisOptions& options);
+/** Two letters, as many as tell them apart. */
+std::string CodeOfDetector(const ContactDetector& detector);
+/** "P1-3, diameter 30 mm: GFT 31 ms, ..", with flags or the reason of its removal. */
+std::string DescribeTrial(const StudyTrial& trial, const std::vector<Factor>& factors);
+
+}  // namespace graspbench

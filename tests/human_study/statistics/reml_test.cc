@@ -1,0 +1,65 @@
+#include "human_study/statistics/reml.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+/** Persons with the same number of trials each; made up. */
+std::vector<RemlGroup> MakeBalanced() {
+  const double values[4][3] = {{5.1, 6.0, 5.4}, {8.2, 7.1, 7.7}, {3.0, 4.4, 3.9}, {6.6, 6.1, 7.5}};
+  std::vector<RemlGroup> groups;
+  for (const auto& own : values) {
+    RemlGroup group;
+    group.x = group.z = Eigen::MatrixXd::Ones(3, 1);
+    group.y = Eigen::Vector3d(own[0], own[1], own[2]);
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+TEST(Reml, IsTheAnovaEstimateOfABalancedLayout) {
+  // sigma^2 = MS_within, the persons' variance (MS_between - MS_within) / k, and the mean's standard
+  // error sqrt(MS_between / N) with n - 1 degrees of freedom (Searle, Casella and McCulloch 1992).
+  const std::vector<RemlGroup> groups = MakeBalanced();
+  double grand = 0.0, within = 0.0, between = 0.0;
+  for (const RemlGroup& group : groups) grand += group.y.mean() / 4.0;
+  for (const RemlGroup& group : groups) {
+    within += (group.y.array() - group.y.mean()).square().sum() / 8.0;
+    between += 3.0 * std::pow(group.y.mean() - grand, 2) / 3.0;
+  }
+  RemlStructure structure;
+  structure.num_separate = 1;
+  const Answer<RemlFit> fit = FitReml(groups, structure);
+  ASSERT_TRUE(fit) << fit.reason();
+  EXPECT_NEAR(fit->sigma, std::sqrt(within), 1e-8);
+  EXPECT_NEAR(fit->sigma * std::abs(fit->theta(0)), std::sqrt((between - within) / 3.0), 1e-7);
+  EXPECT_NEAR(fit->beta(0), grand, 1e-12);
+  EXPECT_NEAR(std::sqrt(fit->covariance(0, 0)), std::sqrt(between / 12.0), 1e-8);
+  EXPECT_NEAR(*fit->CalcDf(Eigen::VectorXd::Ones(1)), 3.0, 1e-5);
+  const Answer<RemlFTest> test = fit->TestContrasts(Eigen::MatrixXd::Ones(1, 1));
+  EXPECT_NEAR(test->f, grand * grand * 12.0 / between, 1e-4);
+}
+
+TEST(Reml, GivesReasons) {
+  std::vector<RemlGroup> groups = MakeBalanced();
+  RemlStructure structure;
+  structure.num_separate = 1;
+  for (RemlGroup& group : groups) group.x = Eigen::MatrixXd::Ones(3, 2);
+  EXPECT_EQ(FitReml(groups, structure).reason(), "the fixed effects depend on each other");
+  groups = MakeBalanced();
+  for (RemlGroup& group : groups) group.z = Eigen::MatrixXd::Identity(3, 3);
+  structure.num_separate = 3;
+  EXPECT_EQ(FitReml(groups, structure).reason(),
+            "12 trials are no more than the fixed and random effects: no residual to compare with");
+  groups = MakeBalanced();
+  for (RemlGroup& group : groups) group.y.setConstant(group.y(0));
+  structure.num_separate = 1;
+  EXPECT_EQ(FitReml(groups, structure).reason(),
+            "the effects explain every trial: no residual to compare with");
+}
+
+}  // namespace
+}  // namespace graspbench

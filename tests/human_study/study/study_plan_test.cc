@@ -1,0 +1,153 @@
+#include "human_study/study/study_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/base/files.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudyPlanTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              (std::string("study_plan_") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    MakeFolder(folder_ / "tidy");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /** Two trials a person and size; person p differs by p hundredths between the sizes. */
+  void WritePilot(int num_persons, int num_trials = 2) const {
+    std::string text = "person,trial,size,size_number,group,measure,value\n";
+    for (int person = 0; person < num_persons; ++person) {
+      for (int size = 0; size < 2; ++size) {
+        for (int trial = 0; trial < num_trials; ++trial) {
+          const double value = 0.1 + 0.01 * person * size + (trial == 0 ? -0.005 : 0.005);
+          text += "P" + std::to_string(person) + ",1," + (size == 0 ? "30,0.03" : "100,0.1") + "," +
+                  (person % 2 == 0 ? "old" : "young") + ",grasp_forming_time_s," +
+                  std::to_string(value) + "\n";
+        }
+      }
+    }
+    WriteFileAtomically(folder_ / "tidy" / "tidy.csv", text);
+  }
+  Pilot Load(const PilotQuestion& question = {}) const { return LoadPilot(folder_, question); }
+  static std::string FindFault(const std::function<void()>& work) {
+    try {
+      work();
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(StudyPlanTest, APilotsVariancesAreThoseOfTheAnova) {
+  WritePilot(5);
+  const Pilot pilot = Load();
+  EXPECT_EQ(pilot.factor, "size");
+  EXPECT_EQ(pilot.level_a, "30");  // by number, not by letter
+  EXPECT_EQ(pilot.level_b, "100");
+  EXPECT_FALSE(pilot.is_between);
+  EXPECT_EQ(pilot.num_persons, 5);
+  EXPECT_NEAR(pilot.difference, 0.02, 1e-9);
+  // Pairs 0.01 apart: s^2 = 0.01^2 / 2, with a degree of freedom for each of ten cells.
+  EXPECT_NEAR(pilot.trial_variance, 5e-5, 1e-12);
+  EXPECT_EQ(pilot.trial_df, 10.0);
+  // Differences 0 to 0.04: variance 0.00025, of which trials explain (1/2 + 1/2) 5e-5.
+  const PowerDesign design = pilot.MakeDesign(0.01);
+  EXPECT_NEAR(design.person_sd, std::sqrt(2.5e-4 - 5e-5), 1e-9);
+  EXPECT_NEAR(design.trial_sd, std::sqrt(5e-5), 1e-9);
+}
+
+TEST_F(StudyPlanTest, AColumnThatIsTheSameInAPersonIsAGroup) {
+  WritePilot(6);
+  PilotQuestion question;
+  question.factor = "group";
+  const Pilot pilot = Load(question);
+  EXPECT_TRUE(pilot.is_between);
+  EXPECT_EQ(pilot.num_persons, 6);
+  EXPECT_EQ(pilot.observed_df, 4.0);
+}
+
+TEST_F(StudyPlanTest, ThePlanReachesThePowerAndSaysHowSureThePilotIs) {
+  WritePilot(5);
+  PlanRequest request;
+  request.difference = 0.02;
+  request.pilot = Load();
+  request.trials = {1, 10};
+  const StudyPlan plan = MakeStudyPlan(request);
+  ASSERT_EQ(plan.rows.size(), 2u);
+  EXPECT_GE(*plan.rows[0].num_persons, *plan.rows[1].num_persons);
+  for (const PlanRow& row : plan.rows) {
+    EXPECT_GT(row.power.interval.high, 0.8);
+    ASSERT_TRUE(row.over_pilot);
+    EXPECT_LT(row.over_pilot->low, row.power.power);
+    EXPECT_GT(row.over_pilot->high, row.power.power);
+    // Five persons leave much open.
+    EXPECT_LT(row.over_pilot->low, 0.6);
+  }
+}
+
+TEST_F(StudyPlanTest, RefusesNonsense) {
+  WritePilot(5);
+  const auto plan = [&](const std::function<void(PlanRequest&)>& change) {
+    PlanRequest request;
+    request.difference = 0.01;
+    request.stated.trial_sd = 0.02;
+    request.stated.person_sd = 0.01;
+    change(request);
+    return FindFault([&] { MakeStudyPlan(request); });
+  };
+  EXPECT_EQ(plan([](PlanRequest&) {}), "");
+  EXPECT_NE(plan([](PlanRequest& r) { r.difference = 0.0; }).find("--difference is 0;"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.difference = NAN; }).find("--difference is"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.difference = 10.0; }).find("10 ms is 0.01"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.stated.trial_sd = -1.0; }).find("expected 0 or more"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.stated = {}; }).find("without any spread"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.wanted = 1.0; }).find("--power is 1;"), std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.trials = {0}; }).find("--trials has 0;"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.num_persons = 1; }).find("--persons is 1;"),
+            std::string::npos);
+  EXPECT_NE(plan([](PlanRequest& r) { r.measure = "gft"; }).find("measure \"gft\" is not known"),
+            std::string::npos);
+
+  PilotQuestion question;
+  question.factor = "sise";
+  EXPECT_NE(FindFault([&] { Load(question); }).find("no factor \"sise\"; did you mean \"size\"?"),
+            std::string::npos);
+  question = {};
+  question.levels = {"30", "31"};
+  EXPECT_NE(FindFault([&] { Load(question); }).find("size has no level \"31\""), std::string::npos);
+  question = {};
+  question.measure = "grasp_opening";
+  EXPECT_NE(FindFault([&] { Load(question); }).find("no measure \"grasp_opening\""),
+            std::string::npos);
+  WritePilot(1);
+  EXPECT_EQ(FindFault([&] { Load(); }),
+            "the pilot: 1 person has trials at both levels of size; expected 2 or more");
+  WritePilot(4, 1);
+  EXPECT_NE(FindFault([&] { Load(); }).find("nobody has two trials in a condition"),
+            std::string::npos);
+  fs::remove_all(folder_ / "tidy");
+  EXPECT_NE(FindFault([&] { Load(); }).find("is no result of graspbench study run"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,116 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/base/range_text.h"
+#include "core/base/text.h"
+#include "human_study/study/study_plan.h"
+#include "workbench/commands/command.h"
+#include "workbench/text_table.h"
+
+namespace graspbench {
+namespace {
+
+struct PlanOptions {
+  std::string pilot;  ///< folder; empty: stated variances
+  PilotQuestion question;
+  PlanRequest request;
+};
+
+std::string DescribeVariances(const PlanOptions& options, const PowerDesign& design) {
+  const auto say = [](double value) { return FormatSignificant(value, 3); };
+  std::string text = "SD of trials " + say(design.trial_sd) + ", of persons' " +
+                     (design.is_between ? "means " : "differences ") + say(design.person_sd);
+  if (!options.request.pilot) return text + " (stated)";
+  const Pilot& pilot = *options.request.pilot;
+  text += " (pilot: " + FormatCount(pilot.num_persons, "person") + ", " +
+          FormatCount(pilot.num_trials, "trial") + ", " + pilot.factor + " " + pilot.level_a +
+          " and " + pilot.level_b + ")";
+  if (design.person_sd == 0.0) {
+    text +=
+        "\nnote     in the pilot persons differ no more than their trials do; the plan takes that "
+        "as zero, so trust the lower end of the last column";
+  }
+  return text;
+}
+
+std::string FormatPlan(const PlanOptions& options, const StudyPlan& plan) {
+  const bool has_pilot = options.request.pilot.has_value();
+  std::vector<std::string> heads = {"trials a condition",
+                                    plan.design.is_between ? "persons a group" : "persons",
+                                    "power (95 %)", "half 95 % interval"};
+  if (has_pilot) heads.push_back("power over the pilot's doubt (95 %)");
+  TextTable table(heads);
+  for (const PlanRow& row : plan.rows) {
+    std::vector<std::string> cells = {std::to_string(row.num_trials)};
+    if (row.num_persons) {
+      cells.push_back(std::to_string(*row.num_persons));
+      cells.push_back(
+          FormatWithRange(row.power.power, row.power.interval.low, row.power.interval.high, 2));
+      cells.push_back(FormatSignificant(row.power.half_width, 2));
+    } else {
+      cells.insert(cells.end(), {row.num_persons.reason(), "", ""});
+    }
+    if (has_pilot) {
+      cells.push_back(row.over_pilot ? FormatRange(row.over_pilot->low, row.over_pilot->high, 2)
+                                     : "");
+    }
+    table.AddRow(cells);
+  }
+  return "plan     a difference of " + FormatSignificant(plan.design.difference, 4) + " in " +
+         options.request.measure +
+         (plan.design.is_between ? " between groups" : " within persons") + ", power " +
+         FormatFixed(plan.wanted, 2) + ", two-sided t test at 0.05\n" + "spread   " +
+         DescribeVariances(options, plan.design) + "\n" + table.Format();
+}
+
+void RunPlan(PlanOptions options) {
+  const bool is_stated =
+      options.request.stated.trial_sd != 0.0 || options.request.stated.person_sd != 0.0;
+  if (options.pilot.empty() != is_stated) {
+    throw Error(ErrorKind::kUsage, is_stated
+                                       ? "a pilot and stated variances: expected one of the two"
+                                       : "expected a pilot's result folder, or --trial-sd and "
+                                         "--person-sd");
+  }
+  options.request.measure = options.question.measure;
+  if (!options.pilot.empty()) options.request.pilot = LoadPilot(options.pilot, options.question);
+  PrintResult(FormatPlan(options, MakeStudyPlan(options.request)));
+}
+
+}  // namespace
+
+void AddStudyPlanCommand(CLI::App& program, ExitCode&) {
+  const auto options = std::make_shared<PlanOptions>();
+  CLI::App& plan = AddSubcommand(
+      *program.get_subcommand("study"), "plan",
+      "Persons and trials that a difference needs, by simulation.",
+      "  graspbench study plan results/pilot --difference 0.01\n"
+      "  graspbench study plan --difference 0.01 --trial-sd 0.03 --person-sd 0.01 --trials 5,10");
+  plan.add_option("pilot", options->pilot, "result of graspbench study run: its variances")
+      ->option_text("[DIR]");
+  plan.add_option("--difference", options->request.difference,
+                  "to be shown, in the measure's SI unit; never the pilot's own")
+      ->required();
+  plan.add_option("--measure", options->question.measure, "id, as in measures.csv")
+      ->capture_default_str();
+  plan.add_option("--factor", options->question.factor, "column of the pilot whose levels differ")
+      ->default_str("the first");
+  plan.add_option("--levels", options->question.levels, "two of them: 0.03,0.06")
+      ->delimiter(',')
+      ->default_str("the first and the last");
+  plan.add_option("--trial-sd", options->request.stated.trial_sd,
+                  "of trials of a person in a condition");
+  plan.add_option("--person-sd", options->request.stated.person_sd,
+                  "of persons' true differences; with --groups of their true means");
+  plan.add_flag("--groups", options->request.stated.is_between,
+                "two groups of persons instead of two conditions");
+  plan.add_option("--trials", options->request.trials, "of a person in a condition")
+      ->delimiter(',')
+      ->capture_default_str();
+  plan.add_option("--persons", options->request.num_persons, "the power of so many, of each group")
+      ->default_str("as many as the power needs");
+  plan.add_option("--power", options->request.wanted, "wanted")->capture_default_str();
+  plan.callback([options] { RunPlan(*options); });
+}
+
+}  // namespace graspbench

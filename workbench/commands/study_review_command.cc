@@ -1,0 +1,91 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "core/base/text.h"
+#include "reports/study/review_pages.h"
+#include "workbench/commands/command.h"
+#include "workbench/experiments/output_folder.h"
+
+namespace graspbench {
+namespace {
+
+struct ReviewOptions {
+  std::string study_file, data, out;
+  std::vector<std::string> trials;
+  std::vector<std::string> settings;
+  bool replace = false;
+};
+
+/** What only the report needs is not computed. */
+Study LoadForReview(const ReviewOptions& options) {
+  Study study = LoadStudy(options.study_file, options.data, options.settings);
+  study.config.bias_trials = 0;
+  study.config.multiverse.onset.clear();
+  study.config.multiverse.opening.clear();
+  study.config.multiverse.cutoff.clear();
+  study.config.multiverse.detector = {study.config.analysis.contact.detector};
+  return study;
+}
+
+void CheckAllFound(const ReviewOptions& options, const StudyResult& result) {
+  std::vector<std::string> ids;
+  for (const StudyTrial& trial : result.trials) ids.push_back(trial.id);
+  for (const std::string& id : options.trials) {
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
+      throw Error(ErrorKind::kUsage,
+                  "--trials: no trial \"" + id + "\" in this study" + SuggestNames(id, ids));
+    }
+  }
+}
+
+void RunReview(const ReviewOptions& options) {
+  StagedFolder staged(
+      {options.out, "study review", options.replace, {options.study_file, options.data}});
+  const Study study = LoadForReview(options);
+  ReviewPages pages(staged.path());
+  int num_pages = 0;
+  StudyWatch watch;
+  watch.on_analysed = [&](const StudyTrial& trial, const ReachTrial& reach) {
+    const bool is_wanted =
+        options.trials.empty() ||
+        std::find(options.trials.begin(), options.trials.end(), trial.id) != options.trials.end();
+    if (!is_wanted) return;
+    pages.WriteTrial(trial, reach, study.factors, study.config.analysis);
+    ++num_pages;
+  };
+  const StudyResult result = RunStudy(study, watch);
+  CheckAllFound(options, result);
+  pages.Finish(result);
+  staged.Commit();
+  const std::filesystem::path out = options.out;
+  PrintResult("pages    " + std::to_string(num_pages) + ", " + (out / "index.html").string() +
+              "\nverdicts " + (out / "reviews.csv").string() +
+              ": fill it in, name it in study.yaml under reviews\n");
+}
+
+}  // namespace
+
+void AddStudyReviewCommand(CLI::App& program, ExitCode&) {
+  const auto options = std::make_shared<ReviewOptions>();
+  CLI::App& review =
+      AddSubcommand(*program.get_subcommand("study"), "review",
+                    "Pages to look at every contact, and a table for verdicts that a run replays.",
+                    "  graspbench study review study.yaml --out review\n"
+                    "  graspbench study review study.yaml --trials P1-3,P2-1 --out review");
+  review.add_option("study", options->study_file, "what was recorded and every choice")
+      ->required()
+      ->option_text("STUDY.YAML");
+  review.add_option("--data", options->data, "folder of the recordings")
+      ->option_text("DIR")
+      ->default_str("that of study.yaml");
+  review.add_option("--out", options->out, "folder for the pages")->required()->option_text("DIR");
+  review.add_option("--trials", options->trials, "pages of these alone")
+      ->delimiter(',')
+      ->default_str("all");
+  AddSettingsOption(review, options->settings, "contact.detector=surface");
+  AddReplaceOption(review, options->replace);
+  review.callback([options] { RunReview(*options); });
+}
+
+}  // namespace graspbench
