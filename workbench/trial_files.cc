@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "datasets/gltf/trial_gltf.h"
 #include "datasets/session/trace_table.h"
+#include "datasets/trajectory/trajectory_form.h"
 #include "reports/trial_page.h"
 #include "reports/trial_plots.h"
 #include "workbench/experiments/shell_quote.h"
@@ -39,6 +40,21 @@ std::string MakeTrialModel(const TrialFileOptions&, const ExaminedTrial& trial) 
   return MakeTrialGlb(*trial.setup.hand, *trial.setup.object, trial.traced);
 }
 
+/** @param form  of trajectories. */
+std::string MakeTrialTrajectory(const ExaminedTrial& trial, const char* form) {
+  const TrialTrajectory trajectory =
+      MakeTrajectory(trial.planned, trial.setup, trial.traced, kTrajectoryRate);
+  return MakeTrajectoryFiles(FindTrajectoryForm(form), trajectory).front().bytes;
+}
+
+std::string MakeTrialMcap(const TrialFileOptions&, const ExaminedTrial& trial) {
+  return MakeTrialTrajectory(trial, "mcap");
+}
+
+std::string MakeTrialH5(const TrialFileOptions&, const ExaminedTrial& trial) {
+  return MakeTrialTrajectory(trial, "h5");
+}
+
 std::string MakeWholePage(const TrialFileOptions& options, const ExaminedTrial& trial) {
   TrialPageData data;
   data.setup = trial.setup;
@@ -62,8 +78,12 @@ const std::vector<TrialFile>& ListTrialFiles() {
       {"--render", ".png", "FILE.png", "draw an instant with its forces", false, &MakeTrialPicture},
       {"--film", ".webp", "FILE.webp", "draw the whole trial as a moving picture, in real time",
        false, &MakeTrialFilm},
-      {"--trajectory", ".glb", "FILE.glb", "write the whole trial as a moving 3-D model (glTF)",
+      {"--trajectory", ".glb", "FILE.glb|.mcap|.h5",
+       "write the whole trial as a moving 3-D model (glTF), as messages (MCAP) or tables (HDF5); "
+       "graspbench replay writes many",
        false, &MakeTrialModel},
+      {"--trajectory", ".mcap", "", "", true, &MakeTrialMcap},
+      {"--trajectory", ".h5", "", "", true, &MakeTrialH5},
       {"--page", ".html", "FILE.html", "write a page with pictures, curves and a 3-D view", false,
        &MakeWholePage}};
   return files;

@@ -44,13 +44,14 @@ bool CanBeShown(const TraceInstant& instant) {
 }
 
 /** The instants that become keys; none for a trial that could not begin. */
-std::vector<const TraceInstant*> ChooseKeys(const std::vector<TraceInstant>& trace) {
+std::vector<const TraceInstant*> ChooseKeys(const std::vector<TraceInstant>& trace,
+                                            double key_rate) {
   std::vector<const TraceInstant*> keys;
   const TraceInstant* last = nullptr;
   for (const TraceInstant& instant : trace) {
     if (!CanBeShown(instant)) break;
     last = &instant;
-    const double wanted = static_cast<double>(keys.size()) / kGltfKeyRate;
+    const double wanted = static_cast<double>(keys.size()) / key_rate;
     if (instant.time - trace.front().time >= wanted - 1e-9) keys.push_back(last);
   }
   if (last && keys.back() != last) keys.push_back(last);
@@ -205,8 +206,8 @@ Json MakeExtras(const TracedTrial& traced, const std::vector<const TraceInstant*
 Json MakePartExtras(int part) { return Json{{"part", part}}; }
 
 std::string MakeGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced,
-                    bool is_whole) {
-  const std::vector<const TraceInstant*> keys = ChooseKeys(traced.trace);
+                    bool is_whole, double key_rate = kGltfKeyRate) {
+  const std::vector<const TraceInstant*> keys = ChooseKeys(traced.trace, key_rate);
   if (keys.empty()) {
     throw Error(ErrorKind::kUnsupported,
                 "the trial has no course: it could not begin; " + traced.result.reason);
@@ -254,8 +255,9 @@ std::string MakeGlb(const Hand& hand, const GraspObject& object, const TracedTri
 
 }  // namespace
 
-std::string MakeTrialGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced) {
-  return MakeGlb(hand, object, traced, true);
+std::string MakeTrialGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced,
+                         double key_rate) {
+  return MakeGlb(hand, object, traced, true, key_rate);
 }
 
 std::string MakeMotionGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced) {

@@ -33,9 +33,10 @@ namespace graspbench {
 
 inline constexpr double kGltfKeyRate = 30.0;  ///< keys a second
 
-/** @param traced  with instants at least as often as there are keys.
+/** @param traced  with instants at least as often as there are keys.   @param key_rate  [1/s]
 @throws Error(kUnsupported) for a trial that could not begin. */
-std::string MakeTrialGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced);
+std::string MakeTrialGlb(const Hand& hand, const GraspObject& object, const TracedTrial& traced,
+                         double key_rate = kGltfKeyRate);
 
 /** The same in parts, for a page that shows many trials with few hands and objects: the motion
 without meshes and names, the meshes without motion. A node of either says where it belongs in its

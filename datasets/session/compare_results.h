@@ -5,7 +5,7 @@ A trial that was simulated again against its record. */
 #include <optional>
 #include <string>
 
-#include "core/trial/trial_result.h"
+#include "datasets/session/trial_record.h"
 
 namespace graspbench {
 
@@ -17,5 +17,9 @@ struct FieldDifference {
 /** The first field of the record that is not the same to the last bit; unset: all are. */
 std::optional<FieldDifference> FindFirstDifference(const TrialResult& recorded,
                                                    const TrialResult& now);
+
+/** The same of the whole record; what decides the trial comes before its result. */
+std::optional<FieldDifference> FindFirstDifference(const TrialRecord& recorded,
+                                                   const TrialRecord& now);
 
 }  // namespace graspbench

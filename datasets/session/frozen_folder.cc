@@ -74,6 +74,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
                       " for it, or " + kind.remedy);
     }
     frozen.config = json.value("config", Json::object());
+    frozen.physics_version = json.value("physics_version", 0);
     AddModel(frozen.config);
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,

@@ -16,6 +16,7 @@ bool HasFrozen(const StoreKind& kind, const std::filesystem::path& folder);
 
 struct Frozen {
   Json config;                 ///< as it was written
+  int physics_version = 0;     ///< kPhysicsVersion of the program that wrote it; 0: not said
   bool is_sealed = true;       ///< false: older than manifests
   std::vector<Damage> damage;  ///< of the whole store: when it is accepted, and a lost manifest
 };

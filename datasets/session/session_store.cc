@@ -214,6 +214,7 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                           "plan and missing lines are not noticed");
   }
   session.config = SessionConfigFromJson(frozen.config, (folder / kSessionStore.file).string());
+  session.physics_version = frozen.physics_version;
   session.plan = LoadPlan(folder / "plan.jsonl");
   Merger merger(folder, session, parts);
   for (const fs::path& path : ListJournals(folder)) {

@@ -13,9 +13,10 @@ A session's folder:
     progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/               trials.csv, events.csv, their dictionaries; when asked for records.jsonl,
+    export/               trials.csv, events.csv, their dictionaries, datapackage.json; when asked for records.jsonl,
                           the whole records in the plan's order, without checksums; manifest.json
     report/               index.html, manifest.json
+    ro-crate-metadata.json  when asked for: the folder for archives, see ro_crate.h; has the clock too
     run.json              when, where, how long: the only file with clock and host
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
@@ -61,6 +62,7 @@ enum class RecordParts {
 struct Session {
   std::filesystem::path folder;  ///< it was loaded from; empty: it stands in none
   SessionConfig config;
+  int physics_version = 0;  ///< kPhysicsVersion of the program that planned it; 0: not said
   std::vector<PlannedTrial> plan;
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
   RecordLines lines;                 ///< of brief records; empty when they are whole

@@ -24,7 +24,8 @@ enum class StageKind {
   kComparison,
   kBasin,
   kVariant,
-  kDevelopment
+  kDevelopment,
+  kReplay
 };
 struct StageRow {
   StageKind value;
@@ -42,7 +43,8 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kComparison, "comparison", "search", "searches", "run", "evaluations", false},
     {StageKind::kBasin, "basin", "sample", "samples", "run", "samples", true},
     {StageKind::kVariant, "variant", "trial", "trials", "run", "trials", true},
-    {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false}};
+    {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false},
+    {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

@@ -25,6 +25,10 @@ class PlannedTrialRunner {
   TrialResult Run(const PlannedTrial& planned) {
     return runner_.Run(MakeTrialSetup(config_, inputs_, planned));
   }
+  /** @param interval  of the instants, as TraceTrial. */
+  TracedTrial Trace(const PlannedTrial& planned, double interval) {
+    return runner_.Trace(MakeTrialSetup(config_, inputs_, planned), interval);
+  }
   JudgedTrial Judge(const PlannedTrial& planned) {
     return runner_.Judge(MakeTrialSetup(config_, inputs_, planned));
   }

@@ -1,0 +1,18 @@
+#include "datasets/gltf/trial_gltf.h"
+#include "datasets/trajectory/trajectory_form.h"
+
+namespace graspbench {
+namespace {
+
+std::vector<TrajectoryFile> MakeGlbFiles(const TrialTrajectory& trajectory) {
+  return {{".glb",
+           MakeTrialGlb(*trajectory.hand, *trajectory.object, trajectory.traced, trajectory.rate)}};
+}
+
+}  // namespace
+
+TrajectoryForm MakeGlbTrajectoryForm() {
+  return {"glb", "a moving 3-D model, for viewers of glTF 2.0", &MakeGlbFiles, nullptr};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,232 @@
+"""Trajectories in the hands of other programs: pandas reads the tables, h5py the HDF5, and this file
+the MCAP by its specification with Debian's zstd and Google's protobuf. Each must find the poses and
+joints of the record's snapshots, and its contacts and events, to 1e-6.
+
+  read_trajectories.py GRASPBENCH      exit code 77: a package is missing
+"""
+
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import numpy as np
+    import pandas
+    import zstandard
+    from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+PROGRAM = sys.argv[1]
+TOLERANCE = 1e-6
+
+
+def graspbench(*arguments):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, (arguments, done.stdout, done.stderr)
+    return done.stdout
+
+
+def rotation(x, y, z, w):
+    return np.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+
+
+def expect_pose(recorded, position, quaternion, what):
+    assert np.abs(np.array(position) - recorded["p_m"]).max() < TOLERANCE, (what, position)
+    assert np.abs(rotation(*quaternion) - recorded["R"]).max() < TOLERANCE, what
+
+
+# --- The forms ------------------------------------------------------------------------------------
+
+
+class Csv:
+    def __init__(self, file):
+        self.instants = pandas.read_csv(file)
+        self.contacts = pandas.read_csv(file.with_suffix(".contacts.csv"))
+        self.happened = pandas.read_csv(file.with_suffix(".events.csv"), keep_default_na=False)
+
+    def row(self, time):
+        return self.instants.iloc[(self.instants.time_s - time).abs().idxmin()]
+
+    def pose(self, of, time):
+        row = self.row(time)
+        return ([row[f"{of}_{axis}_m"] for axis in "xyz"],
+                [row[f"{of}_q{part}"] for part in "xyzw"])
+
+    def joint(self, name, time):
+        return self.row(time)[name + "_rad"]
+
+    def forces(self):
+        return [(time, group.normal_force_n.sum(), self.row(time).grip_force_n)
+                for time, group in self.contacts.groupby("time_s")]
+
+    def events(self):
+        return list(zip(self.happened.time_s, self.happened.kind))
+
+
+class H5:
+    def __init__(self, demo):
+        self.demo = demo
+        self.columns = list(demo["states"].attrs["columns"])
+        self.states = demo["states"][:]
+
+    def row(self, time):
+        return self.states[np.abs(self.states[:, 0] - time).argmin()]
+
+    def value(self, name, time):
+        return self.row(time)[self.columns.index(name)]
+
+    def pose(self, of, time):
+        return ([self.value(f"{of}_{axis}_m", time) for axis in "xyz"],
+                [self.value(f"{of}_q{part}", time) for part in "xyzw"])
+
+    def joint(self, name, time):
+        return self.value(name + "_rad", time)
+
+    def forces(self):
+        contacts = self.demo["contacts"]
+        force = list(contacts.attrs["columns"]).index("normal_force_n")
+        table = contacts[:]
+        return [(self.states[int(row), 0], table[table[:, 0] == row, force].sum(),
+                 self.states[int(row), 1]) for row in np.unique(table[:, 0])]
+
+    def events(self):
+        return [(e["time_s"], e["kind"]) for e in json.loads(self.demo.attrs["events"])]
+
+
+class Mcap:
+    def __init__(self, file):
+        bytes_ = file.read_bytes()
+        assert bytes_[:8] == bytes_[-8:] == b"\x89MCAP0\r\n"
+        self.classes, self.channels, self.messages, self.metadata = {}, {}, [], {}
+        self.read(bytes_[8:-8])
+        self.poses = {}
+        for topic, _, message in self.messages:
+            if topic != "/tf":
+                continue
+            for frame in message.transforms:
+                stamp = frame.timestamp.seconds + frame.timestamp.nanos * 1e-9
+                self.poses.setdefault(frame.child_frame_id, []).append((stamp, frame))
+
+    def read(self, bytes_):
+        at = 0
+        while at < len(bytes_):
+            opcode, length = struct.unpack_from("<BQ", bytes_, at)
+            self.take(opcode, bytes_[at + 9:at + 9 + length])
+            at += 9 + length
+
+    def take(self, opcode, content):
+        if opcode == 3:
+            number, = struct.unpack_from("<H", content)
+            name, at = self.text(content, 2)
+            _, at = self.text(content, at)
+            size, = struct.unpack_from("<I", content, at)
+            files = descriptor_pb2.FileDescriptorSet.FromString(content[at + 4:at + 4 + size])
+            pool = descriptor_pool.DescriptorPool()
+            for one in files.file:
+                pool.Add(one)
+            prototype = message_factory.MessageFactory(pool).GetPrototype
+            self.classes[number] = prototype(pool.FindMessageTypeByName(name))
+        elif opcode == 4:
+            number, schema = struct.unpack_from("<HH", content)
+            self.channels[number] = (self.text(content, 4)[0], schema)
+        elif opcode == 5:
+            channel, _, time, _ = struct.unpack_from("<HIQQ", content)
+            topic, schema = self.channels[channel]
+            self.messages.append((topic, time * 1e-9, self.classes[schema].FromString(content[22:])))
+        elif opcode == 6:
+            size, = struct.unpack_from("<Q", content, 16)
+            compression, at = self.text(content, 28)
+            assert compression == "zstd"
+            self.read(zstandard.ZstdDecompressor().decompress(content[at + 8:], size))
+        elif opcode == 12:
+            name, at = self.text(content, 0)
+            at += 4
+            while at < len(content):
+                key, at = self.text(content, at)
+                self.metadata[key], at = self.text(content, at)
+
+    @staticmethod
+    def text(content, at):
+        size, = struct.unpack_from("<I", content, at)
+        return content[at + 4:at + 4 + size].decode(), at + 4 + size
+
+    def pose(self, of, time):
+        _, frame = min(self.poses[of], key=lambda one: abs(one[0] - time))
+        p, q = frame.translation, frame.rotation
+        return [p.x, p.y, p.z], [q.x, q.y, q.z, q.w]
+
+    def joint(self, name, time):
+        _, _, message = min((m for m in self.messages if m[0] == "/joints"),
+                            key=lambda m: abs(m[1] - time))
+        return next(j.position for j in message.joints if j.name == name)
+
+    def forces(self):
+        return [(time, sum(c.normal_force for c in m.contacts), m.grip_force)
+                for topic, time, m in self.messages if topic == "/contacts"]
+
+    def events(self):
+        return [(time, m.kind) for topic, time, m in self.messages if topic == "/events"]
+
+
+# --- The comparison -------------------------------------------------------------------------------
+
+
+def compare(record, joints, closure, read, form):
+    result = record["result"]
+    for snapshot in result["snapshots"]:
+        time = snapshot["time_s"]
+        for key, of in (("X_WH", "hand"), ("X_WO", "object")):
+            expect_pose(snapshot[key], *read.pose(of, time), (form, of, time))
+        for name, position in zip(joints, snapshot["q_rad"]):
+            assert abs(read.joint(name, time) - position) < TOLERANCE, (form, name, time)
+    forces = read.forces()
+    assert len(forces) > 10, form
+    for time, total, grip in forces:
+        assert abs(total - grip) < TOLERANCE, (form, time)
+    wanted = sorted(closure + e["time_s"] for e in result["contact_events"])
+    found = sorted(time for time, kind in read.events() if kind != "phase")
+    assert len(wanted) == len(found), (form, wanted, found)
+    assert all(abs(a - b) < TOLERANCE for a, b in zip(wanted, found)), (form, wanted, found)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        session = folder / "s"
+        graspbench("run", "--hand", "tum,shadow", "--object", "golf_ball", "--trials", 2, "--out",
+                   session)
+        graspbench("export", session, "--records")
+        records = [json.loads(line)
+                   for line in (session / "export" / "records.jsonl").read_text().splitlines()]
+        for form in ("csv", "mcap", "h5"):
+            graspbench("replay", session, "--all", "--trajectory", form, "--out", folder / form)
+        demos = h5py.File(folder / "h5" / "trajectories.h5", "r")
+        assert demos["data"].attrs["total"] == sum(
+            demo.attrs["num_samples"] for demo in demos["data"].values())
+        for i, record in enumerate(records):
+            name = f"{record['hand']}-{record['object']}-{record['grasp']}-{record['trial']}"
+            demo = demos[f"data/demo_{i}"]
+            assert demo.attrs["trial_id"] == record["trial_id"]
+            states = list(demo["states"].attrs["columns"])[17:]
+            joints = [column.rsplit("_", 1)[0] for column in states]
+            mcap = Mcap(folder / "mcap" / (name + ".mcap"))
+            assert mcap.metadata["trial_id"] == record["trial_id"]
+            assert mcap.metadata["record_sha256"] == demo.attrs["record_sha256"]
+            split = "success" if record["result"]["outcome"] == "success" else "failed"
+            assert f"demo_{i}" in [text.decode() for text in demos[f"mask/{split}"][:]]
+            for form, read in (("csv", Csv(folder / "csv" / (name + ".csv"))),
+                               ("mcap", mcap), ("h5", H5(demo))):
+                compare(record, joints, demo.attrs["closure_start_s"], read, form)
+        print(f"{len(records)} trials in 3 forms: the same numbers")
+
+
+main()

@@ -1,0 +1,139 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/text.h"
+#include "datasets/session/find_trial.h"
+#include "workbench/commands/command.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/replay_session.h"
+#include "workbench/replay_text.h"
+#include "workbench/terminal_observer.h"
+#include "workbench/trajectory_output.h"
+
+namespace graspbench {
+namespace {
+
+struct ReplayOptions {
+  std::filesystem::path folder;
+  std::vector<std::string> names;
+  bool failed = false, all = false;
+  bool verify = false;
+  int num_workers = 1;
+  double trial_time_limit = kTrialTimeLimit;
+  OnDamage on_damage = OnDamage::kRefuse;
+  TrajectoryRequest trajectory;
+  bool json = false;
+};
+
+/** The trials that are asked for, in the plan's order. */
+std::vector<PlannedTrial> FindReplayTrials(const Session& session, const ReplayOptions& options) {
+  if (options.names.empty() && !options.failed && !options.all) {
+    throw Error(ErrorKind::kUsage,
+                "no trial is named; name some as tum-can-g2:3 or by their trial_id, or ask for "
+                "--failed or --all");
+  }
+  if (options.all) return session.plan;
+  std::set<std::string> wanted;
+  for (const std::string& name : options.names) wanted.insert(FindPlannedTrial(session, name).id);
+  if (options.failed) {
+    for (const TrialRecord& record : session.records) {
+      if (!IsSuccess(record.result.outcome)) wanted.insert(record.plan.id);
+    }
+  }
+  std::vector<PlannedTrial> trials;
+  for (const PlannedTrial& planned : session.plan) {
+    if (wanted.count(planned.id) > 0) trials.push_back(planned);
+  }
+  return trials;
+}
+
+void WriteTrajectories(TrajectoryOutput& output) {
+  for (const std::filesystem::path& path : output.Commit()) PrintMessage(path.string());
+  if (output.num_skipped() == 0) return;
+  PrintMessage(FormatCount(output.num_skipped(), "trial") +
+               " could not begin: there is nothing to be written of them");
+}
+
+ExitCode Replay(ReplayOptions options) {
+  options.trajectory.session = options.folder;
+  if (options.trajectory.name.empty() && options.trajectory.replace) {
+    throw Error(ErrorKind::kUsage, "--replace requires --trajectory and --out");
+  }
+  const Session session = LoadSession(options.folder, options.on_damage, RecordParts::kBrief);
+  if (!session.damage.empty()) PrintMessage("damage accepted" + FormatDamage(session.damage));
+  ReplayRequest request;
+  request.trials = FindReplayTrials(session, options);
+  request.num_workers = options.num_workers;
+  request.trial_time_limit = options.trial_time_limit;
+  std::optional<TrajectoryOutput> output;
+  if (!options.trajectory.name.empty()) {
+    output.emplace(options.trajectory, request.trials.size());
+    request.take = [&](size_t trial, const TrialSetup& setup, const TracedTrial& traced) {
+      output->Take(trial, request.trials[trial], setup, traced);
+    };
+  }
+  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer(
+      [&](const Stage& stage) { return options.folder.string() + ": " + DescribeTasks(stage); },
+      stop);
+  SessionReplay replay = ReplaySession(session, inputs, request, observer, stop);
+  replay.conditions = FindReplayConditions(session, inputs);
+  if (options.json) {
+    PrintJson(MakeReplayJson(replay, options.folder.string()));
+  } else {
+    PrintResult(FormatReplay(replay, !options.verify));
+  }
+  if (output) WriteTrajectories(*output);
+  const bool is_missing = options.verify && replay.CountMissing() > 0;
+  return replay.CountDifferent() > 0 || is_missing ? kExitBadInput : kExitOk;
+}
+
+}  // namespace
+
+void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
+  CLI::App& command = AddSubcommand(
+      program, "replay", "Run trials of a session again and compare them with their records.",
+      "  graspbench replay results/pilot --all --verify    exit code 3 when one differs\n"
+      "  graspbench replay results/pilot tum-can-g2:3 --trajectory trial.mcap\n"
+      "  graspbench replay results/pilot --failed --trajectory h5 --out failed");
+  const auto options = std::make_shared<ReplayOptions>();
+  TrajectoryRequest& trajectory = options->trajectory;
+  AddStoreFolder(command, options->folder, "the session, as DIR/benchmark that of a campaign");
+  command
+      .add_option("trials", options->names,
+                  "trials, each its trial_id, the first letters of it, or hand-object-grasp:number")
+      ->option_text("ID|CELL:N ..");
+  CLI::Option* failed =
+      command.add_flag("--failed", options->failed, "the finished trials that are no success");
+  command.add_flag("--all", options->all, "every trial of the plan")->excludes(failed);
+  command.add_flag("--verify", options->verify,
+                   "name only trials that are not as recorded, and count those without a record");
+  std::string forms;
+  for (const TrajectoryForm& form : ListTrajectoryForms()) {
+    forms += (forms.empty() ? "" : "; ") + std::string(form.name) + ": " + form.text;
+  }
+  command.add_option("--trajectory", trajectory.name, "write what happened; " + forms)
+      ->option_text("FILE|FORM");
+  command.add_option("--fps", trajectory.rate, "instants a second of a trajectory")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->option_text("RATE")
+      ->default_str("60")
+      ->needs("--trajectory");
+  command.add_option("--out", trajectory.out, "new folder for trajectories of FORM")
+      ->option_text("DIR")
+      ->needs("--trajectory");
+  AddReplaceOption(command, trajectory.replace);
+  AddJobsOption(command, options->num_workers);
+  AddTrialTimeoutOption(command, options->trial_time_limit);
+  AddAcceptDamageOption(command, options->on_damage);
+  command.add_flag("--json", options->json, "print one JSON object");
+  command.callback([options, &exit_code] { exit_code = Replay(*options); });
+}
+
+}  // namespace graspbench
