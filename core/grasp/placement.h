@@ -70,7 +70,7 @@ raised off the table and stopped before the object by the rules above. @pre the 
 Placement MovePlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
                         const Eigen::Vector3d& shift_W, const Eigen::Vector3d& turn_W);
 
-/** Whether a computed placement would reach the object even if the object filled its bounding box; needs
+/** Whether a computed one would reach the object even if the object filled its bounding box; needs
 no distance field. True implies that the placement reaches the object itself, which lies inside. */
 bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
 

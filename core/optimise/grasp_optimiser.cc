@@ -12,8 +12,8 @@
 namespace graspbench {
 namespace {
 
-// Learning draws by their use; those of the fitness start with 2000 (target_search.cc), those of step
-// 1's choice with 0, the trial without variation.
+// Learning draws by their use; those of the fitness start with 2000 (target_search.cc), those of
+// step 1's choice with 0, the trial without variation.
 constexpr int kFirstTargetCheck = 1000;
 constexpr int kFirstFinalDraw = 3000;
 constexpr int kFirstScreeningDraw = 4000;

@@ -76,8 +76,8 @@ struct OptimisedGrasp {
   TargetStep target_step;      ///< the same
 };
 
-/** @throws Error of the search's space or method, before anything is asked; what `run` throws. Deterministic: the same answers of `run`
-lead to the same requests. */
+/** @throws Error of the space or method, before anything is asked; what `run` throws. Deterministic:
+the same answers of `run` lead to the same requests. */
 OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
                              const StandardGrasp& standard, const OptimiseConfig& config,
                              const RunLearningTrials& run);

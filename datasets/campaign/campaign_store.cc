@@ -108,7 +108,7 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   if (config.optimise.step != "both") {
     add("optimise", {{"step", "a campaign takes both steps; expected \"both\""}});
   }
-  OptimiseConfig search = config.optimise;
+  OptimiseConfig search;  // all else is checked above
   search.evaluations = config.comparison.evaluations;
   search.fitness_trials = config.comparison.fitness_trials;
   search.seed = config.comparison.seeds;

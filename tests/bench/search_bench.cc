@@ -4,6 +4,9 @@
 //
 //   search_bench DIR --scenes training  --spaces thumb,hand-pose --methods es,random,pagmo
 //   search_bench DIR --scenes benchmark --methods es,random --no-judge --evaluations 300
+//   search_bench DIR --scenes functions --methods es,cmaes,pagmo,random --seeds 21 --evaluations 300
+//
+// "functions" asks no simulation: how far from known optima the methods end.
 //
 // Each search's ten fittest are screened on 3 drawn trials, the best is judged on 20 others; methods
 // are compared with the first space and method, scene by scene and seed by seed.
@@ -17,6 +20,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/develop/training_shapes.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
@@ -113,16 +117,14 @@ std::vector<BenchScene> ListBenchmarkScenes(const Options& options) {
   return scenes;
 }
 
-SearchResult RunMethod(const OptimiseConfig& config, TargetSearch& search,
-                       const EvaluateGeneration& evaluate) {
+SearchResult RunMethod(const OptimiseConfig& config, const SearchSpace& box,
+                       const RandomStream& stream, const EvaluateGeneration& evaluate) {
 #ifdef GRASPBENCH_HAS_PAGMO
   if (config.method == "pagmo") {
-    return RunPagmoSearch(search.space().box(), config.evaluations,
-                          static_cast<unsigned>(config.seed), evaluate);
+    return RunPagmoSearch(box, config.evaluations, static_cast<unsigned>(config.seed), evaluate);
   }
 #endif
-  return RunSearch(config.method, search.space().box(), config.evaluations, search.MakeStream(),
-                   evaluate);
+  return RunSearch(config.method, box, config.evaluations, stream, evaluate);
 }
 
 /** @param method  "start": the start alone. */
@@ -140,9 +142,9 @@ Found RunOne(const BenchScene& scene, const std::string& space, const std::strin
   const RunLearningTrials run =
       MakeJournaledTrials(config, scene.inputs, journal, pool, [](const auto&, const auto&) {});
   TargetSearch search(*scene.inputs.hand, *scene.inputs.object, scene.start, config.optimise);
-  const SearchResult result = RunMethod(config.optimise, search, [&](const auto& generation) {
-    return search.Evaluate(generation, run);
-  });
+  const SearchResult result =
+      RunMethod(config.optimise, search.space().box(), search.MakeStream(),
+                [&](const auto& generation) { return search.Evaluate(generation, run); });
   Found found;
   found.fitness = result.individuals[static_cast<size_t>(result.best)].fitness;
   if (options.no_judge) return found;
@@ -204,7 +206,66 @@ void PrintComparison(const std::vector<std::string>& columns, const Table& table
   }
 }
 
+struct KnownFunction {
+  const char* name;
+  double (*calc)(const Eigen::VectorXd& from_optimum);
+};
+constexpr KnownFunction kFunctions[] = {
+    {"sphere", [](const Eigen::VectorXd& d) { return d.squaredNorm(); }},
+    {"ellipsoid, axes 1 to 1000",
+     [](const Eigen::VectorXd& d) {
+       double sum = 0.0;
+       for (Eigen::Index i = 0; i < d.size(); ++i) {
+         const double share = static_cast<double>(i) / static_cast<double>(d.size() - 1);
+         sum += std::pow(1000.0, 2.0 * share) * d[i] * d[i];
+       }
+       return sum;
+     }},
+    {"rugged (Rastrigin)",
+     [](const Eigen::VectorXd& d) {
+       return (25.0 * d.array().square() + 10.0 - 10.0 * (2.0 * kPi * 5.0 * d.array()).cos()).sum();
+     }},
+};
+
+/** The median over the seeds of what is left of each function, in a box like a digit's. */
+void CompareOnFunctions(const Options& options) {
+  for (const KnownFunction& function : kFunctions) {
+    for (const int size : {3, 5, 9}) {
+      std::printf("%-26s %d coordinates:", function.name, size);
+      for (const std::string& method : options.methods) {
+        std::vector<double> left;
+        for (int seed = 1; seed <= options.seeds; ++seed) {
+          const Eigen::VectorXd one = Eigen::VectorXd::Ones(size);
+          SearchSpace box{-one, one, 0.0 * one, 0.32};
+          const std::string id = std::to_string(size) + " " + std::to_string(seed);
+          RandomStream place(id, "optimum");
+          const Eigen::VectorXd optimum = 0.8 * DrawUniformPoint(box, place);
+          OptimiseConfig config;
+          config.method = method;
+          config.seed = seed;
+          config.evaluations = options.evaluations;
+          const SearchResult result =
+              RunMethod(config, box, RandomStream(id, method), [&](const auto& generation) {
+                std::vector<double> fitness;
+                for (const Individual& individual : generation) {
+                  fitness.push_back(-function.calc(individual.genome - optimum));
+                }
+                return fitness;
+              });
+          left.push_back(-result.individuals[static_cast<size_t>(result.best)].fitness);
+        }
+        std::printf("  %s %.2g", method.c_str(), CalcMedian(left));
+      }
+      std::printf("\n");
+    }
+  }
+}
+
 int Run(const Options& options) {
+  if (options.scenes == "functions") {
+    CompareOnFunctions(options);
+    return 0;
+  }
   fs::create_directories(options.folder);
   const std::vector<BenchScene> scenes =
       options.scenes == "training" ? ListTrainingScenes(options) : ListBenchmarkScenes(options);
@@ -255,7 +316,8 @@ int main(int argc, char** argv) {
   graspbench::Options options;
   CLI::App app("Compares search spaces and methods of step 2.");
   app.add_option("DIR", options.folder)->required();
-  app.add_option("--scenes", options.scenes)->check(CLI::IsMember({"training", "benchmark"}));
+  app.add_option("--scenes", options.scenes)
+      ->check(CLI::IsMember({"training", "benchmark", "functions"}));
   app.add_option("--hands", options.hands)->delimiter(',');
   app.add_option("--spaces", options.spaces)->delimiter(',');
   app.add_option("--methods", options.methods)->delimiter(',');

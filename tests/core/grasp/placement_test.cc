@@ -186,7 +186,7 @@ TEST_P(PlacementTest, ABoundingBoxIsReachedWhenABlockOfItsSizeIs) {
   }
 }
 
-// However it is moved, the hand stays off the table on its course, and the open hand out of the object.
+// However it is moved, the hand stays off the table on its course, and open out of the object.
 TEST_P(PlacementTest, AMovedHandKeepsTheRules) {
   constexpr double kRadius = 0.025, kHeight = 0.06, kShift = 0.0175, kTurn = 0.4;
   const GraspObject object = MakeCylinder(kRadius, kHeight);

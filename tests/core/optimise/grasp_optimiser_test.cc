@@ -189,8 +189,8 @@ TEST(OptimiseGrasp, PrefersATargetThatHoldsToOneWithAHigherSigma) {
   EXPECT_EQ(CountSuccesses(step.check.after), static_cast<int>(step.check.after.size()));
 }
 
-// A shift of the hand and targets of all digits are in the grasp file, so the found grasp is the tried
-// one.
+// A shift of the hand and targets of all digits are in the grasp file: the found grasp is the
+// tried one.
 TEST(OptimiseGrasp, TakesWhatAnotherSpaceFinds) {
   for (const char* space : {"hand-pose", "all-digits", "synergy"}) {
     FakeTrials fake;

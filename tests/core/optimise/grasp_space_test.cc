@@ -134,7 +134,7 @@ TEST(GraspSpace, HasACoordinateForEachThingThatIsSearched) {
   };
   EXPECT_EQ(count("thumb"), 5);
   EXPECT_EQ(count("hand-pose"), 6);
-  EXPECT_EQ(count("all-digits"), 5 + 3 + 3 + 3 + 4);  // method.md, section 2
+  EXPECT_EQ(count("all-digits"), 5 + 3 + 3 + 3 + 4);
   EXPECT_LE(count("synergy"), 3);  // g1 and g3: four postures, so three directions at most
 }
 
@@ -169,7 +169,7 @@ TEST(GraspSpace, SynergiesAreTheDirectionsInWhichThePosturesDiffer) {
 }
 
 TEST(GraspSpace, RefusesSynergiesOfTooFewPostures) {
-  const Hand hand = LoadHand("tum-original");  // it can do one grasp only (method.md, section 2)
+  const Hand hand = LoadHand("tum-original");  // it can do one grasp only
   const StandardGrasp grasp =
       MakeObjectGrasp(hand, Ball(), LoadStandardGrasps(hand).front(), "made");
   try {
