@@ -35,6 +35,23 @@ void AddDecision(const std::string& step, const std::vector<LearningTrial>& befo
   add_row("after", after);
 }
 
+/** What another space than the thumb has changed, in degrees and millimetres. */
+std::string FormatCoordinates(const TargetStep& step, const std::string& space) {
+  TextTable table({space, "start", "found"});
+  const auto format = [&](const GraspCoordinate& coordinate, double radians) {
+    const double value = coordinate.per_radian * radians;
+    return coordinate.unit == std::string("m") ? FormatFixed(MmFromM(value), 1) + " mm"
+                                               : FormatFixed(DegFromRad(value), 1) + " deg";
+  };
+  const Individual& found = step.search.individuals[static_cast<size_t>(step.found)];
+  for (size_t i = 0; i < step.coordinates.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    table.AddRow({step.coordinates[i].name, format(step.coordinates[i], step.space.start[k]),
+                  format(step.coordinates[i], found.genome[k])});
+  }
+  return "\n" + table.Format();
+}
+
 }  // namespace
 
 std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& config,
@@ -69,7 +86,10 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
     AddDecision("step 2", step2.check.before, step2.check.after, decisions);
     add_angles(WordsOf(kNewTarget), result.new_target);
   }
-  return text + "\n" + decisions.Format() + "\n" + angles.Format();
+  text += "\n" + decisions.Format() + "\n" + angles.Format();
+  const std::string& space = config.optimise.search;
+  if (!StepsOf(config.optimise).searches_target || space == kThumbSpace) return text;
+  return text + FormatCoordinates(step2, space);
 }
 
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations) {

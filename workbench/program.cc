@@ -184,6 +184,11 @@ void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::stri
       ->option_text("N")
       ->capture_default_str();
   command
+      .add_option("--search", config.search, "what step 2 changes: " + ListNames(ListGraspSpaces()))
+      ->check(CLI::IsMember(ListGraspSpaces()))
+      ->option_text("SPACE")
+      ->capture_default_str();
+  command
       .add_option("--grip", config.grip,
                   "what a target may grip with: equal to the start, free, or limit")
       ->check(CLI::IsMember(ListNames(kGripBudgets)))

@@ -246,13 +246,9 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
 
 namespace {
 
-/** Of CalcPlacement, with what stands in the way. */
-Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
-                      const CalcObstacle& calc_obstacle) {
-  StandardGrasp chosen = grasp;
-  if (object.approach != Approach::kAutomatic) chosen.approach = object.approach;
-  Placement placement = CalcPlacement(hand, chosen, object.size, object.mass_properties.p_OOcm);
-  if (grasp.placement) return placement;
+/** Back along the approach until nothing is in the way, with whether it still reaches the object. */
+Placement StopBefore(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+                     const CalcObstacle& calc_obstacle, Placement placement) {
   const double back = CalcWayBack(hand, grasp, object, calc_obstacle, placement);
   if (back == 0.0) return placement;
   placement.X_WH.pretranslate(-back * placement.approach_W);
@@ -266,11 +262,45 @@ Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspO
   return placement;
 }
 
+/** Of CalcPlacement, with what stands in the way. */
+Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+                      const CalcObstacle& calc_obstacle) {
+  StandardGrasp chosen = grasp;
+  if (object.approach != Approach::kAutomatic) chosen.approach = object.approach;
+  const Placement placement =
+      CalcPlacement(hand, chosen, object.size, object.mass_properties.p_OOcm);
+  if (grasp.placement) return placement;
+  return StopBefore(hand, grasp, object, calc_obstacle, placement);
+}
+
 }  // namespace
 
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
   return PlaceBefore(hand, grasp, object,
                      [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); });
+}
+
+Placement MovePlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+                        const Vector3d& shift_W, const Vector3d& turn_W) {
+  GRASPBENCH_DEMAND(grasp.placement.has_value(), grasp.id);
+  Placement placement = *grasp.placement;
+  if (shift_W.isZero(0.0) && turn_W.isZero(0.0)) return placement;
+  const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
+  const double angle = turn_W.norm();
+  const Vector3d axis_W = angle > 0.0 ? Vector3d(turn_W / angle) : Vector3d(Vector3d::UnitZ());
+  const Matrix3d turn = Eigen::AngleAxisd(angle, axis_W).toRotationMatrix();
+  const Pose& X_WH = grasp.placement->X_WH;
+  placement.X_WH =
+      MakePose(Matrix3d(turn * X_WH.linear()), p_WO + shift_W + turn * (X_WH.translation() - p_WO));
+  std::vector<std::vector<Pose>> course;
+  for (int k = 0; k <= kClosingSteps; ++k) {
+    const double s = placement.closing_at_contact * k / kClosingSteps;
+    course.push_back(CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, s)));
+  }
+  LiftOffTable(hand, course, object.size.z(), placement);
+  return StopBefore(
+      hand, grasp, object, [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); },
+      placement);
 }
 
 bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {

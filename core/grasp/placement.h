@@ -64,7 +64,13 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
 field). A placement that the grasp brings is left alone. */
 Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
 
-/** Whether that placement would reach the object even if the object filled its bounding box; needs
+/** The placement that the grasp brings with the hand turned about the object's centre by the vector
+`turn_W` [rad], then shifted by `shift_W` [m], the approach as it was. A hand that was moved is
+raised off the table and stopped before the object by the rules above. @pre the grasp brings one. */
+Placement MovePlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+                        const Eigen::Vector3d& shift_W, const Eigen::Vector3d& turn_W);
+
+/** Whether a computed one would reach the object even if the object filled its bounding box; needs
 no distance field. True implies that the placement reaches the object itself, which lies inside. */
 bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
 

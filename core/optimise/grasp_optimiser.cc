@@ -5,30 +5,22 @@
 #include <iterator>
 #include <limits>
 
-#include "core/base/error.h"
-#include "core/base/json.h"
-#include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
-#include "core/hand/coupling.h"
 #include "core/statistics/summary.h"
 
 namespace graspbench {
 namespace {
 
-constexpr double kLargestChange = RadFromDeg(25.0);  ///< of a target angle, to both sides
-constexpr double kFirstStep = RadFromDeg(8.0);
-
-// Learning draws by their use. Those of step 1's choice start with 0, the trial without variation.
+// Learning draws by their use; those of the fitness start with 2000 (target_search.cc), those of
+// step 1's choice with 0, the trial without variation.
 constexpr int kFirstTargetCheck = 1000;
-constexpr int kFirstFitnessDraw = 2000;
 constexpr int kFirstFinalDraw = 3000;
 constexpr int kFirstScreeningDraw = 4000;
 constexpr int kFirstPreGraspCheck = 5000;
 
 constexpr double kSameAngle = 1e-5;  ///< relative; two pre-grasps that differ by less are one
 constexpr int kNumCandidates = 100;
-constexpr double kCandidateDistance = RadFromDeg(2.0);
 constexpr int kScreeningTrials = 3;
 constexpr int kNumFinalists = 10;
 /** Finalists are tried on so many times the trials of a choice. */
@@ -147,110 +139,34 @@ PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
   return step;
 }
 
-StandardGrasp MakeGrasp(const Hand& hand, const StandardGrasp& start,
-                        const std::vector<int>& joints, const Eigen::VectorXd& genome) {
-  StandardGrasp grasp = start;
-  for (size_t i = 0; i < joints.size(); ++i) {
-    grasp.q_target[joints[i]] = genome[static_cast<Eigen::Index>(i)];
-  }
-  ApplyCoupling(hand, grasp.q_target);
-  return grasp;
-}
-
-SearchSpace MakeSpace(const Hand& hand, const StandardGrasp& start,
-                      const std::vector<int>& joints) {
-  SearchSpace space;
-  const auto size = static_cast<Eigen::Index>(joints.size());
-  space.start.resize(size);
-  space.lower.resize(size);
-  space.upper.resize(size);
-  space.step = kFirstStep;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const int joint = joints[static_cast<size_t>(i)];
-    const HandJoint& limits = hand.joints[static_cast<size_t>(joint)];
-    space.start[i] = start.q_target[joint];
-    space.lower[i] = std::max(limits.lower, space.start[i] - kLargestChange);
-    space.upper[i] = std::min(limits.upper, space.start[i] + kLargestChange);
-  }
-  return space;
-}
-
-LearningRequest MakeRequest(const Hand& hand, const StandardGrasp& start, const TargetStep& step,
-                            LearningStage stage, const Individual& individual,
-                            const std::vector<int>& draws) {
-  LearningRequest request;
-  request.stage = stage;
-  request.grasp = MakeGrasp(hand, start, step.joints, individual.genome);
-  request.draws = draws;
-  request.full_hold = false;
-  request.individual = individual;
-  return request;
-}
-
-/** The fittest individuals that differ from each other in some joint; never the start. */
-std::vector<Individual> FindCandidates(const SearchResult& search) {
-  std::vector<Individual> sorted(search.individuals.begin() + 1, search.individuals.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.fitness > b.fitness; });
-  std::vector<Individual> candidates;
-  for (const Individual& individual : sorted) {
-    if (candidates.size() == kNumCandidates) break;
-    const bool is_new =
-        std::none_of(candidates.begin(), candidates.end(), [&](const Individual& other) {
-          return (individual.genome - other.genome).cwiseAbs().maxCoeff() < kCandidateDistance;
-        });
-    if (is_new) candidates.push_back(individual);
-  }
-  return candidates;
-}
-
-/** Tries the individuals and sorts them: those that succeed most often first, among equals those of
-higher fitness. */
-std::vector<Finalist> RankByTrials(const Hand& hand, const StandardGrasp& start,
-                                   const TargetStep& step, LearningStage stage,
-                                   const std::vector<Individual>& individuals,
-                                   const std::vector<int>& draws, const RunLearningTrials& run) {
-  const double limit = step.grip_limit;
-  std::vector<LearningRequest> requests;
-  for (const Individual& individual : individuals) {
-    requests.push_back(MakeRequest(hand, start, step, stage, individual, draws));
-  }
-  std::vector<Finalist> ranked;
-  if (requests.empty()) return ranked;
-  const std::vector<std::vector<LearningTrial>> trials = run(requests);
-  for (size_t i = 0; i < requests.size(); ++i) {
-    ranked.push_back({individuals[i].number, trials[i]});
-  }
-  std::stable_sort(ranked.begin(), ranked.end(), [limit](const Finalist& a, const Finalist& b) {
-    const int successes_a = CountSuccesses(a.trials), successes_b = CountSuccesses(b.trials);
-    if (successes_a != successes_b) return successes_a > successes_b;
-    return CalcFitness(a.trials, limit) > CalcFitness(b.trials, limit);
-  });
-  return ranked;
-}
-
-void ChooseFinalist(const Hand& hand, const StandardGrasp& start, const OptimiseConfig& config,
+void ChooseFinalist(const TargetSearch& search, const OptimiseConfig& config,
                     const RunLearningTrials& run, TargetStep& step) {
   const std::vector<Finalist> screened =
-      RankByTrials(hand, start, step, LearningStage::kScreening, FindCandidates(step.search),
-                   ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
+      search.Rank(LearningStage::kScreening, FindCandidates(step.search, kNumCandidates),
+                  ListDraws(kFirstScreeningDraw, kScreeningTrials), run);
   std::vector<Individual> chosen;
   for (size_t i = 0; i < std::min<size_t>(screened.size(), kNumFinalists); ++i) {
     chosen.push_back(step.search.individuals[static_cast<size_t>(screened[i].number)]);
   }
-  step.finalists =
-      RankByTrials(hand, start, step, LearningStage::kFinalist, chosen,
-                   ListDraws(kFirstFinalDraw, kFinalShare * config.choice_trials), run);
+  step.finalists = search.Rank(LearningStage::kFinalist, chosen,
+                               ListDraws(kFirstFinalDraw, kFinalShare * config.choice_trials), run);
   if (!step.finalists.empty()) step.found = step.finalists.front().number;
 }
 
-}  // namespace
-
-int CountSuccesses(const std::vector<LearningTrial>& trials) {
-  return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) {
-    return trial.outcome == Outcome::kSuccess;
-  }));
+/** The search alone. */
+TargetStep RunTargetSearch(TargetSearch& search, const OptimiseConfig& config,
+                           const RunLearningTrials& run) {
+  TargetStep step;
+  step.coordinates = search.space().coordinates();
+  step.space = search.space().box();
+  step.search = RunSearch(
+      config.method, step.space, config.evaluations, search.MakeStream(),
+      [&](const std::vector<Individual>& generation) { return search.Evaluate(generation, run); });
+  step.grip_limit = search.grip_limit();
+  return step;
 }
+
+}  // namespace
 
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
   std::vector<double> ratios;
@@ -261,26 +177,10 @@ double CalcMedianGftRatio(const std::vector<LearningTrial>& trials) {
   return CalcMedian(std::move(ratios));
 }
 
-double CalcMeanGrip(const std::vector<LearningTrial>& trials) {
-  std::vector<double> grips;
-  for (const LearningTrial& trial : trials) {
-    if (std::isfinite(trial.stability.normal_force)) grips.push_back(trial.stability.normal_force);
-  }
-  return CalcMean(grips);
-}
-
 double CalcMeanSigma(const std::vector<LearningTrial>& trials) {
   std::vector<double> sigmas;
   for (const LearningTrial& trial : trials) sigmas.push_back(trial.sigma);
   return CalcMean(sigmas);
-}
-
-const OptimiseStepRow& StepsOf(const OptimiseConfig& config) {
-  return RowFromName(kOptimiseSteps, config.step, "step");
-}
-
-const GripBudgetRow& GripOf(const OptimiseConfig& config) {
-  return RowFromName(kGripBudgets, config.grip, "grip");
 }
 
 int CountLearningTrials(const OptimiseConfig& config) {
@@ -305,34 +205,8 @@ StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
 
 TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
                         const OptimiseConfig& config, const RunLearningTrials& run) {
-  TargetStep step;
-  step.joints =
-      FindDrivenJoints(hand, hand.digits[static_cast<size_t>(FindOpposingDigit(hand, start))]);
-  step.space = MakeSpace(hand, start, step.joints);
-  const GripBudget grip = GripOf(config).value;
-  if (grip == GripBudget::kLimit) step.grip_limit = config.grip_limit;
-  const std::vector<int> draws = config.fitness_trials == 1
-                                     ? std::vector<int>{0}
-                                     : ListDraws(kFirstFitnessDraw, config.fitness_trials);
-  const auto evaluate = [&](const std::vector<Individual>& generation) {
-    std::vector<LearningRequest> requests;
-    for (const Individual& individual : generation) {
-      requests.push_back(MakeRequest(hand, start, step, LearningStage::kSearch, individual, draws));
-    }
-    const std::vector<std::vector<LearningTrial>> answers = run(requests);
-    if (grip == GripBudget::kEqual && generation.front().number == 0) {
-      const double of_start = CalcMeanGrip(answers.front());
-      if (of_start > 0.0) step.grip_limit = of_start;  // else it held nothing
-    }
-    std::vector<double> fitness;
-    for (const auto& trials : answers) fitness.push_back(CalcFitness(trials, step.grip_limit));
-    return fitness;
-  };
-  const std::string name =
-      FormatJson({config.seed, hand.id, object.id, config.method, config.fitness_trials});
-  step.search = RunSearch(config.method, step.space, config.evaluations,
-                          RandomStream(name, "search of the target"), evaluate);
-  return step;
+  TargetSearch search(hand, object, start, config);
+  return RunTargetSearch(search, config, run);
 }
 
 OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
@@ -340,6 +214,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
                              const RunLearningTrials& run) {
   OptimisedGrasp result;
   result.new_pregrasp = MakeObjectGrasp(hand, object, standard, NameOf(kNewPreGrasp));
+  if (StepsOf(config).searches_target) CheckSearch(hand, object, result.new_pregrasp, config);
   if (StepsOf(config).learns_pregrasp) {
     PreGraspStep& step = result.pregrasp_step;
     step = LearnInTwoShots(hand, object, result.new_pregrasp, standard.id, config, run);
@@ -351,16 +226,16 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
 
   TargetStep& step = result.target_step;
   const StandardGrasp start = result.new_target;
-  step = SearchTarget(hand, object, start, config, run);
-  ChooseFinalist(hand, start, config, run, step);
+  TargetSearch search(hand, object, start, config);
+  step = RunTargetSearch(search, config, run);
+  ChooseFinalist(search, config, run, step);
   if (step.found == 0) {
     step.check = CheckOldGrasp(start, kFirstTargetCheck, run);
     step.verdict = "start kept: the search tried nothing else";
     return result;
   }
   const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
-  const StandardGrasp found =
-      RoundAngles(hand, MakeGrasp(hand, start, step.joints, best.genome), standard.id);
+  const StandardGrasp found = RoundAngles(hand, search.space().MakeGrasp(best.genome), standard.id);
   const auto goal = [&](const LearningTrial& trial) { return CalcFitness(trial, step.grip_limit); };
   step.check = CheckGrasp(start, found, {kFirstTargetCheck, config.check_pairs, goal}, run);
   step.verdict = step.check.is_taken()

@@ -7,9 +7,10 @@ Makes a standard grasp object-specific in simulation, in two steps (Roethling 20
    hold each other back in another way when they close in another order; so it expects the mean of
    what both lessons showed. Each shot is tried in three widths;
 2. the new target grasp: the opposing digit's (the thumb's) target angles, evolved from there within
-   the joint limits and +-25 deg; fitness sigma (learning_trial.h).
+   the joint limits and +-25 deg, or another search space (grasp_space.h); fitness sigma
+   (learning_trial.h).
 
-The hand stays where the standard grasp puts it; only angles change.
+The hand stays where the standard grasp puts it, unless its pose is what is searched.
 
 A search finds what is best on the few trials of its fitness, and sigma is rugged: single points
 stand out that hold on these trials only, the more of them the longer the search. So the hundred
@@ -33,44 +34,11 @@ draws come from streams that no benchmark uses. */
 #include "core/grasp/standard_grasp.h"
 #include "core/optimise/grasp_check.h"
 #include "core/optimise/learning_trial.h"
-#include "core/optimise/optimise_steps.h"
 #include "core/optimise/pregrasp_learning.h"
-#include "core/optimise/search.h"
+#include "core/optimise/target_search.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
-
-struct OptimiseConfig {
-  std::string step = "both";  ///< of kOptimiseSteps
-  std::string method = "es";  ///< of step 2, see search.h
-  int evaluations = 1000;     ///< of step 2
-  /** Per evaluation; 1: without variation, more: so many drawn ones. At the same number of trials
-  the one without variation found targets that hold better on unseen draws (README.md). */
-  int fitness_trials = 1;
-  std::string grip = "equal";  ///< of kGripBudgets
-  double grip_limit = 0.0;     ///< for the grip "limit" [N]
-  int choice_trials = 10;      ///< by which pre-grasps are compared; of finalists twice as many
-  int check_pairs = 100;       ///< of the old and the new grasp, at most; 20 are one look
-  int seed = 1;
-
-  template <class V>
-  void Visit(V&& v) {
-    v("step", step);
-    v("method", method);
-    v("evaluations", evaluations);
-    v("fitness_trials", fitness_trials);
-    v("grip", grip);
-    v("grip_limit_n", grip_limit);
-    v("choice_trials", choice_trials);
-    v("check_pairs", check_pairs);
-    v("seed", seed);
-  }
-};
-
-/** @throws Error(kFormat) for a step that is not in the table. */
-const OptimiseStepRow& StepsOf(const OptimiseConfig& config);
-/** The same for its grip. */
-const GripBudgetRow& GripOf(const OptimiseConfig& config);
 
 struct PreGraspShot {
   std::string name;  ///< "one-shot, widest", "two-shot, above the table", "one-shot, half", ...
@@ -89,14 +57,9 @@ struct PreGraspStep {
   std::string verdict;
 };
 
-struct Finalist {
-  int number = 0;  ///< of the individual
-  std::vector<LearningTrial> trials;
-};
-
 struct TargetStep {
-  std::vector<int> joints;       ///< driven joints of the opposing digit
-  SearchSpace space;             ///< their angles [rad]
+  std::vector<GraspCoordinate> coordinates;
+  SearchSpace space;             ///< of them [rad]
   double grip_limit = kAnyGrip;  ///< that holds for the search [N]
   SearchResult search;
   std::vector<Finalist> finalists;  ///< the best first
@@ -113,8 +76,8 @@ struct OptimisedGrasp {
   TargetStep target_step;      ///< the same
 };
 
-/** @throws Error of the search method; what `run` throws. Deterministic: the same answers of `run`
-lead to the same requests. */
+/** @throws Error of the space or method, before anything is asked; what `run` throws. Deterministic:
+the same answers of `run` lead to the same requests. */
 OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
                              const StandardGrasp& standard, const OptimiseConfig& config,
                              const RunLearningTrials& run);
@@ -131,11 +94,8 @@ StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
 /** How many trials OptimiseGrasp will run, about: how soon a check is decided is not known before. */
 int CountLearningTrials(const OptimiseConfig& config);
 
-int CountSuccesses(const std::vector<LearningTrial>& trials);
 /** Infinite when half of the trials or more lack a contact; NaN without trials. */
 double CalcMedianGftRatio(const std::vector<LearningTrial>& trials);
 double CalcMeanSigma(const std::vector<LearningTrial>& trials);  ///< NaN without trials
-/** Mean grip in the hold, of the trials that got there [N]; NaN without any. */
-double CalcMeanGrip(const std::vector<LearningTrial>& trials);
 
 }  // namespace graspbench

@@ -16,8 +16,8 @@ int CalcPower(int base, int exponent) {
 GridSearch::GridSearch(const SearchSpace& space, int num_points) : space_(space) {
   if (space.size() > 3) {
     throw Error(ErrorKind::kUnsupported,
-                "a grid is possible for at most three joints, this digit has " +
-                    std::to_string(space.size()));
+                "a grid is possible for at most three coordinates, this search has " +
+                    std::to_string(space.size()) + "; choose another method");
   }
   points_each_ = 1;
   while (CalcPower(points_each_ + 1, space.size()) <= num_points) ++points_each_;

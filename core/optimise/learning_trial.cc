@@ -68,6 +68,20 @@ void ReadLearningDigits(const Json& json, LearningTrial& trial) {
   CheckOneThumb(trial.contacts, "digits");
 }
 
+int CountSuccesses(const std::vector<LearningTrial>& trials) {
+  return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) {
+    return trial.outcome == Outcome::kSuccess;
+  }));
+}
+
+double CalcMeanGrip(const std::vector<LearningTrial>& trials) {
+  std::vector<double> grips;
+  for (const LearningTrial& trial : trials) {
+    if (std::isfinite(trial.stability.normal_force)) grips.push_back(trial.stability.normal_force);
+  }
+  return CalcMean(grips);
+}
+
 Json ToJson(const LearningTrial& trial) { return RecordToJson(trial); }
 
 LearningTrial LearningTrialFromJson(const Json& json) {

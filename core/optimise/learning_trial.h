@@ -65,6 +65,10 @@ double CalcFitness(const LearningTrial& trial, double grip_limit = kAnyGrip);
 /** The mean. @pre at least one. */
 double CalcFitness(const std::vector<LearningTrial>& trials, double grip_limit = kAnyGrip);
 
+int CountSuccesses(const std::vector<LearningTrial>& trials);
+/** Mean grip in the hold, of the trials that got there [N]; NaN without any. */
+double CalcMeanGrip(const std::vector<LearningTrial>& trials);
+
 Json ToJson(const LearningTrial& trial);
 /** @throws Json::exception or Error(kFormat). Gives back the very same numbers. */
 LearningTrial LearningTrialFromJson(const Json& json);

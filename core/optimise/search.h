@@ -45,7 +45,7 @@ struct Individual {
   Eigen::VectorXd steps;     ///< self-adapted standard deviations; empty where the method has none
   double fitness = 0.0;      ///< larger is better; meaningful when evaluated
 
-  /** As in journals, where the coordinates are joint angles. */
+  /** As in journals, where the coordinates are in radians (grasp_space.h). */
   template <class V>
   static void ListFields(V&& field) {
     field("number", &Individual::number);

@@ -61,7 +61,8 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
   return runs;
 }
 
-CampaignConfig ParseConfig(const fs::path& folder, const Frozen& frozen) {
+CampaignConfig ParseConfig(const fs::path& folder, Frozen frozen) {
+  CompleteOptimiseConfig(frozen.config);
   Diagnostics problems;
   const auto config = ConfigFromJson<CampaignConfig>(
       frozen.config, (folder / kCampaignStore.file).string(), problems);
@@ -107,7 +108,7 @@ void CheckCampaignConfig(const CampaignConfig& config) {
   if (config.optimise.step != "both") {
     add("optimise", {{"step", "a campaign takes both steps; expected \"both\""}});
   }
-  OptimiseConfig search = config.optimise;
+  OptimiseConfig search;  // all else is checked above
   search.evaluations = config.comparison.evaluations;
   search.fitness_trials = config.comparison.fitness_trials;
   search.seed = config.comparison.seeds;
@@ -222,13 +223,14 @@ std::vector<ComparisonTask> PlanComparison(const CampaignConfig& config,
                                             SuggestNames(name, known));
     }
     const CampaignScene& scene = scenes[static_cast<size_t>(found - known.begin())];
-    const Hand& hand = *scene.inputs.hand;
-    const int opposing = FindOpposingDigit(hand, scene.inputs.grasp);
-    const size_t num_joints =
-        FindDrivenJoints(hand, hand.digits[static_cast<size_t>(opposing)]).size();
+    const SceneInputs& inputs = scene.inputs;
+    const int num_coordinates =
+        MakeGraspSpace(config.optimise.search, {*inputs.hand, *inputs.object, inputs.grasp})
+            ->box()
+            .size();
     for (const std::string& method : config.comparison.methods) {
       const bool is_grid = method == "grid";
-      if (is_grid && num_joints > 3) continue;
+      if (is_grid && num_coordinates > 3) continue;
       for (int seed = 1; seed <= (is_grid ? 1 : config.comparison.seeds); ++seed) {
         ComparisonTask task;
         task.scene = &scene;

@@ -15,6 +15,12 @@ constexpr double kFitnessHoldTime = 0.5;
 
 }  // namespace
 
+void CompleteOptimiseConfig(Json& config) {
+  if (config.is_object() && config.contains("optimise")) {
+    config["optimise"].emplace("search", kThumbSpace);
+  }
+}
+
 std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
   std::vector<ConfigProblem> problems;
   const auto check_range = [&](const char* key, int value, int low, int high) {
@@ -45,6 +51,7 @@ std::vector<ConfigProblem> Validate(const OptimiseConfig& config) {
     problems.push_back({"grip_limit_n", has_limit ? "the grip \"limit\" needs one above 0 N"
                                                   : "is only for the grip \"limit\""});
   }
+  check_name("search", config.search, ListGraspSpaces());
   check_name("method", config.method, ListSearchMethods());
   return problems;
 }

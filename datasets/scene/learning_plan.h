@@ -35,6 +35,10 @@ struct SceneInputs {
   StandardGrasp grasp;
 };
 
+/** Adds to the frozen configuration of a scene or campaign what older ones lack: they searched the
+thumb. */
+void CompleteOptimiseConfig(Json& config);
+
 /** All problems of the values, as Validate(SessionConfig) reports them. */
 std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
 /** @throws Error(kRange) listing them. */

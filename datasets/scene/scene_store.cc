@@ -65,9 +65,30 @@ Json MakePreGraspJson(const PreGraspStep& step, const StandardGrasp& start) {
               {"check_after", MakeScore(step.check.after)}};
 }
 
-Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
-  Json joints = Json::array();
-  for (const int joint : step.joints) joints.push_back(hand.joints[joint].name);
+/** The thumb's angles as before there were other spaces; else each coordinate in its unit. */
+Json MakeCoordinatesJson(const TargetStep& step, const std::string& space) {
+  const Eigen::VectorXd& found = step.search.individuals[step.found].genome;
+  Json names = Json::array(), coordinates = Json::array();
+  for (size_t i = 0; i < step.coordinates.size(); ++i) {
+    const GraspCoordinate& coordinate = step.coordinates[i];
+    const auto k = static_cast<Eigen::Index>(i);
+    names.push_back(coordinate.name);
+    coordinates.push_back({{"name", coordinate.name},
+                           {"unit", coordinate.unit},
+                           {"lower", coordinate.per_radian * step.space.lower[k]},
+                           {"upper", coordinate.per_radian * step.space.upper[k]},
+                           {"start", coordinate.per_radian * step.space.start[k]},
+                           {"found", coordinate.per_radian * found[k]}});
+  }
+  if (space != kThumbSpace) return Json{{"search", space}, {"coordinates", coordinates}};
+  return Json{{"joints", names},
+              {"lower_rad", JsonAngles(step.space.lower)},
+              {"upper_rad", JsonAngles(step.space.upper)},
+              {"start_rad", JsonAngles(step.space.start)},
+              {"found_rad", JsonAngles(found)}};
+}
+
+Json MakeTargetJson(const TargetStep& step, const std::string& space) {
   const Individual& best = step.search.individuals[step.search.best];
   Json finalists = Json::array();
   for (const Finalist& finalist : step.finalists) {
@@ -75,29 +96,28 @@ Json MakeTargetJson(const TargetStep& step, const Hand& hand) {
                          {"fitness", CalcFitness(finalist.trials, step.grip_limit)},
                          {"score", MakeScore(finalist.trials)}});
   }
-  return Json{{"verdict", step.verdict},
-              {"taken", step.check.is_taken()},
-              {"grip_limit_n", JsonNumber(step.grip_limit)},
-              {"joints", joints},
-              {"lower_rad", JsonAngles(step.space.lower)},
-              {"upper_rad", JsonAngles(step.space.upper)},
-              {"start_rad", JsonAngles(step.space.start)},
-              {"found_rad", JsonAngles(step.search.individuals[step.found].genome)},
-              {"found_individual", step.found},
-              {"best_individual", best.number},
-              {"evaluations", step.search.individuals.size()},
-              {"start_fitness", step.search.individuals.front().fitness},
-              {"best_fitness", best.fitness},
-              {"finalists", finalists},
-              {"check_before", MakeScore(step.check.before)},
-              {"check_after", MakeScore(step.check.after)}};
+  Json json{{"verdict", step.verdict},
+            {"taken", step.check.is_taken()},
+            {"grip_limit_n", JsonNumber(step.grip_limit)}};
+  json.update(MakeCoordinatesJson(step, space));
+  json.update({{"found_individual", step.found},
+               {"best_individual", best.number},
+               {"evaluations", step.search.individuals.size()},
+               {"start_fitness", step.search.individuals.front().fitness},
+               {"best_fitness", best.fitness},
+               {"finalists", finalists},
+               {"check_before", MakeScore(step.check.before)},
+               {"check_after", MakeScore(step.check.after)}});
+  return json;
 }
 
 /** One row an individual. */
-std::string FormatIndividuals(const TargetStep& step, const Hand& hand) {
+std::string FormatIndividuals(const TargetStep& step) {
   std::vector<Json> heading = {"number", "generation", "parents", "fitness", "best_fitness"};
   for (const char* part : {"", "_step"}) {
-    for (const int joint : step.joints) heading.push_back(hand.joints[joint].name + part + "_rad");
+    for (const GraspCoordinate& coordinate : step.coordinates) {
+      heading.push_back(coordinate.name + part + "_" + coordinate.unit);
+    }
   }
   std::string csv = FormatCsvLine(heading);
   double best = step.search.individuals.front().fitness;
@@ -109,11 +129,12 @@ std::string FormatIndividuals(const TargetStep& step, const Hand& hand) {
     }
     std::vector<Json> cells = {individual.number, individual.generation, parents,
                                individual.fitness, best};
-    for (const double angle : individual.genome) cells.push_back(angle);
-    for (size_t i = 0; i < step.joints.size(); ++i) {
-      cells.push_back(individual.steps.size() > 0
-                          ? Json(individual.steps[static_cast<Eigen::Index>(i)])
-                          : Json());
+    for (const Eigen::VectorXd* values : {&individual.genome, &individual.steps}) {
+      for (size_t i = 0; i < step.coordinates.size(); ++i) {
+        cells.push_back(values->size() > 0 ? Json(step.coordinates[i].per_radian *
+                                                  (*values)[static_cast<Eigen::Index>(i)])
+                                           : Json());
+      }
     }
     csv += FormatCsvLine(cells);
   }
@@ -126,9 +147,11 @@ const std::vector<LearningTrial>& ListTold(const GraspCheck& check) {
 }
 
 SceneConfig ParseSceneConfig(const fs::path& folder, OnDamage on_damage = OnDamage::kRefuse) {
+  Json frozen = LoadFrozen(kSceneStore, folder, on_damage).config;
+  CompleteOptimiseConfig(frozen);
   Diagnostics problems;
-  const auto config = ConfigFromJson<SceneConfig>(LoadFrozen(kSceneStore, folder, on_damage).config,
-                                                  (folder / kSceneStore.file).string(), problems);
+  const auto config =
+      ConfigFromJson<SceneConfig>(frozen, (folder / kSceneStore.file).string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return config;
 }
@@ -190,9 +213,9 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
                 step1.best < 0 ? step1.standard_trials : ListTold(step1.check));
   }
   if (StepsOf(config.optimise).searches_target) {
-    result["target_step"] = MakeTargetJson(step2, hand);
+    result["target_step"] = MakeTargetJson(step2, config.optimise.search);
     write_grasp(optimised.new_target, ListTold(step2.check));
-    WriteFileAtomically(folder / "individuals.csv", FormatIndividuals(step2, hand));
+    WriteFileAtomically(folder / "individuals.csv", FormatIndividuals(step2));
   }
   WriteFileAtomically(folder / kResult, FormatJson(result, 2) + "\n");
   SealStore(kSceneStore, folder, CalcInputsHash(inputs));

@@ -132,8 +132,9 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
   AddTrialTimeoutOption(command, options->trial_time_limit);
   command.callback([options, &command, &exit_code] {
     if (options->resume) {
-      CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
-                            "--compare", "--set", "--plan-only"});
+      CheckResume(command,
+                  {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
+                   "--search", "--grip", "--grip-limit", "--compare", "--set", "--plan-only"});
     }
     exit_code = Run(*options);
   });

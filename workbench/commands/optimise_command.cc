@@ -28,7 +28,6 @@ struct OptimiseOptions {
   bool plan_only = false;
 };
 
-/** @returns whether every trial ended. */
 ExitCode Finish(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
                 const OptimisedGrasp& result) {
   std::string text = FormatOptimisation(inputs, config, result) + "\n";
@@ -141,7 +140,8 @@ void AddOptimiseCommand(CLI::App& program, ExitCode& exit_code) {
   command.callback([options, &command, &exit_code] {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--grasp", "--step", "--method", "--evaluations",
-                            "--fitness-trials", "--seed", "--plan-only", "--replay"});
+                            "--fitness-trials", "--search", "--grip", "--grip-limit", "--seed",
+                            "--plan-only", "--replay"});
     }
     exit_code = options->replay ? Replay(*options) : Optimise(*options);
   });

@@ -18,9 +18,9 @@ Html DrawMethods(const CampaignData& data) {
       "of the new pre-grasps the one that succeeds most often and has the lowest median GFT% in " +
       FormatCount(optimise.choice_trials, "trial") + " is checked."};
   text.push_back(
-      "Step 2 searches the target angles of the thumb within the joint limits and 25 degrees by "
-      "the method \"" +
-      optimise.method + "\" with " + FormatCount(optimise.evaluations, "evaluation") + " of " +
+      std::string("Step 2 searches ") + FindGraspSpace(optimise.search).words +
+      " within the joint limits and 25 degrees by the method \"" + optimise.method + "\" with " +
+      FormatCount(optimise.evaluations, "evaluation") + " of " +
       FormatCount(optimise.fitness_trials, "trial") +
       " each. The fitness is the stability sigma, times the grip that the hand may use over the "
       "one "

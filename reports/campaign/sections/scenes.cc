@@ -51,6 +51,32 @@ Html DrawThumb(const Json& step, const SceneVariants& scene, const CampaignData&
   return table.ToHtml();
 }
 
+/** Of another search space than the thumb: each coordinate in degrees or millimetres. */
+Html DrawCoordinates(const Json& step, const SceneVariants& scene, const CampaignData& data) {
+  const Align number = Align::kNumber;
+  Table table("What step 2 searched (" + step.at("search").get<std::string>() + "), " +
+                  data.NameOfScene(scene) + ".",
+              {{"Coordinate"},
+               {"Unit"},
+               {"Before", number},
+               {"Found", number},
+               {"Change", number},
+               {"Bounds", number}});
+  for (const Json& coordinate : step.at("coordinates")) {
+    const bool is_length = coordinate.at("unit") == "m";
+    const auto value = [&](const char* key) {
+      const double si = coordinate.at(key).get<double>();
+      return is_length ? MmFromM(si) : DegFromRad(si);
+    };
+    const double before = value("start"), after = value("found");
+    table.AddRow({Text(coordinate.at("name").get<std::string>()), Text(is_length ? "mm" : "deg"),
+                  Text(FormatFixed(before, 1)), Text(FormatFixed(after, 1)),
+                  Text(FormatFixed(after - before, 1)),
+                  Text(FormatRange(value("lower"), value("upper"), 1))});
+  }
+  return table.ToHtml();
+}
+
 /** The contacts of the trials in the pictures. */
 Html DrawStrips(const SceneVariants& scene, const CampaignData& data) {
   const auto hand = data.models.FindHand(scene.hand);
@@ -77,7 +103,8 @@ Html DrawScene(const SceneVariants& scene, const CampaignData& data) {
     }
     if (const auto step = result.find("target_step"); step != result.end()) {
       content += MakeParagraph("Step 2: " + step->at("verdict").get<std::string>());
-      content += DrawThumb(*step, scene, data);
+      content += step->contains("joints") ? DrawThumb(*step, scene, data)
+                                          : DrawCoordinates(*step, scene, data);
     }
   }
   return Element("section", {{"id", scene.key}, {"class", "cell"}}, content);

@@ -186,6 +186,40 @@ TEST_P(PlacementTest, ABoundingBoxIsReachedWhenABlockOfItsSizeIs) {
   }
 }
 
+// However it is moved, the hand stays off the table on its course, and open out of the object.
+TEST_P(PlacementTest, AMovedHandKeepsTheRules) {
+  constexpr double kRadius = 0.025, kHeight = 0.06, kShift = 0.0175, kTurn = 0.4;
+  const GraspObject object = MakeCylinder(kRadius, kHeight);
+  StandardGrasp grasp = grasp_;
+  grasp.placement = CalcPlacement(hand_, grasp_, object);
+  const Vector3d zero = Vector3d::Zero();
+  EXPECT_EQ(MovePlacement(hand_, grasp, object, zero, zero).X_WH.matrix(),
+            grasp.placement->X_WH.matrix());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      for (const bool is_turn : {false, true}) {
+        const Vector3d by = sign * Vector3d::Unit(axis);
+        const Placement placement =
+            MovePlacement(hand_, grasp, object, is_turn ? zero : Vector3d(kShift * by),
+                          is_turn ? Vector3d(kTurn * by) : zero);
+        EXPECT_EQ(placement.approach_W, grasp.placement->approach_W);
+        for (const double s : {0.0, 0.5, 1.0}) {
+          const std::vector<Pose> X_HL = CalcLinkPoses(
+              hand_, CalcClosingPosture(hand_, grasp, s * placement.closing_at_contact));
+          for (const ContactSphere& sphere : hand_.contact_spheres) {
+            const Vector3d p_WS = placement.X_WH * (X_HL[sphere.link] * sphere.p_LS);
+            EXPECT_GE(p_WS.z() - sphere.radius, kTableClearance - 1e-9) << by.transpose();
+            if (s > 0.0) continue;
+            const bool keeps_off = sphere.link == hand_.palm_link && !grasp.palm_may_touch;
+            EXPECT_GT(CalcGap(p_WS, sphere.radius, kRadius, kHeight), keeps_off ? 0.0029 : -1e-4)
+                << by.transpose();
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST_P(PlacementTest, AShiftedCentreOfMassShiftsTheHand) {
   const Placement a = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
   const Placement b = CalcPlacement(hand_, grasp_, kSize, Vector3d(0.02, -0.01, 0.0));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
@@ -51,6 +52,12 @@ class FakeTrials {
     trial.sigma = draw >= 1000 && draw < 2000 && is_overfitted ? 1.0 + miss : std::exp(-miss);
     trial.outcome = Outcome::kSuccess;
     trial.stability.normal_force = 10.0;
+    if (likes_change) {
+      const Eigen::VectorXd turned = grasp.q_target - this->grasp().q_target;
+      const Pose moved = grasp.placement->X_WH;
+      const Placement first = CalcPlacement(hand_, this->grasp(), object_.size, {0.0, 0.0, 0.0});
+      trial.sigma = 1.0 + turned.norm() + (moved.translation() - first.X_WH.translation()).norm();
+    }
     if (squeezes_harder) {
       // Sigma grows with the grip alone, and the grip with how far the thumb is told to go.
       const double reach = grasp.q_target[hand_.FindJoint("THq2")] - RadFromDeg(20.0);
@@ -91,6 +98,7 @@ class FakeTrials {
   bool is_overfitted = false;       ///< sigma of unseen trials falls where that of seen ones rises
   bool fails_when_changed = false;  ///< any new pre-grasp fails
   bool squeezes_harder = false;
+  bool likes_change = false;      ///< sigma grows with any change of the target or the hand's pose
   bool has_fragile_peak = false;  ///< near the best target sigma is twice as high, but outside the
                                   ///< search every third trial loses the object
   static constexpr double kPeak = 0.018;  ///< squared distance of its edge [rad^2]
@@ -179,6 +187,44 @@ TEST(OptimiseGrasp, PrefersATargetThatHoldsToOneWithAHigherSigma) {
   EXPECT_EQ(step.search.individuals[static_cast<size_t>(step.search.best)].fitness, 2.0);
   EXPECT_TRUE(step.check.is_taken()) << step.verdict;
   EXPECT_EQ(CountSuccesses(step.check.after), static_cast<int>(step.check.after.size()));
+}
+
+// A shift of the hand and targets of all digits are in the grasp file: the found grasp is the
+// tried one.
+TEST(OptimiseGrasp, TakesWhatAnotherSpaceFinds) {
+  for (const char* space : {"hand-pose", "all-digits", "synergy"}) {
+    FakeTrials fake;
+    fake.likes_change = true;
+    OptimiseConfig config = MakeConfig();
+    config.step = "2";
+    config.search = space;
+    const OptimisedGrasp result =
+        OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
+    EXPECT_TRUE(result.target_step.check.is_taken()) << space << result.target_step.verdict;
+    const StandardGrasp& before = result.new_pregrasp;
+    const StandardGrasp& after = result.new_target;
+    EXPECT_EQ(after.q_target.isApprox(before.q_target, 1e-3), space == std::string("hand-pose"));
+    EXPECT_EQ(after.placement->X_WH.isApprox(before.placement->X_WH, 1e-3),
+              space != std::string("hand-pose"));
+    const int j = fake.hand().FindJoint("FFq2");
+    EXPECT_EQ(after.q_target[j] == before.q_target[j], space == std::string("hand-pose"));
+  }
+}
+
+TEST(OptimiseGrasp, RefusesAGridOfManyCoordinatesBeforeItAsksAnything) {
+  FakeTrials fake;
+  OptimiseConfig config = MakeConfig();
+  config.method = "grid";
+  config.search = "all-digits";
+  try {
+    OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "a grid is possible for at most three coordinates, this search has 9; choose another "
+              "method");
+  }
+  EXPECT_TRUE(fake.asked.empty());
 }
 
 // With a grip as before nothing is gained; free to grip as it likes, the target is.

@@ -170,8 +170,9 @@ TEST(Search, RefusesWhatItCannotDo) {
     }
     return std::string();
   };
-  EXPECT_EQ(find_error("grid", 5, 1000),
-            "a grid is possible for at most three joints, this digit has 5");
+  EXPECT_EQ(
+      find_error("grid", 5, 1000),
+      "a grid is possible for at most three coordinates, this search has 5; choose another method");
   EXPECT_EQ(find_error("grid", 3, 8), "a grid needs at least 9 evaluations");
   EXPECT_EQ(find_error("cmas", 3, 8).substr(0, 46),
             "no search method \"cmas\"; did you mean \"cmaes\"?");

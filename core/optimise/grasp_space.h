@@ -1,0 +1,92 @@
+#pragma once
+/** @file
+What of a grasp step 2 may change, as coordinates of a search:
+
+    thumb       target angles of the opposing digit (Roethling 2007), the default
+    hand-pose   where the hand stands: shifted by 17.5 mm at most along each axis of the world,
+                turned by 25 deg at most about the object's centre (placement.h, MovePlacement)
+    all-digits  target angles of all grasping digits
+    synergy     target angles of all grasping digits along the principal components of the hand's
+                own standard postures (Santello, Flanders and Soechting 1998 for people's hands)
+
+Every coordinate counts in radians, so that one step fits all: a shift of 40 mm counts as one. No
+target angle leaves its joint's limits or goes farther than 25 deg from the start's; coupled joints
+follow; a hand that was moved keeps the rules of placing; pre-grasps stay. The start is the point of
+the grasp as it is, to the bit. All but the thumb is proposed by graspbench. */
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/hand.h"
+#include "core/optimise/search.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+struct GraspCoordinate {
+  std::string name;         ///< of a joint, or what is moved: "hand_x"
+  const char* unit;         ///< of values for people and tables: "rad" or "m"
+  double per_radian = 1.0;  ///< of that unit, to a radian of the search
+};
+
+class GraspSpace {
+ public:
+  virtual ~GraspSpace() = default;
+  const SearchSpace& box() const { return box_; }
+  const std::vector<GraspCoordinate>& coordinates() const { return coordinates_; }
+  /** The start with the coordinates changed. @pre as many as there are. */
+  virtual StandardGrasp MakeGrasp(const Eigen::VectorXd& genome) const = 0;
+
+ protected:
+  void AddCoordinate(const GraspCoordinate& coordinate, double lower, double start, double upper);
+
+ private:
+  SearchSpace box_;
+  std::vector<GraspCoordinate> coordinates_;
+};
+
+/** What a space is made from; the references must outlive it. */
+struct GraspSpaceStart {
+  const Hand& hand;
+  const GraspObject& object;
+  const StandardGrasp& grasp;  ///< brings its placement
+};
+
+/** A space by its name; given by <Class>Row() beside the class of each line of the list. */
+struct GraspSpaceRow {
+  const char* name;   ///< in files and options
+  const char* words;  ///< "the thumb's target angles"
+  std::unique_ptr<GraspSpace> (*make)(const GraspSpaceStart& start);
+};
+#define GRASPBENCH_GRASP_SPACE(Class) GraspSpaceRow Class##Row();
+#include "core/optimise/grasp_space_list.inc"
+#undef GRASPBENCH_GRASP_SPACE
+
+/** The first of the list. */
+inline constexpr char kThumbSpace[] = "thumb";
+
+/** "thumb", "hand-pose", ...: all of the list. */
+const std::vector<std::string>& ListGraspSpaces();
+/** @throws Error(kNotFound) with suggestions. */
+const GraspSpaceRow& FindGraspSpace(const std::string& name);
+/** @throws Error(kNotFound); Error(kUnsupported) for synergies of a hand with too few postures. */
+std::unique_ptr<GraspSpace> MakeGraspSpace(const std::string& name, const GraspSpaceStart& start);
+
+/** Of a coordinate, to both sides [rad]. */
+inline constexpr double kLargestChange = RadFromDeg(25.0);
+
+/** Between what a target angle of the start may become [rad]; the start's lies within. */
+struct TargetRange {
+  double lower, upper;
+};
+TargetRange FindTargetRange(const GraspSpaceStart& start, int joint);
+/** Driven joints of the grasping digits, digit by digit as in the grasp. */
+std::vector<int> FindGraspingJoints(const GraspSpaceStart& start);
+/** Of these joints' target angles, each a coordinate. */
+std::unique_ptr<GraspSpace> MakeTargetSpace(const GraspSpaceStart& start, std::vector<int> joints);
+
+}  // namespace graspbench

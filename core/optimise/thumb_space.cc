@@ -1,0 +1,13 @@
+#include "core/optimise/grasp_space.h"
+
+namespace graspbench {
+
+GraspSpaceRow ThumbSpaceRow() {
+  return {kThumbSpace, "the target angles of the thumb", [](const GraspSpaceStart& start) {
+            const int opposing = FindOpposingDigit(start.hand, start.grasp);
+            const Digit& digit = start.hand.digits[static_cast<size_t>(opposing)];
+            return MakeTargetSpace(start, FindDrivenJoints(start.hand, digit));
+          }};
+}
+
+}  // namespace graspbench
