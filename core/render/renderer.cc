@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/render/display_mesh.h"
-#include "core/render/gl_context.h"
+#include "core/render/gl_program.h"
 #include "core/render/scene.h"
 #include "core/render/shaders.h"
 #include "core/render/stage.h"
@@ -32,9 +32,8 @@ int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 2,
 // Of a shadow's filter, per sample; large pictures show what few leave behind.
 int ChooseTaps(int picture_size) { return picture_size > 512 ? 8 : 4; }
 
-// Everything that is no surface, and the lit table.
-constexpr double kFadeShare = 0.1;  // of the picture, at each edge, for what it may cut
-const Vector3f kBackgroundSrgb = Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
+constexpr double kFadeShare = 0.1;   // of the picture, at each edge, for what it may cut
+constexpr double kGridShare = 0.25;  // of the table's light that the lines of its grid take
 
 // Inverse of the encoding at the end of the shaders; for values beyond its linear part.
 Vector3f DecodeSrgb(const Vector3f& srgb) { return ((srgb.array() + 0.055f) / 1.055f).pow(2.4f); }
@@ -49,29 +48,6 @@ struct GpuMesh {
   StageBox box;  // in M
 };
 
-struct Program {
-  GLuint id = 0;
-  const GlFunctions* gl = nullptr;
-
-  GLint Find(const char* name) const { return gl->GetUniformLocation(id, name); }
-  void Set(const char* name, int value) const { gl->Uniform1i(Find(name), value); }
-  void Set(const char* name, double value) const {
-    gl->Uniform1f(Find(name), static_cast<float>(value));
-  }
-  void Set(const char* name, const Vector3f& value) const {
-    gl->Uniform3fv(Find(name), 1, value.data());
-  }
-  void Set(const char* name, const Vector3d& value) const {
-    Set(name, Vector3f(value.cast<float>()));
-  }
-  void Set(const char* name, const Eigen::Vector4d& value) const {
-    gl->Uniform4fv(Find(name), 1, Eigen::Vector4f(value.cast<float>()).data());
-  }
-  void Set(const char* name, const Matrix4d& value) const {
-    gl->UniformMatrix4fv(Find(name), 1, GL_FALSE, Eigen::Matrix4f(value.cast<float>()).data());
-  }
-};
-
 // Texture and the framebuffer object that draws into it.
 struct Target {
   GLuint texture = 0;
@@ -80,44 +56,12 @@ struct Target {
   int height = 0;
 };
 
-GLuint CompileShader(const GlFunctions& gl, GLenum stage, const char* name,
-                     const std::string& source) {
-  const GLuint shader = gl.CreateShader(stage);
-  const char* text = source.c_str();
-  gl.ShaderSource(shader, 1, &text, nullptr);
-  gl.CompileShader(shader);
-  GLint is_compiled = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &is_compiled);
-  char log[1024] = "";
-  if (!is_compiled) gl.GetShaderInfoLog(shader, sizeof(log), nullptr, log);
-  GRASPBENCH_DEMAND(is_compiled, std::string(name) + " shader: " + log);
-  return shader;
-}
-
-Program MakeProgram(const GlFunctions& gl, const ShaderSource& source) {
-  Program program;
-  program.gl = &gl;
-  program.id = gl.CreateProgram();
-  for (const GLuint shader :
-       {CompileShader(gl, GL_VERTEX_SHADER, source.name, source.vertex),
-        CompileShader(gl, GL_FRAGMENT_SHADER, source.name, source.fragment)}) {
-    gl.AttachShader(program.id, shader);
-    gl.DeleteShader(shader);
-  }
-  gl.LinkProgram(program.id);
-  GLint is_linked = 0;
-  gl.GetProgramiv(program.id, GL_LINK_STATUS, &is_linked);
-  char log[1024] = "";
-  if (!is_linked) gl.GetProgramInfoLog(program.id, sizeof(log), nullptr, log);
-  GRASPBENCH_DEMAND(is_linked, std::string(source.name) + " program: " + log);
-  return program;
-}
-
 }  // namespace
 
 struct Renderer::Impl {
   Impl(int width, int height, RenderQuality quality);
-  Image Render(const Scene& scene, const Camera& camera);
+  Image Render(const Scene& scene, const StageView& view);
+  GeometryPicture RenderGeometry(const Scene& scene, const PinholeCamera& camera);
 
   GLuint MakeTexture(GLint internal_format, GLenum format, GLenum type, int w, int h, GLint filter);
   Target MakeTarget(GLenum attachment, GLuint texture, int w, int h);
@@ -126,9 +70,9 @@ struct Renderer::Impl {
   void DropUnusedMeshes();
   /** @param share  of its triangles that is drawn at least. */
   const GpuMesh& FindOrUpload(const Drawable& drawable, double share);
-  void Begin(const Target& target, const Program& program);
-  void BindTexture(const Program& program, const char* name, int unit, GLuint texture);
-  void BindLights(const Program& program, const StageLight& key, const StageLight& sky);
+  void Begin(const Target& target, const GlProgram& program);
+  void BindTexture(const GlProgram& program, const char* name, int unit, GLuint texture);
+  void BindLights(const GlProgram& program, const StageLight& key, const StageLight& sky);
   void DrawDepth(const Target& map, const StageLight& light);
   void DrawMesh(const GpuMesh& mesh, GLenum inner_side);
   struct Item {
@@ -137,10 +81,12 @@ struct Renderer::Impl {
     Vector3f colour;
     bool may_be_cut;
   };
-  void DrawItems(const std::vector<Item>& drawn, const Program& program, const StageView& view);
-  void DrawMarks(const StageView& view);
+  void DrawItems(const std::vector<Item>& drawn, const GlProgram& program, const StageView& view,
+                 const Scene& scene);
+  void DrawMarks(const StageView& view, const Scene& scene);
   void DrawTableLight(const Eigen::Vector4d& area, const StageLight& key, const StageLight& sky);
-  void DrawTable(const StageView& view, const Eigen::Vector4d& area);
+  void DrawTable(const StageView& view, const Eigen::Vector4d& area, const Scene& scene);
+  void MakeGeometryTarget();
   Image ReadPicture();
 
   GlContext context;
@@ -148,8 +94,10 @@ struct Renderer::Impl {
   const bool is_draft;
   int width;
   int height;
-  Program depth, table_light, smooth, surface, mark, table, resolve;
+  GlProgram depth, table_light, smooth, surface, mark, table, resolve;
+  GlProgram geometry, table_geometry;  // made at first use, with their target
   Target key_map, sky_map, rough_table_light, smooth_table_light, picture, resolved;
+  Target geometry_target;
   GLuint compare_sampler = 0;  // compares with the depth in the map; without it: the depth itself
   GLuint no_vertices = 0;
   std::map<std::pair<const TriMesh*, double>, GpuMesh> meshes;
@@ -292,13 +240,13 @@ const GpuMesh& Renderer::Impl::FindOrUpload(const Drawable& drawable, double sha
   return mesh;
 }
 
-void Renderer::Impl::Begin(const Target& target, const Program& program) {
+void Renderer::Impl::Begin(const Target& target, const GlProgram& program) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl.Viewport(0, 0, target.width, target.height);
   gl.UseProgram(program.id);
 }
 
-void Renderer::Impl::BindTexture(const Program& program, const char* name, int unit,
+void Renderer::Impl::BindTexture(const GlProgram& program, const char* name, int unit,
                                  GLuint texture) {
   gl.ActiveTexture(GL_TEXTURE0 + unit);
   gl.BindTexture(GL_TEXTURE_2D, texture);
@@ -306,7 +254,7 @@ void Renderer::Impl::BindTexture(const Program& program, const char* name, int u
   program.Set(name, unit);
 }
 
-void Renderer::Impl::BindLights(const Program& program, const StageLight& key,
+void Renderer::Impl::BindLights(const GlProgram& program, const StageLight& key,
                                 const StageLight& sky) {
   BindTexture(program, "key_map", 0, key_map.texture);
   gl.BindSampler(0, compare_sampler);
@@ -339,18 +287,18 @@ void Renderer::Impl::DrawDepth(const Target& map, const StageLight& light) {
   }
 }
 
-void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const Program& program,
-                               const StageView& view) {
+void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const GlProgram& program,
+                               const StageView& view, const Scene& scene) {
   program.Set("clip_from_S", view.clip_from_S);
   program.Set("p_SEye", view.p_SEye);
   program.Set("to_key", kToKey);
   program.Set("to_fill", kToFill);
   program.Set("to_rim", kToRim);
-  program.Set("background_srgb", kBackgroundSrgb);
+  program.Set("background_srgb", scene.background_srgb);
   program.Set("picture_size", Vector3f(static_cast<float>(picture.width),
                                        static_cast<float>(picture.height), 0.0f));
   for (const Item& item : drawn) {
-    program.Set("fade_share", item.may_be_cut ? kFadeShare : 0.0);
+    program.Set("fade_share", item.may_be_cut && view.fades_at_edges ? kFadeShare : 0.0);
     program.Set("S_from_M", item.S_from_M);
     program.Set("albedo", item.colour);
     DrawMesh(*item.mesh, GL_BACK);
@@ -360,11 +308,11 @@ void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const Program& pr
 }
 
 /** What they lie on hides none of them, but they hide each other. */
-void Renderer::Impl::DrawMarks(const StageView& view) {
+void Renderer::Impl::DrawMarks(const StageView& view, const Scene& scene) {
   if (marks.empty()) return;
   Begin(picture, mark);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
-  DrawItems(marks, mark, view);
+  DrawItems(marks, mark, view, scene);
 }
 
 void Renderer::Impl::DrawTableLight(const Eigen::Vector4d& area, const StageLight& key,
@@ -381,12 +329,14 @@ void Renderer::Impl::DrawTableLight(const Eigen::Vector4d& area, const StageLigh
 }
 
 /** @param area  that the texture of its light covers. */
-void Renderer::Impl::DrawTable(const StageView& view, const Eigen::Vector4d& area) {
+void Renderer::Impl::DrawTable(const StageView& view, const Eigen::Vector4d& area,
+                               const Scene& scene) {
   Begin(picture, table);
   BindTexture(table, "table_light", 0, smooth_table_light.texture);
   table.Set("table_area", area);
   table.Set("clip_from_S", view.clip_from_S);
-  table.Set("background", DecodeSrgb(kBackgroundSrgb));
+  table.Set("background", DecodeSrgb(scene.table_srgb));
+  table.Set("grid", scene.has_grid ? kGridShare : 0.0);
   table.Set("fade_radius", 3.0 * view.half_height);
   const Pose X_WS = view.X_SW.inverse();
   table.Set("world_from_S", Eigen::Vector4d(X_WS.linear()(0, 0), X_WS.linear()(1, 0),
@@ -414,10 +364,9 @@ Image Renderer::Impl::ReadPicture() {
   return image;
 }
 
-Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
+Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
   context.MakeCurrent();
   DropUnusedMeshes();
-  const StageView view = MakeStageView(camera, static_cast<double>(width) / height);
 
   int num_triangles = 0;
   for (const Drawable& drawable : scene.drawables) num_triangles += drawable.mesh->num_triangles();
@@ -446,17 +395,18 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
     DrawDepth(sky_map, sky);
   }
   Begin(picture, surface);
-  gl.ClearColor(kBackgroundSrgb.x(), kBackgroundSrgb.y(), kBackgroundSrgb.z(), 1.0f);
+  gl.ClearColor(scene.background_srgb.x(), scene.background_srgb.y(), scene.background_srgb.z(),
+                1.0f);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!is_draft) BindLights(surface, key, sky);
-  DrawItems(items, surface, view);
+  DrawItems(items, surface, view, scene);
 
   if (scene.has_table && view.p_SEye.z() > 0.0) {
     const Eigen::Vector4d area = FindShadowArea(corners);
     if (!is_draft) DrawTableLight(area, key, sky);
-    DrawTable(view, area);
+    DrawTable(view, area, scene);
   }
-  DrawMarks(view);
+  DrawMarks(view, scene);
   gl.Disable(GL_DEPTH_TEST);
   if (!is_draft) {
     Begin(resolved, resolve);
@@ -464,6 +414,59 @@ Image Renderer::Impl::Render(const Scene& scene, const Camera& camera) {
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
   }
   return ReadPicture();
+}
+
+void Renderer::Impl::MakeGeometryTarget() {
+  geometry = MakeProgram(gl, MakeGeometryShader());
+  table_geometry = MakeProgram(gl, MakeTableGeometryShader());
+  geometry_target =
+      MakeTarget(GL_COLOR_ATTACHMENT0,
+                 MakeTexture(GL_RG32F, GL_RG, GL_FLOAT, width, height, GL_NEAREST), width, height);
+  const GLuint depths = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                                    width, height, GL_NEAREST);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths, 0);
+}
+
+GeometryPicture Renderer::Impl::RenderGeometry(const Scene& scene, const PinholeCamera& camera) {
+  context.MakeCurrent();
+  DropUnusedMeshes();
+  if (geometry.id == 0) MakeGeometryTarget();
+  const StageView view = MakeStageView(camera, width, height);
+  Begin(geometry_target, geometry);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.ClearColor(GeometryPicture::kNothing, 0.0f, 0.0f, 0.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (size_t i = 0; i < scene.drawables.size(); ++i) {
+    const Drawable& drawable = scene.drawables[i];
+    const GpuMesh& mesh = FindOrUpload(drawable, 1.0);
+    if (drawable.is_mark || mesh.num_indices == 0) continue;
+    geometry.Set("clip_from_M", Matrix4d(view.clip_from_S * (view.X_SW * drawable.X_WM).matrix()));
+    geometry.Set("id", static_cast<double>(i));
+    DrawMesh(mesh, GL_BACK);
+  }
+  gl.Disable(GL_CULL_FACE);
+  if (scene.has_table) {
+    Begin(geometry_target, table_geometry);
+    table_geometry.Set("clip_from_S", view.clip_from_S);
+    table_geometry.Set("id", static_cast<double>(GeometryPicture::kTable));
+    gl.BindVertexArray(no_vertices);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+
+  const size_t num_pixels = static_cast<size_t>(width) * height;
+  std::vector<float> pixels(2 * num_pixels);
+  gl.ReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, pixels.data());
+  GeometryPicture result{width, height, std::vector<int>(num_pixels),
+                         std::vector<float>(num_pixels)};
+  for (int y = 0; y < height; ++y) {  // OpenGL's rows run upwards
+    const float* row = &pixels[2 * static_cast<size_t>(height - 1 - y) * width];
+    for (int x = 0; x < width; ++x) {
+      const size_t pixel = static_cast<size_t>(y) * width + x;
+      result.id[pixel] = static_cast<int>(row[2 * x]);
+      result.depth[pixel] = row[2 * x + 1];
+    }
+  }
+  return result;
 }
 
 Renderer::Renderer(int width, int height, RenderQuality quality) {
@@ -478,7 +481,16 @@ Renderer::Renderer(int width, int height, RenderQuality quality) {
 Renderer::~Renderer() = default;
 
 Image Renderer::Render(const Scene& scene, const Camera& camera) {
-  return impl_->Render(scene, camera);
+  return impl_->Render(scene,
+                       MakeStageView(camera, static_cast<double>(impl_->width) / impl_->height));
+}
+
+Image Renderer::Render(const Scene& scene, const PinholeCamera& camera) {
+  return impl_->Render(scene, MakeStageView(camera, impl_->width, impl_->height));
+}
+
+GeometryPicture Renderer::RenderGeometry(const Scene& scene, const PinholeCamera& camera) {
+  return impl_->RenderGeometry(scene, camera);
 }
 
 }  // namespace graspbench

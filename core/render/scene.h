@@ -37,27 +37,57 @@ struct Camera {
   double field_of_view = 0.6;                                   ///< vertical [rad]
 };
 
-struct Scene {
-  std::vector<Drawable> drawables;
-  bool has_table = true;  ///< the plane z = 0 with a 50 mm grid, catching the shadow
+/** A camera that stands somewhere, rolled as it may be. A point at (x, y, z) in K (x right, y down, z
+forward) appears at
+
+    u = focal_x x / z + centre_x,   v = focal_y y / z + centre_y
+
+pixels from the picture's left and upper edge; the first pixel's middle is at (0.5, 0.5). Nothing
+nearer than 10 mm is drawn. @pre the focal lengths are positive. */
+struct PinholeCamera {
+  Pose X_WK = Pose::Identity();
+  double focal_x = 580.0;   ///< [pixel]
+  double focal_y = 580.0;   ///< [pixel]
+  double centre_x = 320.0;  ///< [pixel]
+  double centre_y = 240.0;  ///< [pixel]
 };
 
-/** 8-bit sRGB, rows from the top. The background and the lit table are (237, 238, 240). */
+inline const Eigen::Vector3f kPaper = Eigen::Vector3f(237.0f, 238.0f, 240.0f) / 255.0f;
+
+struct Scene {
+  std::vector<Drawable> drawables;
+  bool has_table = true;                     ///< the plane z = 0, catching the shadow
+  bool has_grid = true;                      ///< its lines, 50 mm apart
+  Eigen::Vector3f table_srgb = kPaper;       ///< where all light reaches it, encoded, 0 to 1
+  Eigen::Vector3f background_srgb = kPaper;  ///< where there is nothing, encoded, 0 to 1
+};
+
+/** 8-bit sRGB, rows from the top. */
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<uint8_t> rgb;  ///< (height x width x 3)
 };
 
+/** What each pixel's middle shows, rows from the top: the truth for whatever is found in pictures. */
+struct GeometryPicture {
+  static constexpr int kNothing = -1, kTable = -2;
+  int width = 0;
+  int height = 0;
+  std::vector<int> id;       ///< index of the drawable (not of a mark), kTable or kNothing
+  std::vector<float> depth;  ///< z in K [m]; 0: nothing
+};
+
 enum class RenderQuality {
   kFull,
-  /** For a look into a terminal many times a second: no shadows, one sample a pixel, meshes
-  coarsened to some 8,000 triangles in all. */
+  /** For a look into a terminal many times a second, or for a camera whose pictures are many: no
+  shadows, one sample a pixel, meshes coarsened to some 8,000 triangles in all. */
   kDraft
 };
 
-/** Draws pictures of one size. The lights are fixed to the camera's heading: the key light comes
-from the left before the scene, high up, so shadows fall to the right and back.
+/** Draws pictures of one size. For a Camera the lights are fixed to its heading: the key light comes
+from the left before the scene, high up, so shadows fall to the right and back. For a PinholeCamera
+they are fixed to the world, as if it looked along y, and nothing fades at the picture's edge.
 
 Not to be used by two threads at once; each thread may have its own. Meshes are uploaded when they
 are first seen and kept as long as somebody owns them, so a filmstrip costs little more than its
@@ -69,6 +99,9 @@ class Renderer {
   Renderer(int width, int height, RenderQuality quality = RenderQuality::kFull);
   ~Renderer();
   Image Render(const Scene& scene, const Camera& camera);
+  Image Render(const Scene& scene, const PinholeCamera& camera);
+  /** One sample a pixel, with the meshes of the same quality as the pictures. */
+  GeometryPicture RenderGeometry(const Scene& scene, const PinholeCamera& camera);
 
  private:
   struct Impl;

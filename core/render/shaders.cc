@@ -14,6 +14,27 @@ void main() {
 }
 )";
 
+const char kPositionVertex[] = R"(
+layout(location = 0) in vec3 p_M;
+uniform mat4 clip_from_M;
+void main() { gl_Position = clip_from_M * vec4(p_M, 1.0); }
+)";
+
+const char kTableVertex[] = R"(
+uniform mat4 clip_from_S;
+out vec2 p_S;
+void main() {
+  p_S = 20.0 * (vec2(gl_VertexID & 1, gl_VertexID >> 1) - 0.5);  // a square of 20 m
+  gl_Position = clip_from_S * vec4(p_S, 0.0, 1.0);
+}
+)";
+
+const char kGeometryFragment[] = R"(
+uniform float id;
+out vec2 id_and_depth;
+void main() { id_and_depth = vec2(id, 1.0 / gl_FragCoord.w); }
+)";
+
 // Colours are clipped and encoded before the mean of a pixel's samples is taken: so edges of dark
 // things on the bright table get even steps, and no highlight eats the edge beside it.
 const char kEncode[] = R"(
@@ -96,11 +117,7 @@ std::string FormatTaps(int taps) { return "const int kTaps = " + std::to_string(
 }  // namespace
 
 ShaderSource MakeDepthShader() {
-  return {"depth", std::string(kVersion) + R"(
-layout(location = 0) in vec3 p_M;
-uniform mat4 clip_from_M;
-void main() { gl_Position = clip_from_M * vec4(p_M, 1.0); }
-)",
+  return {"depth", std::string(kVersion) + kPositionVertex,
           std::string(kVersion) + "void main() {}\n"};
 }
 
@@ -202,20 +219,13 @@ void main() {
 }
 
 ShaderSource MakeTableShader() {
-  return {"table", std::string(kVersion) + R"(
-uniform mat4 clip_from_S;
-out vec2 p_S;
-void main() {
-  p_S = 20.0 * (vec2(gl_VertexID & 1, gl_VertexID >> 1) - 0.5);  // a square of 20 m
-  gl_Position = clip_from_S * vec4(p_S, 0.0, 1.0);
-}
-)",
-          std::string(kVersion) + kEncode + R"(
+  return {"table", std::string(kVersion) + kTableVertex, std::string(kVersion) + kEncode + R"(
 in vec2 p_S;
 uniform vec4 world_from_S;  // cosine and sine of the heading, x, y of S in W
 uniform sampler2D table_light;
 uniform vec4 table_area;
 uniform vec3 background;
+uniform float grid;  // share of the light that its lines take
 uniform float fade_radius;
 out vec4 srgb;
 void main() {
@@ -232,9 +242,19 @@ void main() {
                min(2.0 * kHalfWidth / pixel, 1.0);
   float line = max(cover.x, cover.y) *
                (1.0 - smoothstep(0.5 * fade_radius, fade_radius, length(p_S)));
-  srgb = EncodeSrgb(background * light * (1.0 - 0.25 * line));
+  srgb = EncodeSrgb(background * light * (1.0 - grid * line));
 }
 )"};
+}
+
+ShaderSource MakeGeometryShader() {
+  return {"geometry", std::string(kVersion) + kPositionVertex,
+          std::string(kVersion) + kGeometryFragment};
+}
+
+ShaderSource MakeTableGeometryShader() {
+  return {"table geometry", std::string(kVersion) + kTableVertex,
+          std::string(kVersion) + kGeometryFragment};
 }
 
 ShaderSource MakeResolveShader() {

@@ -26,6 +26,11 @@ ShaderSource MakeSmoothShader();
 ShaderSource MakeSurfaceShader(int taps);
 /** The table with its shadow and its 50 mm grid. */
 ShaderSource MakeTableShader();
+/** Which drawable, and how far before the camera: of the drawables, of the table. */
+///@{
+ShaderSource MakeGeometryShader();
+ShaderSource MakeTableGeometryShader();
+///@}
 /** Two samples a side become one pixel; a tent of two pixels width smooths the edges. */
 ShaderSource MakeResolveShader();
 

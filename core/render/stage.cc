@@ -59,6 +59,27 @@ StageView MakeStageView(const Camera& camera, double aspect) {
   return view;
 }
 
+StageView MakeStageView(const PinholeCamera& camera, int width, int height) {
+  GRASPBENCH_DEMAND(
+      camera.focal_x > 0.0 && camera.focal_y > 0.0,
+      "focal lengths " + std::to_string(camera.focal_x) + ", " + std::to_string(camera.focal_y));
+  StageView view;
+  view.p_SEye = camera.X_WK.translation();
+  view.half_height = std::abs(view.p_SEye.z()) * 0.5 * height / camera.focal_y;
+  view.fades_at_edges = false;
+
+  Matrix4d clip_from_K = Matrix4d::Zero();
+  clip_from_K(0, 0) = 2.0 * camera.focal_x / width;
+  clip_from_K(0, 2) = 2.0 * camera.centre_x / width - 1.0;
+  clip_from_K(1, 1) = -2.0 * camera.focal_y / height;
+  clip_from_K(1, 2) = 1.0 - 2.0 * camera.centre_y / height;
+  clip_from_K(2, 2) = (kFar + kNear) / (kFar - kNear);
+  clip_from_K(2, 3) = -2.0 * kFar * kNear / (kFar - kNear);
+  clip_from_K(3, 2) = 1.0;
+  view.clip_from_S = clip_from_K * camera.X_WK.inverse().matrix();
+  return view;
+}
+
 StageLight MakeStageLight(const Vector3d& to_light, const std::vector<Vector3d>& corners) {
   Eigen::Matrix3d R_LS;
   R_LS.row(2) = -to_light.transpose();

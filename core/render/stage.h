@@ -39,10 +39,13 @@ struct StageView {
   Pose X_SW = Pose::Identity();
   Eigen::Vector3d p_SEye = Eigen::Vector3d::Zero();
   Eigen::Matrix4d clip_from_S = Eigen::Matrix4d::Identity();
-  double half_height = 0.0;  ///< of the picture at the target [m]
+  double half_height = 0.0;    ///< of the picture at the target [m]
+  bool fades_at_edges = true;  ///< what may be cut by them
 };
 /** @param aspect  width / height of the picture. */
 StageView MakeStageView(const Camera& camera, double aspect);
+/** In which S is the world. @param width, height  of the picture [pixel]. */
+StageView MakeStageView(const PinholeCamera& camera, int width, int height);
 
 /** A light at infinity, as a box in S that its map covers. */
 struct StageLight {
