@@ -51,7 +51,7 @@ SessionModels LoadSessionModels(const Session& session) {
         LoadSessionInputs(session.config, FieldUse::kLater, session.folder);
     for (const SessionHand& hand : inputs.hands) models.hands[hand.hand->id] = hand.hand;
     for (const auto& object : inputs.objects) models.objects[object->id] = object;
-    if (!(MakePlan(session.config, inputs) == session.plan)) {
+    if (!session.plan.empty() && !(MakePlan(session.config, inputs) == session.plan)) {
       models.problems.push_back(
           "a hand, an object, a grasp or the physics has changed since the session was planned; "
           "names, pictures and the tables of hands and objects show them as they are now");

@@ -12,6 +12,14 @@ namespace {
 
 const std::string kEmpty;
 
+/** Spreadsheets of countries with a decimal comma separate by semicolons. */
+char FindDelimiter(std::string_view heading) {
+  for (const char delimiter : {'\t', ',', ';'}) {
+    if (heading.find(delimiter) != std::string_view::npos) return delimiter;
+  }
+  return ',';
+}
+
 }  // namespace
 
 DataTable::DataTable(const std::string& text, const std::string& file, Diagnostics& problems)
@@ -22,7 +30,7 @@ DataTable::DataTable(const std::string& text, const std::string& file, Diagnosti
   char delimiter = ',';
   Cells cells;
   while (reader.Next(line)) {
-    if (columns_.empty() && line.find('\t') != std::string_view::npos) delimiter = '\t';
+    if (columns_.empty()) delimiter = FindDelimiter(line);
     SplitCells(line, delimiter, cells);
     if (IsBlank(cells)) continue;
     if (columns_.empty()) {

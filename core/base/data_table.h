@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The small tables that a person writes: comma- or tab-separated, a heading, one thing a
+The small tables that a person writes: separated by commas, tabs or semicolons, a heading, one thing a
 row. Every fault goes into Diagnostics with file and line. */
 
 #include <filesystem>

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/range_text.h"
 #include "core/base/text.h"
+#include "core/statistics/distributions.h"
 
 namespace graspbench {
 namespace {
@@ -53,6 +54,12 @@ Interval CalcPairedDifferenceInterval(const PairedCounts& counts) {
   };
   return {p2 - p1 - combine(p2 - second.low, first.high - p1),
           p2 - p1 + combine(second.high - p2, p1 - first.low)};
+}
+
+double CalcMcNemarExactTwoSided(const PairedCounts& counts) {
+  const int num_different = counts.first_only + counts.second_only;
+  const int more = std::max(counts.first_only, counts.second_only);
+  return std::min(1.0, 2.0 * CalcBinomialUpperP(more, num_different, 0.5));
 }
 
 double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_successes_b,

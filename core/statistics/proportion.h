@@ -58,6 +58,11 @@ struct PairedCounts {
 @pre no count is negative. */
 Interval CalcPairedDifferenceInterval(const PairedCounts& counts);
 
+/** p value of "both succeed as often", of pairs: McNemar's exact test, two-sided, twice the tail of
+the binomial with probability 1/2 over the pairs that differ (Q. McNemar, Psychometrika 12, 1947); 1
+where none does. @pre no count is negative. */
+double CalcMcNemarExactTwoSided(const PairedCounts& counts);
+
 /** p value of "both have the same success probability"; 1 when either had no trials.
 @pre as above, for both. Cost grows with the sum of the trials. */
 double CalcFisherExactTwoSided(int num_successes_a, int num_trials_a, int num_successes_b,

@@ -31,6 +31,10 @@ VariantSummary Summarise(const std::vector<const TrialRecord*>& records) {
   summary.median_gft_ratio = calc("GFT%");
   summary.median_got_ratio = calc("GOT%");
   summary.median_gct = calc("GCT");
+  summary.mean_breaking_force = calc("breaking");
+  summary.median_grip = calc("grip");
+  summary.median_sigma_ratio = calc("sigma/grip");
+  summary.median_breaking_ratio = calc("breaking/grip");
   return summary;
 }
 

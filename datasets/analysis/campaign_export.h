@@ -23,7 +23,11 @@ struct VariantSummary {
   double mean_sigma = kUnset;  ///< [N]
   double median_gft_ratio = kUnset;
   double median_got_ratio = kUnset;
-  double median_gct = kUnset;  ///< [s]
+  double median_gct = kUnset;             ///< [s]
+  double mean_breaking_force = kUnset;    ///< [N]
+  double median_grip = kUnset;            ///< [N]
+  double median_sigma_ratio = kUnset;     ///< of the grip
+  double median_breaking_ratio = kUnset;  ///< of the grip
 
   template <class V>
   static void ListFields(V&& field) {
@@ -39,6 +43,13 @@ struct VariantSummary {
           FieldColumn{"", "of the trials in which every digit touched"});
     field("median_got_ratio", &S::median_got_ratio, FieldColumn{"", "of the same trials"});
     field("median_gct_s", &S::median_gct, FieldColumn{"s", "of the same trials"});
+    field("mean_breaking_force_n", &S::mean_breaking_force,
+          FieldColumn{"N", "of the judged trials; a lost object counts 0"});
+    field("median_grip_n", &S::median_grip,
+          FieldColumn{"N", "sum of the hand's normal forces in the hold"});
+    field("median_sigma_per_grip", &S::median_sigma_ratio, FieldColumn{"", "of what was held"});
+    field("median_breaking_per_grip", &S::median_breaking_ratio,
+          FieldColumn{"", "of what was held and judged"});
   }
 };
 std::vector<VariantSummary> SummariseVariants(const Session& benchmark);

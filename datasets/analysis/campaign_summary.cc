@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/statistics/multiple_tests.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
 #include "datasets/analysis/campaign_export.h"
@@ -36,9 +37,9 @@ double BreakingForceOf(const TrialRecord& record) {
 
 double GripForceOf(const TrialRecord& record) { return record.result.stability.hold.normal_force; }
 
-/** 0 when the object was lost: then there was no force to hold with either. */
+/** None when the object was lost: then there was no force to hold with either. */
 double DivideByGrip(double force, const TrialRecord& record) {
-  return force == 0.0 ? 0.0 : force / GripForceOf(record);
+  return force == 0.0 ? kMissing : force / GripForceOf(record);
 }
 
 /** Of b and a; none where it is so small that the same grasp, once from the catalogue and once from
@@ -60,10 +61,11 @@ const std::vector<VariantMeasure>& ListVariantMeasures() {
        true, true, BreakingForceOf},
       {"grip [N]", "sum of the hand's normal forces on the object in the hold", 1.0, 1, false,
        false, GripForceOf},
-      {"sigma/grip [%]", "holds better, not by squeezing harder; 0 when the object is lost", 100.0,
-       1, true, true, [](const TrialRecord& r) { return DivideByGrip(SigmaOf(r), r); }},
-      {"breaking/grip [%]", "breaking force over grip; 0 when the object was lost", 100.0, 1, true,
-       true, [](const TrialRecord& r) { return DivideByGrip(BreakingForceOf(r), r); }},
+      {"sigma/grip [%]",
+       "of what is held: more means that it holds better, not that it squeezes harder", 100.0, 1,
+       true, false, [](const TrialRecord& r) { return DivideByGrip(SigmaOf(r), r); }},
+      {"breaking/grip [%]", "of what is held: the breaking force at equal grip", 100.0, 1, true,
+       false, [](const TrialRecord& r) { return DivideByGrip(BreakingForceOf(r), r); }},
       {"GFT% [%]", "grasp forming time over grasp closure time", 100.0, 1, false, false,
        [](const TrialRecord& r) { return r.result.timing.gft_ratio; }},
       {"GOT% [%]", "grasp opposing time over grasp closure time", 100.0, 1, false, false,
@@ -165,18 +167,35 @@ StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<Scene
   return effect;
 }
 
-std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
-                                                         Variant a, Variant b) {
+PairedCounts CountPairedSuccesses(const SceneVariants& scene, Variant a, Variant b) {
+  PairedCounts counts;
+  for (const TrialRecord* before : scene.cell(a).records) {
+    const TrialRecord* after = FindTrial(scene.cell(b), before->plan.trial);
+    if (after == nullptr) continue;
+    counts.Add(before->result.outcome == Outcome::kSuccess,
+               after->result.outcome == Outcome::kSuccess);
+  }
+  return counts;
+}
+
+std::vector<LowerSuccess> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
+                                                 Variant a, Variant b) {
   constexpr double kSignificance = 0.05;
-  std::vector<const SceneVariants*> lower;
+  std::vector<LowerSuccess> tested;
+  std::vector<double> p;
   for (const SceneVariants& scene : scenes) {
     if (!scene.IsComplete()) continue;
-    const Tally& before = scene.cell(a).tally;
-    const Tally& after = scene.cell(b).tally;
-    const double p = CalcFisherExactTwoSided(before.successes(), before.finished, after.successes(),
-                                             after.finished);
-    const bool is_lower = after.successes() * before.finished < before.successes() * after.finished;
-    if (is_lower && p < kSignificance) lower.push_back(&scene);
+    tested.push_back({&scene, CountPairedSuccesses(scene, a, b), kUnset});
+    p.push_back(CalcMcNemarExactTwoSided(tested.back().counts));
+  }
+  const std::vector<double> p_holm = AdjustHolm(p);
+  std::vector<LowerSuccess> lower;
+  for (size_t i = 0; i < tested.size(); ++i) {
+    tested[i].p_holm = p_holm[i];
+    const PairedCounts& counts = tested[i].counts;
+    if (counts.second_only < counts.first_only && p_holm[i] < kSignificance) {
+      lower.push_back(tested[i]);
+    }
   }
   return lower;
 }

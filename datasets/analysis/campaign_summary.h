@@ -73,9 +73,18 @@ struct StepEffect {
 StepEffect CalcStepEffect(const VariantMeasure& measure, const std::vector<SceneVariants>& scenes,
                           Variant a, Variant b, const std::string& hand = {});
 
-/** Scenes in which `b` succeeds less often than `a` with p < 0.05 (Fisher's exact test). */
-std::vector<const SceneVariants*> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
-                                                         Variant a, Variant b);
+/** Pairs are trials of the same number, those of `a` first. @pre both variants were tried. */
+PairedCounts CountPairedSuccesses(const SceneVariants& scene, Variant a, Variant b);
+
+/** A scene in which the same trials succeed less often. */
+struct LowerSuccess {
+  const SceneVariants* scene = nullptr;
+  PairedCounts counts;
+  double p_holm = kUnset;  ///< McNemar's exact test, Holm over the scenes
+};
+/** Scenes in which `b` succeeds less often than `a` with p_holm < 0.05. */
+std::vector<LowerSuccess> ListSignificantlyLower(const std::vector<SceneVariants>& scenes,
+                                                 Variant a, Variant b);
 
 /** A variant over all scenes: counts of trials, medians over the scenes' values. */
 struct VariantTotal {

@@ -41,8 +41,9 @@ RealCell MakeCell(const SceneVariants& scene, Variant variant,
     }
     const std::vector<DigitContact> contacts = FindGraspContacts(*trial, simulated);
     if (contacts.empty()) continue;
-    const double ratio = CalcContactTiming(contacts, 0.0).gft_ratio;
-    if (!std::isnan(ratio)) cell.gft_ratios.push_back(ratio);
+    const ContactTiming timing = CalcContactTiming(contacts, 0.0);
+    if (timing.contact_before_start || std::isnan(timing.gft_ratio)) continue;
+    cell.gft_ratios.push_back(timing.gft_ratio);
   }
   cell.success_p = CalcFisherExactTwoSided(cell.real.successes(), cell.real.finished,
                                            simulated.tally.successes(), simulated.tally.finished);
@@ -112,11 +113,16 @@ RealComparison CompareWithReal(const std::vector<RealTrial>& real,
     cells[place] = MakeCell(scenes[place.first], static_cast<Variant>(place.second), of_place);
     comparison.cells.push_back(cells[place]);
   }
+  const auto has_all_variants = [&](size_t scene) {
+    return std::all_of(std::begin(kVariants), std::end(kVariants), [&](const VariantRow& variant) {
+      return cells.count({scene, variant.value}) > 0;
+    });
+  };
   for (const VariantRow& variant : kVariants) {
     RealTotal total;
     total.variant = variant.value;
     for (const auto& [place, cell] : cells) {
-      if (place.second != variant.value) continue;
+      if (place.second != variant.value || !has_all_variants(place.first)) continue;
       ++total.num_scenes;
       AddTally(cell.real, total.real);
       AddTally(cell.scene->cell(variant.value).tally, total.simulated);

@@ -2,7 +2,7 @@
 /** @file
 A laboratory's trials (datasets/campaign/real_trials.h) beside the simulated ones of the same hand,
 object and variant. Contacts count for the digits of the scene's grasp; a trial without all of them
-has no GFT%, as in the simulation. */
+or with one before the start of closure has no GFT%, as in the simulation. */
 
 #include <string>
 #include <vector>
@@ -20,7 +20,8 @@ struct RealCell {
   double median_gft_ratio() const;
 };
 
-/** What really happened of one variant over all scenes, and in the same scenes in the simulation. */
+/** What really happened of one variant over the scenes in which all were tried, and in the same scenes
+in the simulation. */
 struct RealTotal {
   Variant variant = kStandardGrasp;
   int num_scenes = 0;

@@ -30,6 +30,29 @@ struct TimedTrial {
 /** By object and grasp. */
 using HandCells = std::map<std::pair<std::string, std::string>, std::vector<TimedTrial>>;
 
+/** A campaign's variant that kept the grasp before it gives the same trials again. Angles that were
+rounded for a file move them by parts of a million. */
+bool IsCopy(const std::vector<TimedTrial>& cell, const std::vector<TimedTrial>& before) {
+  constexpr double kSame = 1e-6;
+  size_t num_timed = 0, num_same = 0;
+  for (size_t i = 0; i < std::min(cell.size(), before.size()); ++i) {
+    const double a = cell[i].timing.gct, b = before[i].timing.gct;
+    if (!std::isfinite(a) || !std::isfinite(b)) continue;
+    ++num_timed;
+    num_same += std::abs(a - b) <= kSame * std::abs(b);
+  }
+  return num_timed > 0 && 2 * num_same > num_timed;
+}
+
+void DropCopies(HandCells& cells) {
+  for (auto cell = cells.begin(); cell != cells.end();) {
+    const bool is_copy = std::any_of(cells.begin(), cell, [&](const auto& before) {
+      return before.first.first == cell->first.first && IsCopy(cell->second, before.second);
+    });
+    cell = is_copy ? cells.erase(cell) : std::next(cell);
+  }
+}
+
 HandCells GroupHandCells(const Session& session, const std::string& hand) {
   HandCells cells;
   for (const TrialRecord& record : session.records) {
@@ -41,6 +64,7 @@ HandCells GroupHandCells(const Session& session, const std::string& hand) {
     }
     cells[{record.plan.object, record.plan.grasp}].push_back(std::move(trial));
   }
+  DropCopies(cells);
   return cells;
 }
 

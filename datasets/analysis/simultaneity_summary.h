@@ -7,7 +7,8 @@ cell differ in where the object stood and in the drives' errors, which move both
 is no cause. `delay_summary.h` imposes one.
 
 Trials in which a digit never touched, or touched before the start of closure, have no measure of
-simultaneity and take no part; a numerical failure takes none either. */
+simultaneity and take no part; a numerical failure takes none either. Cells that hold the same trials
+again, a campaign's variants that kept the grasp before, count once. */
 
 #include <string>
 #include <vector>

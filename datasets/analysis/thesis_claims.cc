@@ -14,6 +14,8 @@ using Scenes = std::vector<SceneVariants>;
 
 /** A rank correlation below which simultaneity would hardly matter. */
 constexpr double kWeakCorrelation = 0.3;
+constexpr int kFewestScenes = 5, kFewestTrials = 100;
+constexpr double kSignificance = 0.05;
 
 std::vector<std::string> ListHandsOf(const Scenes& scenes) {
   std::vector<std::string> hands;
@@ -55,12 +57,15 @@ ThesisClaim JudgeSimultaneity(const Campaign& campaign) {
   for (const SimultaneityRelation& row : SummariseSimultaneity(campaign.benchmark)) {
     const std::string response = row.response->shown.id;
     if (row.measure != "gft_ratio" || (response != "success" && response != "sigma_n")) continue;
-    if (!row.relation || !row.relation->interval) continue;
+    if (!row.relation || !row.relation->interval || row.relation->num_groups < kFewestScenes ||
+        row.relation->num_pairs < kFewestTrials) {
+      continue;
+    }
     const Interval& interval = *row.relation->interval;
     claim.evidence.push_back(
         {row.hand, response == "success" ? "GFT% with success" : "GFT% with sigma",
          row.relation->correlation, interval, FormatCount(row.relation->num_pairs, "trial")});
-    is_shown = is_shown || IsBelow(interval, 0.0);
+    is_shown = is_shown || (IsBelow(interval, 0.0) && row.p_holm < kSignificance);
     is_weak = is_weak && interval.low > -kWeakCorrelation;
   }
   if (claim.evidence.empty()) return claim;
@@ -81,7 +86,7 @@ ClaimEvidence MeasureStep(const char* measure, const Scenes& scenes, Variant bef
   evidence.what = measure;
   evidence.counted = FormatScenes(effect.num_scenes);
   if (effect.num_scenes > 0) evidence.value = effect.plain_ratio();
-  if (effect.ratio) {
+  if (effect.ratio && effect.num_scenes >= kFewestScenes) {
     evidence.interval = {effect.ratio->interval.low, effect.ratio->interval.high};
   }
   return evidence;
@@ -105,6 +110,9 @@ ThesisClaim JudgeBetter(const Scenes& scenes) {
   ThesisClaim claim = JudgeStep(
       {"better", "both steps", "Optimised grasps are better, on very different hands.", 1.0, {}},
       "breaking", 1, scenes, kStandardGrasp, kNewTarget);
+  if (claim.verdict == ClaimVerdict::kHolds && ListHandsOf(scenes).size() < 2) {
+    claim.verdict = ClaimVerdict::kNotDecided;
+  }
   const PairedCounts counts = CountPairedSuccesses(scenes, kStandardGrasp, kNewTarget);
   if (counts.num_pairs() == 0) return claim;
   const Interval success = CalcPairedDifferenceInterval(counts);
@@ -144,7 +152,7 @@ ThesisClaim JudgeSigma(const Scenes& scenes) {
     ++num_changed;
     num_alike += of_both > 0.0;
   }
-  if (num_changed == 0) return claim;
+  if (num_changed < kFewestScenes) return claim;
   const Interval interval = CalcWilsonInterval(num_alike, num_changed);
   claim.evidence.push_back({"", "both change alike", CalcShare(num_alike, num_changed), interval,
                             FormatScenes(num_changed)});
@@ -159,34 +167,36 @@ PairedCounts CountPairedSuccesses(const Scenes& scenes, Variant a, Variant b,
   PairedCounts counts;
   for (const SceneVariants& scene : scenes) {
     if (!scene.IsComplete() || (!hand.empty() && scene.hand != hand)) continue;
-    for (const TrialRecord* before : scene.cell(a).records) {
-      const auto& after = scene.cell(b).records;
-      const auto pair = std::find_if(after.begin(), after.end(), [&](const TrialRecord* record) {
-        return record->plan.trial == before->plan.trial;
-      });
-      if (pair == after.end()) continue;
-      counts.Add(before->result.outcome == Outcome::kSuccess,
-                 (*pair)->result.outcome == Outcome::kSuccess);
-    }
+    const PairedCounts more = CountPairedSuccesses(scene, a, b);
+    counts.both += more.both;
+    counts.first_only += more.first_only;
+    counts.second_only += more.second_only;
+    counts.neither += more.neither;
   }
   return counts;
 }
 
 std::vector<ThesisClaim> JudgeThesis(const Campaign& campaign, const Scenes& scenes) {
-  return {JudgeSimultaneity(campaign),
-          JudgeStep({"learned",
-                     "step 1",
-                     "A pre-grasp can be learned from which the digits touch together.",
-                     1.0,
-                     {}},
-                    "GFT%", -1, scenes, kStandardGrasp, kNewPreGrasp),
-          JudgeStep({"thumb",
-                     "step 2",
-                     "The thumb's target posture decides how firmly a grasp holds.",
-                     1.0,
-                     {}},
-                    "breaking/grip", 1, scenes, kNewPreGrasp, kNewTarget),
-          JudgeBetter(scenes), JudgeSigma(scenes)};
+  return {
+      JudgeSimultaneity(campaign),
+      JudgeStep({"learned",
+                 "step 1",
+                 "A pre-grasp can be learned from which the digits touch together.",
+                 1.0,
+                 {}},
+                "GFT%", -1, scenes, kStandardGrasp, kNewPreGrasp),
+      JudgeStep({"thumb",
+                 "step 2",
+                 "The thumb's target posture decides how firmly a grasp holds.",
+                 1.0,
+                 {}},
+                "breaking/grip", 1, scenes, kNewPreGrasp, kNewTarget),
+      JudgeBetter(scenes),
+      JudgeStep(
+          {"same-grip", "same grip", "Optimised grasps hold better with the same grip.", 1.0, {}},
+          "breaking/grip", 1, scenes, kStandardGrasp, kNewTarget),
+      JudgeSigma(scenes),
+      {"people", "people", "People strive for simultaneous contacts.", 0.0, {}}};
 }
 
 }  // namespace graspbench

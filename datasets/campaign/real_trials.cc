@@ -72,7 +72,7 @@ class RealTable {
     trial.variant = ReadVariant(row);
     const double number = table_.Number(row, "trial");
     trial.trial = number >= 0.0 && number <= 1e6 ? static_cast<int>(number) : -1;
-    if (trial.trial != number) {
+    if (trial.trial < 0 || trial.trial != number) {
       Fail(trial.line, "trial \"" + table_.Text(row, "trial") + "\"; expected 0, 1, 2, ..");
     }
     trial.is_success = ReadSuccess(row);
@@ -132,10 +132,12 @@ void CheckRealTrials(const std::vector<RealTrial>& trials, const std::string& fi
     for (const Digit& digit : hand.hand->digits) digits[hand.hand->id].push_back(digit.id);
   }
   for (const auto& object : inputs.objects) objects.push_back(object->id);
+  std::set<std::string> told;  // each fault once, at its first line
   const auto check = [&](const RealTrial& trial, const std::string& what, const std::string& name,
                          const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    problems.Fail(file, trial.line, what + " \"" + name + "\"" + SuggestNames(name, known));
+    const std::string text = what + " \"" + name + "\"" + SuggestNames(name, known);
+    if (told.insert(text).second) problems.Fail(file, trial.line, text);
   };
   for (const RealTrial& trial : trials) {
     check(trial, "this campaign has no hand", trial.hand, hands);

@@ -115,7 +115,10 @@ SessionInputs LoadTrialInputs(const Session& session, const PlannedTrial& planne
     if (is_listed || names == std::vector<std::string>{"all"}) names = {id};
   };
   narrow(config.objects, planned.object);
-  if (std::none_of(config.grasps.begin(), config.grasps.end(), IsGraspFile)) {
+  const auto needs_hands = [&](const std::string& grasp) {
+    return IsGraspFile(grasp) || !ListSceneGrasps(grasp, session.folder).empty();
+  };
+  if (std::none_of(config.grasps.begin(), config.grasps.end(), needs_hands)) {
     narrow(config.hands, planned.hand);
   }
   return LoadSessionInputs(config, FieldUse::kLater, session.folder);

@@ -68,7 +68,7 @@ ExitCode Run(CampaignOptions options) {
   request.trial_time_limit = options.trial_time_limit;
   request.real = options.real;
   if (options.plan_only) {
-    const int num_scenes = PlanCampaign(folder, *request.config);
+    const int num_scenes = PlanCampaign(request);
     RecordPlanning(folder);
     PrintPlan(folder, num_scenes, "scene");
     return kExitOk;
@@ -83,6 +83,10 @@ ExitCode Run(CampaignOptions options) {
                     QuoteForShell(folder.string()));
   }
   const Campaign campaign = LoadCampaign(folder);
+  if (!options.real.empty()) {
+    PrintMessage(FormatCount(static_cast<int>(campaign.real.size()), "trial") +
+                 " with real hands kept; rows without a success are trials to come");
+  }
   ExportCampaign(folder, campaign);
   const std::string comparison = FormatComparisonTable(campaign);
   PrintResult("\n" + FormatVariantsTable(campaign) + (comparison.empty() ? "" : "\n" + comparison) +
@@ -132,9 +136,9 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
   AddTrialTimeoutOption(command, options->trial_time_limit);
   command.callback([options, &command, &exit_code] {
     if (options->resume) {
-      CheckResume(command,
-                  {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
-                   "--search", "--grip", "--grip-limit", "--compare", "--set", "--plan-only"});
+      CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
+                            "--search", "--grip", "--grip-limit", "--compare", "--set",
+                            "--plan-only", "--grip", "--grip-limit", "--search"});
     }
     exit_code = Run(*options);
   });

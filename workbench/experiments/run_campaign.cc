@@ -37,7 +37,6 @@ class CampaignRun {
 
   bool Run() {
     Plan();
-    if (!real_.empty()) KeepRealTrials(folder_, real_);
     return OptimiseScenes() && Benchmark() && Compare();
   }
 
@@ -52,6 +51,7 @@ class CampaignRun {
     }
     for (const CampaignScene& scene : scenes_) CreateScene(scene.folder, scene.config);
     SealScenes(folder_, scenes_);
+    if (!real_.empty()) KeepRealTrials(folder_, real_);
     return static_cast<int>(scenes_.size());
   }
 
@@ -197,12 +197,9 @@ bool IsSearchFinished(const ComparisonTask& search) {
   return true;
 }
 
-int PlanCampaign(const fs::path& folder, const CampaignConfig& config) {
+int PlanCampaign(const CampaignRequest& request) {
   Observer nobody;
   const std::atomic<bool> stop{false};
-  CampaignRequest request;
-  request.folder = folder;
-  request.config = config;
   return CampaignRun(request, nobody, stop).Plan();
 }
 

@@ -33,7 +33,7 @@ struct CampaignRequest {
 
 /** Makes the folder of a campaign with copies of the user's own inputs, and those of its scenes, or
 finds them; nothing runs. @returns the number of scenes. @throws as RunCampaign. */
-int PlanCampaign(const std::filesystem::path& folder, const CampaignConfig& config);
+int PlanCampaign(const CampaignRequest& request);
 
 /** Plans the benchmark of a campaign as soon as all of its scenes are finished.
 @returns how many are not. @throws as RunCampaign. */

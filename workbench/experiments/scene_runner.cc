@@ -29,11 +29,11 @@ class JournaledTrials {
       if (!stored) continue;
       CheckSame(*stored, records.back());
       records.back().trials = stored->trials;
+      for (const LearningTrial& trial : stored->trials) observe_(request, trial);
     }
     Simulate(requests, records);
     std::vector<std::vector<LearningTrial>> trials;
     for (size_t i = 0; i < records.size(); ++i) {
-      for (const LearningTrial& trial : records[i].trials) observe_(requests[i], trial);
       trials.push_back(std::move(records[i].trials));
     }
     return trials;
@@ -63,14 +63,20 @@ class JournaledTrials {
   void Simulate(const std::vector<LearningRequest>& requests,
                 std::vector<EvaluationRecord>& records) {
     std::vector<TrialSetup> setups;
+    std::vector<std::pair<size_t, int>> asked;  // request and draw of each setup
     for (size_t i = 0; i < requests.size(); ++i) {
       if (!records[i].trials.empty()) continue;
       for (const int draw : requests[i].draws) {
         setups.push_back(MakeLearningSetup(config_, inputs_, requests[i], draw));
+        asked.push_back({i, draw});
       }
     }
     if (setups.empty()) return;
-    const std::vector<TrialResult> results = pool_.Run(setups);
+    const std::vector<TrialResult> results =
+        pool_.Run(setups, [&](size_t setup, const TrialResult& result) {
+          const auto [request, draw] = asked[setup];
+          observe_(requests[request], MakeLearningTrial(draw, result, false));
+        });
     auto result = results.begin();
     std::vector<EvaluationRecord> added;
     for (size_t i = 0; i < requests.size(); ++i) {

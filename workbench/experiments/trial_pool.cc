@@ -1,5 +1,7 @@
 #include "workbench/experiments/trial_pool.h"
 
+#include <mutex>
+
 #include "core/base/error.h"
 #include "workbench/experiments/worker_pool.h"
 
@@ -15,8 +17,15 @@ struct RunningTrial {
 
 }  // namespace
 
-std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups) {
+std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups,
+                                        const ObserveResult& observe) {
   std::vector<TrialResult> results(setups.size());
+  std::mutex observing;
+  const auto tell = [&](size_t task) {
+    if (!observe) return;
+    const std::lock_guard<std::mutex> lock(observing);
+    observe(task, results[task]);
+  };
   std::atomic<bool> is_one_given_up{false};
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto trial = std::make_shared<RunningTrial>();
@@ -31,10 +40,14 @@ std::vector<TrialResult> TrialPool::Run(const std::vector<TrialSetup>& setups) {
       trial->runner->Prepare(trial->setup);
     };
     const RunTask run = [trial](size_t) { trial->result = trial->runner->Run(trial->setup); };
-    const RunTask keep = [&results, trial](size_t task) { results[task] = trial->result; };
+    const RunTask keep = [&results, &tell, trial](size_t task) {
+      results[task] = trial->result;
+      tell(task);
+    };
     const RunTask give_up = [&, this](size_t task) {
       results[task] = MakeEndlessResult(time_limit_);
       is_one_given_up = true;
+      tell(task);
     };
     return {prepare, run, keep, give_up};
   };

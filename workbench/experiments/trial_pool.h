@@ -5,6 +5,7 @@ simulated world of the last hand and object from one call to the next. A trial t
 time is given up; its result is a numerical failure. */
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,9 @@ time is given up; its result is a numerical failure. */
 
 namespace graspbench {
 
+/** Told of each trial as it ends, one after the other, but in a worker's thread. */
+using ObserveResult = std::function<void(size_t setup, const TrialResult& result)>;
+
 class TrialPool {
  public:
   /** @param stop  when set, Run throws Error(kInterrupted); it must outlive the pool.
@@ -22,7 +26,8 @@ class TrialPool {
       : workers_(static_cast<size_t>(num_workers)), stop_(stop), time_limit_(time_limit) {}
 
   /** @throws Error(kInterrupted) when stopped; the first exception of a thread. */
-  std::vector<TrialResult> Run(const std::vector<TrialSetup>& setups);
+  std::vector<TrialResult> Run(const std::vector<TrialSetup>& setups,
+                               const ObserveResult& observe = nullptr);
 
  private:
   std::vector<std::shared_ptr<SetupRunner>> workers_;  // null: made when it is needed

@@ -56,13 +56,10 @@ std::string DescribeLower(const CampaignData& data, const Step& step) {
   std::string text = std::string(step.name) + ": success is significantly lower in " +
                      FormatCount(static_cast<int>(lower.size()), "scene");
   for (size_t i = 0; i < lower.size(); ++i) {
-    const SceneVariants& scene = *lower[i];
-    const Tally& before = scene.cell(step.before).tally;
-    const Tally& after = scene.cell(step.after).tally;
-    text += (i == 0 ? ": " : "; ") + data.NameOfScene(scene) + " (" +
-            std::to_string(before.successes()) + " of " + std::to_string(before.finished) +
-            " before, " + std::to_string(after.successes()) + " of " +
-            std::to_string(after.finished) + " after)";
+    text += (i == 0 ? ": " : "; ") + data.NameOfScene(*lower[i].scene) + " (" +
+            std::to_string(lower[i].counts.first_only) + " of " +
+            FormatCount(lower[i].counts.num_pairs(), "pair") + " lost, " +
+            std::to_string(lower[i].counts.second_only) + " gained)";
   }
   return text + ".";
 }
@@ -101,8 +98,8 @@ Html DrawEffects(const CampaignData& data) {
   for (const Step& step : kSteps) lines.push_back(DescribeLower(data, step));
   return html +
          MakeParagraph(
-             "Fisher's exact test of every scene, p < 0.05, not corrected for "
-             "their number:") +
+             "McNemar's exact test of every scene's pairs of trials, p < 0.05 after Holm's "
+             "correction over the scenes:") +
          MakeList(lines);
 }
 

@@ -8,6 +8,7 @@ namespace graspbench {
 namespace {
 
 Html DrawHands(const CampaignData& data) {
+  if (data.benchmark.hands.empty()) return MakeParagraph("No scene has trials yet.");
   if (data.benchmark.hands.size() != 2) {
     return MakeParagraph("Two hands are compared; this campaign has " +
                          FormatCount(static_cast<int>(data.benchmark.hands.size()), "hand") + ".");

@@ -12,11 +12,13 @@ std::string FormatCounts(const Tally& tally) {
 }
 
 Html DrawTotals(const RealComparison& found) {
-  Table table("Success over all scenes of which there are real trials, 95 % intervals in per cent.",
-              {{"Variant"},
-               {"Scenes", Align::kNumber},
-               {"Really", Align::kNumber},
-               {"In the simulation", Align::kNumber}});
+  Table table(
+      "Success over the scenes in which all three variants were really tried, 95 % intervals in "
+      "per cent.",
+      {{"Variant"},
+       {"Scenes", Align::kNumber},
+       {"Really", Align::kNumber},
+       {"In the simulation", Align::kNumber}});
   for (const RealTotal& total : found.totals) {
     table.AddRow({Text(WordsOf(total.variant)), Text(std::to_string(total.num_scenes)),
                   Text(FormatCounts(total.real)), Text(FormatCounts(total.simulated))});
@@ -33,10 +35,12 @@ Html DrawAgreements(const RealComparison& found) {
        {"Alike", Align::kNumber},
        {"95 % interval [%]", Align::kNumber}});
   for (const RealAgreement& agreement : found.agreements) {
-    table.AddRow({Text(agreement.step), Text(agreement.measure),
-                  Text(std::to_string(agreement.num_scenes)),
-                  Text(std::to_string(agreement.num_alike)),
-                  Text(FormatRange(100.0 * agreement.share.low, 100.0 * agreement.share.high, 1))});
+    table.AddRow(
+        {Text(agreement.step), Text(agreement.measure), Text(std::to_string(agreement.num_scenes)),
+         Text(std::to_string(agreement.num_alike)),
+         Text(agreement.num_scenes == 0
+                  ? "n/a"
+                  : FormatRange(100.0 * agreement.share.low, 100.0 * agreement.share.high, 1))});
   }
   return table.ToHtml();
 }
@@ -88,7 +92,8 @@ Html DrawReal(const CampaignData& data) {
                           " of scenes that are not finished are left out.");
   }
   if (found.cells.empty()) return html;
-  return html + DrawTotals(found) + DrawAgreements(found) + DrawCells(found, data) +
+  return html + (found.totals.empty() ? Html() : DrawTotals(found)) + DrawAgreements(found) +
+         DrawCells(found, data) +
          MakeParagraph(
              "The table of the laboratory's trials is kept in real/trials.csv. That two success "
              "rates cannot be told apart by few trials does not mean that they are equal.");

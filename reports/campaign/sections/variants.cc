@@ -14,7 +14,8 @@ Html DrawVariants(const CampaignData& data) {
   }
   Table table(
       "Every scene under its three variants. Success, sigma and breaking force are means over the "
-      "trials, the others medians over the trials that have them.",
+      "trials, the others medians over the trials that have them; shares of the grip are taken "
+      "trial by trial.",
       columns);
   for (const SceneVariants& scene : data.scenes) {
     for (int v = 0; v < kNumVariants; ++v) {

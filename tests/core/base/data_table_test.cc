@@ -9,8 +9,8 @@ namespace {
 
 // As spreadsheets of two countries write it: a byte order mark, quotes, carriage returns, tabs.
 TEST(DataTable, ReadsWhatSpreadsheetsWrite) {
-  for (const std::string text :
-       {"\xef\xbb\xbfname,size_m\r\n\"a, b\",0.5\r\n\r\nc,\r\n", "name\tsize_m\na, b\t0.5\nc\t\n"}) {
+  for (const std::string text : {"\xef\xbb\xbfname,size_m\r\n\"a, b\",0.5\r\n\r\nc,\r\n",
+                                 "name\tsize_m\na, b\t0.5\nc\t\n", "name;size_m\na, b;0.5\nc;\n"}) {
     Diagnostics problems;
     DataTable table(text, "t.csv", problems);
     ASSERT_EQ(table.num_rows(), 2u);

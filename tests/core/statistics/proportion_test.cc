@@ -50,6 +50,16 @@ TEST(WilsonInterval, IsMirroredAndKnowsNothingWithoutTrials) {
   EXPECT_EQ(CalcWilsonInterval(0, 0).high, 1.0);
 }
 
+// By hand: of ten pairs that differ, nine for one side: 2 (1 + 10) / 2^10.
+TEST(McNemarExact, IsTwiceTheBinomialTail) {
+  PairedCounts counts;
+  EXPECT_EQ(CalcMcNemarExactTwoSided(counts), 1.0);
+  counts = {20, 9, 1, 5};
+  EXPECT_NEAR(CalcMcNemarExactTwoSided(counts), 22.0 / 1024.0, 1e-12);
+  counts = {0, 3, 3, 0};
+  EXPECT_EQ(CalcMcNemarExactTwoSided(counts), 1.0);
+}
+
 TEST(FisherExact, TheLadyTastingTea) {
   // Fisher 1935: three of four cups right each; (16 + 16 + 1 + 1) / 70.
   EXPECT_NEAR(CalcFisherExactTwoSided(3, 4, 1, 4), 34.0 / 70.0, 1e-12);

@@ -65,9 +65,13 @@ TEST(CompareWithReal, CountsByHand) {
   EXPECT_EQ(found.cells[0].real.finished, 3);
   EXPECT_NEAR(found.cells[0].median_gft_ratio(), 0.2, 1e-12);  // the middle finger is not asked
   EXPECT_NEAR(found.cells[0].success_p, 3.0 / 7.0, 1e-12);     // 1 loss of 7 among the 3
-  ASSERT_EQ(found.totals.size(), 2u);
-  EXPECT_EQ(found.totals[0].real.successes(), 5);
-  EXPECT_EQ(found.totals[0].simulated.finished, 8);
+  EXPECT_TRUE(found.totals.empty());                           // the third variant was not tried
+  real.push_back(MakeReal("can", kNewTarget, 0, true, 0.5, -0.4));
+  const RealComparison more = CompareWithReal(real, simulated.scenes);
+  ASSERT_EQ(more.totals.size(), 3u);  // of the can alone
+  EXPECT_EQ(more.totals[0].real.successes(), 2);
+  EXPECT_EQ(more.totals[0].simulated.finished, 4);
+  EXPECT_TRUE(more.cells[2].gft_ratios.empty());  // touched before the start of closure
   for (const RealAgreement& agreement : found.agreements) {
     const bool is_gft_of_step_1 =
         agreement.step == std::string("step 1") && agreement.measure == std::string("GFT%");

@@ -42,6 +42,7 @@ TEST(ReadRealTrials, EveryFaultIsToldWithItsLine) {
             std::string::npos);
   EXPECT_NE(FindProblems("tum,can,standard,0.5,1,,,\n").find("expected 0, 1, 2"),
             std::string::npos);
+  EXPECT_NE(FindProblems("tum,can,standard,-1,1,,,\n").find("expected 0, 1, 2"), std::string::npos);
   EXPECT_NE(FindProblems("tum,can,standard,0,1,,,\ntum,can,standard,0,0,,,\n").find("real.csv:3"),
             std::string::npos);
   EXPECT_NE(FindProblems("tum,can,standard,0,1\n", "hand,object,variant,trial,succes\n")

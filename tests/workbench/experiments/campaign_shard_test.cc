@@ -19,7 +19,10 @@ class WorkOnCampaignTest : public testing::Test {
     config_.session.hands = {"tum"};
     config_.session.objects = {"golf_ball", "tea_light"};
     config_.session.trials = 2;
-    EXPECT_EQ(PlanCampaign(folder_, config_), 2);
+    CampaignRequest campaign;
+    campaign.folder = folder_;
+    campaign.config = config_;
+    EXPECT_EQ(PlanCampaign(campaign), 2);
     request_.folder = folder_;
     request_.shard = {1, 3};
   }
