@@ -14,8 +14,11 @@ TEST(CompleteOptimiseConfig, AddsWhatOlderConfigurationsLack) {
   frozen["optimise"].erase("search");
   ASSERT_NE(frozen, whole);
   CompleteOptimiseConfig(frozen);
-  EXPECT_EQ(frozen, whole);
   EXPECT_EQ(frozen["optimise"]["search"], "thumb");
+  Diagnostics problems;
+  const auto config = ConfigFromJson<SceneConfig>(frozen, "scene.json", problems);
+  problems.ThrowIfErrors(ErrorKind::kFormat, "incomplete");
+  EXPECT_EQ(ConfigToJson(config), whole);
 
   frozen["optimise"]["search"] = "synergy";
   CompleteOptimiseConfig(frozen);
