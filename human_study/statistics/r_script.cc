@@ -300,7 +300,9 @@ fit_line <- function(m, trials, f) {
 constexpr char kReliability[] = R"R(
 # Intraclass correlations after Shrout and Fleiss, intervals after McGraw and Wong.
 test_retest <- function(m, trials) {
-  cell <- interaction(trials[c(factors, "own_session")], sep = ", ", lex.order = TRUE)
+  # A session that is a factor, too, is no condition within itself.
+  conditions <- Filter(function(f) any(as.character(trials[[f]]) != trials[[session]]), factors)
+  cell <- interaction(trials[c(conditions, "own_session")], sep = ", ", lex.order = TRUE)
   y <- tapply(trials$value, list(factor(trials$person, unique(trials$person)), cell), mean)
   y <- y[complete.cases(y), , drop = FALSE]; n <- nrow(y); k <- length(sessions)
   if (n < 2 || k < 2) return()

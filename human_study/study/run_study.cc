@@ -71,6 +71,22 @@ void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
   result.study.config.analysis.contact.depths = LearnDepths(fits);
 }
 
+/** As corrections alone: what was confirmed is the contact that the study's own analysis has, so that
+it stays the same under other choices. */
+std::vector<ContactReview> SettleReviews(std::vector<ContactReview> reviews,
+                                         const TrialAnalysis& analysis) {
+  for (ContactReview& review : reviews) {
+    if (review.verdict != ReviewVerdict::kConfirmed) continue;
+    for (const DigitContactEvents& digit : analysis.contacts) {
+      if (digit.digit != review.digit) continue;
+      review.verdict = ReviewVerdict::kCorrected;
+      review.contact = digit.contact.time;
+      review.uncertainty = digit.contact.uncertainty;
+    }
+  }
+  return reviews;
+}
+
 /** Goes through the rows of trials.csv and collects. */
 class Runner {
  public:
@@ -220,6 +236,7 @@ class Runner {
   void CalcUniverses(FilteredTrial& reach, StudyTrial& trial) {
     const TrialMeasure& measure = FindMeasure(study_.config.multiverse.measure);
     trial.measure_universes.resize(measures_.size());
+    const std::vector<ContactReview> reviews = SettleReviews(trial.reviews, *trial.analysis);
     const Universe* previous = nullptr;
     TrialAnalysis analysis;
     for (const Universe& universe : result_.universes) {
@@ -229,8 +246,7 @@ class Runner {
         BelieveDetector(universe.detector, options, analysis);
       } else {
         analysis = AnalyseTrial(reach, options);
-        ApplyReviews(trial.reviews, options, trial.begin, trial.end, 1.0 / prepared_.rate,
-                     analysis);
+        ApplyReviews(reviews, options, trial.begin, trial.end, 1.0 / prepared_.rate, analysis);
       }
       previous = &universe;
       trial.universes.push_back(measure.value(analysis));

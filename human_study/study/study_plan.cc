@@ -12,6 +12,7 @@
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/trial_analysis.h"
+#include "human_study/recording/importers/delimited_text.h"
 
 namespace graspbench {
 namespace {
@@ -48,7 +49,7 @@ std::vector<std::string> ListLevelsOf(const DataTable& table, const std::string&
     const bool is_known = std::any_of(levels.begin(), levels.end(),
                                       [&](const auto& known) { return known.second == level; });
     const std::string& number = table.Text(row, column + "_number");
-    if (!is_known) levels.push_back({number.empty() ? 0.0 : std::stod(number), level});
+    if (!is_known) levels.push_back({ParseFiniteNumber(number).value_or(0.0), level});
   }
   std::stable_sort(levels.begin(), levels.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -72,6 +72,13 @@ void RunPlan(PlanOptions options) {
                                        : "expected a pilot's result folder, or --trial-sd and "
                                          "--person-sd");
   }
+  const bool asks_pilot = !options.question.factor.empty() || !options.question.levels.empty();
+  if (options.pilot.empty() ? asks_pilot : options.request.stated.is_between) {
+    throw Error(ErrorKind::kUsage, options.pilot.empty()
+                                       ? "--factor and --levels are of a pilot; there is none"
+                                       : "--groups goes with stated variances; of a pilot --factor "
+                                         "names the column that says the group");
+  }
   options.request.measure = options.question.measure;
   if (!options.pilot.empty()) options.request.pilot = LoadPilot(options.pilot, options.question);
   PrintResult(FormatPlan(options, MakeStudyPlan(options.request)));

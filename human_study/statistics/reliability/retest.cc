@@ -1,5 +1,7 @@
 #include "human_study/statistics/reliability/retest.h"
 
+#include <algorithm>
+
 #include "core/base/text.h"
 
 namespace graspbench {
@@ -9,8 +11,18 @@ Answer<Retest> CalcRetest(const MeasureTable& table) {
   if (retest.sessions.size() < 2) {
     return NoAnswer{FormatCount(retest.sessions.size(), "session") + "; expected 2 or more"};
   }
-  // The session becomes the last factor, so that the cells of a person are session by session.
+  // A session that is a factor, too, is no condition within itself.
   MeasureTable by_session = table;
+  for (size_t i = by_session.factors.size(); i-- > 0;) {
+    const auto is_session = [i](const Observation& row) {
+      return i < row.levels.size() && row.levels[i] == row.session;
+    };
+    if (!std::all_of(by_session.rows.begin(), by_session.rows.end(), is_session)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    by_session.factors.erase(by_session.factors.begin() + at);
+    for (Observation& row : by_session.rows) row.levels.erase(row.levels.begin() + at);
+  }
+  // The session becomes the last factor, so that the cells of a person are session by session.
   Factor session;
   session.name = "session, of the retest";
   session.levels = retest.sessions;

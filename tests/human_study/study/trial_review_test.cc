@@ -101,6 +101,7 @@ TEST_F(ReplayedReview, AConfirmationChangesNothingAndAFalseContactGoes) {
   const std::string id = before_.trials[0].id;
   const StudyResult confirmed = RunWith(id + ",index,confirmed,,\n");
   EXPECT_EQ(confirmed.trials[0].analysis->timing.gft, before_.trials[0].analysis->timing.gft);
+  EXPECT_TRUE(confirmed.trials[0].IsKept()) << confirmed.trials[0].removed;
   const StudyResult gone = RunWith(id + ",index,no_contact,,\n");
   EXPECT_FALSE(FindIndex(gone.trials[0]).contact.IsFound());
   EXPECT_EQ(gone.trials[0].analysis->num_touching, before_.trials[0].analysis->num_touching - 1);

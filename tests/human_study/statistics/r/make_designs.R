@@ -106,16 +106,22 @@ fit_ladder <- function(d, within, between) {
   own <- c("1", own)
   fixed <- paste("value ~", paste(c(within, between), collapse = " * "))
   # The default stops after three or four digits.
-  control <- lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-13, maxfun = 1e5),
+  control <- lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-8, maxfun = 1e5),
                          calc.derivs = FALSE, check.conv.singular = "ignore")
-  fit_from <- function(random, start) suppressWarnings(suppressMessages(lmer(
-    as.formula(paste(fixed, "+", paste(random, collapse = " + "))), d, control = control,
-    start = start)))
-  # Started again where it stopped, it finds the last digits.
+  fit_with <- function(random, ...) suppressWarnings(suppressMessages(lmer(
+    as.formula(paste(fixed, "+", paste(random, collapse = " + "))), d, ...)))
+  # No optimiser that looks at values alone finds the last digits; two Newton steps do.
+  polish <- function(model, random) {
+    theta <- getME(model, "theta"); deviance_of <- fit_with(random, devFunOnly = TRUE)
+    for (step in 1:2) {
+      hessian <- optimHess(theta, deviance_of, control = list(ndeps = rep(1e-3, length(theta))))
+      theta <- theta - solve(hessian, numDeriv::grad(deviance_of, theta))
+    }
+    fit_with(random, start = theta, control = lmerControl(optimizer = NULL, calc.derivs = FALSE))
+  }
   fit <- function(random) tryCatch({
-    model <- fit_from(random, NULL)
-    for (again in 1:2) model <- fit_from(random, getME(model, "theta"))
-    model
+    model <- fit_with(random, control = control)
+    if (isSingular(model, 1e-4)) model else polish(model, random)
   }, error = function(e) NULL)
   sessions <- if (any(d$session != "")) "(1 | person:session)"
   separate <- function(columns) vapply(columns, function(column)

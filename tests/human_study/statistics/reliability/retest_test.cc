@@ -42,6 +42,15 @@ TEST(Retest, IsShroutAndFleissOfTheSessionsMeans) {
   EXPECT_NEAR(retest->shifts[0].test->mean, 15.0 / 6.0 - 46.0 / 6.0, 1e-12);
 }
 
+TEST(Retest, ASessionMayBeAFactorToo) {
+  MeasureTable table = MakeSessions();
+  table.factors.push_back({"day", table.sessions, {}, ""});
+  for (Observation& row : table.rows) row.levels.push_back(row.session);
+  const Answer<Retest> retest = CalcRetest(table);
+  ASSERT_TRUE(retest) << retest.reason();
+  EXPECT_NEAR(retest->reliability->agreement->single.value, 0.29, 0.005);
+}
+
 TEST(Retest, LeavesOutWhoMissedASession) {
   MeasureTable table = MakeSessions();
   for (Observation& row : table.rows) {
