@@ -6,13 +6,13 @@
 #include <set>
 
 #include "core/base/data_table.h"
+#include "core/base/delimited_text.h"
 #include "core/base/files.h"
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/trial_analysis.h"
-#include "human_study/recording/importers/delimited_text.h"
 
 namespace graspbench {
 namespace {
