@@ -34,7 +34,7 @@ struct EffectTest {
   Answer<RemlFTest> test;
 };
 
-/** Mean of a condition as the model has it: persons and groups weigh the same, whoever was missing. */
+/** Mean of a condition as the model has it: every person and group weighs the same. */
 struct CellEstimate {
   std::string cell;
   double estimate = 0.0;

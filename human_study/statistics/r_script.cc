@@ -11,7 +11,8 @@ options(digits = 10, contrasts = c("contr.sum", "contr.poly"))
 read_table <- function(file, text) {
   d <- read.csv(file, check.names = FALSE, na.strings = "", quote = "\"",
                 colClasses = setNames(rep("character", length(text)), text))
-  for (f in intersect(c(factors, groups), names(d))) d[[f]] <- factor(d[[f]], levels = levels_of[[f]])
+  for (f in intersect(c(factors, groups), names(d)))
+    d[[f]] <- factor(d[[f]], levels = levels_of[[f]])
   if (session %in% names(d)) d$own_session <- factor(d[[session]], levels = sessions)
   d
 }
@@ -225,7 +226,8 @@ fit_effects <- function(m, trials, within, quantity = NULL) {
   fixed <- paste("value ~", paste0("v", seq_along(variables), collapse = " * "))
   model <- descend(fixed, data, own, with_sessions)
   if (is.null(model)) return()
-  x <- lme4::getME(model, "X"); assign <- attr(model.matrix(terms(model), model.frame(model)), "assign")
+  x <- lme4::getME(model, "X")
+  assign <- attr(model.matrix(terms(model), model.frame(model)), "assign")
   labels <- attr(terms(model), "term.labels")
   for (k in seq_along(labels)) {
     test <- lmerTest::contestMD(model, diag(ncol(x))[which(assign == k), , drop = FALSE])
@@ -313,7 +315,8 @@ test_retest <- function(m, trials) {
   ms_w <- sum((own - rowMeans(own))^2) / (n * (k - 1))
   ms_e <- (n * (k - 1) * ms_w - (k - 1) * ms_t) / ((n - 1) * (k - 1))
   icc2 <- (ms_p - ms_e) / (ms_p + (k - 1) * ms_e + k * (ms_t - ms_e) / n)
-  a <- k * icc2 / (n * (1 - icc2)); b <- 1 + k * icc2 * (n - 1) / (n * (1 - icc2))
+  share <- max(icc2, 0)  # a variance is not negative
+  a <- k * share / (n * (1 - share)); b <- 1 + k * share * (n - 1) / (n * (1 - share))
   v <- (a * ms_t + b * ms_e)^2 / ((a * ms_t)^2 / (k - 1) + (b * ms_e)^2 / ((n - 1) * (k - 1)))
   f <- qf(0.975, n - 1, v); g <- qf(0.975, v, n - 1); rest <- k * ms_t + (k * n - k - n) * ms_e
   add(m, "test-retest", "ICC(2,1)", icc2, low = n * (ms_p - f * ms_e) / (f * rest + n * ms_p),

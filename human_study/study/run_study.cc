@@ -71,8 +71,8 @@ void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
   result.study.config.analysis.contact.depths = LearnDepths(fits);
 }
 
-/** As corrections alone: what was confirmed is the contact that the study's own analysis has, so that
-it stays the same under other choices. */
+/** As corrections alone: what was confirmed is the contact that the study's own analysis has, so
+that it stays the same under other choices. */
 std::vector<ContactReview> SettleReviews(std::vector<ContactReview> reviews,
                                          const TrialAnalysis& analysis) {
   for (ContactReview& review : reviews) {

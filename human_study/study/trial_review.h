@@ -39,8 +39,8 @@ struct ContactReview {
   std::string by;
 };
 
-/** Rows with a verdict. Faults go into the table's problems: an unknown digit or verdict, a correction
-without a time, a digit of a trial twice. */
+/** Rows with a verdict. Faults go into the table's problems: an unknown digit or verdict, a
+correction without a time, a digit of a trial twice. */
 std::vector<ContactReview> ReadReviews(DataTable& table, Diagnostics& problems);
 
 /** Sets the contacts of one trial and all measures of it.

@@ -61,8 +61,9 @@ std::vector<std::string> ListNotes(const std::vector<StatisticRow>& rows,
   }
   std::vector<std::string> texts;
   for (const Note& note : notes) {
-    texts.push_back(note.first->analysis + (note.is_of_all ? "" : ", " + note.effects) + ": " +
-                    note.first->note);
+    texts.push_back(NameOfEffect(note.first->analysis, factors) +
+                    (note.is_of_all ? "" : ", " + note.effects) + ": " +
+                    NameOfEffect(note.first->note, factors));
   }
   return texts;
 }
@@ -84,7 +85,7 @@ Html DrawRows(const std::string& caption, const std::vector<StatisticRow>& rows,
   const Align number = Align::kNumber;
   const std::vector<Part> parts = {
       {{"Effect"}, [&](const StatisticRow& row) { return NameOfEffect(row.effect, factors); }},
-      {{"Analysis"}, [](const StatisticRow& row) { return row.analysis; }},
+      {{"Analysis"}, [&](const StatisticRow& row) { return NameOfEffect(row.analysis, factors); }},
       {{"Estimate", number},
        [](const StatisticRow& row) {
          return OrNothing(row.estimate, FormatEstimate(row.estimate, row));
