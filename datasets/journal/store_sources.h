@@ -15,12 +15,13 @@ a merge. */
 
 namespace graspbench {
 
-/** SHA-256 of the sorted SHA-256 digests (hexadecimal, a line each) of the different checked lines in
-the files that match; lines that are torn or damaged count not. @throws Error(kIo). */
+/** SHA-256 of the sorted SHA-256 digests (hexadecimal, a line each) of the different checked lines
+in the files that match; lines that are torn or damaged count not. @throws Error(kIo). */
 std::string CalcJournalSha256(const std::filesystem::path& folder, const std::string& pattern);
 
-/** Files, kinds of files and journals of the store, and the stores in it, by the names that StoreKind
-has for them; a file that is not there is left out, a journal that is not has the hash of nothing. Who worked on it (workers/) is no part.
+/** Files, kinds of files and journals of the store, and the stores in it, by the names that
+StoreKind has for them; a file that is not there is left out, a journal that is not has the hash of
+nothing. Who worked on it (workers/) is no part.
 @param only  of those names; empty: all. @throws Error(kIo). */
 std::vector<ManifestSource> ListSources(const StoreKind& kind, const std::filesystem::path& folder,
                                         const std::vector<std::string>& only = {});

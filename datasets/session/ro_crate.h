@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-ro-crate-metadata.json of a session's folder: what is in it, and which runs of which program made what
-from what, for archives that know nothing of graspbench.
+ro-crate-metadata.json of a session's folder: what is in it, and which runs of which program made
+what from what, for archives that know nothing of graspbench.
 
 Source: RO-Crate 1.1, https://w3id.org/ro/crate/1.1, and its profile Process Run Crate 0.5,
 https://w3id.org/ro/wfrun/process/0.5. It holds the clock of run.json and is therefore, as that file,
