@@ -14,8 +14,8 @@ A session's folder:
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
     export/               trials.csv, events.csv, their dictionaries, datapackage.json; when
-                          asked for records.jsonl, the whole records in the plan's order, without checksums;
-                          manifest.json
+                          asked for records.jsonl, the whole records in the plan's order, without
+                          checksums; manifest.json
     report/               index.html, manifest.json
     ro-crate-metadata.json  when asked for: the folder for archives (ro_crate.h), with the clock
     run.json              when, where, how long: the only file with a host
