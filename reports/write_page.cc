@@ -2,6 +2,7 @@
 
 #include "core/base/files.h"
 #include "datasets/journal/sealed_store.h"
+#include "datasets/session/provenance.h"
 
 namespace graspbench {
 
@@ -10,7 +11,7 @@ std::filesystem::path WriteReportPage(const std::filesystem::path& folder, std::
   MakeFolder(report);
   UnsealOutput(report);
   WriteFileAtomically(path, page);
-  SealOutput(report, {"index.html"});
+  SealOutput(report, {"index.html"}, MakeOutputOrigin(folder, "graspbench report ."));
   return path;
 }
 

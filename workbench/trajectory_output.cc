@@ -47,8 +47,12 @@ TrajectoryOutput::TrajectoryOutput(TrajectoryRequest request, size_t num_trials)
                                        form_.name + " --out DIR writes one for each");
   }
   if (is_form) {
-    staged_.emplace(
-        OutputRequest{request_.out, "trajectories", request_.replace, {request_.session}});
+    staged_.emplace(OutputRequest{request_.out,
+                                  "trajectories",
+                                  request_.replace,
+                                  {request_.session},
+                                  "graspbench replay DIR --trajectory " + request_.name +
+                                      " --fps " + FormatJson(request_.rate) + " --out OUT"});
   } else {
     CheckOutputFile(request_.name);
   }

@@ -1,5 +1,5 @@
 #pragma once
-/** @file Where the trajectories of replayed trials go: into one file, or into a folder of their own. */
+/** @file Where the trajectories of replayed trials go: one file, or a folder of their own. */
 
 #include <filesystem>
 #include <map>

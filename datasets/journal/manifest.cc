@@ -58,9 +58,27 @@ ManifestFile ManifestFileFromJson(const Json& json) {
   return file;
 }
 
+Json ToJson(const ManifestOrigin& origin) {
+  Json inputs = Json::array();
+  for (const ManifestSource& source : origin.inputs) {
+    inputs.push_back({{"path", source.path}, {"sha256", source.sha256}});
+  }
+  return {{"command", origin.command}, {"versions", origin.versions}, {"inputs", inputs}};
+}
+
+ManifestOrigin OriginFromJson(const Json& json) {
+  ManifestOrigin origin = {json.at("command").get<std::string>(), json.at("versions"), {}};
+  for (const Json& source : json.at("inputs")) {
+    origin.inputs.push_back(
+        {source.at("path").get<std::string>(), source.at("sha256").get<std::string>()});
+  }
+  return origin;
+}
+
 Json MakeBody(const Manifest& manifest) {
   Json json = {{"kind", manifest.kind}, {"versions", manifest.versions}};
   if (!manifest.inputs.empty()) json["inputs"] = manifest.inputs;
+  if (manifest.origin) json["made"] = ToJson(*manifest.origin);
   if (manifest.is_made_anew) json["made_anew"] = true;
   json["files"] = Json::array();
   for (const ManifestFile& file : manifest.files) json["files"].push_back(ToJson(file));
@@ -170,6 +188,7 @@ Manifest LoadManifest(const fs::path& folder) {
     manifest.kind = json.at("kind").get<std::string>();
     manifest.versions = json.at("versions");
     if (json.contains("inputs")) manifest.inputs = json.at("inputs").get<std::string>();
+    if (json.contains("made")) manifest.origin = OriginFromJson(json.at("made"));
     manifest.is_made_anew = json.value("made_anew", false);
     for (const Json& file : json.at("files")) manifest.files.push_back(ManifestFileFromJson(file));
     // The text is compared, so that no byte of it can change, not even a blank.

@@ -7,6 +7,9 @@ manifest.json: what a result folder consists of, so that damage is found before 
               {"path":"journal/0.jsonl","bytes":90112,"sha256":"..","lines":210}],
      "sha256":".."}
 
+What was made from something else has a member `made` too: the command, versions of program, commit,
+physics and judge, and the hashes that its inputs had.
+
 A file without `lines` never changes. One with `lines` is a journal: it may only grow, and `bytes`
 and `sha256` are of what it held when the manifest was written. The last member is the SHA-256 of
 the manifest itself without it. The manifest is written whole. What was appended to a journal since
@@ -30,12 +33,26 @@ struct ManifestFile {
   std::optional<int> lines;  ///< a journal: how many line breaks were committed
 };
 
+/** What something was made from. */
+struct ManifestSource {
+  std::string path;    ///< from the folder; with a star several files, see store_sources.h
+  std::string sha256;  ///< then
+};
+
+/** How the files of a folder came about. */
+struct ManifestOrigin {
+  std::string command;             ///< that makes them anew; without names of places
+  Json versions = Json::object();  ///< program, commit, physics, judge
+  std::vector<ManifestSource> inputs;
+};
+
 struct Manifest {
   std::string kind;  ///< "session", "optimisation", "campaign", "study", "basin"
   Json versions = Json::object();
-  std::string inputs;               ///< hash of what the results depend on besides; empty: not kept
-  bool is_made_anew = false;        ///< by a repair, because the first one was lost
-  std::vector<ManifestFile> files;  ///< by path
+  std::string inputs;  ///< hash of what the results depend on besides; empty: not kept
+  std::optional<ManifestOrigin> origin;  ///< of what was made from something else
+  bool is_made_anew = false;             ///< by a repair, because the first one was lost
+  std::vector<ManifestFile> files;       ///< by path
 };
 
 /** What is wrong with a file, in words that follow its name. */

@@ -11,6 +11,7 @@
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/json_fault.h"
+#include "datasets/journal/store_sources.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -310,9 +311,11 @@ void UnsealOutput(const fs::path& output) {
   }
 }
 
-void SealOutput(const fs::path& output, const std::vector<std::string>& files) {
+void SealOutput(const fs::path& output, const std::vector<std::string>& files,
+                const ManifestOrigin& origin) {
   Manifest manifest;
   manifest.kind = "output";
+  manifest.origin = origin;
   for (const std::string& file : files) manifest.files.push_back(SealFile(output, file));
   SortByPath(manifest.files);
   WriteManifest(output, manifest);
@@ -322,6 +325,15 @@ namespace {
 
 enum class OutputUse { kSkip, kCheck };
 
+/** @param name  of the folder for the person who asked. */
+void AddStale(const fs::path& folder, const std::string& name, std::vector<StaleResult>& stale) {
+  const std::optional<Manifest> manifest = FindManifest(folder);
+  if (!manifest || !manifest->origin) return;
+  for (const std::string& input : FindChangedSources(folder, *manifest->origin)) {
+    stale.push_back({name, input, manifest->origin->command});
+  }
+}
+
 StoreState Check(const fs::path& folder, OutputUse outputs) {
   const StoreKind* kind = DemandKind(folder);
   if (!kind) {
@@ -330,6 +342,7 @@ StoreState Check(const fs::path& folder, OutputUse outputs) {
       const Manifest manifest = LoadManifest(folder);
       state.kind = manifest.kind;
       state.damages = FindDamage(folder, manifest);
+      if (outputs == OutputUse::kCheck) AddStale(folder, ".", state.stale);
     } catch (const Error&) {
       state.kind = "result";
       state.damages.push_back({kManifestFile, 0, "its bytes have changed"});
@@ -343,12 +356,16 @@ StoreState Check(const fs::path& folder, OutputUse outputs) {
     for (const Damage& damage : inner.damages) {
       state.damages.push_back({store + "/" + damage.path, damage.line, damage.text});
     }
+    for (const StaleResult& stale : inner.stale) {
+      state.stale.push_back({store + "/" + stale.path, stale.input, stale.command});
+    }
   }
   if (outputs == OutputUse::kSkip) return state;
   for (const std::string& output : kind->outputs) {
     for (const Damage& damage : CheckOutput(folder / output)) {
       state.damages.push_back({NameInStore(output, damage.path), damage.line, damage.text});
     }
+    AddStale(folder / output, output, state.stale);
   }
   return state;
 }

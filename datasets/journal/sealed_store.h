@@ -21,11 +21,19 @@ namespace graspbench {
 
 enum class OnDamage { kRefuse, kAccept };
 
+/** Something that is whole and was made from what has changed since. */
+struct StaleResult {
+  std::string path;     ///< "report", from the folder; ".": the folder itself
+  std::string input;    ///< what has changed, from there: "../journal/*.jsonl"
+  std::string command;  ///< that makes it anew
+};
+
 struct StoreState {
-  std::string kind;             ///< as in Manifest
-  bool is_sealed = true;        ///< false: older than manifests
-  bool is_made_anew = false;    ///< a manifest was: what had changed before is not noticed
-  std::vector<Damage> damages;  ///< names from the folder, those of stores inside it too
+  std::string kind;                ///< as in Manifest
+  bool is_sealed = true;           ///< false: older than manifests
+  bool is_made_anew = false;       ///< a manifest was: what had changed before is not noticed
+  std::vector<Damage> damages;     ///< names from the folder, those of stores inside it too
+  std::vector<StaleResult> stale;  ///< of the outputs, where they were checked
 };
 
 /** Writes the manifest of a folder whose frozen configuration comes next, with this text.
@@ -45,9 +53,11 @@ Files that somebody has changed since they were written are renamed to <file>.se
 @throws Error(kUsage) when the folder is a link; kIo. */
 void UnsealOutput(const std::filesystem::path& output);
 /** When they are written. @param files  all of them, named from the folder. @throws Error(kIo). */
-void SealOutput(const std::filesystem::path& output, const std::vector<std::string>& files);
+void SealOutput(const std::filesystem::path& output, const std::vector<std::string>& files,
+                const ManifestOrigin& origin);
 
-/** The manifest's own text and files, each whole line behind them, and the outputs.
+/** The manifest's own text and files, each whole line behind them, the outputs, and whether what was
+made from something is older than that.
 @throws Error(kNotFound) when there is neither a store nor a manifest. */
 StoreState CheckStore(const std::filesystem::path& folder);
 

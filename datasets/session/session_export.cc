@@ -3,11 +3,44 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "datasets/session/provenance.h"
 #include "datasets/session/session_index.h"
 #include "datasets/session/session_store.h"
 #include "datasets/session/trial_table.h"
 
 namespace graspbench {
+namespace {
+
+/** @pre the files are sealed as they are. */
+Json MakeResource(const std::filesystem::path& exports, const std::string& name) {
+  const ManifestFile file = SealFile(exports, name + ".csv");
+  return {{"name", name},
+          {"path", file.path},
+          {"profile", "tabular-data-resource"},
+          {"format", "csv"},
+          {"mediatype", "text/csv"},
+          {"encoding", "utf-8"},
+          {"bytes", file.bytes},
+          {"hash", "sha256:" + file.sha256},
+          {"schema", name + ".schema.json"}};
+}
+
+/** A Frictionless Data Package of the tables, which names the records they were made from. */
+std::string FormatDataPackage(const std::filesystem::path& exports, const ManifestOrigin& origin) {
+  Json sources = Json::array();
+  for (const ManifestSource& source : origin.inputs) {
+    sources.push_back({{"title", source.path}, {"path", source.path}, {"sha256", source.sha256}});
+  }
+  const Json package = {
+      {"profile", "tabular-data-package"},
+      {"name", "graspbench-session"},
+      {"description", "Trials of simulated grasps, one row each, and their contact events"},
+      {"resources", {MakeResource(exports, "trials"), MakeResource(exports, "events")}},
+      {"sources", sources}};
+  return FormatJson(package, 2) + "\n";
+}
+
+}  // namespace
 
 void ExportSession(const std::filesystem::path& folder, const Session& session, bool with_records) {
   const std::filesystem::path exports = folder / "export";
@@ -38,10 +71,16 @@ void ExportSession(const std::filesystem::path& folder, const Session& session, 
   WriteFileAtomically(exports / "events.schema.json",
                       FormatJson(MakeTableSchema(event_columns, ""), 2) + "\n");
   index.Write(session, folder / "index.sqlite");
-  std::vector<std::string> files = {"../index.sqlite", "events.csv", "events.schema.json",
-                                    "trials.csv", "trials.schema.json"};
+  const ManifestOrigin origin =
+      session.folder.empty()
+          ? MakeOrigin("graspbench export .")
+          : MakeOutputOrigin(session.folder, "graspbench export .",
+                             {"session.json", "plan.jsonl", "journal/*.jsonl", "judge/*.jsonl"});
+  WriteFileAtomically(exports / "datapackage.json", FormatDataPackage(exports, origin));
+  std::vector<std::string> files = {"../index.sqlite",    "datapackage.json", "events.csv",
+                                    "events.schema.json", "trials.csv",       "trials.schema.json"};
   if (with_records) files.push_back("records.jsonl");
-  SealOutput(exports, files);
+  SealOutput(exports, files, origin);
 }
 
 }  // namespace graspbench

@@ -13,11 +13,12 @@ A session's folder:
     progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
-    export/               trials.csv, events.csv, their dictionaries, datapackage.json; when asked for records.jsonl,
-                          the whole records in the plan's order, without checksums; manifest.json
+    export/               trials.csv, events.csv, their dictionaries, datapackage.json; when
+                          asked for records.jsonl, the whole records in the plan's order, without
+                          checksums; manifest.json
     report/               index.html, manifest.json
-    ro-crate-metadata.json  when asked for: the folder for archives, see ro_crate.h; has the clock too
-    run.json              when, where, how long: the only file with clock and host
+    ro-crate-metadata.json  when asked for: the folder for archives (ro_crate.h), with the clock
+    run.json              when, where, how long: the only file with a host
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
 error. Resume = plan minus finished. A worker of a shard (shard.h) has journals of its own,

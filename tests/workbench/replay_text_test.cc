@@ -12,7 +12,7 @@ SessionReplay MakeReplay() {
   };
   replay.trials = {
       {plan("aaaa", 0), true, false, Outcome::kSuccess, std::nullopt},
-      {plan("bbbb", 1), true, true, Outcome::kDropped, FieldDifference{"num_steps", "9", "8"}},
+      {plan("bbbb", 1), true, true, Outcome::kPushedAway, FieldDifference{"num_steps", "9", "8"}},
       {plan("cccc", 2), false, false, Outcome::kSuccess, std::nullopt}};
   replay.conditions = {8, 8, {"11", "22"}, "11", 0};
   return replay;
@@ -23,9 +23,10 @@ TEST(ReplayText, NamesTrialFieldAndBothValues) {
   EXPECT_NE(all.find("aaaa tum-can-g2:0, success: as recorded, in every field\n"), all.npos);
   const std::string text = FormatReplay(MakeReplay(), false);
   EXPECT_EQ(text.find("aaaa"), text.npos);
-  EXPECT_NE(text.find("bbbb tum-can-g2:1, dropped: num_steps differs: recorded 9, now 8; its line "
-                      "fails its checksum\n"),
-            text.npos)
+  EXPECT_NE(
+      text.find("bbbb tum-can-g2:1, pushed away: num_steps differs: recorded 9, now 8; its line "
+                "fails its checksum\n"),
+      text.npos)
       << text;
   EXPECT_NE(text.find("cccc tum-can-g2:2, success: has no record"), text.npos);
   EXPECT_NE(text.find("same     1 of 3 trials\nphysics  version 8, the same\n"

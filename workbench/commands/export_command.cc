@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/files.h"
 #include "datasets/mjcf/mjcf_export.h"
 #include "datasets/session/find_trial.h"
+#include "datasets/session/ro_crate.h"
 #include "datasets/session/session_inputs.h"
 #include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
@@ -20,6 +22,7 @@ struct ExportOptions {
   std::vector<std::string> mjcf;  // ids of trials, or "all"; empty: tables
   bool replace = false;
   bool with_records = false;
+  bool with_ro_crate = false;
   OnDamage on_damage = OnDamage::kRefuse;
 };
 
@@ -64,6 +67,9 @@ void ExportTables(const ExportOptions& options, const Session& session) {
     ExportSession(staged.path(), session, options.with_records);
     staged.Commit();
   }
+  if (options.with_ro_crate) {
+    WriteFileAtomically(folder / "ro-crate-metadata.json", FormatRoCrate(folder));
+  }
   PrintResult((folder / "export" / "trials.csv").string() + "\n");
 }
 
@@ -96,6 +102,10 @@ void AddExportCommand(CLI::App& program, ExitCode&) {
       ->default_str("that of the session");
   command.add_flag("--records", options->with_records,
                    "also records.jsonl: everything, a line a trial, as the journals hold it");
+  CLI::Option* ro_crate = command.add_flag(
+      "--ro-crate", options->with_ro_crate,
+      "also ro-crate-metadata.json: what is in the folder and how it came about, for archives");
+  ro_crate->excludes("--out")->excludes("--mjcf");
   AddReplaceOption(command, options->replace);
   AddAcceptDamageOption(command, options->on_damage);
   command.callback([options] { Export(*options); });

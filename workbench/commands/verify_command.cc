@@ -27,9 +27,17 @@ Json MakeVerifyJson(const VerifyOptions& options, const StoreRepair& repair) {
                       {"line", one.line > 0 ? Json(one.line) : Json(nullptr)},
                       {"text", one.text}});
   }
-  return {{"folder", options.folder},         {"kind", repair.state.kind},
-          {"state", NameState(repair.state)}, {"manifest_made_anew", repair.state.is_made_anew},
-          {"repaired", repair.actions},       {"damage", damage}};
+  Json stale = Json::array();
+  for (const StaleResult& one : repair.state.stale) {
+    stale.push_back({{"path", one.path}, {"input", one.input}, {"command", one.command}});
+  }
+  return {{"folder", options.folder},
+          {"kind", repair.state.kind},
+          {"state", NameState(repair.state)},
+          {"manifest_made_anew", repair.state.is_made_anew},
+          {"repaired", repair.actions},
+          {"damage", damage},
+          {"stale", stale}};
 }
 
 std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repair) {
@@ -42,7 +50,13 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   if (repair.state.is_made_anew) {
     text += "; its manifest was lost and made anew: what had changed before is not noticed";
   }
-  return text + FormatDamage(repair.state.damages) + "\n";
+  text += FormatDamage(repair.state.damages) + "\n";
+  for (const StaleResult& stale : repair.state.stale) {
+    text += stale.path + " is stale: " + stale.input + " has changed since";
+    if (!stale.command.empty()) text += "; anew: " + stale.command;
+    text += "\n";
+  }
+  return text;
 }
 
 ExitCode Verify(const VerifyOptions& options) {
@@ -63,7 +77,7 @@ ExitCode Verify(const VerifyOptions& options) {
 void AddVerifyCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command = AddSubcommand(
       program, "verify", "Compare a result folder with the hashes in its manifest.",
-      "  graspbench verify results/pilot             whole, or what is damaged; exit code 3\n"
+      "  graspbench verify results/pilot             what is damaged (exit code 3); what is stale\n"
       "  graspbench verify results/pilot --repair    sets damaged lines aside, seals the rest");
   const auto options = std::make_shared<VerifyOptions>();
   command.add_option("folder", options->folder, "folder of any result")

@@ -16,6 +16,8 @@
 #include "core/base/version.h"
 #include "datasets/journal/manifest.h"
 #include "datasets/journal/store_kind.h"
+#include "datasets/journal/store_sources.h"
+#include "datasets/session/provenance.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -225,6 +227,19 @@ int TryStage(const fs::path& folder) {
   return -1;
 }
 
+/** By its way from the result when both lie in one folder, else by its name: nothing says where a
+person keeps other things. */
+void AddSource(const fs::path& input, const fs::path& target, ManifestOrigin& origin) {
+  if (input.empty()) return;
+  fs::path place = fs::weakly_canonical(input);
+  if (!place.has_filename()) place = place.parent_path();
+  const std::string sha256 = CalcSourceSha256(place);
+  if (sha256.empty()) return;
+  const fs::path way = place.lexically_relative(target.parent_path());
+  const bool is_near = !way.empty() && *way.begin() != "..";
+  origin.inputs.push_back({(is_near ? ".." / way : place.filename()).generic_string(), sha256});
+}
+
 }  // namespace
 
 void CheckOutputFolder(const OutputRequest& request) {
@@ -289,6 +304,8 @@ void StagedFolder::Commit() {
     Manifest manifest;
     manifest.kind = request_.kind;
     manifest.versions = {{"program", program_version()}};
+    manifest.origin = MakeOrigin(request_.command);
+    for (const fs::path& input : request_.inputs) AddSource(input, target_, *manifest.origin);
     for (const std::string& file : ListFiles(staged_)) {
       manifest.files.push_back(SealFile(staged_, file));
     }

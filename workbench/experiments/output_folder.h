@@ -24,7 +24,8 @@ struct OutputRequest {
   std::string kind;      ///< of a whole result: "basin", "study"; empty: it brings its own mark
   bool replace = false;  ///< an older result of this kind
   std::vector<std::filesystem::path>
-      inputs;  ///< files and folders that are read; empty ones count not
+      inputs;                ///< files and folders that are read; empty ones count not
+  std::string command = {};  ///< of a whole result, for its manifest; without names of places
 };
 
 /** @throws Error(kUsage) naming what stands in the way. */

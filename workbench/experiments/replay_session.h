@@ -45,8 +45,8 @@ struct SessionReplay {
   int CountMissing() const;    ///< trials without a record
 };
 
-/** Builds are those that have worked on the session, or on the campaign whose benchmark it is, as far
-as run.json and the shards' logs say. */
+/** Builds are those that have worked on the session, or on the campaign whose benchmark it is, as
+far as run.json and the shards' logs say. */
 ReplayConditions FindReplayConditions(const Session& session, const SessionInputs& inputs);
 
 struct ReplayRequest {

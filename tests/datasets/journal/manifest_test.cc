@@ -51,6 +51,20 @@ TEST_F(ManifestFolder, VouchesForWhatItHasSeen) {
   EXPECT_EQ(manifest.files[0].lines, 3);
 }
 
+TEST_F(ManifestFolder, TellsWhatSomethingWasMadeFrom) {
+  Manifest manifest = LoadManifest(folder_);
+  EXPECT_FALSE(manifest.origin);
+  manifest.origin = {"graspbench export .", {{"commit", "abc"}}, {{"../plan.jsonl", "123"}}};
+  WriteManifest(folder_, manifest);
+  const Manifest again = LoadManifest(folder_);
+  ASSERT_TRUE(again.origin);
+  EXPECT_EQ(again.origin->command, "graspbench export .");
+  EXPECT_EQ(again.origin->versions["commit"], "abc");
+  ASSERT_EQ(again.origin->inputs.size(), 1u);
+  EXPECT_EQ(again.origin->inputs[0].path, "../plan.jsonl");
+  EXPECT_EQ(again.origin->inputs[0].sha256, "123");
+}
+
 TEST_F(ManifestFolder, EveryBitOfEveryFileCounts) {
   for (const char* path : {"session.json", "journal/0.jsonl", "manifest.json"}) {
     const std::string whole = ReadFile(folder_ / path);

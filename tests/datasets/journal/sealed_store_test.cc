@@ -144,7 +144,7 @@ TEST_F(SealedStore, AChangedExportOrPageIsNamedAndStopsNoReader) {
   ExportSession(session_, LoadSession(session_));
   MakeFolder(session_ / "report");
   WriteFile(session_ / "report/index.html", "page");
-  SealOutput(session_ / "report", {"index.html"});
+  SealOutput(session_ / "report", {"index.html"}, {});
   EXPECT_EQ(Look(session_), "");
   for (const char* name : {"export/trials.csv", "export/events.csv", "export/trials.schema.json",
                            "export/events.schema.json", "index.sqlite", "report/index.html"}) {

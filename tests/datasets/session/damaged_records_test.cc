@@ -18,7 +18,7 @@ TEST(DamagedRecords, AreReadFromLinesThatFailTheirChecksum) {
   SealStore(kSessionStore, temporary.path());
   const auto journal = temporary.path() / "journal" / "0.jsonl";
   std::string lines = ReadFile(journal);
-  lines.insert(lines.find("\"energy_residual_j\":") + 20, "1");  // of the first trial
+  lines.insert(lines.find("\"num_steps\":") + 12, "1");  // of the first trial
   const size_t second = lines.find('\n') + 1;
   lines[second] = '#';  // no JSON any more
   WriteFileAtomically(journal, lines);
@@ -27,8 +27,8 @@ TEST(DamagedRecords, AreReadFromLinesThatFailTheirChecksum) {
   ASSERT_EQ(records.size(), 1u);
   EXPECT_EQ(records[0].plan.id, plan[0].id);
   TrialRecord expected = MakeFakeRecord(plan[0]);
-  EXPECT_NE(records[0].result.energy_residual, expected.result.energy_residual);
-  expected.result.energy_residual = records[0].result.energy_residual;
+  EXPECT_NE(records[0].result.num_steps, expected.result.num_steps);
+  expected.result.num_steps = records[0].result.num_steps;
   EXPECT_EQ(ToJson(records[0]), ToJson(expected));
   // A whole line of the trial, in any journal, is what counts.
   JournalWriter(temporary.path(), 1).Append(MakeFakeRecord(plan[0]));

@@ -61,9 +61,9 @@ Json JsonOfFakes(const std::vector<PlannedTrial>& plan) {
 /** Names and bytes of everything that must not depend on workers and interruptions. */
 std::map<std::string, std::string> ReadResults(const fs::path& folder) {
   std::map<std::string, std::string> content;
-  for (const char* name :
-       {"session.json", "plan.jsonl", "index.sqlite", "export/trials.csv",
-        "export/trials.schema.json", "export/events.csv", "export/records.jsonl"}) {
+  for (const char* name : {"session.json", "plan.jsonl", "index.sqlite", "export/trials.csv",
+                           "export/trials.schema.json", "export/events.csv",
+                           "export/datapackage.json", "export/records.jsonl"}) {
     content[name] = ReadFile(folder / name);
   }
   return content;
