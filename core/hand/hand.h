@@ -13,6 +13,7 @@ revolute one, metres of a prismatic one. Coupled joints are part of q but no deg
 their own: see coupling.h. */
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,17 @@ struct Digit {
   Eigen::Vector3d p_LPad = Eigen::Vector3d::Zero();  ///< middle of the pad's surface [m]
 };
 
+/** Fixed to a link. Its frame K: x right in the picture, y down, z forward; the axis meets the
+picture's middle. Its lens: core/vision/lens.h. */
+struct HandCamera {
+  int link = -1;  ///< index into Hand::links
+  Pose X_LK = Pose::Identity();
+  int width = 640;              ///< [pixel]
+  int height = 480;             ///< [pixel]
+  double focal_length = 580.0;  ///< [pixel]
+  double k1 = 0.0, k2 = 0.0;    ///< radial distortion
+};
+
 struct Hand {
   std::string id;      ///< "shadow"
   std::string name;    ///< "Shadow Hand"
@@ -119,7 +131,8 @@ struct Hand {
   std::vector<LinkVisual> visuals;
   Eigen::Vector3d p_HCentre = Eigen::Vector3d::Zero();      ///< middle of the palm's surface [m]
   Eigen::Vector3d palm_normal = -Eigen::Vector3d::UnitY();  ///< out of the palm, in H
-  std::string content_hash;                                 ///< of hand.urdf and hand.yaml
+  std::optional<HandCamera> camera;                         ///< moves nothing: see content_hash
+  std::string content_hash;  ///< of hand.urdf and of hand.yaml without its camera
 
   int num_joints() const { return static_cast<int>(joints.size()); }
   int FindJoint(const std::string& joint_name) const;  ///< -1: none

@@ -40,6 +40,8 @@ class HandYamlReader {
     if (map.Has("mimic")) ReadMimic(mimic);
     CheckCoupledTo();
     ReadDrives(map.Child("drives"));
+    const YAML::Node camera = map.Child("camera", Needed::kNo);
+    if (map.Has("camera")) ReadCamera(camera);
     map.Child("grasps", Needed::kNo);
     map.FinishKnownKeys();
   }
@@ -73,6 +75,7 @@ class HandYamlReader {
   void CheckCoupledTo();
   void ReadDrives(const YAML::Node& node);
   void ReadSurfaces(const YAML::Node& node);
+  void ReadCamera(const YAML::Node& node);
 
   std::string file_;
   const UrdfOutline& outline_;
@@ -310,6 +313,38 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
   }
 }
 
+void HandYamlReader::ReadCamera(const YAML::Node& node) {
+  YamlMap map(node, file_, "camera", problems_, &ListHandKeys(), "camera.");
+  std::string link;
+  HandCamera camera;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(), forward = Eigen::Vector3d::UnitZ(),
+                  right = Eigen::Vector3d::UnitX();
+  map.Read("link", link);
+  map.Read("position_m", position);
+  map.Read("forward", forward);
+  map.Read("right", right);
+  map.Read("width_px", camera.width, Needed::kNo);
+  map.Read("height_px", camera.height, Needed::kNo);
+  map.Read("focal_length_px", camera.focal_length, Needed::kNo);
+  map.Read("radial_1", camera.k1, Needed::kNo);
+  map.Read("radial_2", camera.k2, Needed::kNo);
+  map.FinishKnownKeys();
+  if (!link.empty() && CheckName(link, "link", LineOf(node), "camera")) {
+    camera.link = std::max(0, hand_.FindLink(link));
+  }
+  const Eigen::Vector3d across = right - right.dot(forward) / forward.squaredNorm() * forward;
+  if (!(forward.norm() > 1e-6) || !(across.norm() > 1e-3 * right.norm())) {
+    map.Fail("right", "must not lie along forward, and both need a direction");
+    return;
+  }
+  Eigen::Matrix3d R_LK;
+  R_LK.col(2) = forward.normalized();
+  R_LK.col(0) = across.normalized();
+  R_LK.col(1) = R_LK.col(2).cross(R_LK.col(0));
+  camera.X_LK = MakePose(R_LK, position);
+  hand_.camera = camera;
+}
+
 }  // namespace
 
 // One line a key.
@@ -355,6 +390,19 @@ const FileKeys& ListHandKeys() {
         {"surfaces.links", kRequired, "links of hand.urdf"},
     };
     for (const FileKey& row : ListSurfaceKeys(Needed::kNo, "surfaces.")) rows.push_back(row);
+    for (const FileKey& row : FileKeys{
+             {"camera", "", "on the hand or the wrist, for positioning: camera; else none"},
+             {"camera.link", kRequired, "link of hand.urdf that carries it"},
+             {"camera.position_m", kRequired, "of its lens, in that link", -1, 1},
+             {"camera.forward", kRequired, "direction in which it looks, in that link"},
+             {"camera.right", kRequired, "direction to the right in its picture, likewise"},
+             {"camera.width_px", "640", "of its picture", 16, 2048},
+             {"camera.height_px", "480", "of its picture", 16, 2048},
+             {"camera.focal_length_px", "580", "of its lens", 16, 20000},
+             {"camera.radial_1", "0", "distortion that grows with the square of the slope", -1, 1},
+             {"camera.radial_2", "0", "with the fourth power", -1, 1}}) {
+      rows.push_back(row);
+    }
     rows.push_back({"grasps", "", "the standard grasps, by g1 to g5"});
     return rows;
   }();

@@ -37,6 +37,16 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
         friction_static: 0.6             # with the object's: core/physics/combine_surfaces.h
         friction_dynamic: 0.5
         torsion_radius_m: 0.002
+    camera:                    # absent: none. No part of the hand's content hash
+      link: palm
+      position_m: [0, 0.1, 0.03]   # of the lens, in the link
+      forward: [0, 0, 1]       # where it looks, in the link
+      right: [1, 0, 0]         # to the right in its picture
+      width_px: 640
+      height_px: 480
+      focal_length_px: 580
+      radial_1: 0              # distortion, core/vision/lens.h
+      radial_2: 0
     grasps: ...                # see core/grasp/standard_grasp.h */
 
 #include <string>

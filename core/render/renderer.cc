@@ -23,7 +23,7 @@ constexpr int kDraftTriangles = 8000;  // of a scene
 constexpr int kFewTriangles = 64;      // of a mesh: less would not show what it is
 
 // Per side of a pixel.
-int ChooseSamples(RenderQuality quality) { return quality == RenderQuality::kDraft ? 1 : 2; }
+int ChooseSamples(RenderQuality quality) { return quality == RenderQuality::kFull ? 2 : 1; }
 
 // Sides of the maps [texel]: finer than the picture's samples would not be seen.
 int ChooseLightMapSize(int picture_size) { return std::clamp(2 * picture_size, 512, 1024); }
@@ -91,7 +91,8 @@ struct Renderer::Impl {
 
   GlContext context;
   const GlFunctions& gl;
-  const bool is_draft;
+  const bool is_fast;   // no shadows, one sample a pixel
+  const bool is_draft;  // coarse meshes, too
   int width;
   int height;
   GlProgram depth, table_light, smooth, surface, mark, table, resolve;
@@ -106,12 +107,16 @@ struct Renderer::Impl {
 };
 
 Renderer::Impl::Impl(int w, int h, RenderQuality quality)
-    : gl(context.functions()), is_draft(quality == RenderQuality::kDraft), width(w), height(h) {
-  const int size = std::max(w, h), taps = is_draft ? 0 : ChooseTaps(size);
+    : gl(context.functions()),
+      is_fast(quality != RenderQuality::kFull),
+      is_draft(quality == RenderQuality::kDraft),
+      width(w),
+      height(h) {
+  const int size = std::max(w, h), taps = is_fast ? 0 : ChooseTaps(size);
   surface = MakeProgram(gl, MakeSurfaceShader(taps));
-  mark = is_draft ? surface : MakeProgram(gl, MakeSurfaceShader(0));
+  mark = is_fast ? surface : MakeProgram(gl, MakeSurfaceShader(0));
   table = MakeProgram(gl, MakeTableShader());
-  if (is_draft) {
+  if (is_fast) {
     MakeWhiteTableLight();
   } else {
     depth = MakeProgram(gl, MakeDepthShader());
@@ -129,7 +134,7 @@ Renderer::Impl::Impl(int w, int h, RenderQuality quality)
   const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
                                            GL_UNSIGNED_INT, fine_width, fine_height, GL_NEAREST);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
-  if (!is_draft) {
+  if (!is_fast) {
     resolved = MakeTarget(
         GL_COLOR_ATTACHMENT0,
         MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_NEAREST), width, height);
@@ -390,7 +395,7 @@ Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
   const StageLight sky = MakeStageLight(Vector3d::UnitZ(), corners);
 
   gl.Enable(GL_DEPTH_TEST);
-  if (!is_draft) {
+  if (!is_fast) {
     DrawDepth(key_map, key);
     DrawDepth(sky_map, sky);
   }
@@ -398,17 +403,17 @@ Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
   gl.ClearColor(scene.background_srgb.x(), scene.background_srgb.y(), scene.background_srgb.z(),
                 1.0f);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (!is_draft) BindLights(surface, key, sky);
+  if (!is_fast) BindLights(surface, key, sky);
   DrawItems(items, surface, view, scene);
 
   if (scene.has_table && view.p_SEye.z() > 0.0) {
     const Eigen::Vector4d area = FindShadowArea(corners);
-    if (!is_draft) DrawTableLight(area, key, sky);
+    if (!is_fast) DrawTableLight(area, key, sky);
     DrawTable(view, area, scene);
   }
   DrawMarks(view, scene);
   gl.Disable(GL_DEPTH_TEST);
-  if (!is_draft) {
+  if (!is_fast) {
     Begin(resolved, resolve);
     BindTexture(resolve, "fine", 0, picture.texture);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);

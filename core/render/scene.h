@@ -37,8 +37,8 @@ struct Camera {
   double field_of_view = 0.6;                                   ///< vertical [rad]
 };
 
-/** A camera that stands somewhere, rolled as it may be. A point at (x, y, z) in K (x right, y down, z
-forward) appears at
+/** A camera that stands somewhere, rolled as it may be. A point at (x, y, z) in K (x right, y down,
+z forward) appears at
 
     u = focal_x x / z + centre_x,   v = focal_y y / z + centre_y
 
@@ -69,7 +69,7 @@ struct Image {
   std::vector<uint8_t> rgb;  ///< (height x width x 3)
 };
 
-/** What each pixel's middle shows, rows from the top: the truth for whatever is found in pictures. */
+/** What each pixel's middle shows, rows from the top: the truth for what is found in pictures. */
 struct GeometryPicture {
   static constexpr int kNothing = -1, kTable = -2;
   int width = 0;
@@ -80,8 +80,10 @@ struct GeometryPicture {
 
 enum class RenderQuality {
   kFull,
-  /** For a look into a terminal many times a second, or for a camera whose pictures are many: no
-  shadows, one sample a pixel, meshes coarsened to some 8,000 triangles in all. */
+  /** For a camera whose pictures are many: no shadows, one sample a pixel. */
+  kFast,
+  /** For a look into a terminal many times a second: the same, and meshes are coarsened to some
+  8,000 triangles in all. */
   kDraft
 };
 

@@ -21,6 +21,7 @@ enum class Outcome {
   kSlippedInLiftOff,     ///< it did not come along
   kDroppedWhileHolding,  ///< lifted, then lost, touching the table or still slipping at the end
   kUnreachable,          ///< this grasp cannot hold this object without the palm inside it
+  kNotSeen,              ///< the camera did not find the object; `reason` says why
   kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
   kNotPhysical,          ///< held, but in a way no real hand could: see trial_outcome.h
   kNumericalFailure,     ///< the simulation gave up; `reason` says why
@@ -54,6 +55,7 @@ inline constexpr OutcomeRow kOutcomes[] = {
     {Outcome::kSlippedInLiftOff, "slipped in lift-off", "SL", OutcomeKind::kFailure},
     {Outcome::kDroppedWhileHolding, "dropped while holding", "DH", OutcomeKind::kMaybeInHand},
     {Outcome::kUnreachable, "unreachable", "UR", OutcomeKind::kFailure},
+    {Outcome::kNotSeen, "not seen", "NS", OutcomeKind::kFailure},
     {Outcome::kArmOverloaded, "arm overloaded", "AO", OutcomeKind::kMaybeInHand},
     {Outcome::kNotPhysical, "not physical", "NP", OutcomeKind::kMaybeInHand},
     {Outcome::kNumericalFailure, "numerical failure", "NF", OutcomeKind::kNumerical},

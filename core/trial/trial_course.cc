@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/base/units.h"
 #include "core/hand/coupling.h"
 #include "core/trial/judge.h"
+#include "core/vision/wrist_camera.h"
 
 namespace graspbench {
 namespace {
@@ -23,7 +25,7 @@ constexpr int kGapInterval = 5;
 
 }  // namespace
 
-TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup)
+TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera)
     : world_(std::move(world)),
       setup_(setup),
       hand_(*setup.hand),
@@ -40,6 +42,52 @@ TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup)
       notes_.result.touches.emplace_back();
     }
   }
+  Position(camera);
+}
+
+void TrialCourse::Position(WristCamera* camera) {
+  PlanarPose believed;
+  switch (setup_.positioning) {
+    case Positioning::kNominal:
+      return;
+    case Positioning::kTrue:
+      believed = {setup_.draw.offset_x, setup_.draw.offset_y, setup_.draw.offset_yaw};
+      break;
+    case Positioning::kCamera: {
+      std::unique_ptr<WristCamera> own;
+      if (!camera) {
+        own = std::make_unique<WristCamera>(setup_.hand, setup_.object, setup_.camera);
+        camera = own.get();
+      }
+      const TrialDraw& draw = setup_.draw;
+      const std::string id =
+          FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw});
+      const Sighting sighting = camera->FindObject(CalcStartPose(), CalcStartPosture(), id);
+      if (!sighting.is_found) {
+        notes_.not_seen = sighting.reason;
+        return;
+      }
+      believed = sighting.pose;
+      break;
+    }
+  }
+  notes_.result.believed_x = believed.x;
+  notes_.result.believed_y = believed.y;
+  notes_.result.believed_yaw = believed.yaw;
+  const Pose X_WN = MakePose(MakeRotationRpy(0.0, 0.0, believed.yaw),  // N: where O is believed
+                             Vector3d(believed.x, believed.y, 0.0));
+  placement_.X_WH = X_WN * placement_.X_WH;
+  placement_.approach_W = X_WN.linear() * placement_.approach_W;
+}
+
+Eigen::VectorXd TrialCourse::CalcStartPosture() const {
+  Eigen::VectorXd q = setup_.grasp.q_pre + setup_.draw.joint_error;
+  for (size_t j = 0; j < hand_.joints.size(); ++j) {
+    const auto joint = static_cast<Eigen::Index>(j);
+    q[joint] = std::clamp(q[joint], hand_.joints[j].lower, hand_.joints[j].upper);
+  }
+  ApplyCoupling(hand_, q);
+  return q;
 }
 
 Pose TrialCourse::CalcStartPose() const {
@@ -66,12 +114,7 @@ double TrialCourse::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q)
 
 void TrialCourse::Begin() {
   WorldState state;
-  state.q = setup_.grasp.q_pre + setup_.draw.joint_error;
-  for (size_t j = 0; j < hand_.joints.size(); ++j) {
-    const auto joint = static_cast<Eigen::Index>(j);
-    state.q[joint] = std::clamp(state.q[joint], hand_.joints[j].lower, hand_.joints[j].upper);
-  }
-  ApplyCoupling(hand_, state.q);
+  state.q = CalcStartPosture();
   state.u = Eigen::VectorXd::Zero(world_->dynamics().num_dofs());
 
   const Pose X_WO = CalcStartPose();
@@ -231,6 +274,7 @@ TrialFacts TrialCourse::MakeFacts() const {
   facts.time_in_phase = notes_.strategy.time_in_phase();
   facts.lift_time = setup_.strategy.lift_time;
   facts.lift_distance = setup_.grasp.approach_distance;
+  facts.not_seen = notes_.not_seen;
   facts.is_reachable = placement_.reaches_object;
   facts.start_gap = notes_.start_gap;
   facts.is_finite = notes_.report.is_finite;

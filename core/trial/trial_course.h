@@ -39,6 +39,7 @@ struct TrialNotes {
   Phase phase = Phase::kPlacing;
   WorldCommand command = {};  ///< the last one
   StepReport report = {};     ///< of the last step
+  std::string not_seen = {};  ///< why the camera did not find the object
   double time = 0.0;          ///< since the start [s]
   double closure_start = kUnset;
   double last_touch = 0.0;
@@ -57,10 +58,14 @@ struct TrialInstant {
   TrialNotes notes;
 };
 
+class WristCamera;
+
 class TrialCourse {
  public:
-  /** @param world  of the setup's hand, object and physics.   @param setup  outlives the course. */
-  TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup);
+  /** @param world   of the setup's hand, object and physics.   @param setup  outlives the course.
+  @param camera  for positioning by camera; null: one is made, which takes some 0.1 s.
+  @throws Error(kUnsupported) for positioning by camera of a hand that has none. */
+  TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera = nullptr);
 
   /** Puts object and hand to where the trial starts. To be called once, before all that follows.
   @throws Error(kRange) when the start is not finite. */
@@ -94,6 +99,9 @@ class TrialCourse {
 
  private:
   Pose CalcStartPose() const;
+  Eigen::VectorXd CalcStartPosture() const;
+  /** Moves the placement to where the hand believes the object. */
+  void Position(WristCamera* camera);
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
   WorldCommand MakeCommand(const StrategyCommand& command) const;
   void Observe(const StepReport& report, double closing);

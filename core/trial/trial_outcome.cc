@@ -51,6 +51,7 @@ std::string FindNonsense(const TrialFacts& facts) {
 
 /** What ended the trial, whatever the hand holds; NotRun: nothing did. */
 OutcomeReason FindBreakdown(const TrialFacts& facts) {
+  if (!facts.not_seen.empty()) return {Outcome::kNotSeen, facts.not_seen};
   if (!facts.is_reachable) {
     return {Outcome::kUnreachable,
             "the palm or another link would meet the object before the fingertips hold it"};
@@ -119,7 +120,7 @@ bool IsHeld(const TrialFacts& facts) {
 
 bool IsDecided(const TrialFacts& facts) {
   if (!facts.is_finite || facts.unconverged_time > kMaxUnconvergedTime) return true;
-  if (IsUnreachable(facts) || IsArmOverloaded(facts)) return true;
+  if (!facts.not_seen.empty() || IsUnreachable(facts) || IsArmOverloaded(facts)) return true;
   const bool is_free = facts.time - facts.last_touch > kLostTime;
   switch (facts.phase) {
     case Phase::kPlacing:

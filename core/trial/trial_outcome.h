@@ -20,8 +20,9 @@ struct TrialFacts {
   double lift_time = 0.0;      ///< planned length of the lift-off [s]
   double lift_distance = 0.0;  ///< by which the hand rises [m]
 
-  bool is_reachable = true;  ///< the placement reaches the object
-  double start_gap = 0.0;    ///< of hand and object at the start; negative: inside it [m]
+  std::string not_seen = {};  ///< why the camera did not find the object; empty: nobody asks
+  bool is_reachable = true;   ///< the placement reaches the object
+  double start_gap = 0.0;     ///< of hand and object at the start; negative: inside it [m]
   bool is_finite = true;
   double unconverged_time = 0.0;  ///< since the solver last converged [s]
 

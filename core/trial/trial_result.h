@@ -90,7 +90,10 @@ struct TrialResult {
   Stability stability;
   std::vector<PhaseStart> phases;            ///< those reached, in order
   std::vector<ContactEvent> contact_events;  ///< times since the start of closure
-  double energy_residual = 0.0;              ///< unexplained energy of the whole trial [J]
+  /** Where the hand took the object to be [m], [rad], as the draw counts; NaN: where it should be.
+  How it knew: the session's positioning. */
+  double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
+  double energy_residual = 0.0;  ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
@@ -120,6 +123,9 @@ struct TrialResult {
     field("stability", &R::stability);
     field("phases", &R::phases);
     field("contact_events", &R::contact_events);
+    field("believed_x_m", &R::believed_x, FieldMayMiss{});
+    field("believed_y_m", &R::believed_y, FieldMayMiss{});
+    field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});
     field("energy_residual_j", &R::energy_residual,
           FieldColumn{"J", "energy of the whole trial that nothing explains"});
     field("num_steps", &R::num_steps, FieldColumn{"", "simulation steps"});

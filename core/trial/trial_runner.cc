@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/physics/compare_with_simbody.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
 #include "core/trial/trial_course.h"
+#include "core/vision/wrist_camera.h"
 
 namespace graspbench {
 namespace {
@@ -31,6 +33,8 @@ struct TrialRunner::Impl {
   SimbodyModel simbody;
   std::unique_ptr<const World> world;  // for `sim`; each trial runs in a clone
   SimConfig sim;
+  std::unique_ptr<WristCamera> camera;  // for `camera_config`; null: nothing looked yet
+  CameraConfig camera_config;
 
   Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
       : hand(std::move(the_hand)),
@@ -40,7 +44,18 @@ struct TrialRunner::Impl {
   JudgedTrial Run(const TrialSetup& setup, bool is_judged,
                   const std::function<void(TrialCourse&)>& observe = {});
   std::unique_ptr<World> MakeWorld(const SimConfig& config);
+  /** Null where none is needed. */
+  WristCamera* FindCamera(const TrialSetup& setup);
 };
+
+WristCamera* TrialRunner::Impl::FindCamera(const TrialSetup& setup) {
+  if (setup.positioning != Positioning::kCamera) return nullptr;
+  if (!camera || ConfigToJson(setup.camera) != ConfigToJson(camera_config)) {
+    camera_config = setup.camera;
+    camera = std::make_unique<WristCamera>(hand, object, camera_config);
+  }
+  return camera.get();
+}
 
 std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config) {
   if (!world || !IsSame(config, sim)) {
@@ -91,7 +106,7 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
   JudgedTrial trial;
   TrialResult& result = trial.result;
   try {
-    TrialCourse course(MakeWorld(setup.sim), setup);
+    TrialCourse course(MakeWorld(setup.sim), setup, FindCamera(setup));
     result = course.Run(observe);
     if (result.outcome == Outcome::kNumericalFailure) return trial;
     if (const double difference = CompareWithSimbody(course.world(), simbody);

@@ -12,6 +12,8 @@ to trial. */
 #include "core/hand/hand.h"
 #include "core/physics/sim_config.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/positioning.h"
+#include "core/vision/camera_config.h"
 
 namespace graspbench {
 
@@ -38,6 +40,8 @@ struct TrialSetup {
   StrategyConfig strategy;
   SimConfig sim;
   TrialDraw draw;
+  Positioning positioning = Positioning::kNominal;
+  CameraConfig camera = {};
   std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session
 };
 

@@ -46,11 +46,11 @@ struct ComparisonConfig {
   }
 };
 
-/** As a session, but that hands come from where objects and grasps say. */
+/** As a session, but that hands come from where objects and grasps say, and blindly. */
 struct CampaignSession : SessionConfig {
   template <class V>
   void Visit(V&& v) {
-    VisitAllButApproach(v);
+    VisitOwn(v);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/shape/approach.h"
+#include "core/trial/positioning.h"
 #include "datasets/session/session_keys.h"
 
 namespace graspbench {
@@ -57,6 +58,15 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
   if (!FindRow(kApproaches, config.approach)) {
     problems.push_back({"approach", "no approach \"" + config.approach + "\"" +
                                         SuggestNames(config.approach, ListNames(kApproaches))});
+  }
+  if (!FindRow(kPositionings, config.positioning)) {
+    problems.push_back(
+        {"positioning", "no positioning \"" + config.positioning + "\"" +
+                            SuggestNames(config.positioning, ListNames(kPositionings))});
+  }
+  if (!ParseColour(config.camera.table_colour)) {
+    problems.push_back({"camera.table_colour", "\"" + config.camera.table_colour +
+                                                   "\" is no colour; expected one as \"#b4509b\""});
   }
   const std::vector<std::string> couplings = ListModelCouplings();
   const std::string& coupling = config.model.coupling_rule;
@@ -114,15 +124,19 @@ void ApplySetting(const std::string& assignment, SessionConfig& config) {
 
 Json ToJson(const SessionConfig& config) {
   Json json = ConfigToJson(config);
-  if (config.approach == SessionConfig().approach) json.erase("approach");
+  const SessionConfig defaults;
+  if (config.approach == defaults.approach) json.erase("approach");
+  if (config.positioning != RowOf(kPositionings, Positioning::kCamera).name) json.erase("camera");
+  if (config.positioning == defaults.positioning) json.erase("positioning");
   return json;
 }
 
 SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
   Json complete = json;
-  if (json.is_object() && !json.contains("approach")) {
-    complete["approach"] = SessionConfig().approach;
+  const Json defaults = ConfigToJson(SessionConfig());
+  for (const char* key : {"approach", "positioning", "camera"}) {
+    if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
   const auto config = ConfigFromJson<SessionConfig>(complete, file, problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");

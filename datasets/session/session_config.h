@@ -9,6 +9,7 @@ frozen in full into the session's folder. */
 #include "core/base/json.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/sim_config.h"
+#include "core/vision/camera_config.h"
 #include "datasets/session/model_config.h"
 
 namespace graspbench {
@@ -47,16 +48,21 @@ struct SessionConfig : TrialConditions {
   std::vector<std::string> objects = {"all"};
   std::vector<std::string> grasps = {"best"};  ///< "all", or "best", ids, files
   std::string approach = "automatic";          ///< core/shape/approach.h
+  std::string positioning = "nominal";         ///< core/trial/positioning.h
+  CameraConfig camera;                         ///< for positioning by camera
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
 
   template <class V>
   void Visit(V&& v) {
-    VisitAllButApproach(v);
+    VisitOwn(v);
     v("approach", approach);
+    v("positioning", positioning);
+    v("camera", camera);
   }
+  /** Without what a campaign does not choose. */
   template <class V>
-  void VisitAllButApproach(V&& v) {
+  void VisitOwn(V&& v) {
     v("hands", hands);
     v("objects", objects);
     v("grasps", grasps);
@@ -88,8 +94,9 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 @throws Error(kUsage) naming the known keys or the expected type. */
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
-/** The complete configuration, every default written out, but for an automatic approach: sessions
-without a choice are what they were before there was one. */
+/** The complete configuration, every default written out, but for an automatic approach, for nominal
+positioning and for the camera of a session that does not look: sessions without a choice are what
+they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */

@@ -9,23 +9,39 @@
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "core/grasp/placement.h"
+#include "core/trial/positioning.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
 
+Json ToJson(const HandCamera& camera) {
+  return {{"link", camera.link},     {"X_LK", JsonPose(camera.X_LK)},       {"width", camera.width},
+          {"height", camera.height}, {"focal_length", camera.focal_length}, {"k1", camera.k1},
+          {"k2", camera.k2}};
+}
+
+/** @pre a hand that looks has a camera. */
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         const StandardGrasp& grasp, int trial) {
-  const Json content = {{"physics", kPhysicsVersion},
-                        {"hand", {hand.id, hand.content_hash}},
-                        {"object", {object.id, object.content_hash}},
-                        {"grasp", ToJson(grasp)},
-                        {"variation", ConfigToJson(config.variation)},
-                        {"strategy", ConfigToJson(config.strategy)},
-                        {"sim", ConfigToJson(config.sim)},
-                        {"model", ConfigToJson(config.model)},
-                        {"seed", config.seed},
-                        {"trial", trial}};
+  Json content = {{"physics", kPhysicsVersion},
+                  {"hand", {hand.id, hand.content_hash}},
+                  {"object", {object.id, object.content_hash}},
+                  {"grasp", ToJson(grasp)},
+                  {"variation", ConfigToJson(config.variation)},
+                  {"strategy", ConfigToJson(config.strategy)},
+                  {"sim", ConfigToJson(config.sim)},
+                  {"model", ConfigToJson(config.model)},
+                  {"seed", config.seed},
+                  {"trial", trial}};
+  // Only what differs from the default, so that the ids of all other trials stay as they were.
+  if (config.positioning != SessionConfig().positioning) {
+    content["positioning"] = config.positioning;
+  }
+  if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name) {
+    content["camera"] = ConfigToJson(config.camera);
+    content["mount"] = ToJson(*hand.camera);
+  }
   return CalcHashHex(FormatJson(content));
 }
 
@@ -158,6 +174,17 @@ void CheckNamesDiffer(const char* what, const std::vector<std::string>& names) {
   }
 }
 
+void CheckCamerasExist(const SessionConfig& config, const SessionInputs& inputs) {
+  if (config.positioning != RowOf(kPositionings, Positioning::kCamera).name) return;
+  for (const SessionHand& hand : inputs.hands) {
+    if (hand.hand->camera) continue;
+    throw Error(ErrorKind::kUsage, "the hand \"" + hand.hand->id +
+                                       "\" has no camera to position it; choose another "
+                                       "positioning, or add a camera to its hand.yaml (graspbench "
+                                       "help hand.yaml)");
+  }
+}
+
 /** A stream's name made of parts that may hold any character. */
 std::string JoinNames(const Json& parts) { return FormatJson(parts); }
 
@@ -209,6 +236,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   CheckNamesDiffer("hands", hand_names);
   CheckNamesDiffer("objects", object_names);
   CheckGraspsExist(config, inputs);
+  CheckCamerasExist(config, inputs);
 
   std::vector<PlannedTrial> plan;
   for (const SessionHand& hand : inputs.hands) {
@@ -284,8 +312,12 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                     planned.hand + ", " + planned.object);
   const StandardGrasp* grasp = FindGrasp(*hand, **object, planned.grasp);
   GRASPBENCH_DEMAND(grasp, planned.grasp);
-  return {hand->hand,      *object,    *grasp,
-          config.strategy, config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};
+  TrialSetup setup{hand->hand, *object,
+                   *grasp,     config.strategy,
+                   config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};
+  setup.positioning = FindRow(kPositionings, config.positioning)->value;
+  setup.camera = config.camera;
+  return setup;
 }
 
 }  // namespace graspbench

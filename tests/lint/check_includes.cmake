@@ -22,9 +22,9 @@ function(find_library_of path result)
 endfunction()
 
 set(owned_headers "Simbody.h|SimTK" "assimp/" "sqlite3.h" "GL/" "CLI/" "kainjow/" "libqhull"
-  "boost/")
+  "boost/" "opencv2/")
 set(owners core_physics objects datasets_session core_render workbench reports core_quality
-  core_statistics)
+  core_statistics core_vision)
 
 set(offences "")
 find_cxx_files(files ${ROOMS})

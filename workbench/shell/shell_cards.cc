@@ -169,7 +169,9 @@ std::string FormatSettings(const SessionConfig& config, const std::string& part)
   std::string text;
   const Json settings = ConfigToJson(config);
   for (const auto& [block, values] : settings.items()) {
-    if (!values.is_object() && block != "seed" && block != "approach") continue;
+    if (!values.is_object() && block != "seed" && block != "approach" && block != "positioning") {
+      continue;
+    }
     const Json named = values.is_object() ? values : Json{{"", values}};
     for (const auto& [key, value] : named.items()) {
       const std::string name = key.empty() ? block : block + "." + key;

@@ -116,6 +116,53 @@ TEST(LoadHandTest, TheHashFollowsBothFiles) {
   EXPECT_NE(hash(urdf, yaml + "\n"), hash(urdf, yaml));
 }
 
+const char kCamera[] =
+    "camera:\n  link: distal\n  position_m: [0.01, 0, 0.02]\n  forward: [0, 0, 2]\n"
+    "  right: [1, 0, 1]\n  focal_length_px: 700\n  radial_1: -0.1\n";
+
+// Beside right only what is across forward counts.
+TEST(LoadHandTest, ReadsACamera) {
+  const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  Diagnostics problems;
+  EXPECT_FALSE(ParseHand(urdf, yaml, kGood, problems).camera);
+  const Hand hand = ParseHand(urdf, yaml + kCamera, kGood, problems);
+  ASSERT_EQ(problems.Format(), "");
+  ASSERT_TRUE(hand.camera);
+  EXPECT_EQ(hand.links[hand.camera->link].name, "distal");
+  EXPECT_LT((hand.camera->X_LK.translation() - Eigen::Vector3d(0.01, 0, 0.02)).norm(), 1e-15);
+  EXPECT_LT((hand.camera->X_LK.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+  EXPECT_EQ(hand.camera->focal_length, 700.0);
+  EXPECT_EQ(hand.camera->k1, -0.1);
+  EXPECT_EQ(hand.camera->width, 640);
+}
+
+// It moves nothing: trials that do not look through it stay what they were.
+TEST(LoadHandTest, TheHashLeavesTheCameraOut) {
+  const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  const auto hash = [&](const std::string& y) {
+    Diagnostics problems;
+    return ParseHand(urdf, y, kGood, problems).content_hash;
+  };
+  EXPECT_EQ(hash(yaml + kCamera), hash(yaml));
+  EXPECT_EQ(hash(kCamera + yaml), hash(yaml));
+  EXPECT_NE(hash(yaml + kCamera + "# more\n"), hash(yaml));
+  EXPECT_NE(hash(yaml + kCamera + "\n"), hash(yaml));
+}
+
+TEST(LoadHandTest, ACameraThatCannotBeIsRefused) {
+  const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  Diagnostics problems;
+  ParseHand(urdf,
+            yaml +
+                "camera:\n  link: nowhere\n  position_m: [0, 0, 0]\n  forward: [0, 0, 1]\n"
+                "  right: [0, 0, 1]\n",
+            kGood, problems);
+  ASSERT_EQ(problems.num_errors(), 2) << problems.Format();
+  EXPECT_NE(problems.entries()[0].text.find("camera: hand.urdf has no link \"nowhere\""),
+            std::string::npos);
+  EXPECT_NE(problems.entries()[1].text.find("must not lie along forward"), std::string::npos);
+}
+
 std::string MessageOf(const std::string& id_or_folder, ErrorKind kind) {
   try {
     LoadHand(id_or_folder);
@@ -310,13 +357,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.yaml:1: error: hand: the key \"name\" is missing\n"
                 "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
                 "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-                "coupling, mimic, drives, grasps"},
+                "coupling, mimic, drives, camera, grasps"},
         BadHand{
             "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
             "hand.yaml:6: error: hand, joint_accuracy_deg: -1 is out of range; expected 0 to 45\n"
             "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
             "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-            "coupling, mimic, drives, grasps"},
+            "coupling, mimic, drives, camera, grasps"},
         BadHand{"yaml", "link: palm", "link: plam",
                 "hand.yaml:3: error: palm: hand.urdf has no link \"plam\". Known: palm, proximal, "
                 "distal, tip"},

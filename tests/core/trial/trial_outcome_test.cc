@@ -120,6 +120,14 @@ TEST(TrialOutcome, AnObjectThatCannotBeReachedIsNotTried) {
   ExpectOutcome(facts, Outcome::kUnreachable, "the hand would start 1.2 mm inside the object");
 }
 
+TEST(TrialOutcome, AnObjectThatIsNotSeenIsNotTried) {
+  TrialFacts facts = MakeGoodEnd();
+  facts.not_seen = "nothing is seen";
+  facts.is_reachable = false;
+  EXPECT_TRUE(IsDecided(facts));
+  ExpectOutcome(facts, Outcome::kNotSeen, "nothing is seen");
+}
+
 // A drive of 2 N m at 10 mm, and the arm behind it.
 TEST(TrialOutcome, AContactHasWhatDrivesAndArmCanGive) {
   Hand hand;

@@ -98,6 +98,7 @@ TEST(SessionConfig, TellsBrokenYaml) {
 TEST(SessionConfig, EveryNumberHasARange) {
   for (const std::string& key : ListConfigKeys(SessionConfig())) {
     if (key == "hands" || key == "objects" || key == "grasps") continue;
+    if (key == "camera.shadows") continue;  // no number
     SessionConfig config;
     ApplySetting(key + "=-1", config);
     const auto problems = Validate(config);
@@ -160,6 +161,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.variation.yaw = 0.1 + 0.2;
   config.hands = {"../a \"hand\"", "tum"};
   config.approach = "side";
+  config.positioning = "camera";
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     std::string pointer = "/" + key;
@@ -179,6 +181,31 @@ TEST(SessionConfig, AnAutomaticApproachIsNotWritten) {
   EXPECT_EQ(SessionConfigFromJson(json).approach, "automatic");
   json["approach"] = "above";
   EXPECT_EQ(SessionConfigFromJson(json).approach, "above");
+}
+
+// Likewise; and a session that does not look does not depend on its camera.
+TEST(SessionConfig, NominalPositioningIsNotWritten) {
+  SessionConfig config;
+  config.camera.noise = 7.0;
+  EXPECT_EQ(ToJson(config), ToJson(SessionConfig()));
+  config.positioning = "true";
+  EXPECT_FALSE(ToJson(config).contains("camera"));
+  EXPECT_EQ(SessionConfigFromJson(ToJson(config)).positioning, "true");
+  config.positioning = "camera";
+  EXPECT_EQ(SessionConfigFromJson(ToJson(config)).camera.noise, 7.0);
+  EXPECT_EQ(SessionConfigFromJson(ToJson(SessionConfig())).positioning, "nominal");
+}
+
+TEST(SessionConfig, AnUnknownPositioningOrColourIsRefused) {
+  SessionConfig config;
+  ApplySetting("positioning=camra", config);
+  ApplySetting("camera.table_colour=green", config);
+  const auto problems = Validate(config);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].text,
+            "no positioning \"camra\"; did you mean \"camera\"? Known: nominal, true, camera");
+  EXPECT_EQ(problems[1].key, "camera.table_colour");
+  EXPECT_EQ(problems[1].text, "\"green\" is no colour; expected one as \"#b4509b\"");
 }
 
 TEST(SessionConfig, AnUnknownApproachIsRefused) {
@@ -209,7 +236,7 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
                  "x/session.json: error: seed: is missing\n"
                  "x/session.json: error: sim.: expected an object of keys and values\n"
                  "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
-                 "trials, seed, variation, strategy, sim, model, approach");
+                 "trials, seed, variation, strategy, sim, model, approach, positioning, camera");
   }
 }
 

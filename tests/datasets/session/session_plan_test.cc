@@ -47,6 +47,39 @@ std::pair<ErrorKind, std::string> FindError(const SessionConfig& config,
   return {ErrorKind::kUnsupported, ""};
 }
 
+TEST(SessionPlan, OnlyATrialThatLooksDependsOnTheCamera) {
+  SessionInputs inputs = MakeFakeInputs();
+  for (SessionHand& hand : inputs.hands) {
+    auto with_camera = std::make_shared<Hand>(*hand.hand);
+    with_camera->camera = HandCamera();
+    with_camera->camera->link = 0;
+    hand.hand = with_camera;
+  }
+  SessionConfig config;
+  const std::set<std::string> nominal = ListIds(MakePlan(config, MakeFakeInputs()));
+  EXPECT_EQ(ListIds(MakePlan(config, inputs)), nominal);
+  config.positioning = "true";
+  const std::set<std::string> exact = ListIds(MakePlan(config, inputs));
+  EXPECT_NE(exact, nominal);
+  config.camera.noise = 1.0;
+  EXPECT_EQ(ListIds(MakePlan(config, inputs)), exact);
+  config.positioning = "camera";
+  const std::set<std::string> looking = ListIds(MakePlan(config, inputs));
+  EXPECT_NE(looking, exact);
+  config.camera.noise = 2.0;
+  EXPECT_NE(ListIds(MakePlan(config, inputs)), looking);
+}
+
+TEST(SessionPlan, AHandWithoutCameraCannotLook) {
+  SessionConfig config;
+  config.positioning = "camera";
+  const auto [kind, text] = FindError(config, MakeFakeInputs());
+  EXPECT_EQ(kind, ErrorKind::kUsage);
+  EXPECT_EQ(text,
+            "the hand \"tum\" has no camera to position it; choose another positioning, or add a "
+            "camera to its hand.yaml (graspbench help hand.yaml)");
+}
+
 TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {
   // shadow has no entry at the pencil: the first of g1, g3, g2, ...
   EXPECT_EQ(ListCells(MakePlanOf({"best"})),

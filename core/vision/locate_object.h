@@ -1,0 +1,35 @@
+#pragma once
+/** @file
+Where a known object lies, from one picture of it on the table and one of the empty table.
+
+What differs from the empty table is the object: its contour, undistorted, is thrown onto the level
+plane through the object's middle, and the object's own outline is laid onto it (silhouette.h). O is
+the middle of its bounding box, however its area is spread. Nothing is ever guessed: an empty
+picture, several things, one that the picture's edge cuts, or an outline that is not the object's
+give a reason instead of a pose. */
+
+#include <string>
+
+#include "core/render/scene.h"
+#include "core/vision/lens.h"
+#include "core/vision/picture_tools.h"
+#include "core/vision/silhouette.h"
+
+namespace graspbench {
+
+struct Sighting {
+  bool is_found = false;
+  std::string reason;  ///< why not, for a person; empty when it is found
+  PlanarPose pose;
+  KnownDirection direction = KnownDirection::kNone;
+  /** Of the smallest rectangle around the outline, at the height of the object's middle [m]. */
+  double length = 0.0, width = 0.0;
+};
+
+/** @param empty_table   from the same place, of the same size.
+@param X_WK      of the camera, which looks down.
+@param supposed  decides between turns that look alike. */
+Sighting LocateObject(const Image& picture, const Image& empty_table, const Lens& lens,
+                      const Pose& X_WK, const OutlineModel& object, const PlanarPose& supposed);
+
+}  // namespace graspbench
