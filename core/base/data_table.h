@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-The small tables that a person writes: separated by commas, tabs or semicolons, a heading, one thing a
-row. Every fault goes into Diagnostics with file and line. */
+The small tables that a person writes: separated by commas, tabs or semicolons, a heading, one
+thing a row. Every fault goes into Diagnostics with file and line. */
 
 #include <filesystem>
 #include <string>

@@ -91,7 +91,7 @@ angles rounded as in a grasp file, so that a file holds the very grasp that was 
 StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
                               const StandardGrasp& standard, const std::string& id);
 
-/** How many trials OptimiseGrasp will run, about: how soon a check is decided is not known before. */
+/** About how many trials OptimiseGrasp will run: how soon a check is decided is not known. */
 int CountLearningTrials(const OptimiseConfig& config);
 
 /** Infinite when half of the trials or more lack a contact; NaN without trials. */

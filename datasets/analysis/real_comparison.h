@@ -20,8 +20,8 @@ struct RealCell {
   double median_gft_ratio() const;
 };
 
-/** What really happened of one variant over the scenes in which all were tried, and in the same scenes
-in the simulation. */
+/** What really happened of one variant over the scenes in which all were tried, and in the same
+scenes in the simulation. */
 struct RealTotal {
   Variant variant = kStandardGrasp;
   int num_scenes = 0;

@@ -14,7 +14,7 @@ search methods are compared over several seeds. Its folder:
                                         scene's new pre-grasp
     summary.csv                         one row per scene and variant, of the benchmark's trials
     comparison.csv                      one row per search: best fitness, evaluations to 90 %
-    real/trials.csv                     a laboratory's own trials (real_trials.h), where there are any
+    real/trials.csv                     a laboratory's own trials (real_trials.h), if any
 
 Same promise as for sessions: the same bytes for any number of workers and interruptions, run.json
 and the benchmark's journals of each worker aside. */

@@ -156,7 +156,7 @@ void KeepRealTrials(const fs::path& campaign, const std::string& text) {
   MakeFolder(folder);
   UnsealOutput(folder);
   WriteFile(folder / kFile, text);
-  SealOutput(folder, {kFile});
+  SealOutput(folder, {kFile}, {});  // made from nothing that is here
 }
 
 std::vector<RealTrial> LoadRealTrials(const fs::path& campaign) {

@@ -51,8 +51,8 @@ TEST(CampaignSummary, TheRoundingOfAGraspsFileIsNoDifference) {
   }
 }
 
-// McNemar, exact: of ten pairs six lost and none gained has p = 2 / 2^6, of two scenes twice that; nine
-// lost has 4 / 2^9.
+// McNemar, exact: of ten pairs six lost and none gained has p = 2 / 2^6, of two scenes twice that;
+// nine lost has 4 / 2^9.
 TEST(CampaignSummary, LostPairsAreSignificantAfterHolm) {
   Campaign campaign = MakeCampaign();
   EXPECT_TRUE(
