@@ -382,7 +382,8 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
     // Angles of a glove are points enough.
     const YAML::Node points =
         map.Child("points", mapping.glove.IsNamed() ? Needed::kNo : Needed::kYes);
-    if (points && (!points.IsMap() || points.size() == 0)) {
+    const bool may_be_absent = mapping.glove.IsNamed() && points.IsNull();
+    if (points && !may_be_absent && (!points.IsMap() || points.size() == 0)) {
       map.Fail("points", "must name points, each with its three columns");
     } else if (points) {
       for (const auto& entry : points) {

@@ -168,7 +168,9 @@ TEST_F(ReadProgressTest, CountsHeldGraspsOfAJudge) {
   EXPECT_EQ(progress.judge->shards[0].state, ShardState::kFinished);
   EXPECT_EQ(progress.judge->shards[1].num_finished, 0);
   EXPECT_EQ(progress.judge->shards[1].num_trials, static_cast<int>(held.size()) - num_first);
-  EXPECT_EQ(progress.judge->shards[1].state, ShardState::kStopped);
+  const bool has_work = static_cast<int>(held.size()) > num_first;  // as the hashes deal it
+  EXPECT_EQ(progress.judge->shards[1].state,
+            has_work ? ShardState::kStopped : ShardState::kFinished);
 }
 
 TEST_F(ReadProgressTest, NeedsASession) {

@@ -314,7 +314,7 @@ TEST(Table, AWrongMappingTellsAllItsFaults) {
     const std::string text = error.what();
     for (const char* part :
          {"needs the three columns", "each needs the name of one column",
-          "is \"h\"; expected s or ms", "rate_hz: is needed when no column of times",
+          "is \"h\"; expected s, ms or us", "rate_hz: is needed when no column of times",
           "unknown key \"extra\""}) {
       EXPECT_NE(text.find(part), std::string::npos) << text;
     }
