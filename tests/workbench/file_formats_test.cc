@@ -54,7 +54,8 @@ TEST(FileFormatsTest, HandsAreReadByTheirRows) {
   std::filesystem::create_directories(folder);
   const std::vector<NewFile> files = MakeNewFiles("hand");
   const std::string yaml =
-      files[1].second + "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: [{}]\ncamera: {}\n";
+      files[1].second +
+      "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: [{}]\ncamera: {}\n";
   KeyRecorder recorder;
   Diagnostics problems;
   ParseHand(files[0].second, yaml, folder, problems);
