@@ -4,9 +4,9 @@ Settings of the physics, and the number that tells its versions apart. */
 
 namespace graspbench {
 
-/** Counts changes of the physics that change results. Part of every trial id, so that records of
-different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 8;
+/** Counts changes of the physics, or of a record's measures, that change results. Part of every
+trial id, so that records of different physics never meet under one id. */
+inline constexpr int kPhysicsVersion = 9;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {

@@ -55,7 +55,7 @@ double CalcTaskForce(const ConeWrenches& cones, const Eigen::Matrix<double, 6, 1
   const Eigen::VectorXd c = Eigen::VectorXd::Unit(num_generators + 1, num_generators);
   const LinearProgramResult result = SolveLinearProgram(A, b, c);
   // The program is bounded by its last row: what looks otherwise is rounding.
-  if (!result.is_bounded || result.value > 0.9 * unreachable) {
+  if (result.end != LinearProgramEnd::kOptimum || result.value > 0.9 * unreachable) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   return result.value * scale;

@@ -1,9 +1,12 @@
 #include "core/quality/holding_force.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/error.h"
 #include "core/quality/linear_program.h"
 
 namespace graspbench {
@@ -72,7 +75,14 @@ std::vector<double> CalcHoldingForces(const LoadedGrasp& grasp,
     c.head(num_cones) = -(d.transpose() * cones.wrenches.topRows<3>()).transpose();
     c[num_cones] = kWeightValue - d.dot(weight);
     // Continuous in all that goes in, also where the weight can just no longer be carried.
-    const double gain = SolveLinearProgram(A, b, c).value - kWeightValue;
+    const LinearProgramResult result = SolveLinearProgram(A, b, c);
+    if (result.end != LinearProgramEnd::kOptimum) {
+      throw Error(ErrorKind::kRange,
+                  fmt::format("the force that {} contacts hold is lost to rounding: their places, "
+                              "normals or friction are too far apart",
+                              grasp.contacts.size()));
+    }
+    const double gain = result.value - kWeightValue;
     holding[k] = normal_force * std::max(0.0, gain);
   }
   return holding;

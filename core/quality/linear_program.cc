@@ -1,5 +1,6 @@
 #include "core/quality/linear_program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ constexpr double kSmallestPivot = 1e-9;    // smaller ones would blow rounding u
 constexpr double kTie = 1e-12;             // ratios that differ by less are equal but for rounding
 constexpr Eigen::Index kStableSteps = 20;  // per row and column, before Bland's rule
 constexpr double kRoundingGain = 1e-7;     // relative to the largest objective coefficient
+constexpr double kRelief = 1e-8;           // of the largest bound, see Relieve
+
+constexpr double kViolation = 1e-7;  // of rows and prices; more is no optimum
 
 /** Columns: variables, slacks, right-hand side. The last row holds minus the gains. A pivot works on
 whole rows, so they lie in one piece. */
@@ -69,6 +73,73 @@ void Pivot(Eigen::Index enter, Eigen::Index leave, Tableau& tableau) {
   tableau.basis[leave] = enter;
 }
 
+/** Pivots until nothing gains. */
+LinearProgramEnd RunSimplex(double rounding_gain, Tableau& tableau) {
+  // After so many steps it might cycle, which Bland's rule prevents, but for rounding.
+  const Eigen::Index num_stable_steps = kStableSteps * (tableau.num_rows + tableau.num_columns);
+  for (Eigen::Index step = 0; step <= 4 * num_stable_steps; ++step) {
+    // The first variable that gains enters. A tiny gain that no row limits is rounding, not a way
+    // to infinity.
+    Eigen::Index enter = -1, leave = -1;
+    for (Eigen::Index column = 0; column < tableau.num_columns && leave < 0; ++column) {
+      const double gain = -tableau.values(tableau.num_rows, column);
+      if (gain <= kZero) continue;
+      enter = column;
+      leave = FindLeavingRow(tableau, enter, step < num_stable_steps);
+      if (leave < 0 && gain > rounding_gain) return LinearProgramEnd::kUnbounded;
+    }
+    if (leave < 0) return LinearProgramEnd::kOptimum;
+    Pivot(enter, leave, tableau);
+  }
+  return LinearProgramEnd::kLost;
+}
+
+/** Whether x is feasible and the prices y of the rows prove it the best (weak duality): the tableau
+it was read from carries the rounding of every step. */
+bool IsOptimum(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c,
+               const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  const double size = std::max(1.0, b.maxCoeff()), price = std::max(1.0, c.maxCoeff());
+  return (A * x - b).maxCoeff() <= kViolation * size && x.minCoeff() >= -kViolation * size &&
+         (c - A.transpose() * y).maxCoeff() <= kViolation * price &&
+         y.minCoeff() >= -kViolation * price && b.dot(y) - c.dot(x) <= kViolation * price * size;
+}
+
+LinearProgramResult SolveOnce(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                              const Eigen::VectorXd& c) {
+  const Eigen::Index num_rows = b.size(), num_variables = c.size();
+  Tableau tableau = MakeTableau(A, b, c);
+  const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
+  LinearProgramResult result;
+  result.end = RunSimplex(rounding_gain, tableau);
+  result.x = Eigen::VectorXd::Zero(num_variables);
+  for (Eigen::Index row = 0; row < num_rows; ++row) {
+    const Eigen::Index variable = tableau.basis[row];
+    if (variable < num_variables) result.x[variable] = tableau.values(row, tableau.num_columns);
+  }
+  result.value = c.dot(result.x);
+  const Eigen::VectorXd prices =
+      tableau.values.row(num_rows).segment(num_variables, num_rows).transpose();
+  if (result.end == LinearProgramEnd::kOptimum && num_rows > 0 && num_variables > 0 &&
+      !IsOptimum(A, b, c, result.x, prices)) {
+    result.end = LinearProgramEnd::kLost;
+  }
+  return result;
+}
+
+/** Bounds a little wider, each by another amount, so that no two rows tie: what is lost to rounding
+in a program full of ties is found in this one, at a price of about kRelief times the prices of the
+rows. */
+Eigen::VectorXd Relieve(const Eigen::VectorXd& b) {
+  const double largest = std::max(b.maxCoeff(), 1e-300);
+  Eigen::VectorXd relieved = b;
+  for (Eigen::Index row = 0; row < b.size(); ++row) {
+    // Multiples of the golden ratio, of which no two differ by little.
+    const double share = std::fmod((row + 1) * 0.6180339887498949, 1.0);
+    relieved[row] += kRelief * largest * (1.0 + share);
+  }
+  return relieved;
+}
+
 }  // namespace
 
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
@@ -78,40 +149,10 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
                     "sizes: " + std::to_string(b.size()) + ", " + std::to_string(c.size()));
   GRASPBENCH_DEMAND(num_rows == 0 || b.minCoeff() >= 0.0, "a negative bound");
 
-  Tableau tableau = MakeTableau(A, b, c);
-  const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
-  LinearProgramResult result;
-  // After so many steps it might cycle, which Bland's rule prevents.
-  const Eigen::Index num_stable_steps = kStableSteps * (num_rows + tableau.num_columns);
-  for (Eigen::Index step = 0;; ++step) {
-    if (step > 4 * num_stable_steps) {  // Bland's rule cannot cycle, but for rounding
-      throw Error(ErrorKind::kRange, "a linear program of " + std::to_string(num_rows) +
-                                         " rows had not ended after " + std::to_string(step) +
-                                         " steps: its numbers are too far apart");
-    }
-    // The first variable that gains enters. A tiny gain that no row limits is rounding, not a way
-    // to infinity.
-    Eigen::Index enter = -1, leave = -1;
-    for (Eigen::Index column = 0; column < tableau.num_columns && leave < 0; ++column) {
-      const double gain = -tableau.values(num_rows, column);
-      if (gain <= kZero) continue;
-      enter = column;
-      leave = FindLeavingRow(tableau, enter, step < num_stable_steps);
-      if (leave < 0 && gain > rounding_gain) {
-        result.is_bounded = false;
-        return result;
-      }
-    }
-    if (leave < 0) break;
-    Pivot(enter, leave, tableau);
+  LinearProgramResult result = SolveOnce(A, b, c);
+  if (result.end != LinearProgramEnd::kOptimum && num_rows > 0) {
+    result = SolveOnce(A, Relieve(b), c);
   }
-
-  result.x = Eigen::VectorXd::Zero(num_variables);
-  for (Eigen::Index row = 0; row < num_rows; ++row) {
-    const Eigen::Index variable = tableau.basis[row];
-    if (variable < num_variables) result.x[variable] = tableau.values(row, tableau.num_columns);
-  }
-  result.value = c.dot(result.x);
   return result;
 }
 

@@ -17,14 +17,22 @@ solver. */
 
 namespace graspbench {
 
-struct LinearProgramResult {
-  bool is_bounded = true;  ///< false: c.x grows without limit; value and x then mean nothing
-  double value = 0.0;      ///< c.x at the optimum
-  Eigen::VectorXd x;       ///< an optimal point (num_variables)
+enum class LinearProgramEnd {
+  kOptimum,    ///< proven by the prices of the rows
+  kUnbounded,  ///< c.x grows without limit
+  kLost,       ///< rounding hides the optimum: numbers too far apart
 };
 
-/** @param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
-finite.   @throws Error(kRange) when numbers too far apart keep it from ending. */
+struct LinearProgramResult {
+  LinearProgramEnd end = LinearProgramEnd::kOptimum;  ///< else value and x mean nothing
+  double value = 0.0;                                 ///< c.x at the optimum
+  Eigen::VectorXd x;                                  ///< an optimal point (num_variables)
+};
+
+/** What rounding hides is looked for again with bounds that are wider by 1e-8 of the
+largest.
+@param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
+finite. */
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                        const Eigen::VectorXd& c);
 

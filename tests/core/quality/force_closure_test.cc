@@ -109,6 +109,34 @@ TEST(TaskForce, NothingHoldsAgainstTheOnlyFinger) {
   EXPECT_EQ(CalcTaskForce({}, Wrench::Unit(0), ForceLimit::kSum), 0.0);
 }
 
+// Two spheres of one pad touch at nearly one point; all contacts lie in a plane. Rounding then looks
+// like a way to infinity. Whatever touches besides can only help, and what touches where something
+// does already helps no more than by the distance; a program whose
+// bounds were widened by 1e-8 is off by that times its prices.
+TEST(TaskForce, ContactsThatNearlyCoincide) {
+  RandomStream stream("task force", "coincide");
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<GraspContact> contacts = MakeRandomGrasp(stream, 3 + stream.NextIndex(4));
+    for (GraspContact& contact : contacts) contact.p_OC.z() = 0.0;
+    const ConeWrenches before = CalcConeWrenches(contacts, {});
+    const size_t num_contacts = contacts.size();
+    const double distance = std::pow(10.0, stream.NextUniform(-9.0, -6.0));
+    for (int copy = 0; copy < 4; ++copy) {
+      GraspContact contact = contacts[stream.NextIndex(num_contacts)];
+      contact.p_OC += distance * MakeRandomDirection(stream);
+      contacts.push_back(contact);
+    }
+    const ConeWrenches after = CalcConeWrenches(contacts, {});
+    for (int axis = 0; axis < 6; ++axis) {
+      const double old_force = CalcTaskForce(before, Wrench::Unit(axis), ForceLimit::kSum);
+      const double new_force = CalcTaskForce(after, Wrench::Unit(axis), ForceLimit::kSum);
+      ASSERT_GE(new_force, old_force - 1e-5) << "grasp " << i << ", axis " << axis;
+      ASSERT_LE(new_force, old_force + 100.0 * distance + 1e-5)
+          << "grasp " << i << ", axis " << axis;
+    }
+  }
+}
+
 // With the sum limited it is the distance to the hull along the direction, by Qhull's facets; never
 // below epsilon; with each contact limited never below that, never above that times the contacts.
 TEST(TaskForce, IsTheDistanceToTheHull) {

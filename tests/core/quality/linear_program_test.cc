@@ -17,7 +17,7 @@ TEST(LinearProgram, Textbook) {
   const Eigen::MatrixXd A = (Eigen::MatrixXd(3, 2) << 1, 0, 0, 2, 3, 2).finished();
   const LinearProgramResult result =
       SolveLinearProgram(A, Eigen::Vector3d(4, 12, 18), Eigen::Vector2d(3, 5));
-  EXPECT_TRUE(result.is_bounded);
+  EXPECT_EQ(result.end, LinearProgramEnd::kOptimum);
   EXPECT_DOUBLE_EQ(result.value, 36.0);
   EXPECT_LT((result.x - Eigen::Vector2d(2, 6)).norm(), 1e-14);
 }
@@ -30,21 +30,22 @@ TEST(LinearProgram, BealesExampleDoesNotCycle) {
                                 .finished();
   const LinearProgramResult result =
       SolveLinearProgram(A, Eigen::Vector3d(0, 0, 1), Eigen::Vector4d(0.75, -150.0, 0.02, -6.0));
-  EXPECT_TRUE(result.is_bounded);
+  EXPECT_EQ(result.end, LinearProgramEnd::kOptimum);
   EXPECT_NEAR(result.value, 0.05, 1e-12);
 }
 
 TEST(LinearProgram, NothingToGainIsZero) {
   const LinearProgramResult result = SolveLinearProgram(
       Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(1, 1), Eigen::Vector2d(-1, 0));
-  EXPECT_TRUE(result.is_bounded);
+  EXPECT_EQ(result.end, LinearProgramEnd::kOptimum);
   EXPECT_EQ(result.value, 0.0);
   EXPECT_EQ(result.x, Eigen::Vector2d(0, 0));
 }
 
 TEST(LinearProgram, TellsWhenThereIsNoLimit) {
   const Eigen::MatrixXd A = (Eigen::MatrixXd(1, 2) << 1, -1).finished();
-  EXPECT_FALSE(SolveLinearProgram(A, Eigen::VectorXd::Ones(1), Eigen::Vector2d(1, 0)).is_bounded);
+  EXPECT_EQ(SolveLinearProgram(A, Eigen::VectorXd::Ones(1), Eigen::Vector2d(1, 0)).end,
+            LinearProgramEnd::kUnbounded);
 }
 
 // Brute force: of all corners (as many of the constraints met as there are variables) the best
@@ -79,7 +80,7 @@ TEST(LinearProgram, AgreesWithTheBestCorner) {
     }
 
     const LinearProgramResult result = SolveLinearProgram(A, b, c);
-    ASSERT_TRUE(result.is_bounded);
+    ASSERT_EQ(result.end, LinearProgramEnd::kOptimum);
     ASSERT_NEAR(result.value, best, 1e-9) << "program " << i;
     ASSERT_TRUE(((planes * result.x - bounds).array() <= 1e-9).all());
   }
@@ -96,11 +97,7 @@ TEST(LinearProgram, EndsForNumbersThatAreFarApart) {
     }
     Eigen::VectorXd c(30);
     for (double& value : c) value = random.NextNormal();
-    try {
-      SolveLinearProgram(A, Eigen::VectorXd::Zero(12), c);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kRange);
-    }
+    SolveLinearProgram(A, Eigen::VectorXd::Zero(12), c);
   }
 }
 
