@@ -170,11 +170,17 @@ EventTime MakeTouchEvent(const DigitEvidence& digit, const TouchFit& fit,
   EventTime event = CalcTouchTime(fit, options.depths);
   if (!event.IsFound()) return event;
   const Trajectory& p_O = digit.p_O;
-  const auto is_measured = [&](size_t i) { return p_O.states[i] == SampleState::kMeasured; };
+  const auto is_hidden = [&](size_t i) { return p_O.states[i] != SampleState::kMeasured; };
   const size_t after = FindSamples(p_O.times, event.time, p_O.times.back()).first;
-  event.is_in_gap =
-      after == 0 || after == p_O.size() || !is_measured(after - 1) || !is_measured(after);
-  return event;
+  size_t begin = after, end = after;  // samples of the gap
+  while (begin > 0 && is_hidden(begin - 1)) --begin;
+  while (end < p_O.size() && is_hidden(end)) ++end;
+  event.is_in_gap = begin < end || after == 0 || after == p_O.size();
+  if (begin == end || begin == 0 || end == p_O.size()) return event;
+  const double length = p_O.times[end] - p_O.times[begin - 1];
+  if (length <= kMaxTouchGap) return event;
+  return MissingEvent(fmt::format("{}: digit or object hidden for {:.0f} ms about it", kNotUsable,
+                                  MsFromS(length)));
 }
 
 const std::vector<ContactDetector>& ContactDetectorList() {

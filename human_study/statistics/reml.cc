@@ -182,6 +182,32 @@ Answer<VectorXd> FindTheta(const std::vector<Products>& groups, double df, Vecto
   return NoAnswer{"the likelihood has no clear maximum (" + std::to_string(kMaxSteps) + " steps)"};
 }
 
+/** Where an entry of Lambda's diagonal is 0 the criterion's slope by it is 0 too, so a way to 0 ends
+there even if the criterion falls on both sides. Each of them is tried again from elsewhere. */
+Answer<VectorXd> FindBestTheta(const std::vector<Products>& groups, double df,
+                               const VectorXd& start) {
+  constexpr double kAway = 0.3, kGain = 1e-9;
+  Answer<VectorXd> best = FindTheta(groups, df, start);
+  for (bool improves = true; best && improves;) {
+    improves = false;
+    const VectorXd from = *best;
+    double lowest = Profile(groups, df, from).value;
+    for (Index i = 0; i < from.size(); ++i) {
+      if (start(i) == 0.0 || std::abs(from(i)) >= kSingularTheta) continue;  // not of the diagonal
+      VectorXd again = from;
+      again(i) = kAway;
+      const Answer<VectorXd> other = FindTheta(groups, df, again);
+      if (!other) continue;
+      const double value = Profile(groups, df, *other).value;
+      if (value >= lowest - kGain * (1.0 + std::abs(lowest))) continue;
+      lowest = value;
+      best = other;
+      improves = true;
+    }
+  }
+  return best;
+}
+
 /** What persons' own effects cannot take up of a column: its residuals about Z_p. */
 VectorXd TakeOut(const MatrixXd& z, const VectorXd& column) {
   if (z.cols() == 0) return column;
@@ -361,7 +387,7 @@ Answer<RemlFit> FitReml(const std::vector<RemlGroup>& groups, const RemlStructur
   }
   const double df = static_cast<double>(num_rows - p);
   const Answer<VectorXd> theta =
-      FindTheta(products, df, MakeStart(products.front(), structure.num_parameters()));
+      FindBestTheta(products, df, MakeStart(products.front(), structure.num_parameters()));
   if (!theta) return theta.none();
 
   const Terms terms = CalcTerms(products, *theta);

@@ -18,6 +18,7 @@ constexpr int kNumDealings = 999;
 constexpr size_t kMinTrials = 3;       // of a person in a condition
 constexpr size_t kMinNullPersons = 5;  // for an interval over persons
 constexpr double kSignificant = 0.05;
+constexpr double kRounding = 1e-9;
 
 struct TimedTrial {
   size_t person = 0;
@@ -114,10 +115,16 @@ struct PersonSum {
   double gft = 0.0, ratio = 0.0;
 };
 
+/** Independent digits with all their spread, and without what may be the clock's error. */
+enum Spread : size_t { kWhole, kReduced, kNumSpreads };
+template <class T>
+using PerSpread = std::array<T, kNumSpreads>;
+
 class Dealer {
  public:
   Dealer(const std::vector<Stratum>& strata, size_t clock, size_t num_persons, RandomStream& random)
-      : strata_(strata), sums_(num_persons), random_(random) {
+      : strata_(strata), random_(random) {
+    for (std::vector<PersonSum>& sums : sums_) sums.resize(num_persons);
     for (const Stratum& stratum : strata) {
       std::vector<const Stratum*> of_person;
       for (const Stratum& other : strata) {
@@ -128,39 +135,50 @@ class Dealer {
       for (size_t digit = 0; digit < stratum.front().contacts.size(); ++digit) {
         digits.push_back(ReadDigit(stratum, digit, zeros_.back()));
       }
+      ones_.assign(stratum.front().contacts.size(), 1.0);
     }
   }
 
   /** One dealing; the means over all trials. */
-  Measures Deal() {
-    PersonSum all;
+  PerSpread<Measures> Deal() {
+    PerSpread<Measures> means;
     int count = 0;
+    for (const Stratum& stratum : strata_) count += static_cast<int>(stratum.size());
     for (size_t s = 0; s < strata_.size(); ++s) {
       const std::vector<double> kept = DrawKept(s);
       for (Readings& readings : readings_[s]) Shuffle(readings.deviations);
-      for (size_t i = 0; i < strata_[s].size(); ++i, ++count) {
-        times_.clear();
-        for (size_t digit = 0; digit < readings_[s].size(); ++digit) {
-          const Readings& readings = readings_[s][digit];
-          times_.push_back(zeros_[s].times[digit][i] + readings.mean +
-                           kept[digit] * readings.deviations[i]);
+      for (size_t i = 0; i < strata_[s].size(); ++i) {
+        for (const Spread spread : {kWhole, kReduced}) {
+          const Measures dealt = MeasureDealt(s, i, spread == kReduced ? kept : ones_);
+          means[spread].gft += dealt.gft / count;
+          means[spread].ratio += dealt.ratio / count;
+          PersonSum& sum = sums_[spread][strata_[s][i].person];
+          sum.gft += dealt.gft / kNumDealings;
+          sum.ratio += dealt.ratio / kNumDealings;
         }
-        const TimedTrial& trial = strata_[s][i];
-        Measures dealt = CalcMeasuresOf(times_.data(), times_.size(), trial.widest.time);
-        // Dealt before the widest opening: all of the closure, as near as a share can say.
-        if (!(dealt.ratio >= 0.0 && dealt.ratio <= 1.0)) dealt.ratio = 1.0;
-        all.gft += dealt.gft;
-        all.ratio += dealt.ratio;
-        sums_[trial.person].gft += dealt.gft / kNumDealings;
-        sums_[trial.person].ratio += dealt.ratio / kNumDealings;
       }
     }
-    return {all.gft / count, all.ratio / count};
+    return means;
   }
 
-  const std::vector<PersonSum>& sums() const { return sums_; }  // means over the dealings so far
+  /** Means over the dealings so far. */
+  const PerSpread<std::vector<PersonSum>>& sums() const { return sums_; }
 
  private:
+  /** @param kept  of each digit's deviation. */
+  Measures MeasureDealt(size_t s, size_t i, const std::vector<double>& kept) {
+    times_.clear();
+    for (size_t digit = 0; digit < readings_[s].size(); ++digit) {
+      const Readings& readings = readings_[s][digit];
+      times_.push_back(zeros_[s].times[digit][i] + readings.mean +
+                       kept[digit] * readings.deviations[i]);
+    }
+    Measures dealt = CalcMeasuresOf(times_.data(), times_.size(), strata_[s][i].widest.time);
+    // Dealt before the widest opening: all of the closure, as near as a share can say.
+    if (!(dealt.ratio >= 0.0 && dealt.ratio <= 1.0)) dealt.ratio = 1.0;
+    return dealt;
+  }
+
   /** Which share of each digit's spread is not the clock's error. These trials have one sample of
   the errors, of which only the expected variance is known: so each dealing draws another, with its
   chance correlation with the digit's own spread. */
@@ -191,24 +209,34 @@ class Dealer {
   const std::vector<Stratum>& strata_;
   std::vector<ClockZeros> zeros_;
   std::vector<std::vector<Readings>> readings_;  // [stratum][digit]
-  std::vector<double> times_, normals_;
-  std::vector<PersonSum> sums_;
+  std::vector<double> times_, normals_, ones_;
+  PerSpread<std::vector<PersonSum>> sums_;
   RandomStream& random_;
 };
 
+/** The set that people are told from, if from any. */
+Spread ChooseSpread(double observed, const PerSpread<std::vector<double>>& dealt) {
+  return observed < CalcMean(dealt[kReduced]) ? kReduced : kWhole;
+}
+
 /** @param diluted  share of trials that a dealing leaves as they were. */
-void SetTest(double observed, std::vector<double> dealt, double diluted, IndependenceTest& test) {
-  std::sort(dealt.begin(), dealt.end());
+void SetTest(double observed, PerSpread<std::vector<double>> sets, double diluted,
+             IndependenceTest& test) {
+  const Spread spread = ChooseSpread(observed, sets);
+  for (std::vector<double>& set : sets) std::sort(set.begin(), set.end());
+  const std::vector<double>& dealt = sets[spread];
   test.observed = observed;
   test.expected = CalcMean(dealt);
-  test.low = CalcSortedQuantile(dealt, 0.025);
+  const bool is_between = spread == kWhole && observed < test.expected;
+  test.low = CalcSortedQuantile(sets[is_between ? kReduced : spread], 0.025);
   test.high = CalcSortedQuantile(dealt, 0.975);
-  const auto count = [&](auto is_as_extreme) {
-    return 1.0 + static_cast<double>(std::count_if(dealt.begin(), dealt.end(), is_as_extreme));
+  // A difference that is rounding is none.
+  const auto is_as_extreme = [&](double value) {
+    return spread == kReduced ? value <= observed * (1.0 + kRounding)
+                              : value >= observed * (1.0 - kRounding);
   };
-  const double below = count([&](double value) { return value <= observed; });
-  const double above = count([&](double value) { return value >= observed; });
-  test.p = std::min(1.0, 2.0 * std::min(below, above) / (kNumDealings + 1.0));
+  const double count = 1.0 + std::count_if(dealt.begin(), dealt.end(), is_as_extreme);
+  test.p = std::min(1.0, 2.0 * count / (kNumDealings + 1.0));
   const double n = static_cast<double>(dealt.size());
   const double sd = std::sqrt(CalcMoments(dealt).sum_of_squares / (n - 1.0));
   test.detectable =
@@ -249,17 +277,20 @@ void CalcClock(const std::vector<Stratum>& strata, size_t clock, const std::stri
   const double diluted = static_cast<double>(strata.size()) / null.num_trials;
   RandomStream random(id, std::string("independent digits, ") + ListClocks()[clock]);
   Dealer dealer(strata, clock, num_persons, random);
-  std::vector<double> gfts, ratios;
+  PerSpread<std::vector<double>> gfts, ratios;
   for (int i = 0; i < kNumDealings; ++i) {
-    const Measures dealt = dealer.Deal();
-    gfts.push_back(dealt.gft);
-    ratios.push_back(dealt.ratio);
+    const PerSpread<Measures> dealt = dealer.Deal();
+    for (const Spread spread : {kWhole, kReduced}) {
+      gfts[spread].push_back(dealt[spread].gft);
+      ratios[spread].push_back(dealt[spread].ratio);
+    }
   }
+  null.gft[clock].over_persons =
+      CompareOverPersons(observed, dealer.sums()[ChooseSpread(means.gft, gfts)], &PersonSum::gft);
+  null.gft_ratio[clock].over_persons = CompareOverPersons(
+      observed, dealer.sums()[ChooseSpread(means.ratio, ratios)], &PersonSum::ratio);
   SetTest(means.gft, std::move(gfts), diluted, null.gft[clock]);
   SetTest(means.ratio, std::move(ratios), diluted, null.gft_ratio[clock]);
-  null.gft[clock].over_persons = CompareOverPersons(observed, dealer.sums(), &PersonSum::gft);
-  null.gft_ratio[clock].over_persons =
-      CompareOverPersons(observed, dealer.sums(), &PersonSum::ratio);
 }
 
 /** None when a digit, a clock or the start of closure is missing. */
@@ -312,10 +343,10 @@ std::string FormatVerdict(const std::array<IndependenceTest, kNumClocks>& tests)
     const bool is_smaller = tests[i].observed < tests[i].expected;
     num_smaller += is_told && is_smaller ? 1 : 0;
     num_larger += is_told && !is_smaller ? 1 : 0;
-    by_clock += (i == 0 ? "" : ", ") + std::string(ListClocks()[i]) + " " +
+    by_clock += (i == 0 ? "" : ", ") + std::string(ListClocks()[i]) + ": " +
                 (!is_told     ? "not told"
-                 : is_smaller ? "more"
-                              : "less");
+                 : is_smaller ? "more simultaneous"
+                              : "less simultaneous");
   }
   constexpr int kAll = static_cast<int>(kNumClocks);
   if (num_smaller == kAll) return std::string("more simultaneous") + kThan;
@@ -332,17 +363,18 @@ const std::array<const char*, kNumClocks>& ListClocks() {
 }
 
 size_t IndependenceNull::FindStrictest(const std::array<IndependenceTest, kNumClocks>& tests) {
-  // Evidence for "smaller" is signed: a larger observed mean speaks against it more than p = 1.
-  const auto evidence = [](const IndependenceTest& test) {
-    return test.observed < test.expected ? 1.0 - test.p : test.p - 1.0;
+  // For "smaller"; a larger observed mean speaks against it more than p = 1. Where all are larger
+  // the question is whether they are.
+  const bool all_larger = std::all_of(tests.begin(), tests.end(), [](const IndependenceTest& test) {
+    return test.observed >= test.expected;
+  });
+  const auto evidence = [&](const IndependenceTest& test) {
+    return all_larger || test.observed < test.expected ? 1.0 - test.p : test.p - 1.0;
   };
-  const bool is_smaller = tests[0].observed < tests[0].expected;
-  size_t strictest = 0;
-  for (size_t i = 1; i < tests.size(); ++i) {
-    const double gain = evidence(tests[i]) - evidence(tests[strictest]);
-    if (is_smaller ? gain < 0.0 : gain > 0.0) strictest = i;
-  }
-  return strictest;
+  const auto strictest = std::min_element(
+      tests.begin(), tests.end(),
+      [&](const auto& one, const auto& other) { return evidence(one) < evidence(other); });
+  return static_cast<size_t>(strictest - tests.begin());
 }
 
 Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& trials,

@@ -17,9 +17,12 @@ decides:
     movement  the same as onset, less what the length of the movement says of that digit (a
               straight line within each person): slow and fast movements make nobody simultaneous
 
-An error of the clock is shared by all digits of a trial, too, and would be taken for coordination:
-the spread of each digit's times within person and condition is reduced by the variance of the
-clock's stated uncertainty (and of what the contacts share) before they are dealt out.
+An error of the clock is shared by all digits of a trial, too, and would be taken for coordination.
+How much of the spread it is lies between nothing and what the clock's stated uncertainty (and what
+the contacts share) says. So there are two sets of independent digits: with the spread of each
+digit's times within person and condition reduced by that variance, and with all of it. More
+simultaneous is who is so against the first; less, who is so against the second; who lies between is
+told from neither.
 
 Only trials in which all digits of the study touched take part. A slow change over a session that
 all digits follow, but the movement does not, still counts as coordination. */
@@ -40,12 +43,13 @@ inline constexpr size_t kNumClocks = 3;
 /** "onset", "widest", "movement". */
 const std::array<const char*, kNumClocks>& ListClocks();
 
-/** One measure against what independent digits would show. */
+/** One measure against what independent digits would show: those of less spread when people lie
+below them, else those of all their spread. */
 struct IndependenceTest {
   double observed = NAN;         ///< mean over the trials, in the measure's unit, as `expected`
   double expected = NAN;         ///< mean over trials and dealings
-  double low = NAN, high = NAN;  ///< 95 % of the dealings' means
-  double p = NAN;                ///< two-sided
+  double low = NAN, high = NAN;  ///< 95 % of the dealings' means; of both sets where between them
+  double p = NAN;                ///< two-sided; 1 between the two sets
   /** A mean smaller by this share of `expected` is found in 8 of 10 such studies. */
   double detectable = NAN;
   /** Logarithm of observed / expected over persons, each person one value. None below five. */
@@ -59,7 +63,8 @@ struct IndependenceNull {
   std::array<IndependenceTest, kNumClocks> gft;        ///< [s]
   std::array<IndependenceTest, kNumClocks> gft_ratio;  ///< GFT / GCT
 
-  /** The clock whose p value is largest; the first whose sign differs when the clocks disagree. */
+  /** The clock that speaks least for a difference: the largest p where all clocks agree in sign,
+  else the one that speaks most against "more simultaneous". */
   static size_t FindStrictest(const std::array<IndependenceTest, kNumClocks>& tests);
 };
 

@@ -165,7 +165,10 @@ std::vector<CsvColumn<StudyEvent>> ListEventColumns() {
        [](const StudyEvent& event) { return Json(event.is_believed ? 1 : 0); }},
       {"time_s", "number", "s", "on the recording's clock; empty when not found",
        [](const StudyEvent& event) { return JsonNumber(event.event.time); }},
-      {"uncertainty_s", "number", "s", "standard uncertainty",
+      {"uncertainty_s", "number", "s",
+       "standard uncertainty of the instant by its rule; of onset, end and lift-off not how far "
+       "the "
+       "rule's threshold lags the motion's first beginning",
        [](const StudyEvent& event) { return JsonNumber(event.event.uncertainty); }},
       {"is_filled", "boolean", "", "decided on filled samples",
        [](const StudyEvent& event) { return Json(event.event.is_filled ? 1 : 0); }},

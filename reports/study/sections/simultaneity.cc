@@ -64,8 +64,9 @@ Html DrawSimultaneity(const StudyPageData& data) {
   if (!null) return html;
   std::string note =
       "What all digits share with the clock is no coordination of digits, so three clocks are "
-      "asked and the one that speaks least for a difference decides. The clock's own errors are "
-      "taken out.";
+      "asked and the one that speaks least for a difference decides. Who is more "
+      "simultaneous is so against digits without the clock's stated errors, who is less, against "
+      "digits with all their spread.";
   if (null->num_incomplete > 0) {
     note += " " + FormatCount(null->num_incomplete, "trial") +
             " of those that count lacked the contact of a digit or a clock and took no part.";

@@ -242,6 +242,29 @@ TEST(AnalyseTrial, AContactInAGapSaysSoFilledOrNot) {
   }
 }
 
+// What the object or the tip did meanwhile nobody saw, so no time is told, however well a curve runs
+// across.
+TEST(AnalyseTrial, AContactInALongGapIsNotTold) {
+  const SyntheticTrial trial = MakeOne();
+  const double contact = trial.truth.contacts[0];
+  for (const bool hides_object : {false, true}) {
+    ReachTrial reach = MakeReachTrial(trial);
+    if (hides_object) {
+      for (size_t i = 0; i < reach.times.size(); ++i) {
+        if (std::abs(reach.times[i] - contact) < 0.2) {
+          reach.object.states[i] = SampleState::kInvalid;
+        }
+      }
+    } else {
+      HideSamples(reach.digits[0].tip, contact - 0.2, contact + 0.2);
+    }
+    const TrialAnalysis analysis = AnalyseTrial(reach, AnalysisOptions());
+    const EventTime& event = analysis.contacts[0].contact;
+    EXPECT_FALSE(event.IsFound()) << event.time << " for " << contact;
+    EXPECT_NE(event.missing, "");
+  }
+}
+
 TEST(AnalyseTrial, TwoDigitsOppositionIsForming) {
   const TrialAnalysis analysis = AnalyseTrial(MakeReachTrial(MakeOne(2)), AnalysisOptions());
   EXPECT_EQ(analysis.timing.gft, analysis.timing.got);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/human_study/statistics/saddle_study.h"
+
 namespace graspbench {
 namespace {
 
@@ -41,6 +43,35 @@ TEST(Reml, IsTheAnovaEstimateOfABalancedLayout) {
   EXPECT_NEAR(*fit->CalcDf(Eigen::VectorXd::Ones(1)), 3.0, 1e-5);
   const Answer<RemlFTest> test = fit->TestContrasts(Eigen::MatrixXd::Ones(1, 1));
   EXPECT_NEAR(test->f, grand * grand * 12.0 / between, 1e-4);
+}
+
+// lme4 1.1-31: lmer(y ~ ss * ps + (1 | id) + (0 + ss | id) + (0 + ps | id)). The way from the usual
+// start ends on the saddle without a level of persons, where the criterion is -124.1789.
+TEST(Reml, LeavesASaddle) {
+  std::vector<RemlGroup> groups(6);
+  for (const SaddleCell& cell : kSaddleStudy) {
+    RemlGroup& group = groups[static_cast<size_t>(cell.person)];
+    for (const double value : cell.values) {
+      const Eigen::Index n = group.y.size();
+      group.x.conservativeResize(n + 1, 4);
+      group.z.conservativeResize(n + 1, 3);
+      group.y.conservativeResize(n + 1);
+      group.x.row(n) << 1.0, cell.size, cell.pace, cell.size * cell.pace;
+      group.z.row(n) << 1.0, cell.size, cell.pace;
+      group.y(n) = value;
+    }
+  }
+  RemlStructure structure;
+  structure.num_separate = 3;
+  const Answer<RemlFit> fit = FitReml(groups, structure);
+  ASSERT_TRUE(fit) << fit.reason();
+  EXPECT_NEAR(fit->criterion, -126.537377519, 1e-6);
+  EXPECT_NEAR(fit->sigma, 0.07264656302, 1e-7);
+  EXPECT_NEAR(fit->sigma * std::abs(fit->theta(0)), 0.02550986690, 1e-6);
+  EXPECT_NEAR(fit->sigma * std::abs(fit->theta(1)), 0.0, 1e-6);
+  EXPECT_NEAR(fit->sigma * std::abs(fit->theta(2)), 0.01444129368, 1e-6);
+  const Eigen::Vector4d beta(0.13501105535, -0.02411624980, -0.00575722202, -0.01218080576);
+  EXPECT_NEAR((fit->beta - beta).norm(), 0.0, 1e-7);
 }
 
 TEST(Reml, GivesReasons) {
