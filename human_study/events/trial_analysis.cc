@@ -66,6 +66,8 @@ ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double
                          bool with_missing) {
   std::vector<DigitContact> times;
   for (const DigitContactEvents& contact : contacts) {
+    // Of a digit that touched at an unknown instant nobody knows whether it was first or last.
+    if (IsUntold(contact.contact)) return CalcContactTiming({}, t0);
     if (contact.contact.IsFound() || with_missing) {
       times.push_back({contact.digit, contact.is_thumb, contact.contact.time});
     }
@@ -154,7 +156,12 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
       analysis.contacts.begin(), analysis.contacts.end(), [](const DigitContactEvents& digit) {
         return digit.contact.IsFound() && !digit.is_verified;
       }));
-  analysis.final_opening = ValueNear(analysis.opening, FindLastContact(analysis.contacts));
+  analysis.num_untold = static_cast<int>(
+      std::count_if(analysis.contacts.begin(), analysis.contacts.end(),
+                    [](const DigitContactEvents& digit) { return IsUntold(digit.contact); }));
+  analysis.final_opening = analysis.num_untold > 0
+                               ? std::nan("")
+                               : ValueNear(analysis.opening, FindLastContact(analysis.contacts));
   analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);
   analysis.timing_all = CalcTiming(analysis.contacts, analysis.closure_start.time, true);
   CalcUncertainties(analysis);

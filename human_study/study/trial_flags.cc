@@ -21,7 +21,12 @@ const std::vector<TrialFlag>& TrialFlagList() {
        "off the surface",
        [](const A& a) { return a.num_unverified > 0; }},
       {"digit without touch", "a recorded digit never touched",
-       [](const A& a) { return a.num_touching < static_cast<int>(a.contacts.size()); }},
+       [](const A& a) {
+         return a.num_touching + a.num_untold < static_cast<int>(a.contacts.size());
+       }},
+      {"touch not told",
+       "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",
+       [](const A& a) { return a.num_untold > 0; }},
   };
   return flags;
 }

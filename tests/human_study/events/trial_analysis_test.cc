@@ -262,6 +262,11 @@ TEST(AnalyseTrial, AContactInALongGapIsNotTold) {
     const EventTime& event = analysis.contacts[0].contact;
     EXPECT_FALSE(event.IsFound()) << event.time << " for " << contact;
     EXPECT_NE(event.missing, "");
+    // Nobody knows whether it was the first or the last.
+    EXPECT_GT(analysis.num_untold, 0) << event.missing;
+    EXPECT_TRUE(std::isnan(analysis.timing.gft));
+    EXPECT_TRUE(std::isnan(analysis.timing.got));
+    EXPECT_TRUE(std::isnan(analysis.final_opening));
   }
 }
 
