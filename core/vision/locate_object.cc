@@ -76,6 +76,7 @@ Sighting LocateObject(const Image& picture, const Image& empty_table, const Lens
   sighting.direction = fit.direction;
   sighting.length = rectangle.length;
   sighting.width = rectangle.width;
+  sighting.fill = CalcArea(outline) / CalcArea(FindHull(outline));
   return sighting;
 }
 

@@ -24,6 +24,7 @@ struct Sighting {
   KnownDirection direction = KnownDirection::kNone;
   /** Of the smallest rectangle around the outline, at the height of the object's middle [m]. */
   double length = 0.0, width = 0.0;
+  double fill = 0.0;  ///< area of the outline over that of its convex hull
 };
 
 /** @param empty_table   from the same place, of the same size.
