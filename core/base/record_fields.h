@@ -18,10 +18,12 @@ columns of a table with their schema. A field is a double (null: not finite), in
 vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
 ReadJson(json, value) in its namespace. A field of a member that is a struct is listed with both
 members, one that is no member with two functions, Json(const Record&) and void(const Json&,
-Record&). With FieldMayMiss a number that is not finite is left out instead of null. */
+Record&). With FieldMayMiss a number that is not finite is left out instead of null; an optional
+member without a value is left out, too. */
 
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -122,6 +124,10 @@ struct FieldWriter {
   void operator()(const char* key, double Record::*member, FieldMayMiss, const About&...) const {
     if (std::isfinite(record.*member)) json[key] = record.*member;
   }
+  template <class T>
+  void operator()(const char* key, std::optional<T> Record::*member) const {
+    if (record.*member) json[key] = FieldToJson(*(record.*member));
+  }
   void operator()(const char* key, Json (*write)(const Record&),
                   void (*)(const Json&, Record&)) const {
     json[key] = write(record);
@@ -144,6 +150,11 @@ struct FieldReader {
   template <class... About>
   void operator()(const char* key, double Record::*member, FieldMayMiss, const About&...) const {
     record.*member = json.contains(key) ? NumberFrom(json.at(key)) : std::nan("");
+  }
+  template <class T>
+  void operator()(const char* key, std::optional<T> Record::*member) const {
+    (record.*member).reset();
+    if (json.contains(key)) ReadField(json.at(key), (record.*member).emplace());
   }
   void operator()(const char* key, Json (*)(const Record&),
                   void (*read)(const Json&, Record&)) const {

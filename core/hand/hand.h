@@ -13,6 +13,7 @@ revolute one, metres of a prismatic one. Coupled joints are part of q but no deg
 their own: see coupling.h. */
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ their own: see coupling.h. */
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {
+
+struct TactileSkin;
 
 /** A ball fixed to a link; the hand's surface for contact is the union of its balls. */
 struct ContactSphere {
@@ -132,7 +135,8 @@ struct Hand {
   Eigen::Vector3d p_HCentre = Eigen::Vector3d::Zero();      ///< middle of the palm's surface [m]
   Eigen::Vector3d palm_normal = -Eigen::Vector3d::UnitY();  ///< out of the palm, in H
   std::optional<HandCamera> camera;                         ///< moves nothing: see content_hash
-  std::string content_hash;  ///< of hand.urdf and of hand.yaml without its camera
+  std::shared_ptr<const TactileSkin> skin;  ///< tactile.h; null: it feels nothing. Moves nothing
+  std::string content_hash;                 ///< of hand.urdf and of hand.yaml without its camera
 
   int num_joints() const { return static_cast<int>(joints.size()); }
   int FindJoint(const std::string& joint_name) const;  ///< -1: none

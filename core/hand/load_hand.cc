@@ -7,6 +7,7 @@
 #include "core/base/hash.h"
 #include "core/hand/hand_yaml.h"
 #include "core/hand/read_urdf.h"
+#include "core/hand/tactile.h"
 #include "core/hand/urdf_check.h"
 
 namespace graspbench {
@@ -142,8 +143,16 @@ Hand CheckHand(const std::string& id_or_folder, Diagnostics& problems) {
     is_complete = false;
   }
   if (!is_complete) return {};
-  return ParseHand(ReadFile(folder / "hand.urdf"), ReadFile(folder / "hand.yaml"), folder,
-                   problems);
+  const int num_errors_before = problems.num_errors();
+  Hand hand =
+      ParseHand(ReadFile(folder / "hand.urdf"), ReadFile(folder / "hand.yaml"), folder, problems);
+  std::error_code status;
+  if (const fs::path tactile = folder / "tactile.yaml";
+      problems.num_errors() == num_errors_before && fs::is_regular_file(tactile, status)) {
+    hand.skin = std::make_shared<const TactileSkin>(
+        ParseTactile(ReadFile(tactile), tactile.string(), hand, problems));
+  }
+  return hand;
 }
 
 Hand LoadHand(const std::string& id_or_folder) {

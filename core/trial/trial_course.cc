@@ -42,7 +42,20 @@ TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, 
       notes_.result.touches.emplace_back();
     }
   }
+  MakeSensors();
   Position(camera);
+}
+
+void TrialCourse::MakeSensors() {
+  if (setup_.touch == TouchSense::kExact) return;
+  if (!hand_.skin) {
+    throw Error(ErrorKind::kUnsupported,
+                "the hand \"" + hand_.id + "\" has no tactile.yaml, so that it feels nothing");
+  }
+  const TrialDraw& draw = setup_.draw;
+  notes_.sensors.emplace(
+      hand_, setup_.sensors,
+      FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw}));
 }
 
 void TrialCourse::Position(WristCamera* camera) {
@@ -194,6 +207,7 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
   ObserveTouches(closing);
   world_->FindHandContacts(hand_contacts_);
   notes_.events.Observe(notes_.time, hand_contacts_);
+  if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
   notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase());
   if (notes_.strategy.phase() == Phase::kHold && !notes_.settled_at &&
       notes_.strategy.time_in_phase() >= kSettlingShare * setup_.strategy.hold_time) {
@@ -331,6 +345,7 @@ TrialResult TrialCourse::End() {
   result.energy_residual = facts.energy_residual;
   for (DigitContact& contact : result.contacts) contact.time -= notes_.closure_start;
   for (PhaseStart& phase : result.phases) phase.time -= notes_.closure_start;
+  if (notes_.sensors) result.touch = notes_.sensors->record();
   result.contact_events = notes_.events.MakeEvents();
   for (ContactEvent& event : result.contact_events) event.time -= notes_.closure_start;
   result.timing = CalcContactTiming(result.contacts, 0.0);
@@ -341,15 +356,25 @@ bool TrialCourse::is_held() const {
   return notes_.is_over && notes_.phase == Phase::kDone && IsHeld(MakeFacts());
 }
 
-bool TrialCourse::Advance() {
-  notes_.is_over = notes_.is_over || IsDecided(MakeFacts());
-  if (notes_.is_over) return false;
+StrategyObservation TrialCourse::FindObservation() const {
   StrategyObservation observation;
+  if (notes_.sensors) {
+    observation.grip_force = notes_.sensors->CalcFeltForce();
+    observation.all_digits_touched = std::all_of(
+        digits_.begin(), digits_.end(), [&](int digit) { return notes_.sensors->has_felt(digit); });
+    return observation;
+  }
   observation.grip_force = notes_.report.grip_force;
   observation.all_digits_touched =
       std::all_of(notes_.result.contacts.begin(), notes_.result.contacts.end(),
                   [](const DigitContact& contact) { return !std::isnan(contact.time); });
-  const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, observation);
+  return observation;
+}
+
+bool TrialCourse::Advance() {
+  notes_.is_over = notes_.is_over || IsDecided(MakeFacts());
+  if (notes_.is_over) return false;
+  const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, FindObservation());
   if (notes_.strategy.phase() != notes_.phase) {
     notes_.phase = notes_.strategy.phase();
     EnterPhase(notes_.phase);

@@ -37,10 +37,11 @@ struct TrialNotes {
 
   bool is_over = false;
   Phase phase = Phase::kPlacing;
-  WorldCommand command = {};  ///< the last one
-  StepReport report = {};     ///< of the last step
-  std::string not_seen = {};  ///< why the camera did not find the object
-  double time = 0.0;          ///< since the start [s]
+  WorldCommand command = {};                 ///< the last one
+  StepReport report = {};                    ///< of the last step
+  std::optional<TouchSensors> sensors = {};  ///< of a trial that goes by them
+  std::string not_seen = {};                 ///< why the camera did not find the object
+  double time = 0.0;                         ///< since the start [s]
   double closure_start = kUnset;
   double last_touch = 0.0;
   double unconverged_time = 0.0;
@@ -64,7 +65,8 @@ class TrialCourse {
  public:
   /** @param world   of the setup's hand, object and physics.   @param setup  outlives the course.
   @param camera  for positioning by camera; null: one is made, which takes some 0.1 s.
-  @throws Error(kUnsupported) for positioning by camera of a hand that has none. */
+  @throws Error(kUnsupported) for positioning by camera of a hand that has none, and for sensed touch
+  of one that feels nothing. */
   TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera = nullptr);
 
   /** Puts object and hand to where the trial starts. To be called once, before all that follows.
@@ -104,6 +106,8 @@ class TrialCourse {
   void Position(WristCamera* camera);
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
   WorldCommand MakeCommand(const StrategyCommand& command) const;
+  void MakeSensors();
+  StrategyObservation FindObservation() const;
   void Observe(const StepReport& report, double closing);
   void ObserveTouches(double closing);
   void EnterPhase(Phase phase);

@@ -3,6 +3,7 @@
 What is known of a trial after it was carried out. */
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ What is known of a trial after it was carried out. */
 #include "core/trial/moment.h"
 #include "core/trial/outcome.h"
 #include "core/trial/stability.h"
+#include "core/trial/touch_sensors.h"
 
 namespace graspbench {
 
@@ -93,7 +95,8 @@ struct TrialResult {
   /** Where the hand took the object to be [m], [rad], as the draw counts; NaN: where it should be.
   How it knew: the session's positioning. */
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
-  double energy_residual = 0.0;  ///< unexplained energy of the whole trial [J]
+  std::optional<TouchRecord> touch;  ///< of a trial that goes by sensed touch
+  double energy_residual = 0.0;      ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
@@ -126,6 +129,7 @@ struct TrialResult {
     field("believed_x_m", &R::believed_x, FieldMayMiss{});
     field("believed_y_m", &R::believed_y, FieldMayMiss{});
     field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});
+    field("touch", &R::touch);
     field("energy_residual_j", &R::energy_residual,
           FieldColumn{"J", "energy of the whole trial that nothing explains"});
     field("num_steps", &R::num_steps, FieldColumn{"", "simulation steps"});

@@ -13,6 +13,7 @@ to trial. */
 #include "core/physics/sim_config.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/positioning.h"
+#include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
 
 namespace graspbench {
@@ -42,6 +43,8 @@ struct TrialSetup {
   TrialDraw draw;
   Positioning positioning = Positioning::kNominal;
   CameraConfig camera = {};
+  TouchSense touch = TouchSense::kExact;
+  SensorConfig sensors = {};
   std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session
 };
 

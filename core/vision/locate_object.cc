@@ -76,6 +76,9 @@ Sighting LocateObject(const Image& picture, const Image& empty_table, const Lens
   sighting.direction = fit.direction;
   sighting.length = rectangle.length;
   sighting.width = rectangle.width;
+  sighting.rectangle = rectangle;
+  sighting.fill = CalcArea(outline) / CalcArea(FindHull(outline));
+  sighting.outline = std::move(outline);
   return sighting;
 }
 

@@ -9,6 +9,7 @@ picture, several things, one that the picture's edge cuts, or an outline that is
 give a reason instead of a pose. */
 
 #include <string>
+#include <vector>
 
 #include "core/render/scene.h"
 #include "core/vision/lens.h"
@@ -22,8 +23,12 @@ struct Sighting {
   std::string reason;  ///< why not, for a person; empty when it is found
   PlanarPose pose;
   KnownDirection direction = KnownDirection::kNone;
-  /** Of the smallest rectangle around the outline, at the height of the object's middle [m]. */
+  /** What is seen, thrown onto the level plane through the object's middle [m]. */
+  std::vector<Eigen::Vector2d> outline = {};
+  /** The smallest around the outline; its length and width once more. */
+  Rectangle rectangle = {};
   double length = 0.0, width = 0.0;
+  double fill = 0.0;  ///< area of the outline over that of its convex hull
 };
 
 /** @param empty_table   from the same place, of the same size.

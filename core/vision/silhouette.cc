@@ -30,6 +30,10 @@ Vector3d HullDirection(int i) {
   return Vector3d(level * std::cos(turn), level * std::sin(turn), z);
 }
 
+double CalcTurn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+  return (b - a).x() * (c - b).y() - (b - a).y() * (c - b).x();
+}
+
 /** What is left of `seen` less `thrown` turned by `shift` directions: mean square after a shift and
 a thickness [m^2]. */
 double CalcMisfit(const Silhouette& seen, const Silhouette& thrown, int shift) {
@@ -160,20 +164,48 @@ Vector2d SilhouetteDirection(int i) {
   return directions[i];
 }
 
+std::vector<Vector2d> FindHull(std::vector<Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::vector<Vector2d> hull;
+  const auto add = [&hull](const Vector2d& p, size_t fewest) {
+    while (hull.size() > fewest && CalcTurn(hull[hull.size() - 2], hull.back(), p) <= 0.0) {
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  };
+  for (const Vector2d& p : points) add(p, 1);
+  const size_t lower = hull.size();
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
+  if (hull.size() > 1) hull.pop_back();  // the first point again
+  return hull;
+}
+
+double CalcArea(const std::vector<Vector2d>& polygon) {
+  double twice = 0.0;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * std::abs(twice);
+}
+
 Silhouette MakeSilhouette(const std::vector<Vector2d>& points) {
   GRASPBENCH_DEMAND(!points.empty(), "an outline without points");
+  const std::vector<Vector2d> hull = FindHull(points);
   Silhouette result;
   for (int i = 0; i < kNumDirections; ++i) {
     const Vector2d u = SilhouetteDirection(i);
     size_t farthest = 0;
-    double reach = points[0].dot(u);
-    for (size_t k = 1; k < points.size(); ++k) {
-      const double other = points[k].dot(u);
+    double reach = hull[0].dot(u);
+    for (size_t k = 1; k < hull.size(); ++k) {
+      const double other = hull[k].dot(u);
       if (other <= reach) continue;
       reach = other;
       farthest = k;
     }
-    result.extreme[i] = points[farthest];
+    result.extreme[i] = hull[farthest];
     result.reach[i] = reach;
   }
   return result;

@@ -37,6 +37,10 @@ struct Silhouette {
 };
 /** Unit; direction `i` of kNumDirections, from x towards y. */
 Eigen::Vector2d SilhouetteDirection(int i);
+/** Corners of the convex hull, counter-clockwise (Andrew 1979). @pre there are points. */
+std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> points);
+/** Of a polygon that does not cross itself, whichever way round [m^2]. */
+double CalcArea(const std::vector<Eigen::Vector2d>& polygon);
 /** @pre there are points. */
 Silhouette MakeSilhouette(const std::vector<Eigen::Vector2d>& points);
 

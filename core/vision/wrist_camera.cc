@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -97,7 +98,30 @@ WristCamera::WristCamera(std::shared_ptr<const Hand> hand,
       margin_(FindMargin(lens_)),
       faults_(MakeFaults(lens_, margin_, config)),
       outline_(object_->mesh),
-      renderer_(lens_.width + 2 * margin_, lens_.height + 2 * margin_, ChooseQuality(config)) {}
+      renderer_(lens_.width + 2 * margin_, lens_.height + 2 * margin_, ChooseQuality(config)) {
+  for (const LinkVisual& visual : hand_->visuals) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : visual.mesh.vertices) box.extend(p);
+    if (box.isEmpty()) box.extend(Vector3d::Zero());
+    balls_.push_back({box.center(), 0.5 * box.diagonal().norm()});
+  }
+}
+
+bool WristCamera::MaySeeHand(const Scene& scene, const Pose& X_WK) const {
+  const PinholeCamera camera = MakePinhole(X_WK);
+  const double slope_x = camera.centre_x / camera.focal_x;  // the picture's middle is its centre
+  const double slope_y = camera.centre_y / camera.focal_y;
+  for (size_t i = 0; i < balls_.size(); ++i) {
+    const Vector3d p_K = X_WK.inverse() * (scene.drawables[i].X_WM * balls_[i].p_LC);
+    const auto is_beyond = [&](double side, double slope) {  // an edge of the picture
+      return (std::abs(side) - slope * p_K.z()) / std::hypot(1.0, slope) > balls_[i].radius;
+    };
+    const bool is_outside =
+        p_K.z() < -balls_[i].radius || is_beyond(p_K.x(), slope_x) || is_beyond(p_K.y(), slope_y);
+    if (!is_outside) return true;
+  }
+  return false;
+}
 
 PinholeCamera WristCamera::MakePinhole(const Pose& X_WK) const {
   PinholeCamera camera;
@@ -138,9 +162,19 @@ Image WristCamera::TakePicture(const Scene& scene, const Pose& X_WK, const uint6
 Sighting WristCamera::Look(const PlanarPose& supposed, const Pose& X_WO, const Eigen::VectorXd& q,
                            uint64_t noise_seed) {
   const Pose X_WK = CalcLookPose(supposed);
-  const Image empty_table = TakePicture(MakeScene(X_WK, q, nullptr), X_WK, nullptr);
-  const Image picture = TakePicture(MakeScene(X_WK, q, &X_WO), X_WK, &noise_seed);
-  return LocateObject(picture, empty_table, lens_, X_WK, outline_, supposed);
+  Scene scene = MakeScene(X_WK, q, nullptr);
+  Image own_table;
+  const Image* empty_table = &own_table;
+  if (config_.has_shadows || MaySeeHand(scene, X_WK)) {
+    own_table = TakePicture(scene, X_WK, nullptr);
+  } else {
+    scene.drawables.clear();
+    if (!bare_table_) bare_table_ = TakePicture(scene, X_WK, nullptr);
+    empty_table = &*bare_table_;
+  }
+  AddObject(object_, X_WO, &scene);
+  const Image picture = TakePicture(scene, X_WK, &noise_seed);
+  return LocateObject(picture, *empty_table, lens_, X_WK, outline_, supposed);
 }
 
 Sighting WristCamera::FindObject(const Pose& X_WO, const Eigen::VectorXd& q, std::string_view id) {

@@ -6,11 +6,14 @@ Before the hand reaches its pre-grasp position the arm brings the camera over th
 object is supposed to be, looking straight down, with the picture's width along the object's supposed
 length. There one picture is taken. Then the hand goes to where the object was seen and turns along
 its main axis, and a second picture from there refines the first. From each place there is a picture
-of the empty table, too, without noise: the mean of many. All of this is proposed by graspbench. */
+of the empty table, too, without noise: the mean of many; where neither hand nor shadows are in it,
+it is the same everywhere and taken once. All of this is proposed by graspbench. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/hand/hand.h"
 #include "core/render/scene.h"
@@ -52,6 +55,12 @@ class WristCamera {
   PinholeCamera MakePinhole(const Pose& X_WK) const;
 
  private:
+  struct VisualBall {
+    Eigen::Vector3d p_LC;  // around a visual of the hand, in its link
+    double radius;
+  };
+  /** Whether a part of the hand may be in the picture. @param scene  with the hand alone. */
+  bool MaySeeHand(const Scene& scene, const Pose& X_WK) const;
   Sighting Look(const PlanarPose& supposed, const Pose& X_WO, const Eigen::VectorXd& q,
                 uint64_t noise_seed);
 
@@ -64,6 +73,8 @@ class WristCamera {
   PictureFaults faults_;
   OutlineModel outline_;
   Renderer renderer_;
+  std::vector<VisualBall> balls_;    // of hand_->visuals
+  std::optional<Image> bare_table_;  // without hand and shadows
 };
 
 }  // namespace graspbench

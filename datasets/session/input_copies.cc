@@ -96,6 +96,7 @@ bool IsGraspFile(const std::string& name) {
 void CopyHand(const fs::path& from, const fs::path& to) {
   static const std::regex kMesh("filename\\s*=\\s*[\"']([^\"']+)[\"']");
   std::vector<std::string> files = {"hand.urdf", "hand.yaml"};
+  if (fs::is_regular_file(from / "tactile.yaml")) files.push_back("tactile.yaml");
   for (const std::string& mesh : ListNamed(from / "hand.urdf", kMesh)) {
     // A name in a comment may stand for nothing.
     if (fs::is_regular_file(from / mesh)) files.push_back(mesh);

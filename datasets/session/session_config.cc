@@ -64,6 +64,10 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
         {"positioning", "no positioning \"" + config.positioning + "\"" +
                             SuggestNames(config.positioning, ListNames(kPositionings))});
   }
+  if (!FindRow(kTouchSenses, config.touch)) {
+    problems.push_back({"touch", "no touch \"" + config.touch + "\"" +
+                                     SuggestNames(config.touch, ListNames(kTouchSenses))});
+  }
   if (!ParseColour(config.camera.table_colour)) {
     problems.push_back({"camera.table_colour", "\"" + config.camera.table_colour +
                                                    "\" is no colour; expected one as \"#b4509b\""});
@@ -128,6 +132,10 @@ Json ToJson(const SessionConfig& config) {
   if (config.approach == defaults.approach) json.erase("approach");
   if (config.positioning != RowOf(kPositionings, Positioning::kCamera).name) json.erase("camera");
   if (config.positioning == defaults.positioning) json.erase("positioning");
+  if (config.touch == defaults.touch) {
+    json.erase("touch");
+    json.erase("sensors");
+  }
   return json;
 }
 
@@ -135,7 +143,7 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
   Json complete = json;
   const Json defaults = ConfigToJson(SessionConfig());
-  for (const char* key : {"approach", "positioning", "camera"}) {
+  for (const char* key : {"approach", "positioning", "camera", "touch", "sensors"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
   const auto config = ConfigFromJson<SessionConfig>(complete, file, problems);

@@ -9,6 +9,7 @@ frozen in full into the session's folder. */
 #include "core/base/json.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/sim_config.h"
+#include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
 #include "datasets/session/model_config.h"
 
@@ -50,6 +51,8 @@ struct SessionConfig : TrialConditions {
   std::string approach = "automatic";          ///< core/shape/approach.h
   std::string positioning = "nominal";         ///< core/trial/positioning.h
   CameraConfig camera;                         ///< for positioning by camera
+  std::string touch = "exact";                 ///< core/trial/touch_sensors.h
+  SensorConfig sensors;                        ///< for touch: sensed
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
 
@@ -59,6 +62,8 @@ struct SessionConfig : TrialConditions {
     v("approach", approach);
     v("positioning", positioning);
     v("camera", camera);
+    v("touch", touch);
+    v("sensors", sensors);
   }
   /** Without what a campaign does not choose. */
   template <class V>
@@ -95,7 +100,7 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out, but for an automatic approach, for nominal
-positioning and for the camera of a session that does not look: sessions without a choice are what
+positioning, exact touch and for camera and sensors of a session that does not use them: sessions without a choice are what
 they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.

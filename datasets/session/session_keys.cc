@@ -21,6 +21,17 @@ const FileKeys& ListSessionKeys() {
       {"camera.exposure", "", "factor on the light", 0.01, 100},
       {"camera.shadows", "", "pictures in full quality, which take six times as long"},
       {"camera.table_colour", "", "of the table's cloth in these pictures, as #rrggbb"},
+      {"touch", "",
+       "by what closure and stabilisation end: exact (the contacts) or sensed (what the elements "
+       "of "
+       "the hand's tactile.yaml feel)"},
+      {"sensors.patch_radius_m", "", "of the disc on which a contact of 5 N presses", 0.0001, 0.05},
+      {"sensors.force_scale_n", "", "of an exponential response", 0.01, 1000},
+      {"sensors.saturation_n", "", "force of an element above which nothing changes", 0.01, 1000},
+      {"sensors.hysteresis", "", "share by which a falling force is remembered", 0, 0.9},
+      {"sensors.noise", "", "standard deviation, share of the full reading", 0, 1},
+      {"sensors.threshold", "", "likewise: above it is felt", 0, 1},
+      {"sensors.rate_hz", "", "samples of every element", 1, 10000},
       {"trials", "", "trials of each hand, object and grasp", 1, 100000},
       {"seed", "", "another seed gives other draws", 0, 2147483647},
       {"variation.offset_m", "",

@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "core/grasp/placement.h"
+#include "core/hand/tactile.h"
 #include "core/trial/positioning.h"
 #include "objects/catalogue.h"
 
@@ -21,7 +22,7 @@ Json ToJson(const HandCamera& camera) {
           {"k2", camera.k2}};
 }
 
-/** @pre a hand that looks has a camera. */
+/** @pre a hand that looks has a camera, one that feels has a skin. */
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         const StandardGrasp& grasp, int trial) {
   Json content = {{"physics", kPhysicsVersion},
@@ -41,6 +42,11 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
   if (config.positioning == RowOf(kPositionings, Positioning::kCamera).name) {
     content["camera"] = ConfigToJson(config.camera);
     content["mount"] = ToJson(*hand.camera);
+  }
+  if (config.touch != SessionConfig().touch) {
+    content["touch"] = config.touch;
+    content["sensors"] = ConfigToJson(config.sensors);
+    content["skin"] = hand.skin->content_hash;
   }
   return CalcHashHex(FormatJson(content));
 }
@@ -185,6 +191,16 @@ void CheckCamerasExist(const SessionConfig& config, const SessionInputs& inputs)
   }
 }
 
+void CheckSkinsExist(const SessionConfig& config, const SessionInputs& inputs) {
+  if (config.touch == SessionConfig().touch) return;
+  for (const SessionHand& hand : inputs.hands) {
+    if (hand.hand->skin) continue;
+    throw Error(ErrorKind::kUsage, "the hand \"" + hand.hand->id +
+                                       "\" feels nothing; choose touch: exact, or give it a "
+                                       "tactile.yaml (core/hand/tactile.h says how)");
+  }
+}
+
 /** A stream's name made of parts that may hold any character. */
 std::string JoinNames(const Json& parts) { return FormatJson(parts); }
 
@@ -237,6 +253,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   CheckNamesDiffer("objects", object_names);
   CheckGraspsExist(config, inputs);
   CheckCamerasExist(config, inputs);
+  CheckSkinsExist(config, inputs);
 
   std::vector<PlannedTrial> plan;
   for (const SessionHand& hand : inputs.hands) {
@@ -317,6 +334,8 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                    config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};
   setup.positioning = FindRow(kPositionings, config.positioning)->value;
   setup.camera = config.camera;
+  setup.touch = FindRow(kTouchSenses, config.touch)->value;
+  setup.sensors = config.sensors;
   return setup;
 }
 

@@ -310,6 +310,28 @@ TEST(SessionReport, ShowsWhatSettingsChange) {
 }
 
 // GFT falls with the number of the trial, the slip grows with it.
+// Beliefs 1 and 2 mm beside the draw; 40 touches of which 39 were felt in time, 10 elsewhere.
+TEST(SessionReport, ShowsWhatTheHandSawAndFelt) {
+  Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
+  ExpectContains(TextOfSection(MakePageOf(session), "sensors"), "No sensor took part");
+  session.config.positioning = "true";
+  session.config.touch = "sensed";
+  for (TrialRecord& record : session.records) {
+    const TrialDraw draw = MakeObjectDraw(session.config, "can", record.plan.trial);
+    record.result.believed_x = draw.offset_x + 0.001 * (1 + record.plan.trial);
+    record.result.believed_y = draw.offset_y;
+    record.result.believed_yaw = draw.offset_yaw;
+    record.result.touch = TouchRecord{20, 20 - record.plan.trial, 0, 5, 0.004, {1.0}};
+  }
+  const std::string page = MakePageOf(session);
+  ExpectSoundPage(page);
+  const std::string text = TextOfSection(page, "sensors");
+  for (const char* part :
+       {"positioning: true", "1.50", "2.00", "39 of 40 (97.5", "10 of 50 (20.0", "Never felt"}) {
+    ExpectContains(text, part);
+  }
+}
+
 TEST(SessionReport, ShowsWhatGoesWithSimultaneity) {
   Session session = MakeSession({"tum"}, {"can", "cup", "box", "key", "pen", "tape"}, "g3", 8);
   for (TrialRecord& record : session.records) {

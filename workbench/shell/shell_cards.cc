@@ -169,7 +169,8 @@ std::string FormatSettings(const SessionConfig& config, const std::string& part)
   std::string text;
   const Json settings = ConfigToJson(config);
   for (const auto& [block, values] : settings.items()) {
-    if (!values.is_object() && block != "seed" && block != "approach" && block != "positioning") {
+    if (!values.is_object() && block != "seed" && block != "approach" && block != "positioning" &&
+        block != "touch") {
       continue;
     }
     const Json named = values.is_object() ? values : Json{{"", values}};

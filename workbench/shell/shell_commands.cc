@@ -65,7 +65,8 @@ Names ListSettings(Shell&, size_t index) {
   if (index > 0) return keys;
   const Json config = ConfigToJson(SessionConfig());
   for (const auto& [block, values] : config.items()) {
-    if (block == "seed" || block == "approach" || block == "positioning") keys.push_back(block);
+    if (block == "seed" || block == "approach" || block == "positioning" || block == "touch")
+      keys.push_back(block);
     if (!values.is_object()) continue;
     for (const auto& [key, value] : values.items()) keys.push_back(block + "." + key);
   }

@@ -27,6 +27,27 @@ TEST(SilhouetteTest, ReachesAsFarAsItsCorners) {
   }
 }
 
+// Of any points the farthest in each direction, by trying all; also of one alone and of a row.
+TEST(SilhouetteTest, NoPointReachesFarther) {
+  RandomStream random("silhouette", "points");
+  std::vector<Vector2d> points;
+  for (int i = 0; i < 500; ++i) {
+    points.emplace_back(random.NextUniform(-0.1, 0.1), random.NextUniform(-0.1, 0.1));
+    if (i % 7 == 0) points.push_back(points.front());
+  }
+  for (int i = 0; i < 20; ++i) points.emplace_back(0.15, -0.1 + 0.01 * i);
+  for (const size_t count : {size_t{1}, size_t{2}, size_t{40}, points.size()}) {
+    const std::vector<Vector2d> some(points.end() - static_cast<std::ptrdiff_t>(count),
+                                     points.end());
+    const Silhouette silhouette = MakeSilhouette(some);
+    for (int i = 0; i < kNumDirections; ++i) {
+      double farthest = -1.0;
+      for (const Vector2d& p : some) farthest = std::max(farthest, p.dot(SilhouetteDirection(i)));
+      ASSERT_NEAR(silhouette.reach[i], farthest, 1e-15) << count << " points, direction " << i;
+    }
+  }
+}
+
 // A ball's shadow from a point lamp is an ellipse: the cone of half-angle asin(r / distance) about
 // the line to its centre, cut by the plane through the centre.
 TEST(SilhouetteTest, ABallIsThrownAsTheConeAroundIt) {

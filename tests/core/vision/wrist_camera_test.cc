@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
@@ -119,6 +120,36 @@ TEST(WristCameraTest, ThePictureDependsOnItsNameAlone) {
   EXPECT_EQ(a.pose.x, again.pose.x);
   EXPECT_EQ(a.pose.yaw, again.pose.yaw);
   EXPECT_NE(a.pose.x, b.pose.x);
+}
+
+// One picture of the empty table serves for all: what is found is, to the last bit, what both looks
+// find with pictures of the whole scene, hand and all, each with its own empty table.
+TEST(WristCameraTest, ThePictureOfTheEmptyTableServesEverywhere) {
+  for (const char* id : {"tum", "shadow"}) {
+    const auto hand = LoadShared(id);
+    const auto object = LoadObject("board_marker");
+    const Eigen::VectorXd q = LoadStandardGrasps(*hand)[0].q_pre;
+    WristCamera camera(hand, object, CameraConfig());
+    const OutlineModel outline(object->mesh);
+    for (const PlanarPose& pose : kPoses) {
+      const Pose X_WO = MakeRest(*object, pose);
+      RandomStream noise("whole", "camera noise");
+      PlanarPose supposed;
+      for (int look = 0; look < 2; ++look) {
+        const Pose X_WK = camera.CalcLookPose(supposed);
+        const uint64_t seed = noise.NextBits();
+        supposed =
+            LocateObject(camera.TakePicture(camera.MakeScene(X_WK, q, &X_WO), X_WK, &seed),
+                         camera.TakePicture(camera.MakeScene(X_WK, q, nullptr), X_WK, nullptr),
+                         camera.lens(), X_WK, outline, supposed)
+                .pose;
+      }
+      const Sighting found = camera.FindObject(X_WO, q, "whole");
+      EXPECT_EQ(found.pose.x, supposed.x) << id;
+      EXPECT_EQ(found.pose.y, supposed.y) << id;
+      EXPECT_EQ(found.pose.yaw, supposed.yaw) << id;
+    }
+  }
 }
 
 TEST(WristCameraTest, WhatTowersUpToTheCameraIsRefused) {

@@ -162,6 +162,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.hands = {"../a \"hand\"", "tum"};
   config.approach = "side";
   config.positioning = "camera";
+  config.touch = "sensed";
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     std::string pointer = "/" + key;
@@ -194,6 +195,20 @@ TEST(SessionConfig, NominalPositioningIsNotWritten) {
   config.positioning = "camera";
   EXPECT_EQ(SessionConfigFromJson(ToJson(config)).camera.noise, 7.0);
   EXPECT_EQ(SessionConfigFromJson(ToJson(SessionConfig())).positioning, "nominal");
+}
+
+TEST(SessionConfig, ExactTouchIsNotWritten) {
+  SessionConfig config;
+  config.sensors.noise = 0.5;
+  EXPECT_EQ(ToJson(config), ToJson(SessionConfig()));
+  config.touch = "sensed";
+  EXPECT_EQ(SessionConfigFromJson(ToJson(config)).sensors.noise, 0.5);
+  EXPECT_EQ(SessionConfigFromJson(ToJson(config)).touch, "sensed");
+  EXPECT_EQ(SessionConfigFromJson(ToJson(SessionConfig())).touch, "exact");
+  ApplySetting("touch=sense", config);
+  const auto problems = Validate(config);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].text, "no touch \"sense\"; did you mean \"sensed\"? Known: exact, sensed");
 }
 
 TEST(SessionConfig, AnUnknownPositioningOrColourIsRefused) {
@@ -236,7 +251,8 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
                  "x/session.json: error: seed: is missing\n"
                  "x/session.json: error: sim.: expected an object of keys and values\n"
                  "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
-                 "trials, seed, variation, strategy, sim, model, approach, positioning, camera");
+                 "trials, seed, variation, strategy, sim, model, approach, positioning, camera, "
+                 "touch, sensors");
   }
 }
 

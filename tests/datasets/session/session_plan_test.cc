@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
+#include "core/hand/tactile.h"
 #include "core/shape/primitives.h"
 #include "tests/datasets/session/fake_session.h"
 
@@ -78,6 +79,33 @@ TEST(SessionPlan, AHandWithoutCameraCannotLook) {
   EXPECT_EQ(text,
             "the hand \"tum\" has no camera to position it; choose another positioning, or add a "
             "camera to its hand.yaml (graspbench help hand.yaml)");
+}
+
+// Likewise: who does not go by sensed touch has the ids of before, whatever the hand could feel.
+TEST(SessionPlan, IdsDependOnTheSensorsOfThoseWhoFeel) {
+  SessionInputs inputs = MakeFakeInputs();
+  const std::set<std::string> exact = ListIds(MakePlan(SessionConfig(), inputs));
+  for (SessionHand& hand : inputs.hands) {
+    auto feeling = std::make_shared<Hand>(*hand.hand);
+    auto skin = std::make_shared<TactileSkin>();
+    skin->content_hash = "a";
+    feeling->skin = skin;
+    hand.hand = feeling;
+  }
+  SessionConfig config;
+  config.sensors.noise = 0.5;
+  EXPECT_EQ(ListIds(MakePlan(config, inputs)), exact);
+  config.touch = "sensed";
+  const std::set<std::string> sensed = ListIds(MakePlan(config, inputs));
+  EXPECT_NE(sensed, exact);
+  config.sensors.noise = 0.1;
+  EXPECT_NE(ListIds(MakePlan(config, inputs)), sensed);
+
+  const auto [kind, text] = FindError(config, MakeFakeInputs());
+  EXPECT_EQ(kind, ErrorKind::kUsage);
+  EXPECT_EQ(text,
+            "the hand \"tum\" feels nothing; choose touch: exact, or give it a tactile.yaml "
+            "(core/hand/tactile.h says how)");
 }
 
 TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {

@@ -1,0 +1,155 @@
+#include "core/trial/touch_sensors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPatchForce = 5.0;      // at which a patch has its stated radius [N]
+constexpr double kTouchForce = 0.1;      // of a touch that should be felt [N]
+constexpr double kInTime = 0.01;         // [s]
+constexpr double kOnSurface = 0.001;     // from its nearest point: half their spacing and more [m]
+constexpr double kRoundPeak = 1000.0;    // to mN
+constexpr double kTimeTolerance = 1e-9;  // of sums of steps [s]
+
+const SurfacePoint& FindNearestPoint(const SensedSurface& surface, const Vector3d& p_L) {
+  return *std::min_element(surface.points.begin(), surface.points.end(),
+                           [&](const SurfacePoint& a, const SurfacePoint& b) {
+                             return (a.p_L - p_L).squaredNorm() < (b.p_L - p_L).squaredNorm();
+                           });
+}
+
+double CalcFullResponse(const SensorConfig& config) {
+  return 1.0 - std::exp(-config.saturation / config.force_scale);
+}
+
+}  // namespace
+
+void SpreadForce(const SensedSurface& surface, const Vector3d& p_L, double force,
+                 double patch_radius, std::vector<double>& forces) {
+  const double a = patch_radius * std::cbrt(force / kPatchForce);
+  std::vector<std::pair<size_t, double>> pressed;  // element, weight
+  double sum = 0.0;
+  for (const SurfacePoint& point : surface.points) {
+    const double share = 1.0 - (point.p_L - p_L).squaredNorm() / (a * a);
+    if (!(share > 0.0)) continue;
+    pressed.emplace_back(static_cast<size_t>(point.element), point.area * std::sqrt(share));
+    sum += pressed.back().second;
+  }
+  if (pressed.empty()) {  // smaller than the points' spacing
+    forces[static_cast<size_t>(FindNearestPoint(surface, p_L).element)] += force;
+    return;
+  }
+  for (const auto& [element, weight] : pressed) forces[element] += force * weight / sum;
+}
+
+double CalcReading(TactileResponse response, const SensorConfig& config, double force) {
+  const double x = std::min(force, config.saturation);
+  if (response == TactileResponse::kLinear) return x / config.saturation;
+  return (1.0 - std::exp(-x / config.force_scale)) / CalcFullResponse(config);
+}
+
+double CalcForce(TactileResponse response, const SensorConfig& config, double reading) {
+  const double share = std::clamp(reading, 0.0, 1.0);
+  if (response == TactileResponse::kLinear) return share * config.saturation;
+  return -config.force_scale * std::log1p(-share * CalcFullResponse(config));
+}
+
+TouchSensors::TouchSensors(const Hand& hand, const SensorConfig& config, const std::string& id)
+    : hand_(&hand),
+      skin_(hand.skin),
+      config_(config),
+      noise_(id, "touch noise"),
+      forces_(hand.skin->elements.size(), 0.0),
+      remembered_(forces_),
+      readings_(forces_),
+      sensed_(hand.links.size(), 0.0),
+      elsewhere_(sensed_),
+      touches_(hand.links.size()),
+      has_felt_(hand.digits.size(), false) {
+  record_.peak = forces_;
+}
+
+void TouchSensors::Press(const HandContact& contact, const HandDynamics& dynamics) {
+  const auto link = static_cast<size_t>(contact.link);
+  if (const SensedSurface* surface = skin_->FindSurface(contact.link)) {
+    const Vector3d p_L = ProjectOntoSurface(*hand_, contact.link,
+                                            dynamics.X_WL(contact.link).inverse() * contact.p_WC);
+    if ((FindNearestPoint(*surface, p_L).p_L - p_L).norm() <= kOnSurface) {
+      SpreadForce(*surface, p_L, contact.normal_force, config_.patch_radius, forces_);
+      sensed_[link] += contact.normal_force;
+      return;
+    }
+  }
+  elsewhere_[link] += contact.normal_force;
+}
+
+void TouchSensors::Sample() {
+  for (size_t i = 0; i < forces_.size(); ++i) {
+    remembered_[i] =
+        std::clamp(remembered_[i], forces_[i], forces_[i] / (1.0 - config_.hysteresis));
+    readings_[i] =
+        CalcReading(skin_->response, config_, remembered_[i]) + config_.noise * noise_.NextNormal();
+    if (readings_[i] <= config_.threshold) continue;
+    const int digit = hand_->FindDigitOfLink(skin_->elements[i].link);
+    if (digit >= 0) has_felt_[static_cast<size_t>(digit)] = true;
+  }
+}
+
+bool TouchSensors::IsFelt(int link) const {
+  for (size_t i = 0; i < readings_.size(); ++i) {
+    if (skin_->elements[i].link == link && readings_[i] > config_.threshold) return true;
+  }
+  return false;
+}
+
+void TouchSensors::FollowTouches(double time) {
+  for (size_t i = 0; i < touches_.size(); ++i) {
+    LinkTouch& touch = touches_[i];
+    if (!touch.is_elsewhere && elsewhere_[i] > kTouchForce) ++record_.num_elsewhere;
+    touch.is_elsewhere = elsewhere_[i] > (touch.is_elsewhere ? 0.0 : kTouchForce);
+    if (!touch.is_touching && sensed_[i] > kTouchForce) {
+      ++record_.num_touches;
+      touch.waits_since = time;
+    }
+    touch.is_touching = sensed_[i] > (touch.is_touching ? 0.0 : kTouchForce);
+    if (std::isnan(touch.waits_since)) continue;
+    if (IsFelt(static_cast<int>(i))) {
+      const double delay = time - touch.waits_since;
+      ++(delay <= kInTime + kTimeTolerance ? record_.num_felt_in_time : record_.num_felt_late);
+      record_.longest_delay = std::max(record_.longest_delay, delay);
+      touch.waits_since = kUnset;
+    } else if (!touch.is_touching) {
+      touch.waits_since = kUnset;  // it was never felt
+    }
+  }
+}
+
+void TouchSensors::Observe(double time, const std::vector<HandContact>& contacts,
+                           const HandDynamics& dynamics) {
+  for (std::vector<double>* of : {&forces_, &sensed_, &elsewhere_}) {
+    std::fill(of->begin(), of->end(), 0.0);
+  }
+  for (const HandContact& contact : contacts) Press(contact, dynamics);
+  for (size_t i = 0; i < forces_.size(); ++i) {
+    record_.peak[i] = std::max(record_.peak[i], std::round(kRoundPeak * forces_[i]) / kRoundPeak);
+  }
+  if (time >= next_sample_ - kTimeTolerance) {
+    Sample();
+    next_sample_ += 1.0 / config_.rate;
+  }
+  FollowTouches(time);
+}
+
+double TouchSensors::CalcFeltForce() const {
+  double sum = 0.0;
+  for (const double reading : readings_) {
+    if (reading > config_.threshold) sum += CalcForce(skin_->response, config_, reading);
+  }
+  return sum;
+}
+
+}  // namespace graspbench

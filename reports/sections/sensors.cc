@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/tactile.h"
+#include "datasets/analysis/sensor_summary.h"
+#include "reports/hand_map.h"
+#include "reports/layout.h"
+#include "reports/sections/section.h"
+#include "reports/sight_picture.h"
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kMostSensedTrials = 5000;  // reading more would keep the page waiting
+constexpr double kSurelyLong = 1.15;        // length over width: below it a direction says little
+constexpr size_t kFewElements = 12;         // a table rather than a map
+
+std::string FormatMm(double length) { return FormatFixed(MmFromM(length), 2); }
+
+Html DrawPlaces(const SensorSummary& summary, const SessionModels& models) {
+  const Align number = Align::kNumber;
+  Table table("Where the hand took the objects to be, against where they lay.",
+              {{"Hand"},
+               {"Object"},
+               {"Trials", number},
+               {"Found", number},
+               {"Position, median [mm]", number},
+               {"Position, worst [mm]", number},
+               {"Direction, median [deg]", number, "half-turns apart; of what is longer than wide"},
+               {"Direction, worst [deg]", number}});
+  for (const PlaceErrors& place : summary.places) {
+    const auto object = models.FindObject(place.object);
+    const bool has_direction = object && object->size.x() > kSurelyLong * object->size.y();
+    const auto turn = [&](double angle) {
+      return has_direction ? FormatFixed(DegFromRad(angle), 2) : std::string("n/a");
+    };
+    table.AddRow({Text(models.NameOfHand(place.hand)), Text(models.NameOfObject(place.object)),
+                  Text(std::to_string(place.num_trials)), Text(std::to_string(place.num_found)),
+                  Text(FormatMm(place.median)), Text(FormatMm(place.worst)),
+                  Text(turn(place.median_turn)), Text(turn(place.worst_turn))});
+  }
+  return MakeDetails("Errors of every object", table.ToHtml());
+}
+
+Html DrawOffsets(const SensorSummary& summary, const ReportData& data) {
+  Table table("Success by how far the object lay from where it should; positioning: " +
+                  data.session.config.positioning + ".",
+              {{"Hand"}, {"Offset [mm]", Align::kNumber}, {"Success", Align::kProse}});
+  for (const OffsetClass& offset : summary.offsets) {
+    table.AddRow(
+        {Text(data.models.NameOfHand(offset.hand)),
+         Text(FormatFixed(MmFromM(offset.low), 1) + " to " + FormatFixed(MmFromM(offset.high), 1)),
+         Text(offset.tally.finished > 0 ? FormatRate(offset.tally) : "n/a")});
+  }
+  return table.ToHtml();
+}
+
+/** Of each object the first trial, looked at from above the place where it was found. */
+Html DrawSights(const ReportData& data) {
+  Html pictures;
+  std::set<std::string> shown;
+  for (const TrialRecord& record : data.session.records) {
+    const auto hand = data.models.FindHand(record.plan.hand);
+    const auto object = data.models.FindObject(record.plan.object);
+    if (!hand || !hand->camera || !object || !shown.insert(object->id).second) continue;
+    try {
+      WristCamera camera(hand, object, data.session.config.camera);
+      const TrialDraw draw =
+          MakeObjectDraw(data.session.config, record.plan.object, record.plan.trial);
+      const Pose X_WO = MakePose(
+          MakeRotationRpy(0.0, 0.0, draw.offset_yaw),
+          Eigen::Vector3d(draw.offset_x, draw.offset_y, OutlineModel(object->mesh).middle()));
+      PlanarPose supposed;
+      const TrialRecord whole = LoadWhole(data.session, record);
+      if (!std::isnan(whole.result.believed_x)) {
+        supposed = {whole.result.believed_x, whole.result.believed_y, whole.result.believed_yaw};
+      }
+      pictures += DrawSight(camera, *object, X_WO, LoadStandardGrasps(*hand).front().q_pre,
+                            supposed, object->name);
+    } catch (const Error& e) {
+      return MakeNote("info", "No pictures of the camera", MakeParagraph(e.what()));
+    }
+  }
+  if (pictures.empty()) return Html();
+  return MakeFigure(
+      "What the camera sees and finds.",
+      "the solid outline lies on the object's edge, the cross on its middle; the line "
+      "runs along its length, the dashed frame is the smallest rectangle.",
+      Element("div", {{"class", "film"}}, pictures));
+}
+
+std::string FormatShare(int count, int all) {
+  return std::to_string(count) + " of " + std::to_string(all) +
+         (all > 0 ? " (" + FormatFixed(100.0 * count / all, 1) + " %)" : "");
+}
+
+Html DrawTouches(const SensorSummary& summary, const SessionModels& models) {
+  const Align number = Align::kNumber;
+  Table table("Touches of more than 0.1 N, by link of the hand, and what was felt of them.",
+              {{"Hand"},
+               {"Trials", number},
+               {"On sensed surface: felt within 10 ms", number},
+               {"Felt later", number},
+               {"Never felt", number},
+               {"Longest delay [ms]", number},
+               {"Elsewhere", number, "of all touches those beside any sensed surface"}});
+  for (const FeltTouches& felt : summary.touches) {
+    const TouchRecord& sum = felt.sum;
+    const int missed = sum.num_touches - sum.num_felt_in_time - sum.num_felt_late;
+    table.AddRow({Text(models.NameOfHand(felt.hand)), Text(std::to_string(felt.num_trials)),
+                  Text(FormatShare(sum.num_felt_in_time, sum.num_touches)),
+                  Text(std::to_string(sum.num_felt_late)), Text(std::to_string(missed)),
+                  Text(FormatFixed(MsFromS(sum.longest_delay), 0)),
+                  Text(FormatShare(sum.num_elsewhere, sum.num_touches + sum.num_elsewhere))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawPeakTable(const Hand& hand, const std::vector<double>& peak) {
+  Table table("Largest force on each sensor of the " + hand.name + ".",
+              {{"Link"}, {"Peak [N]", Align::kNumber}});
+  for (size_t i = 0; i < peak.size(); ++i) {
+    table.AddRow(
+        {Text(hand.links[hand.skin->elements[i].link].name), Text(FormatFixed(peak[i], 2))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawPeaks(const FeltTouches& felt, const SessionModels& models) {
+  const auto hand = models.FindHand(felt.hand);
+  const std::vector<double>& peak = felt.sum.peak;
+  if (!hand || !hand->skin || hand->skin->elements.size() != peak.size() || peak.empty()) {
+    return Html();
+  }
+  if (peak.size() <= kFewElements) return DrawPeakTable(*hand, peak);
+  PlotText text;
+  text.title = "Largest force on each cell of the " + hand->name;
+  text.description = "At most " + FormatFixed(*std::max_element(peak.begin(), peak.end()), 2) +
+                     " N, over all trials.";
+  return MakeFigure(text.title + ".",
+                    "the darkest cell has borne " +
+                        FormatFixed(*std::max_element(peak.begin(), peak.end()), 2) +
+                        " N, a white one nothing; seen from the palm's side, the hand stretched.",
+                    MakeScroll(text.title, DrawHandMap(*hand, peak, text)));
+}
+
+Html DrawSensors(const ReportData& data) {
+  const SessionConfig& config = data.session.config;
+  const SessionConfig defaults;
+  if (config.positioning == defaults.positioning && config.touch == defaults.touch) {
+    return Element("p", {},
+                   Text("No sensor took part: the hand went to where the object should be and knew "
+                        "every contact. With them: ") +
+                       Element("code", {}, "--set positioning=camera --set touch=sensed"));
+  }
+  if (data.session.records.size() > kMostSensedTrials) {
+    return MakeParagraph("So many trials would keep the page waiting for their sensors.");
+  }
+  const SensorSummary summary = SummariseSensors(data.session);
+  Html html;
+  if (config.positioning != defaults.positioning) {
+    html += DrawOffsets(summary, data);
+    if (config.positioning == "camera") html += DrawSights(data);
+    html += DrawPlaces(summary, data.models);
+  }
+  if (summary.touches.empty()) return html;
+  html += DrawTouches(summary, data.models);
+  for (const FeltTouches& felt : summary.touches) html += DrawPeaks(felt, data.models);
+  return html;
+}
+
+}  // namespace
+
+Section sensors_section() { return {"sensors", "What the hand saw and felt", DrawSensors}; }
+
+}  // namespace graspbench

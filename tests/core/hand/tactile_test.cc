@@ -1,0 +1,142 @@
+#include "core/hand/tactile.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/base/units.h"
+#include "core/hand/load_hand.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+/** A ball at the origin and a capsule beside it, on two links. */
+Hand MakeTestHand() {
+  Hand hand;
+  hand.links.resize(2);
+  hand.links[0].name = "ball";
+  hand.links[1].name = "rod";
+  hand.capsules = {{0, Vector3d::Zero(), Vector3d::Zero(), 0.01},
+                   {1, Vector3d::Zero(), Vector3d(0.0, 0.03, 0.0), 0.005}};
+  return hand;
+}
+
+double SumAreas(const std::vector<SurfacePoint>& points) {
+  double area = 0.0;
+  for (const SurfacePoint& point : points) area += point.area;
+  return area;
+}
+
+// Roethling 2007, 3.1.2: 186 in all, 34 a fingertip, two on each finger's middle and proximal phalanx,
+// none elsewhere; some seven a square centimetre.
+TEST(TactileTest, TheShadowHandHas186) {
+  const Hand hand = LoadHand("shadow");
+  ASSERT_TRUE(hand.skin);
+  EXPECT_EQ(hand.skin->elements.size(), 186u);
+  EXPECT_EQ(hand.skin->response, TactileResponse::kExponential);
+  std::map<int, int> counts;
+  for (const TactileElement& element : hand.skin->elements) ++counts[element.link];
+  EXPECT_EQ(counts.size(), 13u);
+  for (const Digit& digit : hand.digits) {
+    EXPECT_EQ(counts[digit.distal_link], 34) << digit.id;
+    const SensedSurface* tip = hand.skin->FindSurface(digit.distal_link);
+    ASSERT_TRUE(tip) << digit.id;
+    EXPECT_NEAR(34.0 / (1e4 * SumAreas(tip->points)), 7.0, 0.2) << digit.id;
+    if (digit.is_thumb) continue;
+    EXPECT_EQ(counts[digit.links[digit.links.size() - 2]], 2) << digit.id;
+    EXPECT_EQ(counts[digit.links[digit.links.size() - 3]], 2) << digit.id;
+  }
+}
+
+TEST(TactileTest, TheTumHandHasOneForceSensorAFingertip) {
+  const Hand hand = LoadHand("tum");
+  ASSERT_TRUE(hand.skin);
+  EXPECT_EQ(hand.skin->response, TactileResponse::kLinear);
+  ASSERT_EQ(hand.skin->elements.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(hand.skin->elements[i].link, hand.digits[i].distal_link);
+  }
+  EXPECT_FALSE(LoadHand("tum-original").skin);
+}
+
+// No gap: every point has an element, of its own link and the nearest; the cells' areas are the file's.
+TEST(TactileTest, CellsHaveNoGapsAndTheAreasOfTheFile) {
+  for (const char* id : {"shadow", "tum"}) {
+    const auto skin = LoadHand(id).skin;
+    std::vector<double> areas(skin->elements.size(), 0.0);
+    for (const SensedSurface& surface : skin->surfaces) {
+      for (const SurfacePoint& point : surface.points) {
+        ASSERT_GE(point.element, 0);
+        const auto i = static_cast<size_t>(point.element);
+        ASSERT_EQ(skin->elements[i].link, surface.part.link);
+        areas[i] += point.area;
+      }
+    }
+    for (size_t i = 0; i < areas.size(); ++i) {
+      EXPECT_NEAR(areas[i] / skin->elements[i].area, 1.0, 0.01) << id << " " << i;
+    }
+  }
+}
+
+// Areas in closed form: a ball, a capsule, halves of both, and a ball's cap.
+TEST(TactileTest, SurfacesHaveTheirAreas) {
+  const Hand hand = MakeTestHand();
+  const double ball = 4.0 * kPi * 1e-4, rod = 2.0 * kPi * 0.005 * 0.04;
+  EXPECT_NEAR(SumAreas(SampleSurface(hand, {0})), ball, 1e-9 * ball);
+  EXPECT_NEAR(SumAreas(SampleSurface(hand, {1})), rod, 1e-9 * rod);
+  EXPECT_NEAR(SumAreas(SampleSurface(hand, {0, Vector3d::UnitX()})), ball / 2.0, 0.02 * ball);
+  EXPECT_NEAR(SumAreas(SampleSurface(hand, {1, Vector3d::UnitX()})), rod / 2.0, 0.02 * rod);
+  const SensedPart cap{0, Vector3d::Zero(), Vector3d::UnitZ(), 0.005};
+  EXPECT_NEAR(SumAreas(SampleSurface(hand, cap)), ball / 4.0, 0.02 * ball);
+  for (const SurfacePoint& point : SampleSurface(hand, cap)) {
+    EXPECT_NEAR(point.p_L.norm(), 0.01, 1e-12);
+    EXPECT_LT((point.p_L / 0.01 - point.normal_L).norm(), 1e-12);
+  }
+}
+
+// Of two balls in one link only what is outside of both.
+TEST(TactileTest, WhatLiesInsideTheLinkIsNoSurface) {
+  Hand hand = MakeTestHand();
+  hand.capsules[1] = {0, Vector3d(0.01, 0.0, 0.0), Vector3d(0.01, 0.0, 0.0), 0.01};
+  // Two balls whose middles are one radius apart: each loses a cap of height r / 2.
+  const double wanted = 2.0 * (4.0 - 1.0) * kPi * 1e-4;
+  EXPECT_NEAR(SumAreas(SampleSurface(hand, {0})), wanted, 0.02 * wanted);
+}
+
+TEST(TactileTest, ProjectsOntoTheSurface) {
+  const Hand hand = MakeTestHand();
+  EXPECT_LT(
+      (ProjectOntoSurface(hand, 0, Vector3d(0.0, 0.02, 0.0)) - Vector3d(0.0, 0.01, 0.0)).norm(),
+      1e-15);
+  EXPECT_LT(
+      (ProjectOntoSurface(hand, 1, Vector3d(0.004, 0.02, 0.0)) - Vector3d(0.005, 0.02, 0.0)).norm(),
+      1e-15);
+  EXPECT_LT(
+      (ProjectOntoSurface(hand, 1, Vector3d(0.0, 0.05, 0.0)) - Vector3d(0.0, 0.035, 0.0)).norm(),
+      1e-15);
+}
+
+TEST(TactileTest, EveryFaultIsNamedWithItsLine) {
+  const char* text =
+      "response: quadratic\n"
+      "surfaces:\n"
+      "  - link: bal\n"
+      "    elements: [{position_m: [0, 0, 0.01], normal: [0, 0, 1], area_m2: 0}]\n"
+      "  - link: ball\n"
+      "    elements: []\n"
+      "    colour: red\n";
+  Diagnostics problems;
+  ParseTactile(text, "tactile.yaml", MakeTestHand(), problems);
+  const std::string all = problems.Format();
+  for (const char* wanted :
+       {"tactile.yaml:1: ", "no response \"quadratic\"", "Known: linear, exponential",
+        "tactile.yaml:3: ", "the hand has no link \"bal\"", "must be above 0",
+        "the list is empty; name at least one", "colour"}) {
+    EXPECT_NE(all.find(wanted), all.npos) << wanted << " in\n" << all;
+  }
+}
+
+}  // namespace
+}  // namespace graspbench
