@@ -48,4 +48,29 @@ class PipelineFolder : public testing::Test {
   std::string program_ = GRASPBENCH_PROGRAM;
 };
 
+#ifdef GRASPBENCH_PIPELINES_FOLDER
+class PackFolder : public PipelineFolder {
+ protected:
+  /** Packed here, made again elsewhere as somebody else would, on one processor instead of two. */
+  void ExpectSameBytes(const std::string& name) const {
+    const std::string file =
+        "'" + (std::filesystem::path(GRASPBENCH_PIPELINES_FOLDER) / (name + ".yaml")).string() +
+        "'";
+    ASSERT_EQ(Run("\"$GB\" pipeline run " + file + " --jobs 2"), 0) << Log();
+    ASSERT_EQ(Run("\"$GB\" pipeline pack " + file + " p.tar"), 0) << Log();
+    std::filesystem::create_directories(top_ / "home of" / "else");
+    ASSERT_EQ(Run("env -i HOME=\"$PWD/home of/else\" USER=else LOGNAME=else TZ=Asia/Kolkata "
+                  "LANG=de_DE.UTF-8 LC_ALL=tr_TR.UTF-8 PATH=\"$PATH\" sh -c 'cd \"$HOME\" && exec "
+                  "\"$0\" replay ../../p.tar --verify --jobs 1' \"$GB\""),
+              0)
+        << Log();
+    EXPECT_NE(Log().find("program  the same"), std::string::npos) << Log();
+    const std::string bytes = ReadFile(top_ / "p.tar");
+    for (const std::string& trace : {top_.string(), std::string(GRASPBENCH_PIPELINES_FOLDER)}) {
+      EXPECT_EQ(bytes.find(trace), std::string::npos) << trace;
+    }
+  }
+};
+#endif
+
 }  // namespace graspbench

@@ -6,33 +6,12 @@ namespace graspbench {
 namespace {
 namespace fs = std::filesystem;
 
-class ReplayPackTest : public PipelineFolder {
- protected:
-  /** Packed here, made again elsewhere as somebody else would, on one processor instead of two. */
-  void ExpectSameBytes(const std::string& name) const {
-    const std::string file =
-        "'" + (fs::path(GRASPBENCH_PIPELINES_FOLDER) / (name + ".yaml")).string() + "'";
-    ASSERT_EQ(Run("\"$GB\" pipeline run " + file + " --jobs 2"), 0) << Log();
-    ASSERT_EQ(Run("\"$GB\" pipeline pack " + file + " p.tar"), 0) << Log();
-    fs::create_directories(top_ / "home of" / "else");
-    ASSERT_EQ(Run("env -i HOME=\"$PWD/home of/else\" USER=else LOGNAME=else TZ=Asia/Kolkata "
-                  "LANG=de_DE.UTF-8 LC_ALL=tr_TR.UTF-8 PATH=\"$PATH\" sh -c 'cd \"$HOME\" && exec "
-                  "\"$0\" replay ../../p.tar --verify --jobs 1' \"$GB\""),
-              0)
-        << Log();
-    EXPECT_NE(Log().find("program  the same"), std::string::npos) << Log();
-    const std::string bytes = ReadFile(top_ / "p.tar");
-    for (const std::string& trace : {top_.string(), std::string(GRASPBENCH_PIPELINES_FOLDER)}) {
-      EXPECT_EQ(bytes.find(trace), std::string::npos) << trace;
-    }
-  }
-};
+using ReplayPackTest = PackFolder;
 
 TEST_F(ReplayPackTest, SmallBenchmark) { ExpectSameBytes("small_benchmark"); }
-TEST_F(ReplayPackTest, SyntheticStudy) { ExpectSameBytes("synthetic_study"); }
-TEST_F(ReplayPackTest, OneObjectCampaign) { ExpectSameBytes("one_object_campaign"); }
 TEST_F(ReplayPackTest, PeopleBesideRobots) { ExpectSameBytes("people_beside_robots"); }
 
+// The other two are in replay_pack_slow_test.cc.
 TEST_F(ReplayPackTest, EveryPipelineThatIsShippedHasItsTest) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(GRASPBENCH_PIPELINES_FOLDER)) {
