@@ -2,6 +2,7 @@
 
 #include "core/grasp/grasp_keys.h"
 #include "core/hand/hand_yaml.h"
+#include "datasets/pipeline/pipeline_file.h"
 #include "datasets/session/session_keys.h"
 #include "human_study/study/study_keys.h"
 #include "objects/object_file.h"
@@ -22,6 +23,8 @@ const std::vector<FileFormat>& ListFileFormats() {
         {"study.yaml", "a study of people's grasps, for graspbench study run", ListStudyKeys()},
         {"grasp.yaml", "a grasp of its own file, for graspbench run --grasp FILE",
          ListGraspFileKeys()},
+        {"pipeline.yaml", "stages that make results, for graspbench pipeline run",
+         ListPipelineKeys()},
     };
   }();
   return formats;

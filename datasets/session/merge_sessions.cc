@@ -35,18 +35,29 @@ void CheckSamePlan(const fs::path& folder, const fs::path& other) {
                   "\", nothing was merged:" + describe(folder, here) + describe(other, there));
 }
 
-/** What is to be appended, one text a file. */
+/** Which lines are to be appended. Of a session of many trials there is no room for all records:
+lines are read again where they are compared or copied. */
 class Additions {
  public:
-  explicit Additions(const fs::path& folder) : folder_(folder), session_(LoadSession(folder)) {
-    for (TrialRecord& record : session_.records) records_.emplace(record.plan.id, record);
+  explicit Additions(const fs::path& folder) : folder_(folder) {
+    const Session session = LoadSession(folder, OnDamage::kRefuse, RecordParts::kBrief);
+    AddLines(session);
+    known_.reserve(session.plan.size());
+    for (size_t i = 0; i < session.records.size(); ++i) {
+      known_.emplace(session.records[i].plan.id,
+                     Known{{0, session.lines.trials[i]}, {0, session.lines.judgements[i]}});
+    }
     known_starts_ = ListStartLines(folder);
   }
 
   void Add(const fs::path& other) {
-    const Session session = LoadSession(other);
+    const Session session = LoadSession(other, OnDamage::kRefuse, RecordParts::kBrief);
     CheckSamePlan(folder_, other);
-    for (const TrialRecord& record : session.records) AddRecord(record, other);
+    const size_t index = AddLines(session);
+    for (size_t i = 0; i < session.records.size(); ++i) {
+      AddRecord(session.records[i].plan, {index, session.lines.trials[i]},
+                {index, session.lines.judgements[i]});
+    }
     workers_ += CollectStarts(other, known_starts_);
   }
 
@@ -59,67 +70,91 @@ class Additions {
                  ? ""
                  : ", or merge with --set-aside FILE, which leaves out what a journal in \"" +
                        folder_.string() + "\" holds"));
-    Append("journal", journal_);
-    Append("judge", judge_);
+    Append("journal", trials_);
+    Append("judge", judgements_);
     AppendStarts(folder_, workers_);
-    return num_new_;
+    return static_cast<int>(trials_.size());
   }
 
  private:
-  void AddRecord(const TrialRecord& record, const fs::path& other) {
-    TrialRecord bare = record;
-    bare.judgement.reset();
-    const auto [known, is_new] = records_.emplace(record.plan.id, bare);
+  /** A line of one of the sessions. */
+  struct Line {
+    size_t session;
+    LinePlace place;
+    bool IsThere() const { return place.file >= 0; }
+  };
+  struct Known {
+    Line trial, judgement;
+  };
+
+  size_t AddLines(const Session& session) {
+    sessions_.push_back({session.folder, session.lines.files, {}, {}});
+    return sessions_.size() - 1;
+  }
+
+  std::string Read(const Line& line) const { return ReadLine(sessions_[line.session], line.place); }
+
+  void AddRecord(const PlannedTrial& planned, const Line& trial, const Line& judgement) {
+    const auto [known, is_new] = known_.emplace(planned.id, Known{trial, {0, {}}});
+    Known& mine = known->second;
     if (is_new) {
-      ++num_new_;
-      sources_.emplace(record.plan.id, other.string());
-      journal_ += FormatJournalLine(bare) + "\n";
+      trials_.push_back(trial);
+    } else if (!HasSameResult(Read(mine.trial), Read(trial))) {
+      Fail(planned, trial, "another result than in " + NameSource(mine.trial));
     }
-    TrialRecord& mine = known->second;
-    if (ToJson(mine.result) != ToJson(record.result))
-      Fail(record, other, "another result than in " + FindSource(record.plan.id));
-    if (!record.judgement) return;
-    if (!mine.judgement) {
-      mine.judgement = record.judgement;
-      judge_ += FormatJudgementLine(record.plan.id, *record.judgement) + "\n";
-    } else if (RecordToJson(*mine.judgement) != RecordToJson(*record.judgement)) {
-      Fail(record, other, "another judgement than in \"" + folder_.string() + "\"");
+    if (!judgement.IsThere()) return;
+    if (!mine.judgement.IsThere()) {
+      mine.judgement = judgement;
+      judgements_.push_back(judgement);
+    } else if (!HasSameJudgement(Read(mine.judgement), Read(judgement))) {
+      Fail(planned, judgement, "another judgement than in \"" + folder_.string() + "\"");
     }
   }
 
-  void Fail(const TrialRecord& record, const fs::path& other, const std::string& what) {
-    conflicts_.Fail(
-        other.string(), 0,
-        "trial " + record.plan.id + " (" + DescribeTrial(record.plan) + ") has " + what);
+  static bool HasSameResult(const std::string& a, const std::string& b) {
+    return a == b || ToJson(ParseJournalLine(a).result) == ToJson(ParseJournalLine(b).result);
+  }
+  static bool HasSameJudgement(const std::string& a, const std::string& b) {
+    return a == b || RecordToJson(ParseJudgementLine(a)) == RecordToJson(ParseJudgementLine(b));
+  }
+
+  void Fail(const PlannedTrial& planned, const Line& line, const std::string& what) {
+    conflicts_.Fail(sessions_[line.session].folder.string(), 0,
+                    "trial " + planned.id + " (" + DescribeTrial(planned) + ") has " + what);
   }
 
   /** The folder or journal that has brought the trial's record. */
-  std::string FindSource(const std::string& id) const {
-    const auto source = sources_.find(id);
-    if (source != sources_.end()) return "\"" + source->second + "\"";
-    for (const fs::path& path : ListJournals(folder_)) {
-      bool is_here = false;
-      ForEachTrialOf(path, [&](std::string_view other) { is_here = is_here || other == id; });
-      if (is_here) return "journal/" + path.filename().string();
-    }
-    return "\"" + folder_.string() + "\"";
+  std::string NameSource(const Line& line) const {
+    const RecordLines& lines = sessions_[line.session];
+    return line.session > 0 ? "\"" + lines.folder.string() + "\""
+                            : lines.files[static_cast<size_t>(line.place.file)];
   }
 
-  void Append(const char* subfolder, const std::string& lines) const {
+  void Append(const char* subfolder, const std::vector<Line>& lines) const {
+    constexpr size_t kPiece = 1 << 24;  // [bytes]; each is waited for until it is on the disk
     if (lines.empty()) return;
     MakeFolder(folder_ / subfolder);
     const fs::path path = FindJournal(folder_ / subfolder, 0, kMergedLabel);
-    AppendFile(path).Append(lines);
+    {
+      AppendFile file(path);
+      std::string text;
+      for (const Line& line : lines) {
+        text += Read(line) + "\n";
+        if (text.size() < kPiece) continue;
+        file.Append(text);
+        text.clear();
+      }
+      if (!text.empty()) file.Append(text);
+    }
     if (subfolder == std::string("journal")) JournalIndex index(path);
   }
 
   fs::path folder_;
-  Session session_;
-  std::unordered_map<std::string, TrialRecord> records_;  // looked up only, never iterated
-  std::unordered_map<std::string, std::string> sources_;  // of new ones; looked up only
+  std::vector<RecordLines> sessions_;             // their folders and files; the first is folder_
+  std::unordered_map<std::string, Known> known_;  // looked up only, never iterated
+  std::vector<Line> trials_, judgements_;         // new ones
   std::set<std::string> known_starts_;
-  std::string journal_, judge_, workers_;
-  int num_new_ = 0;
+  std::string workers_;
   Diagnostics conflicts_;
 };
 

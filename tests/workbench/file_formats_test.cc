@@ -10,6 +10,7 @@
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
+#include "datasets/pipeline/pipeline_file.h"
 #include "objects/object_file.h"
 #include "workbench/new_files.h"
 
@@ -36,7 +37,7 @@ void ExpectSameKeys(const FileKeys& read, const FileKeys& rows) {
 }
 
 TEST(FileFormatsTest, EveryKeyHasAMeaning) {
-  ASSERT_EQ(ListFileFormats().size(), 5u);
+  ASSERT_EQ(ListFileFormats().size(), 6u);
   for (const FileFormat& format : ListFileFormats()) {
     EXPECT_FALSE(format.keys.empty()) << format.name;
     for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;
@@ -71,6 +72,12 @@ TEST(FileFormatsTest, GraspsAreReadByTheirRows) {
   KeyRecorder recorder;
   EXPECT_THROW(ParseGraspFile("placement: {}\n", "grasp.yaml", {&hand}), Error);
   ExpectSameKeys(recorder.keys(), FindKeys("grasp.yaml"));
+}
+
+TEST(FileFormatsTest, PipelinesAreReadByTheirRows) {
+  KeyRecorder recorder;
+  EXPECT_THROW(ParsePipeline("stages: {a: {}}\n", "pipeline.yaml", {}), Error);
+  ExpectSameKeys(recorder.keys(), FindKeys("pipeline.yaml"));
 }
 
 }  // namespace

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "core/base/text.h"
+#include "datasets/pipeline/pipeline_pack.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/replay_session.h"
+#include "workbench/pack_replay.h"
 #include "workbench/replay_text.h"
 #include "workbench/terminal_observer.h"
 #include "workbench/trajectory_output.h"
@@ -21,8 +23,7 @@ namespace {
 struct ReplayOptions {
   std::filesystem::path folder;
   std::vector<std::string> names;
-  bool failed = false, all = false;
-  bool verify = false;
+  bool failed = false, all = false, verify = false;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
   OnDamage on_damage = OnDamage::kRefuse;
@@ -57,6 +58,13 @@ void WriteTrajectories(TrajectoryOutput& output) {
   if (output.num_skipped() == 0) return;
   PrintMessage(FormatCount(output.num_skipped(), "trial") +
                " could not begin: there is nothing to be written of them");
+}
+
+ExitCode ReplayWholePack(const CLI::App& program, const ReplayOptions& options) {
+  if (options.failed || !options.names.empty() || !options.trajectory.name.empty()) {
+    throw Error(ErrorKind::kUsage, "a packed pipeline is replayed as a whole; name no trials");
+  }
+  return ReplayPackFile(program, {options.folder, {}, options.num_workers, options.json});
 }
 
 ExitCode Replay(ReplayOptions options) {
@@ -100,11 +108,12 @@ void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command = AddSubcommand(
       program, "replay", "Run trials of a session again and compare them with their records.",
       "  graspbench replay results/pilot --all --verify    exit code 3 when one differs\n"
+      "  graspbench replay pilot.tar --verify              a packed pipeline, byte for byte\n"
       "  graspbench replay results/pilot tum-can-g2:3 --trajectory trial.mcap\n"
       "  graspbench replay results/pilot --failed --trajectory h5 --out failed");
   const auto options = std::make_shared<ReplayOptions>();
   TrajectoryRequest& trajectory = options->trajectory;
-  AddStoreFolder(command, options->folder, "the session, as DIR/benchmark that of a campaign");
+  AddStoreFolder(command, options->folder, "a session, or DIR/benchmark of a campaign; or a pack");
   command
       .add_option("trials", options->names,
                   "trials, each its trial_id, the first letters of it, or hand-object-grasp:number")
@@ -133,7 +142,9 @@ void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
   AddTrialTimeoutOption(command, options->trial_time_limit);
   AddAcceptDamageOption(command, options->on_damage);
   command.add_flag("--json", options->json, "print one JSON object");
-  command.callback([options, &exit_code] { exit_code = Replay(*options); });
+  command.callback([&program, options, &exit_code] {
+    exit_code = IsPack(options->folder) ? ReplayWholePack(program, *options) : Replay(*options);
+  });
 }
 
 }  // namespace graspbench

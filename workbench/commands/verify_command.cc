@@ -69,7 +69,9 @@ ExitCode Verify(const VerifyOptions& options) {
   } else {
     PrintResult(FormatVerdict(options, repair));
   }
-  return repair.state.damages.empty() ? kExitOk : kExitBadInput;
+  if (!repair.state.damages.empty()) return kExitBadInput;
+  // A repair has done what it can; its results are for another command.
+  return repair.state.stale.empty() || options.repair ? kExitOk : kExitFailed;
 }
 
 }  // namespace
@@ -77,7 +79,8 @@ ExitCode Verify(const VerifyOptions& options) {
 void AddVerifyCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& command = AddSubcommand(
       program, "verify", "Compare a result folder with the hashes in its manifest.",
-      "  graspbench verify results/pilot             what is damaged (exit code 3); what is stale\n"
+      "  graspbench verify results/pilot             damaged: exit code 3; else stale: exit code "
+      "1\n"
       "  graspbench verify results/pilot --repair    sets damaged lines aside, seals the rest");
   const auto options = std::make_shared<VerifyOptions>();
   command.add_option("folder", options->folder, "folder of any result")

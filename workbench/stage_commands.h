@@ -1,0 +1,17 @@
+#pragma once
+/** @file The commands that a stage of a pipeline can be, with the options that they have. */
+
+#include <vector>
+
+#include "datasets/pipeline/pipeline_file.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace graspbench {
+
+/** @param program  the command line, complete. */
+std::vector<StageCommand> ListStageCommands(const CLI::App& program);
+
+}  // namespace graspbench
