@@ -213,13 +213,15 @@ Silhouette MakeSilhouette(const std::vector<Vector2d>& points) {
 
 OutlineModel::OutlineModel(const TriMesh& mesh) {
   GRASPBENCH_DEMAND(!mesh.vertices.empty(), "a mesh without vertices");
+  Eigen::MatrixX3d vertices(mesh.vertices.size(), 3);
+  for (size_t i = 0; i < mesh.vertices.size(); ++i) {
+    vertices.row(static_cast<Eigen::Index>(i)) = mesh.vertices[i].transpose();
+  }
   std::set<size_t> chosen;
   for (int i = 0; i < kNumHullDirections; ++i) {
-    const Vector3d direction = HullDirection(i);
-    const auto farthest = std::max_element(
-        mesh.vertices.begin(), mesh.vertices.end(),
-        [&](const Vector3d& a, const Vector3d& b) { return a.dot(direction) < b.dot(direction); });
-    chosen.insert(static_cast<size_t>(farthest - mesh.vertices.begin()));
+    Eigen::Index farthest = 0;
+    (vertices * HullDirection(i)).maxCoeff(&farthest);
+    chosen.insert(static_cast<size_t>(farthest));
   }
   double lowest = mesh.vertices.front().z();
   double highest = lowest;

@@ -74,6 +74,20 @@ RenderQuality ChooseQuality(const CameraConfig& config) {
   return config.has_shadows ? RenderQuality::kFull : RenderQuality::kFast;
 }
 
+/** Each thread keeps one: shaders take longer to make than a session's pictures of an object. */
+Renderer& FindRenderer(int width, int height, RenderQuality quality) {
+  struct Kept {
+    int width = 0, height = 0;
+    RenderQuality quality = RenderQuality::kFast;
+    std::unique_ptr<Renderer> renderer;
+  };
+  thread_local Kept kept;
+  if (!kept.renderer || kept.width != width || kept.height != height || kept.quality != quality) {
+    kept = {width, height, quality, std::make_unique<Renderer>(width, height, quality)};
+  }
+  return *kept.renderer;
+}
+
 }  // namespace
 
 Lens MakeLens(const HandCamera& camera) {
@@ -97,8 +111,7 @@ WristCamera::WristCamera(std::shared_ptr<const Hand> hand,
       lens_(MakeLens(FindCamera(*hand_))),
       margin_(FindMargin(lens_)),
       faults_(MakeFaults(lens_, margin_, config)),
-      outline_(object_->mesh),
-      renderer_(lens_.width + 2 * margin_, lens_.height + 2 * margin_, ChooseQuality(config)) {
+      outline_(object_->mesh) {
   for (const LinkVisual& visual : hand_->visuals) {
     Eigen::AlignedBox3d box;
     for (const Vector3d& p : visual.mesh.vertices) box.extend(p);
@@ -156,7 +169,9 @@ Image WristCamera::TakePicture(const Scene& scene, const Pose& X_WK, const uint6
   PictureFaults& faults = faults_;
   faults.noise = noise_seed ? config_.noise : 0.0;
   faults.noise_seed = noise_seed ? *noise_seed : 0;
-  return LoadPictureTools().apply_faults(renderer_.Render(scene, MakePinhole(X_WK)), faults);
+  Renderer& renderer =
+      FindRenderer(lens_.width + 2 * margin_, lens_.height + 2 * margin_, ChooseQuality(config_));
+  return LoadPictureTools().apply_faults(renderer.Render(scene, MakePinhole(X_WK)), faults);
 }
 
 Sighting WristCamera::Look(const PlanarPose& supposed, const Pose& X_WO, const Eigen::VectorXd& q,

@@ -32,8 +32,8 @@ Lens MakeLens(const HandCamera& camera);
 /** Not to be used by two threads at once. */
 class WristCamera {
  public:
-  /** @throws Error(kUnsupported) for a hand without a camera; Error(kEnvironment) when pictures
-  cannot be made. @pre the configuration's colour is one. */
+  /** @throws Error(kUnsupported) for a hand without a camera. @pre the configuration's colour is one.
+  What takes a picture throws Error(kEnvironment) where none can be made. */
   WristCamera(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object,
               const CameraConfig& config);
 
@@ -72,7 +72,6 @@ class WristCamera {
   int margin_;  // by which the pinhole's picture is larger on each side [pixel]
   PictureFaults faults_;
   OutlineModel outline_;
-  Renderer renderer_;
   std::vector<VisualBall> balls_;    // of hand_->visuals
   std::optional<Image> bare_table_;  // without hand and shadows
 };
