@@ -115,6 +115,30 @@ Eigen::Vector3d CalcMiddle(const std::vector<const Trajectory*>& tracks, size_t 
   return sum / count;
 }
 
+/** Two skins cannot be in one place: such digits are one marker under two names. */
+void CheckDigitsDiffer(const std::vector<DigitTrack>& digits) {
+  constexpr size_t kEnough = 10;  // samples
+  for (size_t a = 0; a < digits.size(); ++a) {
+    for (size_t b = a + 1; b < digits.size(); ++b) {
+      const Trajectory &one = digits[a].tip, &other = digits[b].tip;
+      size_t num_both = 0, num_equal = 0;
+      for (size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+        if (!one.IsValid(i) || !other.IsValid(i)) continue;
+        const auto column = static_cast<Eigen::Index>(i);
+        ++num_both;
+        num_equal += one.p.col(column) == other.p.col(column);
+      }
+      if (num_both < kEnough || num_equal < num_both) continue;
+      throw Error(ErrorKind::kFormat,
+                  "the " + NameOfDigit(digits[a].digit) + " and the " +
+                      NameOfDigit(digits[b].digit) + " are at the same place in all " +
+                      std::to_string(num_both) +
+                      " samples that show both: one marker stands for two digits; give each its "
+                      "own under markers, and its own columns in the mapping");
+    }
+  }
+}
+
 }  // namespace
 
 PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config) {
@@ -149,6 +173,7 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
     track.force = FindForce(recording, config.forces[digit]);
     prepared.digits.push_back(track);
   }
+  CheckDigitsDiffer(prepared.digits);
   if (!config.markers.wrist.empty()) {
     const std::string* label = FindFirst(config.markers.wrist, labels);
     if (label == nullptr) {
