@@ -1,5 +1,7 @@
 #include "human_study/study/prepare_recording.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,7 @@ namespace {
 
 /** A gap of the resampled clock: intervals longer than this many median ones are no neighbours. */
 constexpr double kMaxIntervals = 2.5;
+constexpr double kLeastRate = 10.0;  // a reach takes a second [Hz]
 
 std::vector<std::string> ListLabels(const Recording& recording) {
   std::vector<std::string> labels;
@@ -43,12 +46,20 @@ class Cleaner {
 
   Trajectory Clean(const std::string& label, PreparedRecording& prepared) const {
     Trajectory track = MakeTrajectory(*recording_, label);
+    prepared.num_samples += track.size();
     if (config_->drop_frozen) prepared.num_frozen += InvalidateFrozenSamples(track);
     const SamplingReport sampling = FindSampling(track.times);
     if (!(sampling.median_interval > 0.0)) {
       throw Error(ErrorKind::kFormat, "the recording has fewer than two samples");
     }
     prepared.rate = 1.0 / sampling.median_interval;
+    if (prepared.rate < kLeastRate) {
+      throw Error(ErrorKind::kFormat,
+                  fmt::format("the recording has {:.3g} samples a second, too few for a reach: its "
+                              "times may be in milliseconds (time_unit: ms in the mapping) or "
+                              "count frames (state rate_hz there instead of time)",
+                              prepared.rate));
+    }
     prepared.was_resampled = !sampling.is_even;
     if (!sampling.is_even) {
       track = Resample(track, prepared.rate, kMaxIntervals * sampling.median_interval);
