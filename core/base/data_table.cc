@@ -28,13 +28,12 @@ DataTable::DataTable(const std::string& text, const std::string& file, Diagnosti
   LineReader reader(stream, file);
   std::string_view line;
   char delimiter = ',';
-  Cells cells;
   while (reader.Next(line)) {
     if (columns_.empty()) delimiter = FindDelimiter(line);
-    SplitCells(line, delimiter, cells);
-    if (IsBlank(cells)) continue;
+    const std::vector<std::string> cells = SplitTexts(line, delimiter);
+    if (std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.empty(); })) continue;
     if (columns_.empty()) {
-      columns_.assign(cells.begin(), cells.end());
+      columns_ = cells;
       for (auto name = columns_.begin(); name != columns_.end(); ++name) {
         if (std::find(columns_.begin(), name, *name) != name) {
           problems.Fail(file, reader.line(), "the column \"" + *name + "\" is there twice");
@@ -49,9 +48,7 @@ DataTable::DataTable(const std::string& text, const std::string& file, Diagnosti
       continue;
     }
     rows_.push_back({reader.line(), {}});
-    for (const auto& cell : cells) {
-      rows_.back().cells.push_back(UnguardCell(std::string(cell)));
-    }
+    for (const std::string& cell : cells) rows_.back().cells.push_back(UnguardCell(cell));
   }
   if (rows_.empty()) {
     problems.Fail(file, 0, "holds no rows; expected a heading and one row each");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/escape.h"
 
 namespace graspbench {
 namespace {
@@ -23,6 +24,7 @@ std::string Quote(std::string_view cell) {
   for (const char c : cell.substr(0, 40)) {
     shown += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
   }
+  shown = EscapeForTerminal(shown);  // bytes of a broken file, a character cut in two
   return "\"" + shown + (cell.size() > 40 ? "...\"" : "\"");
 }
 
@@ -30,6 +32,39 @@ bool ParsePlain(std::string_view cell, double& value) {
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
   const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return fault == std::errc() && end == cell.data() + cell.size();
+}
+
+struct QuotedCell {
+  std::string_view text;  // without its quotes
+  bool is_quoted = false;
+};
+
+/** Where the quote ends that begins at `start`: at the first one that is not two. */
+size_t FindClosingQuote(std::string_view line, size_t start) {
+  size_t quote = line.find('"', start + 1);
+  while (quote != std::string_view::npos && line.substr(quote + 1, 1) == "\"") {
+    quote = line.find('"', quote + 2);
+  }
+  return quote;
+}
+
+/** Takes the first cell off the line. */
+QuotedCell TakeCell(std::string_view& line, char delimiter, bool& is_last) {
+  const size_t start = line.find_first_not_of(' ');
+  size_t end = std::string_view::npos;
+  if (start != std::string_view::npos && line[start] == '"') {
+    const size_t quote = FindClosingQuote(line, start);
+    end = line.find(delimiter, quote == std::string_view::npos ? start : quote);
+  } else {
+    end = line.find(delimiter);
+  }
+  QuotedCell cell = {Trim(line.substr(0, end))};
+  if (cell.text.size() >= 2 && cell.text.front() == '"' && cell.text.back() == '"') {
+    cell = {cell.text.substr(1, cell.text.size() - 2), true};
+  }
+  is_last = end == std::string_view::npos;
+  if (!is_last) line.remove_prefix(end + 1);
+  return cell;
 }
 
 }  // namespace
@@ -58,23 +93,21 @@ void LineReader::Fail(const std::string& text) const {
 
 void SplitCells(std::string_view line, char delimiter, Cells& cells) {
   cells.clear();
-  while (true) {
-    const size_t start = line.find_first_not_of(' ');
-    size_t end = std::string_view::npos;
-    if (start != std::string_view::npos && line[start] == '"') {
-      const size_t quote = line.find('"', start + 1);
-      end = line.find(delimiter, quote == std::string_view::npos ? start : quote);
-    } else {
-      end = line.find(delimiter);
-    }
-    std::string_view cell = Trim(line.substr(0, end));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-      cell = cell.substr(1, cell.size() - 2);
-    }
-    cells.push_back(cell);
-    if (end == std::string_view::npos) return;
-    line.remove_prefix(end + 1);
+  for (bool is_last = false; !is_last;) {
+    cells.push_back(TakeCell(line, delimiter, is_last).text);
   }
+}
+
+std::vector<std::string> SplitTexts(std::string_view line, char delimiter) {
+  std::vector<std::string> texts;
+  for (bool is_last = false; !is_last;) {
+    const QuotedCell cell = TakeCell(line, delimiter, is_last);
+    std::string& text = texts.emplace_back(cell.text);
+    for (size_t at = 0; cell.is_quoted && (at = text.find("\"\"", at)) != std::string::npos;) {
+      text.erase(at++, 1);
+    }
+  }
+  return texts;
 }
 
 double ParseNumber(const Cells& cells, size_t column, const LineReader& reader) {

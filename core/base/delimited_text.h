@@ -33,8 +33,10 @@ class LineReader {
 using Cells = std::vector<std::string_view>;
 
 /** Splits at `delimiter` and trims blanks and enclosing double quotes; a quoted cell may hold the
-delimiter. Empty line: one empty cell. */
+delimiter, and quotes as two (RFC 4180), which stay two here. Empty line: one empty cell. */
 void SplitCells(std::string_view line, char delimiter, Cells& cells);
+/** The same as texts of their own: two quotes within a quoted cell are one. */
+std::vector<std::string> SplitTexts(std::string_view line, char delimiter);
 
 /** NaN for an empty cell, "nan" or "n/a"; anything else that is not a number fails with line and
 column. */

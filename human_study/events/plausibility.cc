@@ -54,12 +54,9 @@ void AddDisagreement(const DigitContactEvents& digit, double limit, std::vector<
   }
 }
 
-}  // namespace
-
-std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
-  // Between two digits of a hand that opens and closes.
-  constexpr double kLeast = 2e-3, kMost = 1.0, kTypical = 0.1;  // [m]
-  constexpr size_t kEnough = 100;                               // samples
+/** Largest distance between two digits in about a hundred samples, sorted; without zeros. */
+std::vector<double> ListSpans(const std::vector<DigitTrack>& digits) {
+  constexpr size_t kEnough = 100;  // samples
   const size_t num_samples = digits.front().tip.size();
   std::vector<double> spans;
   const size_t step = std::max<size_t>(1, num_samples / kEnough);
@@ -74,21 +71,158 @@ std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
     }
     if (span > 0.0) spans.push_back(span);
   }
+  std::sort(spans.begin(), spans.end());
+  return spans;
+}
+
+/** Largest speed of the middle one of the digits over a twentieth of a second, which noise and one
+marker's outliers do not reach. */
+double FindFastest(const std::vector<DigitTrack>& digits) {
+  constexpr double kWindow = 0.05;  // [s]
+  const std::vector<double>& times = digits.front().tip.times;
+  double fastest = 0.0;
+  for (size_t i = 0, j = 0; i < times.size(); ++i) {
+    while (j < times.size() && times[j] - times[i] < kWindow - 1e-9) ++j;
+    if (j == times.size()) break;
+    std::vector<double> speeds;
+    for (const DigitTrack& digit : digits) {
+      if (!digit.tip.IsValid(i) || !digit.tip.IsValid(j)) continue;
+      const Vector3d way =
+          digit.tip.p.col(static_cast<Column>(j)) - digit.tip.p.col(static_cast<Column>(i));
+      speeds.push_back(way.norm() / (times[j] - times[i]));
+    }
+    if (speeds.size() > 1) fastest = std::max(fastest, CalcMedian(speeds));
+  }
+  return fastest;
+}
+
+/** The mistake that makes lengths wrong by about this factor. */
+const char* NameConfusion(double factor) {
+  struct Confusion {
+    double factor;
+    const char* text;
+  };
+  constexpr Confusion kConfusions[] = {{1000.0, "millimetres read as metres (unit: mm)"},
+                                       {100.0, "centimetres read as metres (unit: cm)"},
+                                       {25.4, "millimetres read as inches (unit: mm)"},
+                                       {10.0, "millimetres read as centimetres (unit: mm)"},
+                                       {1.0 / 10.0, "centimetres read as millimetres (unit: cm)"},
+                                       {1.0 / 25.4, "inches read as millimetres (unit: in)"},
+                                       {1.0 / 100.0, "metres read as centimetres (unit: m)"},
+                                       {1.0 / 1000.0, "metres read as millimetres (unit: m)"}};
+  const auto how_far = [&](const Confusion& c) { return std::abs(std::log(c.factor / factor)); };
+  return std::min_element(std::begin(kConfusions), std::end(kConfusions),
+                          [&](const auto& a, const auto& b) { return how_far(a) < how_far(b); })
+      ->text;
+}
+
+/** How far a digit goes from one sample to another beyond what the others do, coordinate by
+coordinate their median; NaN when it or all others are hidden. */
+double CalcOwnStep(const std::vector<DigitTrack>& digits, size_t own, size_t from, size_t to) {
+  std::vector<double> others[3];
+  Vector3d way = Vector3d::Zero();
+  for (size_t d = 0; d < digits.size(); ++d) {
+    const Trajectory& tip = digits[d].tip;
+    const bool is_seen = tip.IsValid(from) && tip.IsValid(to);
+    if (!is_seen && d == own) return std::nan("");
+    if (!is_seen) continue;
+    const Vector3d step = tip.p.col(static_cast<Column>(to)) - tip.p.col(static_cast<Column>(from));
+    if (d == own) {
+      way = step;
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) others[axis].push_back(step[axis]);
+  }
+  if (others[0].empty()) return std::nan("");
+  for (int axis = 0; axis < 3; ++axis) way[axis] -= CalcMedian(std::move(others[axis]));
+  return way.norm();
+}
+
+}  // namespace
+
+std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
+  // Between two digits of a hand that opens and closes; speeds of one that reaches.
+  constexpr double kLeast = 0.012, kMost = 0.3, kTypical = 0.1;  // [m]
+  constexpr double kFastest = 5.0;                               // [m/s]
+  const std::vector<double> spans = ListSpans(digits);
   if (spans.empty()) return {};
-  const double largest = *std::max_element(spans.begin(), spans.end());
-  const double median = CalcMedian(std::move(spans));
-  if (largest >= kLeast && median <= kMost) return {};
-  const bool is_large = median > kMost;
-  const double factor = is_large ? median / kTypical : kTypical / largest;
-  const char* likely = factor > 300.0 ? (is_large ? "millimetres read as metres (unit: mm)"
-                                                  : "metres read as millimetres (unit: m)")
-                                      : (is_large ? "centimetres read as metres (unit: cm)"
-                                                  : "metres read as centimetres (unit: m)");
-  return {{"wrong_unit",
-           fmt::format("the recording's unit of length is wrong: its digits are {:.3g} m apart, "
-                       "those of a hand about {:g} m; likely {}. Say the unit in the file, its "
-                       "mapping or study.yaml (recording.unit)",
-                       is_large ? median : largest, kTypical, likely)}};
+  const double largest = spans.back(), most = CalcSortedQuantile(spans, 0.75);
+  const double fastest = FindFastest(digits);
+  const auto doubt = [](const std::string& found, double factor) -> std::vector<Doubt> {
+    return {{"wrong_unit", "the recording's unit of length is wrong: " + found + "; likely " +
+                               NameConfusion(factor) +
+                               ". Say the unit in the file, its mapping or study.yaml "
+                               "(recording.unit, for files that state none)"}};
+  };
+  const bool is_large = most > kMost;
+  if (is_large || largest < kLeast) {
+    return doubt(fmt::format("its digits are {:.3g} m apart, those of a hand about {:g} m",
+                             is_large ? most : largest, kTypical),
+                 (is_large ? most : largest) / kTypical);
+  }
+  if (fastest > kFastest) {
+    return doubt(fmt::format("its digits move at {:.3g} m/s, no reaching hand faster than {:g} m/s "
+                             "(or its clock is too fast)",
+                             fastest, kFastest),
+                 10.0);
+  }
+  return {};
+}
+
+std::vector<Doubt> FindLabelJump(const std::vector<DigitTrack>& digits) {
+  // Against the other digits, which are carried along; no finger opens or closes so fast.
+  constexpr double kFastest = 3.0, kLeast = 0.015;  // [m/s], [m]
+  constexpr double kNoiseFactor = 8.0;              // of the track's usual step
+  constexpr size_t kStay = 4;                       // samples; what comes back sooner is an outlier
+  const size_t num_samples = digits.front().tip.size();
+  for (size_t d = 0; d < digits.size(); ++d) {
+    std::vector<double> steps;
+    for (size_t i = 1; i < num_samples; ++i) {
+      const double step = CalcOwnStep(digits, d, i - 1, i);
+      if (!std::isnan(step)) steps.push_back(step);
+    }
+    if (steps.empty()) continue;
+    const double usual = CalcMedian(steps);
+    const std::vector<double>& times = digits[d].tip.times;
+    for (size_t i = 1 + kStay; i + kStay < num_samples; ++i) {
+      const double limit =
+          std::max({kLeast, kFastest * (times[i] - times[i - 1]), kNoiseFactor * usual});
+      const double step = CalcOwnStep(digits, d, i - 1, i);
+      bool stays = step > limit;
+      for (size_t k = 1; stays && k <= kStay; ++k) {
+        stays = CalcOwnStep(digits, d, i - 1, i + k) > 0.5 * step &&
+                CalcOwnStep(digits, d, i - 1 - k, i) > 0.5 * step;
+      }
+      if (!stays) continue;
+      return {{"label_jump",
+               fmt::format("digit {} jumps {:.0f} mm against the other digits between two frames, "
+                           "at {:.3f} s, and stays there: its marker is likely labelled as another "
+                           "one from there on. Correct the labels in the recording",
+                           digits[d].digit, MmFromM(step), times[i])}};
+    }
+  }
+  return {};
+}
+
+std::vector<Doubt> FindNoMovement(const std::vector<DigitTrack>& digits) {
+  constexpr double kTravel = 0.02;  // of a tip; shorter is no reach [m]
+  double farthest = 0.0, begin = INFINITY, end = -INFINITY;
+  for (const DigitTrack& digit : digits) {
+    Vector3d low = Vector3d::Constant(INFINITY), high = -low;
+    for (size_t i = 0; i < digit.tip.size(); ++i) {
+      if (!digit.tip.IsValid(i)) continue;
+      low = low.cwiseMin(digit.tip.p.col(static_cast<Column>(i)));
+      high = high.cwiseMax(digit.tip.p.col(static_cast<Column>(i)));
+      begin = std::min(begin, digit.tip.times[i]);
+      end = std::max(end, digit.tip.times[i]);
+    }
+    if ((high - low).minCoeff() >= 0.0) farthest = std::max(farthest, (high - low).norm());
+  }
+  if (!(begin < end) || farthest >= kTravel) return {};
+  return {{"no_movement",
+           fmt::format("no digit moves farther than {:.1f} mm in {:.2f} s: there is no reach in "
+                       "this recording; it may be cut off, too short, or of another trial",
+                       MmFromM(farthest), end - begin)}};
 }
 
 std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits) {
@@ -117,7 +251,7 @@ std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits) {
                    MmFromM(farthest), MmFromM(travel))}};
 }
 
-std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts,
+std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts, bool is_lifted,
                                   const PlausibilityOptions& options) {
   constexpr double kInside = 1e-3;    // no marker's middle is nearer to what its skin touches [m]
   constexpr double kPadError = 5e-3;  // of a given pad offset [m]
@@ -134,16 +268,18 @@ std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contact
   const double least = is_given ? -kPadError : kInside;
   const double most = is_given ? kPadError : options.max_hold_distance;
   if (median >= least && median <= most) return {};
-  return {
-      {"wrong_shape",
-       fmt::format("in the hold the digits' markers are {:.0f} mm {} the object's surface{}: its "
-                   "size or centre in objects.csv is likely wrong (too {}); expected {:.0f} to "
-                   "{:.0f} mm (plausibility.max_hold_distance_m)",
-                   MmFromM(std::abs(median)),
-                   is_given ? (median < 0.0 ? "nearer to" : "farther from")
-                            : (median < 0.0 ? "inside" : "from"),
-                   is_given ? " than their pad offsets" : "", median < least ? "large" : "small",
-                   MmFromM(least), MmFromM(most))}};
+  return {{"wrong_shape",
+           fmt::format(
+               "in the hold the digits' markers are {:.0f} mm {} the object's surface{}: its "
+               "size or centre in objects.csv is likely wrong (too {}){}; expected {:.0f} to "
+               "{:.0f} mm (plausibility.max_hold_distance_m)",
+               MmFromM(std::abs(median)),
+               is_given ? (median < 0.0 ? "nearer to" : "farther from")
+                        : (median < 0.0 ? "inside" : "from"),
+               is_given ? " than their pad offsets" : "", median < least ? "large" : "small",
+               median > most && !is_lifted ? ", or the recording ends before they are at the object"
+                                           : "",
+               MmFromM(least), MmFromM(most))}};
 }
 
 double CalcJointTravel(const std::vector<SmoothPath>& tips, const Hold& hold) {
@@ -212,6 +348,8 @@ std::vector<Doubt> FindOtherLiftAxis(const ObjectTravel& travel, const ObjectEve
   const int early = FindFirstAbove(travel.displacement, 3.0 * lift_off.min_rise);
   if (object.lift_off.IsFound() && (early < 0 || rises(early) || rises(farthest))) return {};
   const Vector3d way = travel.moved.col(farthest);
+  const Vector3d stated = Vector3d(lift_off.up_x, lift_off.up_y, lift_off.up_z).normalized();
+  if (stated.dot(way) > kAxisShare * way.norm()) return {};  // it is the stated direction
   Column axis = 0;
   const double along = way.cwiseAbs().maxCoeff(&axis);
   if (way.norm() < 3.0 * lift_off.min_rise || along < kAxisShare * way.norm()) return {};

@@ -9,7 +9,14 @@ the numbers; none repairs anything.
     they touch, so contacts are not determined.
   other_lift_axis: the object moves far, but not along the stated direction of the lift; names the
     likely one (recordings with y up).
-  wrong_unit: the digits are as far apart as no hand's; names the unit that would explain it.
+  wrong_unit: the digits are as far apart as no hand's (more than 0.3 m in a quarter of the samples,
+    or never 12 mm), or faster than any reach (5 m/s over 50 ms); names the unit that would explain
+    it.
+  label_jump: a digit is elsewhere from one frame to the next, faster against the other digits than
+    3 m/s and farther than 15 mm and eight of its usual steps, was where it was for five frames and
+    stays for five: markers that exchanged their labels. In slow recordings only long jumps are seen
+    (100 mm at 30 Hz).
+  no_movement: no digit moves as far as 20 mm.
   hand_centred: the hand's middle stays at the origin of its own coordinates (landmarks of a camera
     that count from the hand): its reach is not in them.
   wrong_shape: in the hold the markers lie inside the stated solid, or all are farther from it than
@@ -63,12 +70,19 @@ struct Doubt {
 /** Doubt about the unit of length. */
 std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits);
 
+/** Doubt about labels that jump to another marker. */
+std::vector<Doubt> FindLabelJump(const std::vector<DigitTrack>& digits);
+
+/** Doubt about a recording without a reach. */
+std::vector<Doubt> FindNoMovement(const std::vector<DigitTrack>& digits);
+
 /** Doubt about what the places are counted from: the middle of the digits stays within 0.15 m of the
 origin and within 0.05 m of its own place in every sample that shows all digits. */
 std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits);
 
-/** Doubt about the object's shape, from where the markers are in the hold. */
-std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts,
+/** Doubt about the object's shape, from where the markers are in the hold.
+@param is_lifted  the object is: the digits are at it, then. */
+std::vector<Doubt> FindWrongShape(const std::vector<DigitContactEvents>& contacts, bool is_lifted,
                                   const PlausibilityOptions& options);
 
 /** How far the digits moved together up to the hold: the longest stretch that ends there and in

@@ -193,7 +193,8 @@ void FindTrialContacts(FilteredTrial& filtered, const ObjectTravel& travel,
       MakeContactEvidence(filtered, analysis.opening, travel.displacement, FindBegin(analysis),
                           analysis.hold, options.contact);
   analysis.contacts = FindContacts(evidence, options.contact);
-  for (Doubt& doubt : FindWrongShape(analysis.contacts, options.plausibility)) {
+  for (Doubt& doubt : FindWrongShape(analysis.contacts, analysis.object.lift_off.IsFound(),
+                                     options.plausibility)) {
     analysis.trial_doubts.push_back(std::move(doubt));
   }
 }
@@ -272,8 +273,8 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
   TrialAnalysis analysis;
   analysis.trial_doubts = FindWrongUnit(trial.digits);
-  for (Doubt& doubt : FindHandCentred(trial.digits)) {
-    analysis.trial_doubts.push_back(std::move(doubt));
+  for (const auto& find : {FindHandCentred, FindNoMovement, FindLabelJump}) {
+    for (Doubt& doubt : find(trial.digits)) analysis.trial_doubts.push_back(std::move(doubt));
   }
 
   ObjectTravel travel;

@@ -8,9 +8,15 @@ namespace {
 /** Tables, and the list that rows are put into. */
 constexpr char kRead[] = R"R(
 options(digits = 10, contrasts = c("contr.sum", "contr.poly"))
+# Text that a spreadsheet would run as a formula stands behind an apostrophe in the tables.
+unguard <- function(d) {
+  for (f in names(d)) if (is.character(d[[f]]))
+    d[[f]] <- sub("^'(?='*[-=+@[:cntrl:]])", "", d[[f]], perl = TRUE)
+  d
+}
 read_table <- function(file, text) {
-  d <- read.csv(file, check.names = FALSE, na.strings = "", quote = "\"",
-                colClasses = setNames(rep("character", length(text)), text))
+  d <- unguard(read.csv(file, check.names = FALSE, na.strings = "", quote = "\"",
+                        colClasses = setNames(rep("character", length(text)), text)))
   for (f in intersect(c(factors, groups), names(d)))
     d[[f]] <- factor(d[[f]], levels = levels_of[[f]])
   if (session %in% names(d)) d$own_session <- factor(d[[session]], levels = sessions)
@@ -413,7 +419,8 @@ test_openings <- function(o) {
 constexpr char kRun[] = R"R(
 set.seed(1)
 stored <- if (file.exists("../statistics.csv"))
-  read.csv("../statistics.csv", check.names = FALSE, na.strings = "", stringsAsFactors = FALSE)
+  unguard(read.csv("../statistics.csv", check.names = FALSE, na.strings = "",
+                   stringsAsFactors = FALSE))
 for (m in if (is.null(stored)) unique(d$measure) else intersect(unique(d$measure), stored$measure)) {
   trials <- d[d$measure == m & !is.na(d$value), ]
   if (nrow(trials) == 0) next

@@ -1,5 +1,7 @@
 #include "human_study/study/prepare_recording.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,7 @@ namespace {
 
 /** A gap of the resampled clock: intervals longer than this many median ones are no neighbours. */
 constexpr double kMaxIntervals = 2.5;
+constexpr double kLeastRate = 10.0;  // a reach takes a second [Hz]
 
 std::vector<std::string> ListLabels(const Recording& recording) {
   std::vector<std::string> labels;
@@ -43,12 +46,20 @@ class Cleaner {
 
   Trajectory Clean(const std::string& label, PreparedRecording& prepared) const {
     Trajectory track = MakeTrajectory(*recording_, label);
+    prepared.num_samples += track.size();
     if (config_->drop_frozen) prepared.num_frozen += InvalidateFrozenSamples(track);
     const SamplingReport sampling = FindSampling(track.times);
     if (!(sampling.median_interval > 0.0)) {
       throw Error(ErrorKind::kFormat, "the recording has fewer than two samples");
     }
     prepared.rate = 1.0 / sampling.median_interval;
+    if (prepared.rate < kLeastRate) {
+      throw Error(ErrorKind::kFormat,
+                  fmt::format("the recording has {:.3g} samples a second, too few for a reach: its "
+                              "times may be in milliseconds (time_unit: ms in the mapping) or "
+                              "count frames (state rate_hz there instead of time)",
+                              prepared.rate));
+    }
     prepared.was_resampled = !sampling.is_even;
     if (!sampling.is_even) {
       track = Resample(track, prepared.rate, kMaxIntervals * sampling.median_interval);
@@ -115,6 +126,30 @@ Eigen::Vector3d CalcMiddle(const std::vector<const Trajectory*>& tracks, size_t 
   return sum / count;
 }
 
+/** Two skins cannot be in one place: such digits are one marker under two names. */
+void CheckDigitsDiffer(const std::vector<DigitTrack>& digits) {
+  constexpr size_t kEnough = 10;  // samples
+  for (size_t a = 0; a < digits.size(); ++a) {
+    for (size_t b = a + 1; b < digits.size(); ++b) {
+      const Trajectory &one = digits[a].tip, &other = digits[b].tip;
+      size_t num_both = 0, num_equal = 0;
+      for (size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+        if (!one.IsValid(i) || !other.IsValid(i)) continue;
+        const auto column = static_cast<Eigen::Index>(i);
+        ++num_both;
+        num_equal += one.p.col(column) == other.p.col(column);
+      }
+      if (num_both < kEnough || num_equal < num_both) continue;
+      throw Error(ErrorKind::kFormat,
+                  "the " + NameOfDigit(digits[a].digit) + " and the " +
+                      NameOfDigit(digits[b].digit) + " are at the same place in all " +
+                      std::to_string(num_both) +
+                      " samples that show both: one marker stands for two digits; give each its "
+                      "own under markers, and its own columns in the mapping");
+    }
+  }
+}
+
 }  // namespace
 
 PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config) {
@@ -149,6 +184,7 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
     track.force = FindForce(recording, config.forces[digit]);
     prepared.digits.push_back(track);
   }
+  CheckDigitsDiffer(prepared.digits);
   if (!config.markers.wrist.empty()) {
     const std::string* label = FindFirst(config.markers.wrist, labels);
     if (label == nullptr) {

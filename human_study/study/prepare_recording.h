@@ -25,12 +25,14 @@ struct PreparedRecording {
   std::vector<Trajectory> object_markers;
   double rate = 0.0;           ///< of the even clock [Hz]
   bool was_resampled = false;  ///< the recording's own clock is uneven
+  size_t num_samples = 0;      ///< of all tracks
   size_t num_frozen = 0;       ///< samples made invalid because they repeat the one before
   std::vector<MissingMarker> missing;
 };
 
 /** Renames, removes frozen samples, resamples an uneven clock at its median rate, fills short gaps.
-@throws Error(kFormat) when a marker has no length unit or the recording no clock. */
+@throws Error(kFormat) when a marker has no length unit, the recording no clock or fewer than 10 samples a second, or two digits have
+the same places throughout. */
 PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config);
 
 /** Part of a recording, both ends included [s]. */

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/escape.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
 #include "human_study/recording/importers/importer.h"
@@ -134,7 +135,7 @@ class Runner {
  private:
   static void Remove(const Removal& removal, StudyTrial& trial) {
     trial.removed_code = removal.code;
-    trial.removed = removal.text;
+    trial.removed = EscapeForTerminal(removal.text);  // may hold bytes of a broken recording
   }
 
   void Add(StudyTrial trial) {
@@ -156,7 +157,8 @@ class Runner {
     if (!config.mapping.empty()) options.mapping = study_.folder / config.mapping;
     options.trial = planned.table_trial;
     const Recording recording = LoadRecording(study_.recordings / planned.file, options);
-    for (const ImportFinding& finding : recording.findings) {
+    for (ImportFinding finding : recording.findings) {
+      finding.text = EscapeForTerminal(finding.text);
       result_.findings.push_back({planned.file, finding});
     }
     StudyConfig own = study_.config;
@@ -171,6 +173,7 @@ class Runner {
     }
     if (prepared_.was_resampled) ++result_.num_resampled;
     result_.num_frozen += prepared_.num_frozen;
+    result_.num_samples += prepared_.num_samples;
     rates_.push_back(prepared_.rate);
   }
 
@@ -225,6 +228,9 @@ class Runner {
       if (review.trial != id) continue;
       trial.reviews.push_back(review);
       reviewed_.insert(review.line);
+    }
+    for (const std::string& text : DropLapsed(analysis, 1.0 / prepared_.rate, trial.reviews)) {
+      result_.warnings.push_back({"review_lapsed", study_.config.reviews + ", " + text});
     }
     try {
       ApplyReviews(trial.reviews, options, trial.begin, trial.end, 1.0 / prepared_.rate, analysis);
@@ -355,6 +361,10 @@ StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
     if (watch.on_row) watch.on_row(i + 1, study.trials.size());
   }
   runner.Finish();
+  for (const auto& warnings :
+       {FindSameRecordings(result.study), FindNeverTouching(result), FindManyFrozen(result)}) {
+    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  }
   CalcStudyStatistics(result);
   return result;
 }

@@ -14,6 +14,7 @@ here depends on the clock, the machine or the order in which files lie in a fold
 #include "human_study/recording/recording.h"
 #include "human_study/study/study_config.h"
 #include "human_study/study/study_statistics.h"
+#include "human_study/study/study_warnings.h"
 
 namespace graspbench {
 
@@ -54,8 +55,10 @@ struct StudyResult {
   std::vector<std::string> digits;  ///< ids of those the marker map names
   std::vector<StudyTrial> trials;   ///< in the order of trials.csv, then of time
   std::vector<FileFinding> findings;
-  int num_resampled = 0;        ///< recordings with an uneven clock
-  size_t num_frozen = 0;        ///< samples
+  int num_resampled = 0;   ///< recordings with an uneven clock
+  size_t num_frozen = 0;   ///< samples, of num_samples
+  size_t num_samples = 0;  ///< of all markers in all recordings
+  std::vector<StudyWarning> warnings;
   double rate = NAN;            ///< median of the recordings [Hz]
   double noise = NAN;           ///< median over trials, SD of one coordinate of the thumb [m]
   int num_learned = 0;          ///< contacts from which analysis.contact.depths was learned

@@ -8,9 +8,9 @@
 
 #include "core/base/config.h"
 #include "core/base/data_table.h"
-#include "core/base/delimited_text.h"
 #include "core/base/files.h"
 #include "human_study/study/study_keys.h"
+#include "human_study/study/study_levels.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -163,33 +163,6 @@ void CheckConfig(const StudyConfig& config, ConfigChecker& check) {
   CheckAnalysis(config.analysis, out_of_range.empty(), check);
 }
 
-std::vector<Factor> ReadFactors(const std::vector<std::string>& names, DataTable& table) {
-  std::vector<Factor> factors;
-  for (const std::string& name : names) {
-    Factor factor;
-    factor.name = name;
-    table.Require(name);
-    for (size_t row = 0; row < table.num_rows(); ++row) {
-      const std::string& level = table.Text(row, name);
-      if (std::find(factor.levels.begin(), factor.levels.end(), level) == factor.levels.end()) {
-        factor.levels.push_back(level);
-      }
-    }
-    const auto number_of = [](const std::string& level) {
-      return ParseFiniteNumber(level).value_or(std::nan(""));
-    };
-    const bool is_number = std::all_of(factor.levels.begin(), factor.levels.end(),
-                                       [&](const auto& l) { return !std::isnan(number_of(l)); });
-    if (is_number) {
-      std::stable_sort(factor.levels.begin(), factor.levels.end(),
-                       [&](const auto& a, const auto& b) { return number_of(a) < number_of(b); });
-      for (const std::string& level : factor.levels) factor.numbers.push_back(number_of(level));
-    }
-    factors.push_back(factor);
-  }
-  return factors;
-}
-
 /** A group that changes within a person, and a factor that never does. */
 void CheckDesign(const Study& study, const std::string& file, Diagnostics& problems) {
   std::map<std::string, const PlannedReach*> first;
@@ -257,16 +230,20 @@ std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagn
     trial.remove = table.Text(row, "remove");
     const int count = ++counts[trial.participant];
     if (trial.trial.empty()) trial.trial = std::to_string(count);
-    for (const std::string& factor : factors) {
-      trial.levels.push_back(table.Text(row, factor));
-      if (trial.levels.back().empty()) fail(factor + ": empty; expected the trial's condition");
+    for (const Factor& factor : study.factors) {
+      trial.levels.push_back(FindLevel(factor.levels, table.Text(row, factor.name)));
+      if (trial.levels.back().empty()) {
+        fail(factor.name + ": empty; expected the trial's condition");
+      }
     }
-    for (const std::string& group : groups) {
-      trial.groups.push_back(table.Text(row, group));
-      if (trial.groups.back().empty()) fail(group + ": empty; expected the participant's group");
+    for (const Factor& group : study.groups) {
+      trial.groups.push_back(FindLevel(group.levels, table.Text(row, group.name)));
+      if (trial.groups.back().empty()) {
+        fail(group.name + ": empty; expected the participant's group");
+      }
     }
     if (!study.config.session.empty()) {
-      trial.session = table.Text(row, study.config.session);
+      trial.session = FindLevel(study.sessions, table.Text(row, study.config.session));
       if (trial.session.empty()) fail(study.config.session + ": empty; expected the session");
     }
     trial.hand = table.Text(row, "hand");
@@ -287,6 +264,30 @@ std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagn
     trials.push_back(trial);
   }
   return trials;
+}
+
+/** Parts of one recording may follow each other; what is mostly inside another is the same reach. */
+bool IsSamePart(const PlannedReach& a, const PlannedReach& b) {
+  if (a.table_trial != b.table_trial || a.hand != b.hand) return false;
+  const double both = std::min(a.end, b.end) - std::max(a.start, b.start);
+  return both > 0.0 && both >= 0.5 * std::min(a.end - a.start, b.end - b.start);
+}
+
+void CheckRecordedOnce(const Study& study, const std::string& trials_file, Diagnostics& problems) {
+  std::map<std::string, std::vector<const PlannedReach*>> by_file;
+  for (const PlannedReach& trial : study.trials) {
+    if (!trial.remove.empty()) continue;
+    auto& others = by_file[fs::path(trial.file).lexically_normal().string()];
+    for (const PlannedReach* other : others) {
+      if (!IsSamePart(*other, trial)) continue;
+      problems.Fail(trials_file, trial.line,
+                    "\"" + trial.file + "\" is already in line " + std::to_string(other->line) +
+                        ", and one recording counts once; several trials in it need start_s and "
+                        "end_s, table_trial or hand, and a row too many a reason under remove");
+      break;
+    }
+    others.push_back(&trial);
+  }
 }
 
 SurfaceDistance ReadShape(DataTable& table, size_t row, Diagnostics& problems) {
@@ -509,6 +510,11 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings,
     }
     study.trials = ReadTrials(study, *table, problems);
     CheckDesign(study, table->file(), problems);
+    CheckRecordedOnce(study, table->file(), problems);
+    WarnOfLookAlikes("participant", *table, problems);
+    for (const auto* columns : {&study.config.factors, &study.config.groups}) {
+      for (const std::string& column : *columns) WarnOfLookAlikes(column, *table, problems);
+    }
     CheckObjectNames(study, table->file(), problems);
   }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be analysed");

@@ -1,5 +1,7 @@
 #include "human_study/study/study_freeze.h"
 
+#include <map>
+#include <optional>
 #include <set>
 
 #include "core/base/config.h"
@@ -35,8 +37,9 @@ Json ListChoices(const StudyConfig& config) {
 /** Hashes of the tables that hold choices; null for one that is not named or not there. */
 Json HashTables(const StudyConfig& config, const fs::path& folder) {
   Json tables = Json::object();
-  for (const auto& [key, name] :
-       {std::pair("objects", config.objects), {"hypotheses", config.hypotheses}}) {
+  for (const auto& [key, name] : {std::pair("objects", config.objects),
+                                  {"hypotheses", config.hypotheses},
+                                  {"recording.mapping", config.recording.mapping}}) {
     tables[key] = nullptr;
     if (!name.empty() && fs::exists(folder / name)) {
       tables[key] = CalcSha256(ReadFile(folder / name));
@@ -45,12 +48,38 @@ Json HashTables(const StudyConfig& config, const fs::path& folder) {
   return tables;
 }
 
-/** Recordings that trials.csv names and that are there; 0 without trials.csv. */
-int CountRecordings(const fs::path& trials, const fs::path& recordings) {
-  if (!fs::exists(trials)) return 0;
-  Diagnostics problems;
-  const DataTable table(ReadFile(trials), trials.string(), problems);
+/** Empty without trials.csv. */
+std::optional<DataTable> ReadTrials(const fs::path& trials, Diagnostics& problems) {
+  if (!fs::exists(trials)) return std::nullopt;
+  DataTable table(ReadFile(trials), trials.string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be frozen");
+  return table;
+}
+
+/** What each row says of its trial, by "<participant>-<trial>". */
+Json ListRows(const StudyConfig& config, const DataTable& table) {
+  std::vector<std::string> columns = {"file",  "table_trial", "object", "start_s",
+                                      "end_s", "remove",      "hand"};
+  columns.insert(columns.end(), config.factors.begin(), config.factors.end());
+  columns.insert(columns.end(), config.groups.begin(), config.groups.end());
+  if (!config.session.empty()) columns.push_back(config.session);
+  Json rows = Json::object();
+  std::map<std::string, int> counts;
+  for (size_t row = 0; row < table.num_rows(); ++row) {
+    const std::string& participant = table.Text(row, "participant");
+    const int count = ++counts[participant];
+    const std::string& trial = table.Text(row, "trial");
+    Json cells = Json::object();
+    for (const std::string& column : columns) {
+      if (table.Has(column)) cells[column] = table.Text(row, column);
+    }
+    rows[participant + "-" + (trial.empty() ? std::to_string(count) : trial)] = cells;
+  }
+  return rows;
+}
+
+/** Recordings that trials.csv names and that are there. */
+int CountRecordings(const DataTable& table, const fs::path& recordings) {
   std::set<std::string> present;
   for (size_t row = 0; row < table.num_rows(); ++row) {
     const std::string& file = table.Text(row, "file");
@@ -81,6 +110,45 @@ void CompareSettings(const Json& frozen, const Json& used, FreezeCheck& check) {
   }
 }
 
+/** One deviation for all rows that are gone, and one for each column that changed. */
+void CompareRows(const Json& frozen, const Json& used, FreezeCheck& check) {
+  std::vector<std::string> gone;
+  struct Change {
+    std::string trial, before, now;
+    int count = 0;
+  };
+  std::map<std::string, Change> changes;  // by column, the first with the number of all
+  for (const auto& [trial, cells] : frozen.items()) {
+    if (!used.contains(trial)) {
+      gone.push_back(trial);
+      continue;
+    }
+    const Json &before = cells, &now = used[trial];
+    std::set<std::string> columns;
+    for (const Json* row : {&before, &now}) {
+      for (const auto& [column, text] : row->items()) columns.insert(column);
+    }
+    for (const std::string& column : columns) {
+      const std::string a = before.value(column, ""), b = now.value(column, "");
+      if (a == b) continue;
+      Change& change = changes[column];
+      if (change.count++ == 0) change = {trial, Json(a).dump(), Json(b).dump(), 1};
+    }
+  }
+  const auto more = [](size_t count) {
+    return count > 1 ? " and " + std::to_string(count - 1) + " more" : std::string();
+  };
+  if (!gone.empty()) {
+    check.deviations.push_back(
+        {"trials.csv", "trial " + gone.front() + more(gone.size()), "no such row"});
+  }
+  for (const auto& [column, change] : changes) {
+    check.deviations.push_back({"trials.csv, " + column + " of trial " + change.trial +
+                                    more(static_cast<size_t>(change.count)),
+                                change.before, change.now});
+  }
+}
+
 }  // namespace
 
 fs::path FindFreezePath(const fs::path& study_file) {
@@ -92,12 +160,15 @@ std::string MakeFreeze(const fs::path& study_file, const fs::path& recordings) {
   const StudyConfig config = ParseStudyConfig(ReadFile(study_file), study_file.string(), problems);
   problems.ThrowIfErrors(ErrorKind::kFormat, "the study cannot be frozen");
   const fs::path folder = study_file.parent_path();
-  Json choices = {{"what", kWhat},
-                  {"program", program_version()},
-                  {"settings", ListChoices(config)},
-                  {"tables", HashTables(config, folder)},
-                  {"num_recordings", CountRecordings(folder / config.trials,
-                                                     recordings.empty() ? folder : recordings)}};
+  const std::optional<DataTable> trials = ReadTrials(folder / config.trials, problems);
+  Json choices = {
+      {"what", kWhat},
+      {"program", program_version()},
+      {"settings", ListChoices(config)},
+      {"tables", HashTables(config, folder)},
+      {"trials", trials ? ListRows(config, *trials) : Json::object()},
+      {"num_recordings",
+       trials ? CountRecordings(*trials, recordings.empty() ? folder : recordings) : 0}};
   choices["sha256"] = HashChoices(choices);
   return FormatJson(choices, 2) + "\n";
 }
@@ -139,6 +210,11 @@ FreezeCheck CompareWithFreeze(const std::string& text, const std::string& name,
                                : std::string("no table");
     };
     check.deviations.push_back({"table " + key, show(before), show(hash)});
+  }
+  Diagnostics problems;
+  const std::optional<DataTable> trials = ReadTrials(study.folder / study.stated.trials, problems);
+  if (trials) {
+    CompareRows(frozen.value("trials", Json::object()), ListRows(study.stated, *trials), check);
   }
   return check;
 }

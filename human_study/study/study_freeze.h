@@ -3,9 +3,10 @@
 The choices of a study, written down before its data: `graspbench study freeze study.yaml` makes
 <study>.freeze.json beside study.yaml, `study run` compares.
 
-Frozen are all settings, defaults included, the version of the program, and what objects.csv and
-hypotheses.csv hold; not the study's title, the robot beside it, or trials.csv, which grows with the
-data. The file says how many of the recordings that trials.csv names were there already. It carries
+Frozen are all settings, defaults included, the version of the program, what objects.csv, the
+mapping and hypotheses.csv hold, and the rows that trials.csv has by then: rows that come later are
+the data, rows that are changed or gone are deviations. Not frozen are the study's title and the
+robot beside it. The file says how many of the recordings that trials.csv names were there already. It carries
 its own SHA-256, which can be registered elsewhere: that no one wrote it anew afterwards, nobody can
 tell from the file alone. */
 

@@ -11,8 +11,14 @@ FileKeys MakeRows() {
   return {
       {"name", "", "title of the report"},
       {"task", "", "label of the Motion-BIDS derivative: letters and digits"},
-      {"trials", "", "table with a row a trial, beside study.yaml"},
-      {"objects", "none", "table of the objects and their shapes"},
+      {"trials", "",
+       "table with a row a trial, beside study.yaml: participant, file; if needed trial, object, "
+       "table_trial (of a plain table with several), start_s, end_s, hand, remove (why it is left "
+       "out) and the factors"},
+      {"objects", "none",
+       "table of the objects: object, shape (sphere, cylinder, box, catalogue), length_m, width_m, "
+       "height_m; centre_x_m, centre_y_m, centre_z_m from the middle of its markers at rest to its "
+       "centre"},
       {"hypotheses", "none", "table of what the measures are tested against"},
       {"reviews", "none", "table of contacts that a person confirmed or corrected"},
       {"robot", "none", "a session of graspbench run to stand beside the people"},

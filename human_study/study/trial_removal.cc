@@ -2,11 +2,59 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "core/base/delimited_text.h"
 #include "human_study/study/run_study.h"
 
 namespace graspbench {
+namespace {
+
+/** A number of a sentence, or what stands between two. */
+struct Piece {
+  std::string text;
+  bool is_number = false;
+  double value = 0.0;
+};
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/** Numbers stand by themselves; digits within a name are an ellipsis. */
+std::vector<Piece> SplitNumbers(const std::string& text) {
+  std::vector<Piece> pieces = {{}};
+  for (size_t at = 0; at < text.size();) {
+    if (!IsDigit(text[at])) {
+      pieces.back().text += text[at++];
+      continue;
+    }
+    size_t end = at;
+    while (end < text.size() && (IsDigit(text[end]) || text[end] == '.')) ++end;
+    if (text[end - 1] == '.') --end;  // of the sentence
+    const bool is_open = at == 0 || std::string(" (=").find(text[at - 1]) != std::string::npos;
+    const bool is_closed =
+        end == text.size() || std::string(" ,;:.)%").find(text[end]) != std::string::npos;
+    const std::string number = text.substr(at, end - at);
+    const std::optional<double> value = ParseFiniteNumber(number);
+    if (is_open && is_closed && value) {
+      pieces.push_back({number, true, *value});
+      pieces.push_back({});
+    } else {
+      pieces.back().text += "\u2026";
+    }
+    at = end;
+  }
+  return pieces;
+}
+
+/** The text without its numbers: equal for texts that differ in them alone. */
+std::string KindOf(const std::string& text) {
+  std::string kind;
+  for (const Piece& piece : SplitNumbers(text)) kind += piece.is_number ? "\u2026" : piece.text;
+  return kind;
+}
+
+}  // namespace
 
 Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
   const auto doubt = [&](const std::vector<Doubt>& doubts) -> Removal {
@@ -48,32 +96,42 @@ Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
   return doubt(analysis.doubts);
 }
 
-std::string HideNumbers(const std::string& text) {
-  std::string hidden;
-  bool is_number = false;
-  for (const char c : text) {
-    const bool is_digit = c >= '0' && c <= '9';
-    if (is_digit && !is_number) hidden += "\u2026";
-    is_number = is_digit || (is_number && c == '.');
-    if (!is_number) hidden += c;
+std::string MergeNumbers(const std::vector<std::string>& texts) {
+  const auto differs = [&](const std::string& text) { return text != texts.front(); };
+  if (std::none_of(texts.begin(), texts.end(), differs)) return texts.front();
+  const std::vector<Piece> first = SplitNumbers(texts.front());
+  std::vector<Piece> low = first, high = first;
+  for (const std::string& text : texts) {
+    const std::vector<Piece> pieces = SplitNumbers(text);
+    for (size_t i = 0; i < first.size(); ++i) {
+      if (!first[i].is_number) continue;
+      if (pieces[i].value < low[i].value) low[i] = pieces[i];
+      if (pieces[i].value > high[i].value) high[i] = pieces[i];
+    }
   }
-  return hidden;
+  std::string merged;
+  for (size_t i = 0; i < first.size(); ++i) {
+    merged += low[i].text;
+    if (low[i].text != high[i].text) merged += ".." + high[i].text;
+  }
+  return merged;
 }
 
 std::vector<RemovalGroup> GroupRemoved(const std::vector<StudyTrial>& trials) {
   std::vector<RemovalGroup> groups;
+  std::vector<std::vector<std::string>> texts;
+  std::map<std::string, size_t> places;  // by kind
   for (const StudyTrial& trial : trials) {
     if (trial.IsKept()) continue;
-    const std::string kind = HideNumbers(trial.removed);
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& g) { return HideNumbers(g.text) == kind; });
-    if (group == groups.end()) {
-      group = groups.insert(groups.end(), {trial.removed_code, trial.removed, {}});
-    } else if (group->text != trial.removed) {
-      group->text = kind;
+    const auto [place, is_new] = places.try_emplace(KindOf(trial.removed), groups.size());
+    if (is_new) {
+      groups.push_back({trial.removed_code, "", {}});
+      texts.emplace_back();
     }
-    group->trials.push_back(trial.id);
+    groups[place->second].trials.push_back(trial.id);
+    texts[place->second].push_back(trial.removed);
   }
+  for (size_t i = 0; i < groups.size(); ++i) groups[i].text = MergeNumbers(texts[i]);
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.trials.size() > b.trials.size(); });
   return groups;
@@ -81,17 +139,22 @@ std::vector<RemovalGroup> GroupRemoved(const std::vector<StudyTrial>& trials) {
 
 std::vector<FindingGroup> GroupFindings(const StudyResult& result) {
   std::vector<FindingGroup> groups;
-  std::map<std::pair<std::string, std::string>, size_t> places;  // by code and hidden text
+  std::vector<std::vector<std::string>> texts;
+  std::map<std::pair<std::string, std::string>, size_t> places;  // by code and kind
   for (const FileFinding& entry : result.findings) {
     const ImportFinding& finding = entry.finding;
-    const auto key = std::pair(finding.code, HideNumbers(finding.text));
+    const auto key = std::pair(finding.code, KindOf(finding.text));
     const auto [place, is_new] = places.try_emplace(key, groups.size());
-    if (is_new) groups.push_back({finding.code, finding.text, 0, {}});
+    if (is_new) {
+      groups.push_back({finding.code, "", 0, {}});
+      texts.emplace_back();
+    }
     FindingGroup& group = groups[place->second];
-    if (group.text != finding.text) group.text = key.second;
+    texts[place->second].push_back(finding.text);
     ++group.count;
     if (group.files.empty() || group.files.back() != entry.file) group.files.push_back(entry.file);
   }
+  for (size_t i = 0; i < groups.size(); ++i) groups[i].text = MergeNumbers(texts[i]);
   return groups;
 }
 

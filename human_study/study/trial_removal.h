@@ -26,7 +26,7 @@ Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules);
 
 struct RemovalGroup {
   std::string code;
-  std::string text;                 ///< with an ellipsis for numbers that differ between the trials
+  std::string text;                 ///< with the range of numbers that differ between the trials
   std::vector<std::string> trials;  ///< ids, in the order of the plan
 };
 
@@ -36,7 +36,7 @@ std::vector<RemovalGroup> GroupRemoved(const std::vector<StudyTrial>& trials);
 
 struct FindingGroup {
   std::string code;
-  std::string text;  ///< with an ellipsis for numbers that differ between the findings
+  std::string text;  ///< with the range of numbers that differ between the findings
   int count = 0;
   std::vector<std::string> files;
 };
@@ -44,7 +44,8 @@ struct FindingGroup {
 numbers alone are one. */
 std::vector<FindingGroup> GroupFindings(const StudyResult& result);
 
-/** The text with every number replaced by an ellipsis. */
-std::string HideNumbers(const std::string& text);
+/** One text for several that differ in their numbers alone, which become "3..45"; parts of names
+(trial-3) become an ellipsis. @pre not empty. */
+std::string MergeNumbers(const std::vector<std::string>& texts);
 
 }  // namespace graspbench

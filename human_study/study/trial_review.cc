@@ -45,8 +45,9 @@ ContactReview ReadReview(DataTable& table, size_t row, Diagnostics& problems) {
     return review;
   }
   review.verdict = *verdict;
-  if (review.verdict != ReviewVerdict::kCorrected) return review;
+  if (review.verdict == ReviewVerdict::kNoContact) return review;
   review.contact = table.Number(row, "contact_s");
+  if (review.verdict != ReviewVerdict::kCorrected) return review;
   review.uncertainty = table.Number(row, "uncertainty_s");
   if (std::isnan(review.contact)) fail("corrected without a time: contact_s is empty");
   if (review.uncertainty <= 0.0) fail("uncertainty_s: expected more than 0, or an empty cell");
@@ -83,6 +84,30 @@ std::vector<ContactReview> ReadReviews(DataTable& table, Diagnostics& problems) 
     reviews.push_back(review);
   }
   return reviews;
+}
+
+std::vector<std::string> DropLapsed(const TrialAnalysis& analysis, double frame,
+                                    std::vector<ContactReview>& reviews) {
+  constexpr double kSlack = 1e-6;  // times were written with so many digits [s]
+  std::vector<std::string> texts;
+  const auto has_lapsed = [&](const ContactReview& review) {
+    if (review.verdict != ReviewVerdict::kConfirmed || std::isnan(review.contact)) return false;
+    for (const DigitContactEvents& digit : analysis.contacts) {
+      if (digit.digit != review.digit) continue;
+      const bool is_found = digit.contact.IsFound();
+      if (is_found && std::abs(digit.contact.time - review.contact) <= frame + kSlack) return false;
+      texts.push_back("line " + std::to_string(review.line) + ": contact of the " +
+                      NameOfDigit(review.digit) + " in trial " + review.trial + " confirmed at " +
+                      FormatFixed(review.contact, 4) + " s, now " +
+                      (is_found ? "at " + FormatFixed(digit.contact.time, 4) + " s"
+                                : "none (" + digit.contact.missing + ")") +
+                      "; it counts as not confirmed, look again");
+      return true;
+    }
+    return false;
+  };
+  reviews.erase(std::remove_if(reviews.begin(), reviews.end(), has_lapsed), reviews.end());
+  return texts;
 }
 
 void ApplyReviews(const std::vector<ContactReview>& reviews, const AnalysisOptions& options,

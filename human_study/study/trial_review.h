@@ -7,7 +7,9 @@ that study.yaml names under `reviews`, replayed by every run.
     digit      thumb, index, middle, ring or little
     verdict    confirmed; corrected: the digit touched at contact_s; no_contact: it did not touch;
                empty: not looked at
-    contact_s  on the recording's clock, for corrected
+    contact_s  on the recording's clock, for corrected; for confirmed the time that was confirmed:
+               it holds while the contact found is no more than a frame away (empty: whatever is
+               found)
     uncertainty_s  standard, for corrected; else that of a frame
     by         who looked; optional, as `note`
 
@@ -34,7 +36,7 @@ struct ContactReview {
   std::string trial;
   std::string digit;  ///< id: "FF"
   ReviewVerdict verdict = ReviewVerdict::kConfirmed;
-  double contact = NAN;      ///< [s]
+  double contact = NAN;      ///< corrected or confirmed to be there [s]; NaN: not said
   double uncertainty = NAN;  ///< [s]; NaN: a frame's
   std::string by;
 };
@@ -42,6 +44,11 @@ struct ContactReview {
 /** Rows with a verdict. Faults go into the table's problems: an unknown digit or verdict, a
 correction without a time, a digit of a trial twice. */
 std::vector<ContactReview> ReadReviews(DataTable& table, Diagnostics& problems);
+
+/** Takes out confirmations of a contact that is elsewhere now; a text for each, with its line.
+@param frame  length of one [s]. */
+std::vector<std::string> DropLapsed(const TrialAnalysis& analysis, double frame,
+                                    std::vector<ContactReview>& reviews);
 
 /** Sets the contacts of one trial and all measures of it.
 @param frame  length of one [s].

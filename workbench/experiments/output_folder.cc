@@ -119,11 +119,13 @@ std::vector<std::string> ListFiles(const fs::path& folder) {
 }
 
 /** Files that were added, changed or replaced by links since the manifest was written. */
-std::vector<std::string> ListForeign(const fs::path& folder, const Manifest& manifest) {
+std::vector<std::string> ListForeign(const fs::path& folder, const Manifest& manifest,
+                                     const std::vector<std::string>& derived) {
   std::vector<std::string> foreign;
   for (const Damage& damage : FindDamage(folder, manifest)) foreign.push_back(damage.path);
   for (const std::string& file : ListFiles(folder)) {
     const bool is_listed = file == kManifestFile ||
+                           std::count(derived.begin(), derived.end(), file) > 0 ||
                            std::any_of(manifest.files.begin(), manifest.files.end(),
                                        [&](const ManifestFile& own) { return own.path == file; });
     if (!is_listed || fs::is_symlink(folder / file)) foreign.push_back(file);
@@ -157,7 +159,7 @@ void CheckContent(const OutputRequest& request, const fs::path& place) {
     Refuse(request.folder,
            "holds " + FormatSome(names) + what + "; name a new or empty folder for the results");
   }
-  const std::vector<std::string> foreign = ListForeign(place, *manifest);
+  const std::vector<std::string> foreign = ListForeign(place, *manifest, request.derived);
   if (!foreign.empty()) {
     Refuse(request.folder, "holds " + FormatSome(foreign) + ", added or changed since its " +
                                request.kind +

@@ -6,8 +6,9 @@ A folder is graspbench's when it holds a mark: the frozen configuration of what 
 (session.json, campaign.json, scene.json), or a manifest.json that names the kind of a whole result
 and lists its files with their hashes (datasets/journal/manifest.h). A new result goes into a folder
 that is not there or empty; a whole result may take the place of an older one of its kind whose
-files are all listed and unchanged. Everything else is refused and named: foreign or changed files,
-an existing file, an empty name, the home folder, a mount point, a folder that holds an input.
+files are all listed and unchanged, but for those that its own scripts write. Everything else is
+refused and named: foreign or changed files, an existing file, an empty name, the home folder, a
+mount point, a folder that holds an input.
 
 A new folder is filled beside the target, in .<name>.part-<process>, and swapped in when it is
 complete, so that the target holds the old result, the new one, or nothing. What a killed program
@@ -26,6 +27,8 @@ struct OutputRequest {
   std::vector<std::filesystem::path>
       inputs;                ///< files and folders that are read; empty ones count not
   std::string command = {};  ///< of a whole result, for its manifest; without names of places
+  /** Paths within a result that programs which come with it write there; they go with it. */
+  std::vector<std::string> derived = {};
 };
 
 /** @throws Error(kUsage) naming what stands in the way. */

@@ -1,6 +1,7 @@
 #include "human_study/recording/cleaning/gaps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace graspbench {
@@ -43,6 +44,34 @@ void FillGap(const Trajectory& original, const SampleRun& gap, GapFilling fillin
         r * r * (1 + 2 * s) * p0 + s * s * (3 - 2 * s) * p1 + s * r * duration * (r * v0 - s * v1);
     trajectory.states[i] = SampleState::kFilled;
   }
+}
+
+/** Whether a run of equal samples may be one at rest: where it was recorded finely, the next place
+(at the end: the one before) is at most one step of its resolution away. */
+bool IsStandstill(const Trajectory& trajectory, size_t first, size_t last, double resolution) {
+  const bool is_end = last >= trajectory.size();
+  if (is_end && first == 0) return false;  // never moves
+  const size_t a = is_end ? first - 1 : last - 1, b = a + 1;
+  if (!trajectory.IsValid(a) || !trajectory.IsValid(b)) return false;
+  const auto step =
+      (trajectory.p.col(static_cast<Column>(b)) - trajectory.p.col(static_cast<Column>(a)))
+          .cwiseAbs()
+          .maxCoeff();
+  return step <= 1.5 * resolution;
+}
+
+/** Smallest step of a coordinate between neighbours that is none; infinite without any. */
+double FindResolution(const Trajectory& trajectory) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 1; i < trajectory.size(); ++i) {
+    if (!trajectory.IsValid(i - 1) || !trajectory.IsValid(i)) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double step = std::abs(trajectory.p(axis, static_cast<Column>(i)) -
+                                   trajectory.p(axis, static_cast<Column>(i - 1)));
+      if (step > 0.0) least = std::min(least, step);
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -89,6 +118,7 @@ size_t FillGapsAlong(Trajectory& trajectory, const Trajectory& companion, double
 
 size_t InvalidateFrozenSamples(Trajectory& trajectory, size_t min_repeats) {
   size_t count = 0;
+  const double resolution = FindResolution(trajectory);
   for (size_t first = 0; first < trajectory.size();) {
     size_t last = first + 1;  // one past the run equal to `first`
     while (trajectory.IsValid(first) && last < trajectory.size() && trajectory.IsValid(last) &&
@@ -96,7 +126,7 @@ size_t InvalidateFrozenSamples(Trajectory& trajectory, size_t min_repeats) {
                trajectory.p.col(static_cast<Column>(first))) {
       ++last;
     }
-    if (last - first - 1 >= min_repeats) {
+    if (last - first - 1 >= min_repeats && !IsStandstill(trajectory, first, last, resolution)) {
       for (size_t i = first + 1; i < last; ++i) {
         trajectory.states[i] = SampleState::kInvalid;
         trajectory.p.col(static_cast<Column>(i))

@@ -38,8 +38,9 @@ made in what was seen were filled with a largest error of 0.9, 2.2, 3.2 mm (medi
 size_t FillGapsAlong(Trajectory& trajectory, const Trajectory& companion, double max_duration);
 
 /** Some trackers repeat the last position while a marker is hidden. Makes invalid every sample
-whose coordinates equal the previous valid sample's exactly, in runs of at least `min_repeats`; a
-marker in noise never repeats, one at rest that was rounded coarsely may.
+whose coordinates equal the previous valid sample's exactly, in runs of at least `min_repeats`.
+Kept is a marker at rest that was rounded: what repeats, then goes on by no more than the smallest
+step that the track has (a run at the end: comes from there). A marker in noise never repeats.
 @returns the number of samples made invalid. @pre min_repeats >= 1. */
 size_t InvalidateFrozenSamples(Trajectory& trajectory, size_t min_repeats = 1);
 

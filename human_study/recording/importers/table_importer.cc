@@ -200,9 +200,11 @@ void RefuseImageLandmarks(const ImportSource& source, const Recording& recording
 void CheckTrial(const ImportSource& source, const ImportOptions& options,
                 const std::vector<std::string>& trials, const Recording& recording) {
   if (options.trial.empty() && trials.size() > 1) {
-    throw Error(ErrorKind::kUsage,
-                source.name + ": the table holds " + std::to_string(trials.size()) + " trials, \"" +
-                    trials.front() + "\" to \"" + trials.back() + "\"; name one with --trial");
+    throw Error(ErrorKind::kUsage, source.name + ": the table holds " +
+                                       std::to_string(trials.size()) + " trials, \"" +
+                                       trials.front() + "\" to \"" + trials.back() +
+                                       "\"; name one (--trial of graspbench mocap, column "
+                                       "table_trial of a study's trials.csv)");
   }
   if (!options.trial.empty() && recording.num_frames == 0) {
     throw Error(ErrorKind::kNotFound, source.name + ": no trial \"" + options.trial + "\"" +

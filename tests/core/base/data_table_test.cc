@@ -22,6 +22,21 @@ TEST(DataTable, ReadsWhatSpreadsheetsWrite) {
   }
 }
 
+// RFC 4180, section 2.7: a quote inside a quoted cell is written twice.
+TEST(DataTable, TwoQuotesInAQuotedCellAreOne) {
+  Diagnostics problems;
+  const DataTable table(
+      "a,b,\"c \"\"x\"\"\"\n\"=F(\"\"u\"\",\"\"v\"\")\",\"\",\"\"\"\"\na\"\"b, \"x,\"\"\" ,1\n",
+      "t.csv", problems);
+  EXPECT_EQ(problems.Format(), "");
+  ASSERT_EQ(table.num_rows(), 2u);
+  EXPECT_EQ(table.Text(0, "a"), "=F(\"u\",\"v\")");
+  EXPECT_EQ(table.Text(0, "b"), "");
+  EXPECT_EQ(table.Text(0, "c \"x\""), "\"");
+  EXPECT_EQ(table.Text(1, "a"), "a\"\"b");  // not quoted: as it is
+  EXPECT_EQ(table.Text(1, "b"), "x,\"");
+}
+
 TEST(DataTable, EveryFaultHasItsLine) {
   Diagnostics problems;
   DataTable table("a,b,a\n1,2,3\n1,2\n1,x,3\n", "t.csv", problems);

@@ -50,11 +50,76 @@ TEST(FindWrongUnit, NamesTheUnitThatWouldExplainTheHand) {
   EXPECT_TRUE(doubts(1.0).empty());
   EXPECT_TRUE(doubts(0.2).empty());  // a small hand that pinches
   EXPECT_TRUE(doubts(3.0).empty());
+  ASSERT_EQ(doubts(10.0).size(), 1u);
+  EXPECT_NE(doubts(10.0)[0].text.find("millimetres read as centimetres"), std::string::npos);
+  EXPECT_NE(doubts(0.1)[0].text.find("centimetres read as millimetres"), std::string::npos);
+  EXPECT_NE(doubts(30.0)[0].text.find("millimetres read as inches"), std::string::npos);
   ASSERT_EQ(doubts(1000.0).size(), 1u);
   EXPECT_EQ(doubts(1000.0)[0].code, "wrong_unit");
   EXPECT_NE(doubts(1000.0)[0].text.find("millimetres read as metres"), std::string::npos);
   EXPECT_NE(doubts(100.0)[0].text.find("centimetres read as metres"), std::string::npos);
   EXPECT_NE(doubts(1e-3)[0].text.find("metres read as millimetres"), std::string::npos);
+}
+
+TEST(FindWrongUnit, NoReachIsFasterThanFiveMetresASecond) {
+  const auto doubts = [](double speed) {
+    std::vector<DigitTrack> digits(3);
+    for (size_t d = 0; d < 3; ++d) {
+      digits[d].tip = SamplePath(MakeTimes(0, 1, 200), [&](double t) {
+        return Vector3d(speed * t, 0.05 * static_cast<double>(d), 0);
+      });
+    }
+    digits[0].tip.p.col(50).x() += 1.0;  // one marker's outlier is no speed of the hand
+    return FindWrongUnit(digits);
+  };
+  EXPECT_TRUE(doubts(4.9).empty());
+  ASSERT_EQ(doubts(5.1).size(), 1u);
+  EXPECT_EQ(doubts(5.1)[0].code, "wrong_unit");
+}
+
+/** Three digits 40 mm apart that reach 0.4 m in 1 s with a peak speed of 0.75 m/s. */
+std::vector<DigitTrack> MakeReach(double rate) {
+  std::vector<DigitTrack> digits(3);
+  const char* const names[] = {"TH", "FF", "MF"};
+  for (size_t d = 0; d < 3; ++d) {
+    digits[d].digit = names[d];
+    digits[d].tip = SamplePath(MakeTimes(0, 1, rate), [&](double t) {
+      const double way = t * t * t * (10 - 15 * t + 6 * t * t);
+      return Vector3d(0.4 * way, 0.04 * static_cast<double>(d), 0);
+    });
+  }
+  return digits;
+}
+
+TEST(FindLabelJump, ExchangedLabelsAreNamedAndOutliersAreNot) {
+  for (const double rate : {100.0, 200.0, 500.0}) {
+    const std::vector<DigitTrack> good = MakeReach(rate);
+    EXPECT_TRUE(FindLabelJump(good).empty());
+    const auto half = static_cast<Eigen::Index>(rate / 2);
+    std::vector<DigitTrack> spike = good;
+    spike[1].tip.p.col(half).y() += 0.1;
+    EXPECT_TRUE(FindLabelJump(spike).empty());
+    spike[1].tip.p.middleCols(half, 3).colwise() += Vector3d(0, 0.1, 0);
+    EXPECT_TRUE(FindLabelJump(spike).empty());
+    std::vector<DigitTrack> exchanged = good;
+    const Eigen::Index rest = good[0].tip.p.cols() - half;
+    exchanged[0].tip.p.rightCols(rest) = good[1].tip.p.rightCols(rest);
+    exchanged[1].tip.p.rightCols(rest) = good[0].tip.p.rightCols(rest);
+    const std::vector<Doubt> doubts = FindLabelJump(exchanged);
+    ASSERT_EQ(doubts.size(), 1u) << rate;
+    EXPECT_EQ(doubts[0].code, "label_jump");
+    EXPECT_NE(doubts[0].text.find("at 0.500 s"), std::string::npos) << doubts[0].text;
+  }
+}
+
+TEST(FindNoMovement, ARestingHandIsNoReach) {
+  std::vector<DigitTrack> digits = MakeReach(100.0);
+  EXPECT_TRUE(FindNoMovement(digits).empty());
+  for (DigitTrack& digit : digits) digit.tip.p *= 0.04;  // 16 mm
+  ASSERT_EQ(FindNoMovement(digits).size(), 1u);
+  EXPECT_NE(FindNoMovement(digits)[0].text.find("farther than 16.0 mm in 1.00 s"),
+            std::string::npos)
+      << FindNoMovement(digits)[0].text;
 }
 
 TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
@@ -80,12 +145,13 @@ TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
 }
 
 TEST(FindWrongShape, MarkersInsideTheSolidAndFarFromItAreNamed) {
-  const auto text = [](double first, double second, bool has_pad_offset) -> std::string {
+  bool is_lifted = true;
+  const auto text = [&](double first, double second, bool has_pad_offset) -> std::string {
     std::vector<DigitContactEvents> contacts(2);
     contacts[0].hold_distance = first;
     contacts[1].hold_distance = second;
     contacts[0].has_pad_offset = contacts[1].has_pad_offset = has_pad_offset;
-    const auto doubts = FindWrongShape(contacts, {});
+    const auto doubts = FindWrongShape(contacts, is_lifted, {});
     return doubts.empty() ? "" : doubts.front().text;
   };
   EXPECT_EQ(text(0.008, 0.014, false), "");
@@ -95,6 +161,10 @@ TEST(FindWrongShape, MarkersInsideTheSolidAndFarFromItAreNamed) {
   EXPECT_EQ(text(0.002, -0.002, true), "");
   EXPECT_NE(text(-0.007, -0.009, true).find("8 mm nearer to"), std::string::npos);
   EXPECT_EQ(text(std::nan(""), 0.03, false), "");  // one digit is no majority
+  EXPECT_EQ(text(0.024, 0.022, false).find("recording ends"), std::string::npos);
+  is_lifted = false;
+  EXPECT_NE(text(0.024, 0.022, false).find("or the recording ends before they are at the object"),
+            std::string::npos);
 }
 
 TEST(FindContactDoubts, EachLimitHasItsCode) {

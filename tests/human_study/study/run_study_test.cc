@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/study/demo_study.h"
 #include "human_study/study/motion_bids.h"
@@ -138,6 +139,69 @@ TEST_F(RunStudyTest, ARecordingWithoutOneMarkerCostsItsTrialsAlone) {
   EXPECT_EQ(result.CountKept(), 11);
   EXPECT_NE(result.trials[4].removed.find("no marker for the ring"), std::string::npos);
   EXPECT_NE(result.trials[4].removed.find("did you mean \"rong_tip\"?"), std::string::npos);
+}
+
+TEST_F(RunStudyTest, OneMarkerUnderTwoDigitsIsRefused) {
+  const std::vector<double> times = {0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1};
+  std::string table = "time,t_x,t_y,t_z,i_x,i_y,i_z\n";
+  for (const double t : times) {
+    const std::string x = std::to_string(100.0 * t);
+    table += std::to_string(t) + "," + x + ",0,0," + x + ",40,0\n";
+  }
+  WriteFileAtomically(folder_ / "a.csv", table);
+  WriteFileAtomically(folder_ / "trials.csv", "participant,file\nP1,a.csv\n");
+  WriteFileAtomically(folder_ / "study.yaml",
+                      "recording: {mapping: columns.yaml}\n"
+                      "markers: {thumb: thumb, index: index, middle: middle}\n");
+  const std::string mapping =
+      "unit: mm\ntime: time\npoints:\n  thumb: [t_x, t_y, t_z]\n  index: [i_x, i_y, i_z]\n";
+  const auto run = [&](const std::string& middle) -> std::string {
+    WriteFileAtomically(folder_ / "columns.yaml", mapping + "  middle: " + middle + "\n");
+    try {
+      const StudyResult result = Run();
+      return result.trials.front().removed;
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_NE(run("[i_x, i_y, i_z]")
+                .find("the index and the middle are at the same place in all 11 samples"),
+            std::string::npos)
+      << run("[i_x, i_y, i_z]");
+  EXPECT_EQ(run("[i_x, i_z, i_y]").find("same place"), std::string::npos);
+}
+
+TEST_F(RunStudyTest, TimesInMillisecondsAreToldAsSuch) {
+  std::string table = "time,t_x,t_y,t_z,i_x,i_y,i_z\n";
+  for (int t = 0; t < 2000; t += 5) {
+    const std::string x = std::to_string(t);
+    table += x + "," + x + ",0,0," + x + ",40,0\n";
+  }
+  WriteFileAtomically(folder_ / "a.csv", table);
+  WriteFileAtomically(folder_ / "trials.csv", "participant,file\nP1,a.csv\n");
+  WriteFileAtomically(folder_ / "study.yaml",
+                      "recording: {mapping: columns.yaml}\n"
+                      "markers: {thumb: thumb, index: index}\n");
+  WriteFileAtomically(folder_ / "columns.yaml",
+                      "unit: mm\ntime: time\npoints:\n  thumb: [t_x, t_y, t_z]\n"
+                      "  index: [i_x, i_y, i_z]\n");
+  try {
+    Run();
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("0.2 samples a second, too few for a reach: its times "
+                        "may be in milliseconds (time_unit: ms"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(RunStudyTest, BytesThatAreNoTextAreEscapedInTheTables) {
+  WriteFileAtomically(folder_ / "recordings" / SyntheticFileName(trials_[1], SyntheticFormat::kC3d),
+                      "\x9f\xe2\x28\xa1,\xff\n\xc0\xc1,1\n");
+  WriteStudyTables(Run(), folder_ / "a");
+  EXPECT_TRUE(IsUtf8(ReadFile(folder_ / "a" / "trials.csv")));
 }
 
 TEST_F(RunStudyTest, TheWrongFolderIsToldAsSuch) {

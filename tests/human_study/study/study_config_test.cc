@@ -71,6 +71,24 @@ class StudyFolder : public ::testing::Test {
   fs::path folder_;
 };
 
+TEST_F(StudyFolder, OneRecordingCountsOnce) {
+  Write("study.yaml", "markers: {thumb: t, index: i}\n");
+  const auto write = [&](const std::string& rows) {
+    Write("trials.csv", "participant,trial,file,start_s,end_s,hand,remove\n" + rows);
+  };
+  write("01,1,a.c3d,,,,\n01,2,./a.c3d,,,,\n");
+  ExpectFault("trials.csv:3: error: \"./a.c3d\" is already in line 2");
+  write("01,1,a.c3d,,,,\n02,1,a.c3d,,,,\n");
+  ExpectFault("trials.csv:3: error: \"a.c3d\" is already in line 2");
+  write("01,1,a.c3d,0,4,,\n01,2,a.c3d,1,3,,\n");
+  ExpectFault("trials.csv:3: error: \"a.c3d\" is already in line 2");
+  // Parts that follow each other, another hand, and what does not count.
+  write(
+      "01,1,a.c3d,,5,left,\n01,2,a.c3d,4.5,9,left,\n01,3,a.c3d,9,,left,\n"
+      "01,4,a.c3d,,5,right,\n01,5,a.c3d,,5,left,a copy\n");
+  EXPECT_EQ(FindFault(), "");
+}
+
 TEST_F(StudyFolder, EveryThingWrittenArrives) {
   const Study study = LoadStudy(folder_ / "study.yaml", "elsewhere");
   EXPECT_EQ(study.config.name, "Test");

@@ -48,15 +48,14 @@ class StudyFreeze : public ::testing::Test {
 
 TEST_F(StudyFreeze, BeforeTheDataAndNothingChanged) {
   Freeze();  // there is no trials.csv yet
+  const std::string before = ReadFile(folder_ / "study.freeze.json");
+  EXPECT_EQ(MakeFreeze(folder_ / "study.yaml"), before);
   WriteTrials();
   const Study study = LoadStudy(folder_ / "study.yaml");
   ASSERT_TRUE(study.freeze);
   EXPECT_TRUE(study.freeze->deviations.empty());
   EXPECT_EQ(DescribeFreeze(study), "Choices frozen before any recording (SHA-256 " +
                                        study.freeze->hash.substr(0, 12) + "): no deviation.");
-  // The same choices have the same bytes; the title is no choice.
-  const std::string before = ReadFile(folder_ / "study.freeze.json");
-  EXPECT_EQ(MakeFreeze(folder_ / "study.yaml"), before);
   fs::remove(folder_ / "study.freeze.json");
   EXPECT_FALSE(LoadStudy(folder_ / "study.yaml").freeze);
 }
@@ -80,6 +79,29 @@ TEST_F(StudyFreeze, EveryDeviationIsNamedWithBothValues) {
   const std::string text = DescribeFreeze(LoadStudy(folder_ / "study.yaml"));
   EXPECT_EQ(text.find("Choices frozen when 1 recording was there already (SHA-256 "), 0u) << text;
   EXPECT_NE(text.find("): 2 deviations."), std::string::npos) << text;
+}
+
+TEST_F(StudyFreeze, RowsThatChangeOrGoDeviateAndNewOnesDoNot) {
+  Write("study.yaml",
+        "markers: {thumb: t, index: i}\nfactors: [pace]\nrecording: {mapping: columns.yaml}\n");
+  Write("columns.yaml", "unit: mm\n");
+  const std::string head = "participant,file,pace,note\n";
+  Write("trials.csv", head + "01,a.tsv,slow,\n01,b.tsv,fast,\n02,c.tsv,slow,\n02,d.tsv,fast,\n");
+  Freeze();
+  Write("trials.csv", head +
+                          "01,a.tsv,slow,tired\n01,b.tsv,fast,\n02,c.tsv,slow,\n"
+                          "02,d.tsv,fast,\n03,e.tsv,slow,\n");
+  EXPECT_EQ(Deviations(), std::vector<std::string>{});
+  Write("trials.csv", head + "01,a.tsv,fast,\n01,b.tsv,slow,\n02,c.tsv,slow,\n");
+  EXPECT_EQ(Deviations(),
+            (std::vector<std::string>{
+                "trials.csv: frozen trial 02-2, used no such row",
+                "trials.csv, pace of trial 01-1 and 1 more: frozen \"slow\", used \"fast\""}));
+  Write("trials.csv", head + "01,a.tsv,slow,\n01,b.tsv,fast,\n02,c.tsv,slow,\n02,d.tsv,fast,\n");
+  Write("columns.yaml", "unit: cm\n");
+  const std::vector<std::string> mapping = Deviations();
+  ASSERT_EQ(mapping.size(), 1u);
+  EXPECT_EQ(mapping[0].find("table recording.mapping: frozen SHA-256 "), 0u) << mapping[0];
 }
 
 TEST_F(StudyFreeze, AFileThatIsNoFreezeOrWasTouchedIsRefused) {

@@ -27,9 +27,18 @@ TEST(GroupRemoved, TextsThatDifferInNumbersAreOneReason) {
   }
   const std::vector<RemovalGroup> groups = GroupRemoved(trials);
   ASSERT_EQ(groups.size(), 2u);
-  EXPECT_EQ(groups[0].text, HideNumbers("late by 3 ms"));
+  EXPECT_EQ(groups[0].text, "late by 3..4.5 ms");
   EXPECT_EQ(groups[0].trials, (std::vector<std::string>{"0", "2"}));
   EXPECT_EQ(groups[1].text, "hidden");
+}
+
+TEST(MergeNumbers, GivesTheRangeOfWhatDiffersAndKeepsTheRest) {
+  EXPECT_EQ(MergeNumbers({"10 mm away (at most 20).", "9.5 mm away (at most 20).",
+                          "31 mm away (at most 20)."}),
+            "9.5..31 mm away (at most 20).");
+  EXPECT_EQ(MergeNumbers({"trial-3.c3d: 7 frames", "trial-12.c3d: 7 frames"}),
+            "trial-\u2026.c\u2026d: 7 frames");
+  EXPECT_EQ(MergeNumbers({"trial-3.c3d: cut", "trial-3.c3d: cut"}), "trial-3.c3d: cut");
 }
 
 }  // namespace

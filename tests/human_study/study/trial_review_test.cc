@@ -107,6 +107,26 @@ TEST_F(ReplayedReview, AConfirmationChangesNothingAndAFalseContactGoes) {
   EXPECT_EQ(gone.trials[0].analysis->num_touching, before_.trials[0].analysis->num_touching - 1);
 }
 
+TEST_F(ReplayedReview, AConfirmationHoldsForItsTimeAndAFrame) {
+  const StudyTrial& trial = before_.trials[0];
+  const double found = FindIndex(trial).contact.time;
+  const auto confirm = [&](double time) {
+    return RunWith(trial.id + ",index,confirmed," + FormatFixed(time, 6) + ",FR\n");
+  };
+  const StudyResult near = confirm(found + 0.004);  // recorded at 200 Hz
+  EXPECT_TRUE(FindIndex(near.trials[0]).is_reviewed);
+  EXPECT_TRUE(near.warnings.empty());
+  const StudyResult far = confirm(found + 0.009);
+  EXPECT_FALSE(FindIndex(far.trials[0]).is_reviewed);
+  EXPECT_TRUE(far.trials[0].reviews.empty());
+  ASSERT_EQ(far.warnings.size(), 1u);
+  EXPECT_EQ(far.warnings[0].code, "review_lapsed");
+  EXPECT_EQ(far.warnings[0].text, "reviews.csv, line 2: contact of the index in trial " + trial.id +
+                                      " confirmed at " + FormatFixed(found + 0.009, 4) +
+                                      " s, now at " + FormatFixed(found, 4) +
+                                      " s; it counts as not confirmed, look again");
+}
+
 TEST_F(ReplayedReview, WhatFitsNoTrialStopsTheRun) {
   const std::string id = before_.trials[0].id;
   const auto expect = [&](const std::string& rows, const std::string& part) {

@@ -55,6 +55,16 @@ TEST_F(OutputFolderTest, ANewResultAppearsWholeOrNotAtAll) {
   EXPECT_EQ(CountEntries(), 1u);
 }
 
+TEST_F(OutputFolderTest, WhatItsOwnScriptsWroteGoesWithTheOldResult) {
+  WriteResult("one", false);
+  WriteFileAtomically(top_ / "out" / "data" / "answers.csv", "by a script");
+  EXPECT_NE(FindFault().find("data/answers.csv"), std::string::npos);
+  OutputRequest request = {top_ / "out", "basin", true, {}, "", {"data/answers.csv"}};
+  CheckOutputFolder(request);
+  WriteFileAtomically(top_ / "out" / "data" / "other.csv", "by a person");
+  EXPECT_THROW(CheckOutputFolder(request), Error);
+}
+
 TEST_F(OutputFolderTest, ReplacesOnlyWhenAskedAndLeavesNothingOfTheOld) {
   WriteResult("one", false);
   EXPECT_NE(FindFault(false).find("--replace"), std::string::npos);

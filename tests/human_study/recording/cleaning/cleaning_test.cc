@@ -151,6 +151,24 @@ TEST(FrozenSamples, RepeatsAreHiddenTheFirstIsKept) {
   EXPECT_TRUE(copy.IsValid(8));
 }
 
+TEST(FrozenSamples, ARoundedMarkerAtRestIsKept) {
+  // Rests 0.2 s, moves 0.3 m in 0.5 s, rests; in whole millimetres.
+  const auto path = [](double t) {
+    const double s = std::min(1.0, std::max(0.0, (t - 0.2) / 0.5));
+    const double x = 0.3 * s * s * s * (10 - 15 * s + 6 * s * s);
+    return Eigen::Vector3d(0.001 * std::round(1000.0 * x), 0.1, 0);
+  };
+  Trajectory rest = Sample(path, EvenTimes(200, 180));
+  Trajectory held = rest;
+  EXPECT_EQ(InvalidateFrozenSamples(rest), 0u);
+  for (Eigen::Index i = 91; i < 100; ++i) held.p.col(i) = held.p.col(90);  // at full speed
+  EXPECT_EQ(InvalidateFrozenSamples(held), 9u);
+  // Lost in the middle of the reach and never seen again.
+  Trajectory lost = Sample(path, EvenTimes(200, 180));
+  for (Eigen::Index i = 91; i < 180; ++i) lost.p.col(i) = lost.p.col(90);
+  EXPECT_EQ(InvalidateFrozenSamples(lost), 89u);
+}
+
 TEST(Resample, AStraightLineIsKeptAndHolesStayHoles) {
   const auto line = [](double t) { return Eigen::Vector3d(2 * t, 1 - t, 0); };
   Trajectory trajectory = Sample(line, {0.0, 0.011, 0.019, 0.033, 0.1, 0.11, 0.12});

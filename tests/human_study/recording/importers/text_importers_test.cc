@@ -296,8 +296,10 @@ TEST(Table, AMappingNamesTheColumns) {
   EXPECT_EQ(ImportFault(kTable, "table", options),
             "file: no trial \"3\"; did you mean \"1\"? Known: 1, 2");
   options.trial = "";
-  EXPECT_EQ(ImportFault(kTable, "table", options),
-            "file: the table holds 2 trials, \"1\" to \"2\"; name one with --trial");
+  EXPECT_EQ(
+      ImportFault(kTable, "table", options),
+      "file: the table holds 2 trials, \"1\" to \"2\"; name one (--trial of graspbench mocap, "
+      "column table_trial of a study's trials.csv)");
   EXPECT_EQ(ImportFault("n;t;a;b\n", "table", options),
             "file:1: the mapping names columns the table does not have: c, o; did you mean \"n\"? "
             "Known: n, t, a, b");

@@ -1,0 +1,137 @@
+#include "human_study/study/study_warnings.h"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/base/files.h"
+#include "core/base/sha256.h"
+#include "core/base/text.h"
+#include "human_study/study/run_study.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kNearlyAll = 0.8, kManyFrozen = 0.2;
+constexpr int kEnoughTrials = 5;
+constexpr size_t kEnoughSamples = 100;
+
+/** How often a digit has no contact in the trials that count, of one object or (empty) of all, and
+what is most often said of it. */
+struct Untouched {
+  int num_trials = 0, num_missing = 0;
+  std::string most_often;
+};
+
+Untouched CountUntouched(const StudyResult& result, const std::string& digit,
+                         const std::string& object) {
+  Untouched counted;
+  std::map<std::string, int> reasons;
+  int most = 0;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept() || (!object.empty() && trial.object != object)) continue;
+    for (const DigitContactEvents& contact : trial.analysis->contacts) {
+      if (contact.digit != digit) continue;
+      ++counted.num_trials;
+      if (contact.contact.IsFound()) continue;
+      ++counted.num_missing;
+      const std::string& reason = contact.contact.missing;
+      const int count = ++reasons[reason.substr(0, reason.find_first_of("0123456789"))];
+      if (count <= most) continue;
+      most = count;
+      counted.most_often = reason;
+    }
+  }
+  return counted;
+}
+
+bool IsNearlyAll(const Untouched& counted) {
+  return counted.num_trials >= kEnoughTrials &&
+         counted.num_missing >= kNearlyAll * counted.num_trials;
+}
+
+StudyWarning MakeNeverTouching(const StudyResult& result, const std::string& digit,
+                               const std::string& object, const Untouched& counted) {
+  const bool has_shape = !result.study.objects.empty();
+  return {
+      "digit_never_touches",
+      fmt::format("the {} touches in {} of {} trials{} only ({}); {}its marker may be another "
+                  "one, stuck, or not on the fingertip. Mend that, or leave the digit out of "
+                  "markers",
+                  NameOfDigit(digit), counted.num_trials - counted.num_missing, counted.num_trials,
+                  object.empty() ? "" : " of object \"" + object + "\"", counted.most_often,
+                  has_shape ? "the object's centre or size in objects.csv may be wrong "
+                              "(without centre_x_m .. it is the middle of its markers), or "
+                            : "")};
+}
+
+}  // namespace
+
+std::vector<StudyWarning> FindSameRecordings(const Study& study) {
+  std::map<std::string, std::string> ids;  // of the first trial, by file
+  std::map<uintmax_t, std::set<std::string>> by_size;
+  for (const PlannedReach& trial : study.trials) {
+    const fs::path path = study.recordings / trial.file;
+    std::error_code status;
+    if (!trial.remove.empty() || !fs::is_regular_file(path, status)) continue;
+    const uintmax_t size = fs::file_size(path, status);
+    if (status || size == 0) continue;
+    const std::string file = fs::path(trial.file).lexically_normal().string();
+    ids.insert({file, trial.participant + "-" + trial.trial});
+    by_size[size].insert(file);
+  }
+  std::vector<StudyWarning> warnings;
+  for (const auto& [size, files] : by_size) {
+    if (files.size() < 2) continue;
+    std::map<std::string, std::string> seen;  // first file, by hash
+    for (const std::string& file : files) {
+      const auto [first, is_new] =
+          seen.insert({CalcSha256(ReadFile(study.recordings / file)), file});
+      if (is_new) continue;
+      warnings.push_back({"same_recording", ids[file] + " and " + ids[first->second] +
+                                                " are one recording: \"" + file +
+                                                "\" holds the "
+                                                "same bytes as \"" +
+                                                first->second + "\", and counts twice"});
+    }
+  }
+  return warnings;
+}
+
+std::vector<StudyWarning> FindNeverTouching(const StudyResult& result) {
+  std::vector<StudyWarning> warnings;
+  std::set<std::string> objects;
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.object.empty()) objects.insert(trial.object);
+  }
+  for (const std::string& digit : result.digits) {
+    if (const Untouched all = CountUntouched(result, digit, ""); IsNearlyAll(all)) {
+      warnings.push_back(MakeNeverTouching(result, digit, "", all));
+      continue;
+    }
+    for (const std::string& object : objects) {
+      const Untouched counted = CountUntouched(result, digit, object);
+      if (IsNearlyAll(counted)) {
+        warnings.push_back(MakeNeverTouching(result, digit, object, counted));
+      }
+    }
+  }
+  return warnings;
+}
+
+std::vector<StudyWarning> FindManyFrozen(const StudyResult& result) {
+  const double share =
+      static_cast<double>(result.num_frozen) / static_cast<double>(result.num_samples);
+  if (!(share >= kManyFrozen) || result.num_frozen < kEnoughSamples) return {};
+  return {{"frozen_samples",
+           fmt::format("{:.0f} % of all samples repeat the one before exactly and count as "
+                       "missing, as of a tracker that holds the last place of a hidden marker; if "
+                       "these markers were at rest, say cleaning: {{drop_frozen: false}}",
+                       100.0 * share)}};
+}
+
+}  // namespace graspbench

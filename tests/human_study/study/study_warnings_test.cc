@@ -1,0 +1,91 @@
+#include "human_study/study/study_warnings.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/base/files.h"
+#include "human_study/study/run_study.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(FindSameRecordings, ACopyUnderAnotherNameIsNamedOnce) {
+  Study study;
+  study.recordings = fs::path(::testing::TempDir()) / ("same_" + std::to_string(::getpid()));
+  fs::remove_all(study.recordings);
+  MakeFolder(study.recordings);
+  const auto add = [&](const char* person, const char* file, const char* content) {
+    WriteFileAtomically(study.recordings / file, content);
+    PlannedReach trial;
+    trial.participant = person;
+    trial.trial = "1";
+    trial.file = file;
+    study.trials.push_back(trial);
+  };
+  add("P1", "a.csv", "one");
+  add("P2", "b.csv", "two");  // as long, another content
+  EXPECT_TRUE(FindSameRecordings(study).empty());
+  add("P3", "c.csv", "one");
+  const std::vector<StudyWarning> warnings = FindSameRecordings(study);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, "same_recording");
+  EXPECT_EQ(warnings[0].text,
+            "P3-1 and P1-1 are one recording: \"c.csv\" holds the same bytes as \"a.csv\", and "
+            "counts twice");
+  study.trials[2].remove = "a copy";
+  EXPECT_TRUE(FindSameRecordings(study).empty());
+  fs::remove_all(study.recordings);
+}
+
+/** Ten trials, five with each object; the ring finger touches in those that `touches` says. */
+StudyResult MakeResult(const std::function<bool(int)>& touches) {
+  StudyResult result;
+  result.digits = {"TH", "RF"};
+  for (int i = 0; i < 10; ++i) {
+    StudyTrial trial;
+    trial.object = i < 5 ? "cup" : "ball";
+    trial.analysis.emplace();
+    for (const std::string& digit : result.digits) {
+      DigitContactEvents contact;
+      contact.digit = digit;
+      contact.contact.time = 1.0;
+      if (digit == "RF" && !touches(i)) contact.contact = MissingEvent("held 40 mm away");
+      trial.analysis->contacts.push_back(contact);
+    }
+    result.trials.push_back(trial);
+  }
+  return result;
+}
+
+TEST(FindNeverTouching, NamesTheDigitOfTheStudyOrOfOneObject) {
+  const auto texts = [](const std::function<bool(int)>& touches) {
+    std::vector<std::string> starts;
+    for (const StudyWarning& warning : FindNeverTouching(MakeResult(touches))) {
+      EXPECT_EQ(warning.code, "digit_never_touches");
+      starts.push_back(warning.text.substr(0, warning.text.find(';')));
+    }
+    return starts;
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(texts([](int) { return true; }), Texts{});
+  EXPECT_EQ(texts([](int i) { return i >= 7; }),
+            Texts{"the ring touches in 0 of 5 trials of object \"cup\" only (held 40 mm away)"});
+  EXPECT_EQ(texts([](int i) { return i >= 8; }),
+            Texts{"the ring touches in 2 of 10 trials only (held 40 mm away)"});
+}
+
+TEST(FindManyFrozen, FromAFifthOn) {
+  StudyResult result;
+  EXPECT_TRUE(FindManyFrozen(result).empty());
+  result.num_samples = 1000;
+  result.num_frozen = 199;
+  EXPECT_TRUE(FindManyFrozen(result).empty());
+  result.num_frozen = 205;
+  ASSERT_EQ(FindManyFrozen(result).size(), 1u);
+  EXPECT_EQ(FindManyFrozen(result)[0].text.find("20 % of all samples"), 0u);
+}
+
+}  // namespace
+}  // namespace graspbench
