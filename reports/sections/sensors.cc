@@ -143,7 +143,7 @@ Html DrawPeaks(const FeltTouches& felt, const SessionModels& models) {
   return MakeFigure(text.title + ".",
                     "the darkest cell has borne " +
                         FormatFixed(*std::max_element(peak.begin(), peak.end()), 2) +
-                        " N, a white one nothing; seen from the palm's side, the hand stretched.",
+                        " N, an empty one nothing; seen from the palm's side, the hand stretched.",
                     MakeScroll(text.title, DrawHandMap(*hand, peak, text)));
 }
 
