@@ -28,6 +28,14 @@ std::string FormatRemoved(const StudyResult& result) {
   return text;
 }
 
+std::string FormatWarnings(const StudyResult& result) {
+  std::string text;
+  for (const StudyWarning& warning : result.warnings) {
+    text += fmt::format("warning  [{}] {}\n", warning.code, warning.text);
+  }
+  return text;
+}
+
 std::string FormatFreeze(const Study& study) {
   if (!study.freeze) return "";
   std::string text = "frozen   " + DescribeFreeze(study) + "\n";

@@ -15,6 +15,9 @@ std::string FormatFreeze(const Study& study);
 /** A line for each reason by which trials were removed; first that none is left, if so. */
 std::string FormatRemoved(const StudyResult& result);
 
+/** A line for each warning about the study as a whole. */
+std::string FormatWarnings(const StudyResult& result);
+
 /** What GFT can be told from zero; empty when no trial says. */
 std::string FormatZeroGft(const ZeroGft& zero);
 

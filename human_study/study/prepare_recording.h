@@ -31,8 +31,8 @@ struct PreparedRecording {
 };
 
 /** Renames, removes frozen samples, resamples an uneven clock at its median rate, fills short gaps.
-@throws Error(kFormat) when a marker has no length unit, the recording no clock or fewer than 10 samples a second, or two digits have
-the same places throughout. */
+@throws Error(kFormat) when a marker has no length unit, the recording no clock or fewer
+than 10 samples a second, or two digits have the same places throughout. */
 PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config);
 
 /** Part of a recording, both ends included [s]. */

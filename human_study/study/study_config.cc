@@ -266,7 +266,7 @@ std::vector<PlannedReach> ReadTrials(const Study& study, DataTable& table, Diagn
   return trials;
 }
 
-/** Parts of one recording may follow each other; what is mostly inside another is the same reach. */
+/** Parts of one recording may follow each other; what is mostly in another is the same. */
 bool IsSamePart(const PlannedReach& a, const PlannedReach& b) {
   if (a.table_trial != b.table_trial || a.hand != b.hand) return false;
   const double both = std::min(a.end, b.end) - std::max(a.start, b.start);

@@ -1,6 +1,7 @@
 #include "reports/study/study_report.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/config.h"
 #include "core/base/files.h"
@@ -16,6 +17,17 @@ std::vector<StudySection> ListStudySections() {
 #include "reports/study/sections/section_list.inc"
 #undef GRASPBENCH_STUDY_SECTION
   };
+}
+
+/** Without a trial that counts there is nothing to draw but why. */
+static std::vector<StudySection> ListSectionsOf(const StudyResult& result) {
+  std::vector<StudySection> sections = ListStudySections();
+  if (result.CountKept() > 0) return sections;
+  const std::set<std::string> told = {"summary", "removed", "trials", "findings", "methods"};
+  sections.erase(std::remove_if(sections.begin(), sections.end(),
+                                [&](const auto& s) { return told.count(s.anchor) == 0; }),
+                 sections.end());
+  return sections;
 }
 
 std::string MakeStudyReport(const StudyResult& result, const RobotSession* robot) {
@@ -36,7 +48,7 @@ std::string MakeStudyReport(const StudyResult& result, const RobotSession* robot
       {"Recordings", std::to_string(result.trials.size()) + " trials in trials.csv of the study"},
       {"Hash of the settings", CalcHashHex(FormatJson(ConfigToJson(result.study.config)))}};
   frame.references = {"roethling2007", "greenhouse1959", "holm1979", "efron1987"};
-  return MakeSectionedPage(frame, ListStudySections(), StudyPageData{result, robot});
+  return MakeSectionedPage(frame, ListSectionsOf(result), StudyPageData{result, robot});
 }
 
 std::filesystem::path WriteStudyReport(const std::filesystem::path& folder,

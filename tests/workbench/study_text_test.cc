@@ -21,5 +21,13 @@ TEST(FormatRemoved, SaysThatNoTrialCounts) {
   EXPECT_EQ(FormatRemoved(StudyResult()), "no trial counts:\n");
 }
 
+TEST(FormatWarnings, OneLineEachWithItsCode) {
+  StudyResult result;
+  EXPECT_EQ(FormatWarnings(result), "");
+  result.warnings = {{"same_recording", "a and b"}, {"frozen_samples", "30 %"}};
+  EXPECT_EQ(FormatWarnings(result),
+            "warning  [same_recording] a and b\nwarning  [frozen_samples] 30 %\n");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kWrittenByR = "tidy/r_statistics.csv";  // by tidy/analysis.R
+
 struct StudyOptions {
   std::string study_file;
   std::string data;  ///< folder of the recordings; empty: that of study.yaml
@@ -50,7 +52,7 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const fs::path out = options.out;
   const fs::path report = out / page.lexically_relative(staged.path());
   staged.Commit();
-  PrintResult(FormatFreeze(result.study) + FormatRemoved(result) +
+  PrintResult(FormatFreeze(result.study) + FormatRemoved(result) + FormatWarnings(result) +
               FormatZeroGft(result.statistics.zero_gft) + FormatOpeningArgument(result) +
               FormatIndependence(result) + "kept     " + std::to_string(result.CountKept()) +
               " of " + FormatCount(static_cast<int>(result.trials.size()), "trial") +
@@ -61,8 +63,12 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
 }
 
 StudyResult RunStudyFile(const StudyOptions& options) {
-  StagedFolder staged(
-      {options.out, "study", options.replace, {options.study_file, options.data, options.robot}});
+  StagedFolder staged({options.out,
+                       "study",
+                       options.replace,
+                       {options.study_file, options.data, options.robot},
+                       "",
+                       {kWrittenByR}});
   return RunAndWrite(options, staged);
 }
 
@@ -75,7 +81,7 @@ void Freeze(const StudyOptions& options) {
 }
 
 void RunDemo(StudyOptions options) {
-  StagedFolder staged({options.out, "study", options.replace, {options.robot}});
+  StagedFolder staged({options.out, "study", options.replace, {options.robot}, "", {kWrittenByR}});
   const fs::path input = staged.path() / "input";
   const std::vector<SyntheticTrial> trials = MakeSyntheticStudy(MakeDemoOptions());
   WriteDemoStudy(trials, input);

@@ -11,6 +11,7 @@ std::vector<std::string> ListFindings(const StudyResult& result) {
   for (const Diagnostic& entry : result.study.warnings.entries()) {
     findings.push_back("Settings: " + entry.text);
   }
+  for (const StudyWarning& warning : result.warnings) findings.push_back(warning.text + ".");
   for (const std::string& deviation : ListDeviations(result.study)) {
     findings.push_back("Not as frozen: " + deviation + ".");
   }

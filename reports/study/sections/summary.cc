@@ -82,6 +82,17 @@ std::string DescribeZeroGft(const ZeroGft& zero) {
          FormatWithUnit(zero.median, "s") + ".";
 }
 
+/** What to know of the study before its numbers. */
+Html DrawStudyWarnings(const StudyResult& result) {
+  Html warnings;
+  for (const StudyWarning& warning : result.warnings) {
+    warnings += Element("p", {},
+                        Element("strong", {}, "Warning") + Text(" ") +
+                            Element("code", {}, warning.code) + Text(": " + warning.text + "."));
+  }
+  return warnings;
+}
+
 Html DrawFreeze(const Study& study) {
   if (!study.freeze) return {};
   Html text = Text(DescribeFreeze(study) + " ");
@@ -151,6 +162,7 @@ std::string FormatChoices(const MeasureStatistics& measure) {
 }
 
 Html DrawMeasureTable(const StudyResult& result) {
+  if (result.CountKept() == 0) return {};
   const Align number = Align::kNumber;
   Table table("Every measure over the trials that count.",
               {{"Measure"},
@@ -203,8 +215,9 @@ Html DrawSummary(const StudyPageData& data) {
   return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawFreeze(result.study) + DrawArgument(result) + DrawTwoDigits(result) +
-         DrawReviewed(result) + DrawUnverified(result) + DrawMeasureTable(result);
+         DrawStudyWarnings(result) + DrawFreeze(result.study) + DrawArgument(result) +
+         DrawTwoDigits(result) + DrawReviewed(result) + DrawUnverified(result) +
+         DrawMeasureTable(result);
 }
 
 }  // namespace

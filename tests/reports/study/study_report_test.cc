@@ -55,6 +55,22 @@ void ExpectContains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n" << text;
 }
 
+TEST(StudyReport, WithoutATrialThatCountsItSaysWhyAndDrawsNothing) {
+  StudyResult result = SmallStudy();
+  for (StudyTrial& trial : result.trials) {
+    trial.removed = "too short";
+    trial.removed_code = "no_reach";
+  }
+  result.warnings = {{"same_recording", "a is b"}};
+  const std::string page = MakeStudyReport(result, nullptr);
+  ExpectSoundPage(page);
+  ExpectContains(SectionText(page, "summary"), "0 of 12 trials were analysed");
+  ExpectContains(SectionText(page, "summary"), "same_recording: a is b.");
+  ExpectContains(SectionText(page, "removed"), "too short");
+  EXPECT_EQ(SectionText(page, "curves"), "no section curves");
+  EXPECT_EQ(SectionText(page, "tests"), "no section tests");
+}
+
 TEST(StudyReport, EverySectionSaysItsNumbers) {
   const StudyResult& result = SmallStudy();
   const std::string page = MakeStudyReport(result, nullptr);
