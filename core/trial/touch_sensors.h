@@ -2,23 +2,23 @@
 /** @file
 What the hand feels of a trial by the elements of its tactile.yaml (core/hand/tactile.h).
 
-A contact of the simulation is a point; flesh spreads it. After Hertz the force F of a contact presses
-a disc of radius a around it,
+A contact of the simulation is a point; flesh spreads it. After Hertz the force F of a contact
+presses a disc of radius a around it,
 
     a = patch_radius (F / 5 N)^(1/3),   p(r) ~ sqrt(1 - r^2 / a^2),
 
-clipped to the sensed surface: what it presses on there sums to F. A contact whose place on the hand is
-no sensed surface is not felt. An element answers to the force f on its cell, which hysteresis holds
-back while it falls (x, the force remembered), with noise n of its own in each sample:
+clipped to the sensed surface: what it presses on there sums to F. A contact whose place on the hand
+is no sensed surface is not felt. An element answers to the force f on its cell, which hysteresis
+holds back while it falls (x, the force remembered), with noise n of its own in each sample:
 
     x        = clamp(x, f, f / (1 - hysteresis))
     reading  = x / saturation + n                                                    linear
     reading  = (1 - exp(-x / force_scale)) / (1 - exp(-saturation / force_scale)) + n  exponential
 
-and x at most `saturation`. It is felt where the reading is above the threshold; what is felt is turned
-back into a force by the same equations without hysteresis. The thesis says that the Shadow Hand's
-response is exponential; all numbers are proposals of graspbench. Not modelled: shear, heat, drift,
-cells that press on their neighbours. */
+and x at most `saturation`. It is felt where the reading is above the threshold; what is felt is
+turned back into a force by the same equations without hysteresis. The thesis says that the Shadow
+Hand's response is exponential; all numbers are proposals of graspbench. Not modelled: shear, heat,
+drift, cells that press on their neighbours. */
 
 #include <memory>
 #include <optional>

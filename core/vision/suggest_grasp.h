@@ -1,15 +1,16 @@
 #pragma once
 /** @file
-A type of grasp from what the camera sees, after the thesis's words (Roethling 2007, 2.3.2): power for
-what is large and roundish, two fingers for what is small or thin, all fingers for the rest. With the
-smallest rectangle around the outline, length L and width W, and its fill f:
+A type of grasp from what the camera sees, after the thesis's words (Roethling 2007, 2.3.2): power
+for what is large and roundish, two fingers for what is small or thin, all fingers for the rest.
+With the smallest rectangle around the outline, length L and width W, and its fill f:
 
     power                 W >= 47 mm, L < 1.85 W, f >= 0.8
     two finger precision  W < 22 mm and L < 200 mm, or L < 35 mm
     all finger precision  else
 
-The numbers are proposals of graspbench that separate the 21 objects, which they were chosen on; mass,
-height and what a thing is for are not seen. No pinch is suggested: only a task asks for it. */
+The numbers are proposals of graspbench that separate the 21 objects, which they were chosen on;
+mass, height and what a thing is for are not seen. No pinch is suggested: only a task asks for it.
+*/
 
 #include "core/grasp/standard_grasp.h"
 #include "core/vision/locate_object.h"

@@ -3,11 +3,12 @@
 Finds the object with the camera that the hand carries, while the hand comes to it.
 
 Before the hand reaches its pre-grasp position the arm brings the camera over the place where the
-object is supposed to be, looking straight down, with the picture's width along the object's supposed
-length. There one picture is taken. Then the hand goes to where the object was seen and turns along
-its main axis, and a second picture from there refines the first. From each place there is a picture
-of the empty table, too, without noise: the mean of many; where neither hand nor shadows are in it,
-it is the same everywhere and taken once. All of this is proposed by graspbench. */
+object is supposed to be, looking straight down, with the picture's width along the object's
+supposed length. There one picture is taken. Then the hand goes to where the object was seen and
+turns along its main axis, and a second picture from there refines the first. From each place there
+is a picture of the empty table, too, without noise: the mean of many; where neither hand nor
+shadows are in it, it is the same everywhere and taken once. All of this is proposed by graspbench.
+*/
 
 #include <Eigen/Core>
 #include <memory>
@@ -32,8 +33,8 @@ Lens MakeLens(const HandCamera& camera);
 /** Not to be used by two threads at once. */
 class WristCamera {
  public:
-  /** @throws Error(kUnsupported) for a hand without a camera. @pre the configuration's colour is one.
-  What takes a picture throws Error(kEnvironment) where none can be made. */
+  /** @throws Error(kUnsupported) for a hand without a camera. @pre the configuration's colour is
+  one. What takes a picture throws Error(kEnvironment) where none can be made. */
   WristCamera(std::shared_ptr<const Hand> hand, std::shared_ptr<const GraspObject> object,
               const CameraConfig& config);
 

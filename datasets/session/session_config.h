@@ -99,9 +99,9 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 @throws Error(kUsage) naming the known keys or the expected type. */
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
-/** The complete configuration, every default written out, but for an automatic approach, for nominal
-positioning, exact touch and for camera and sensors of a session that does not use them: sessions without a choice are what
-they were before there was one. */
+/** The complete configuration, every default written out, but for an automatic approach, for
+nominal positioning, exact touch and for camera and sensors of a session that does not use them:
+sessions without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */

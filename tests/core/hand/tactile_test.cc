@@ -29,8 +29,8 @@ double SumAreas(const std::vector<SurfacePoint>& points) {
   return area;
 }
 
-// Roethling 2007, 3.1.2: 186 in all, 34 a fingertip, two on each finger's middle and proximal phalanx,
-// none elsewhere; some seven a square centimetre.
+// Roethling 2007, 3.1.2: 186 in all, 34 a fingertip, two on each finger's middle and proximal
+// phalanx, none elsewhere; some seven a square centimetre.
 TEST(TactileTest, TheShadowHandHas186) {
   const Hand hand = LoadHand("shadow");
   ASSERT_TRUE(hand.skin);
@@ -61,7 +61,8 @@ TEST(TactileTest, TheTumHandHasOneForceSensorAFingertip) {
   EXPECT_FALSE(LoadHand("tum-original").skin);
 }
 
-// No gap: every point has an element, of its own link and the nearest; the cells' areas are the file's.
+// No gap: every point has an element, of its own link and the nearest; the cells' areas are the
+// file's.
 TEST(TactileTest, CellsHaveNoGapsAndTheAreasOfTheFile) {
   for (const char* id : {"shadow", "tum"}) {
     const auto skin = LoadHand(id).skin;

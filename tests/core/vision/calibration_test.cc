@@ -1,4 +1,5 @@
-// The camera calibrated as a person would: pictures of a chessboard, OpenCV's own detection and fit.
+// The camera calibrated as a person would: pictures of a chessboard, OpenCV's own detection and
+// fit.
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,8 @@ TEST(CalibrationTest, FifteenChessboardsGiveTheLens) {
     cv::cvtColor(colour, grey, cv::COLOR_RGB2GRAY);
     std::vector<cv::Point2f> corners;
     // The older search, findChessboardCorners, takes seconds where it misses a board on white; what
-    // this one finds is off where the board is tilted, so that the focal length comes out 0.5 % long.
+    // this one finds is off where the board is tilted, so that the focal length comes out 0.5 %
+    // long.
     if (!cv::findChessboardCornersSB(grey, cv::Size(kColumns - 1, kRows - 1), corners)) continue;
     cv::cornerSubPix(grey, corners, cv::Size(5, 5), cv::Size(-1, -1),
                      {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 60, 1e-4});

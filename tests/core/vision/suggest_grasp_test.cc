@@ -28,7 +28,8 @@ TEST(SuggestGraspTest, LargeAndRoundSmallOrThinAndTheRest) {
   EXPECT_EQ(SuggestGraspType(MakeSighting(0.03, 0.03, 1.0)), GraspType::kTwoFingerPrecision);
 }
 
-// What the table of objects chooses (grasp_order), seen in three places by the camera with its noise.
+// What the table of objects chooses (grasp_order), seen in three places by the camera with its
+// noise.
 TEST(SuggestGraspTest, AgreesWithTheTableButForTheMatchbox) {
   const auto hand = std::make_shared<const Hand>(LoadHand("tum"));
   const Eigen::VectorXd q = LoadStandardGrasps(*hand)[0].q_pre;

@@ -9,8 +9,8 @@
 namespace graspbench {
 namespace {
 
-// Each trial's belief is off by 1, 2, 3 and 4 mm along x and a turn of half a circle and 0.1 rad; one
-// more trial saw nothing.
+// Each trial's belief is off by 1, 2, 3 and 4 mm along x and a turn of half a circle and 0.1 rad;
+// one more trial saw nothing.
 TEST(SensorSummary, ErrorsAreThoseAgainstTheDraw) {
   Session session = MakeSession({"tum"}, {"can"}, "g1", 5);
   for (TrialRecord& record : session.records) {

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-Made-up shares of 66 trials of six persons, two sizes and two paces (as +1 and -1), one condition of two
-persons empty: the likelihood of separate variances of persons has a saddle where that of their level
-is 0. */
+Made-up shares of 66 trials of six persons, two sizes and two paces (as +1 and -1), one condition of
+two persons empty: the likelihood of separate variances of persons has a saddle where that of their
+level is 0. */
 
 #include <vector>
 
