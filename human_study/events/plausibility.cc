@@ -191,7 +191,9 @@ std::vector<Doubt> FindLabelJump(const std::vector<DigitTrack>& digits) {
       bool stays = step > limit;
       for (size_t k = 1; stays && k <= kStay; ++k) {
         stays = CalcOwnStep(digits, d, i - 1, i + k) > 0.5 * step &&
-                CalcOwnStep(digits, d, i - 1 - k, i) > 0.5 * step;
+                CalcOwnStep(digits, d, i - 1 - k, i) > 0.5 * step &&
+                CalcOwnStep(digits, d, i - 1 - k, i - 1) < 0.5 * step &&
+                CalcOwnStep(digits, d, i, i + k) < 0.5 * step;
       }
       if (!stays) continue;
       return {{"label_jump",

@@ -65,7 +65,7 @@ TEST(StudyReport, WithoutATrialThatCountsItSaysWhyAndDrawsNothing) {
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
   ExpectContains(SectionText(page, "summary"), "0 of 12 trials were analysed");
-  ExpectContains(SectionText(page, "summary"), "same_recording: a is b.");
+  ExpectContains(SectionText(page, "summary"), "same_recording : a is b.");
   ExpectContains(SectionText(page, "removed"), "too short");
   EXPECT_EQ(SectionText(page, "curves"), "no section curves");
   EXPECT_EQ(SectionText(page, "tests"), "no section tests");
