@@ -8,6 +8,7 @@
 
 #include "core/base/files.h"
 #include "core/base/yaml.h"
+#include "datasets/pipeline/hidden_inputs.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -337,6 +338,7 @@ Pipeline LoadPipeline(const fs::path& file, const std::vector<StageCommand>& com
                         "\" is neither a stage nor a file or folder in \"" + pipeline.folder +
                         "\"");
     }
+    CheckHiddenInputs(pipeline, stage, problems);
   }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the pipeline cannot be used");
   return pipeline;

@@ -119,7 +119,12 @@ std::map<std::string, std::string> ListStableFiles(const fs::path& path) {
           [&](const fs::path& store, const std::string& pattern) {
             files[(store / pattern).generic_string()] = CalcJournalSha256(path / store, pattern);
           },
-          [](const fs::path&, const StoreKind&) {}});
+          [&](const fs::path& store, const StoreKind&) {
+            // Its bytes vary with the workers; without it no command opens the store.
+            if (!HasManifest(path / store)) return;
+            files[(store / kManifestFile).generic_string()] =
+                FindManifest(path / store) ? "whole" : "damaged";
+          }});
   });
   return files;
 }

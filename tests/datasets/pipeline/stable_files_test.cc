@@ -68,6 +68,17 @@ TEST_F(StableFiles, AStoreIsTheSameWhoeverMadeIt) {
   EXPECT_NE(ListStableFiles(top_ / "a"), ListStableFiles(top_ / "b"));
 }
 
+TEST_F(StableFiles, AManifestThatNobodyCanReadIsAnEdit) {
+  CreateFakeSession(top_ / "a", 1);
+  SealStore(kSessionStore, top_ / "a");
+  const auto whole = ListStableFiles(top_ / "a");
+  EXPECT_EQ(whole.at("manifest.json"), "whole");
+  WriteFile(top_ / "a" / "manifest.json", "garbage");
+  EXPECT_NE(ListStableFiles(top_ / "a"), whole);
+  fs::remove(top_ / "a" / "manifest.json");
+  EXPECT_EQ(ListStableFiles(top_ / "a").count("manifest.json"), 0u);
+}
+
 TEST_F(StableFiles, LinksAndPipesAreTold) {
   MakeFolder(top_ / "a");
   fs::create_symlink("nowhere", top_ / "a" / "link");
