@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 What of a result has the same bytes whoever made it, when, on how many workers and with how many
-interruptions. Of a store (datasets/journal/store_kind.h) that is everything but run.json and what is
-made from it, progress/, workers/ and the manifest, of which only counts whether it can be read;
+interruptions. Of a store (datasets/journal/store_kind.h) that is everything but run.json and what
+is made from it, progress/, workers/ and the manifest, of which only counts whether it can be read;
 journals whose files are named after workers count by their lines, whichever file holds them. */
 
 #include <filesystem>
@@ -12,7 +12,8 @@ journals whose files are named after workers count by their lines, whichever fil
 namespace graspbench {
 
 /** SHA-256 by name from the folder, of stores inside it too; such journals by their pattern.
-Of a file itself: one with its name. Instead of a manifest's: "whole" or "damaged". @throws Error(kNotFound, kIo). */
+Of a file itself: one with its name. Instead of a manifest's: "whole" or "damaged". @throws
+Error(kNotFound, kIo). */
 std::map<std::string, std::string> ListStableFiles(const std::filesystem::path& path);
 
 /** One hash of what ListStableFiles has found. */
