@@ -155,6 +155,18 @@ std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
                                "(recording.unit, for files that state none)"}};
   };
   const bool is_large = most > kMost;
+  for (size_t d = 0; is_large && digits.size() > 2 && d < digits.size(); ++d) {
+    std::vector<DigitTrack> others = digits;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(d));
+    const std::vector<double> left = ListSpans(others);
+    const double span = left.empty() ? 0.0 : CalcSortedQuantile(left, 0.75);
+    if (span < kLeast || span > kMost) continue;
+    return {
+        {"far_digit",
+         fmt::format("digit {} is up to {:.3g} m from the others, which are {:.3g} m apart: its "
+                     "marker is not on the hand, or markers or columns name another one",
+                     digits[d].digit, most, span)}};
+  }
   if (is_large || largest < kLeast) {
     return doubt(fmt::format("its digits are {:.3g} m apart, those of a hand about {:g} m",
                              is_large ? most : largest, kTypical),

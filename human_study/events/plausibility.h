@@ -17,6 +17,7 @@ the numbers; none repairs anything.
     stays for five: markers that exchanged their labels. In slow recordings only long jumps are seen
     (100 mm at 30 Hz).
   no_movement: no digit moves as far as 20 mm.
+  far_digit: one digit is as far from the others as no hand's, which alone would be a hand.
   hand_centred: the hand's middle stays at the origin of its own coordinates (landmarks of a camera
     that count from the hand): its reach is not in them.
   wrong_shape: in the hold the markers lie inside the stated solid, or all are farther from it than
@@ -67,7 +68,7 @@ struct Doubt {
   std::string text;
 };
 
-/** Doubt about the unit of length. */
+/** Doubt about the unit of length, or about the one digit that would explain it. */
 std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits);
 
 /** Doubt about labels that jump to another marker. */

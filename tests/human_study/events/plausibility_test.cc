@@ -77,6 +77,22 @@ TEST(FindWrongUnit, NoReachIsFasterThanFiveMetresASecond) {
   EXPECT_EQ(doubts(5.1)[0].code, "wrong_unit");
 }
 
+TEST(FindWrongUnit, OneDigitLeftOnTheTableIsNamed) {
+  std::vector<DigitTrack> digits(4);
+  const char* const names[] = {"TH", "FF", "MF", "RF"};
+  for (size_t d = 0; d < 4; ++d) {
+    digits[d].digit = names[d];
+    const double away = d == 3 ? 0.6 : 0.0;
+    digits[d].tip = SamplePath(MakeTimes(0, 1, 100), [&](double) {
+      return Vector3d(away, 0.03 * static_cast<double>(d), 0);
+    });
+  }
+  const std::vector<Doubt> doubts = FindWrongUnit(digits);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "far_digit");
+  EXPECT_NE(doubts[0].text.find("digit RF"), std::string::npos) << doubts[0].text;
+}
+
 /** Three digits 40 mm apart that reach 0.4 m in 1 s with a peak speed of 0.75 m/s. */
 std::vector<DigitTrack> MakeReach(double rate) {
   std::vector<DigitTrack> digits(3);
