@@ -37,7 +37,8 @@ struct LoadedGrasp {
   double radius = 0.0;  ///< largest distance of the object's surface from its centre of mass [m]
 };
 
-/** s for each direction of the pull (unit vectors) [N]. */
+/** s for each direction of the pull (unit vectors) [N].
+@throws Error(kRange) where rounding hides the optimum (linear_program.h). */
 std::vector<double> CalcHoldingForces(const LoadedGrasp& grasp,
                                       const std::vector<Eigen::Vector3d>& directions);
 

@@ -29,8 +29,7 @@ struct LinearProgramResult {
   Eigen::VectorXd x;                                  ///< an optimal point (num_variables)
 };
 
-/** What rounding hides is looked for again with bounds that are wider by 1e-8 of the
-largest.
+/** What rounding hides is looked for again with bounds that are wider by 1e-8 of the largest.
 @param A (num_rows x num_variables)  @param b (num_rows) >= 0  @param c (num_variables); all
 finite. */
 LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,

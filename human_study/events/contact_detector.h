@@ -105,8 +105,8 @@ other digits' markers, too), or held more loosely than the other digits. Empty w
 std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& digit,
                         const ContactOptions& options);
 
-/** A fit across a longer gap is a guess at what was not seen: the approach may have changed its mind
-[s]. Below, coverage is measured (ACCURACY.md, "half hidden"). */
+/** Across a longer gap a fit guesses how digit and object moved unseen [s]. Below, coverage is
+measured (ACCURACY.md, "half hidden"). */
 inline constexpr double kMaxTouchGap = 0.12;
 
 /** The event of a fit: in a gap when no sample was measured near it, missing when that gap is longer

@@ -143,6 +143,7 @@ double CalcOwnStep(const std::vector<DigitTrack>& digits, size_t own, size_t fro
 std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
   // Between two digits of a hand that opens and closes; speeds of one that reaches.
   constexpr double kLeast = 0.012, kMost = 0.3, kTypical = 0.1;  // [m]
+  constexpr double kOneHand = 0.2;                               // without a far digit [m]
   constexpr double kFastest = 5.0;                               // [m/s]
   const std::vector<double> spans = ListSpans(digits);
   if (spans.empty()) return {};
@@ -160,7 +161,7 @@ std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(d));
     const std::vector<double> left = ListSpans(others);
     const double span = left.empty() ? 0.0 : CalcSortedQuantile(left, 0.75);
-    if (span < kLeast || span > kMost) continue;
+    if (span < kLeast || span > kOneHand) continue;
     return {
         {"far_digit",
          fmt::format("digit {} is up to {:.3g} m from the others, which are {:.3g} m apart: its "

@@ -93,6 +93,20 @@ TEST(FindWrongUnit, OneDigitLeftOnTheTableIsNamed) {
   EXPECT_NE(doubts[0].text.find("digit RF"), std::string::npos) << doubts[0].text;
 }
 
+// Ten times a hand whose thumb is 90 mm from fingers 25 mm apart: without the thumb the span is still
+// no hand's.
+TEST(FindWrongUnit, AThumbFarFromFingersIsNoDigitLeftOnTheTable) {
+  std::vector<DigitTrack> digits(3);
+  const double places[] = {-0.9, 0.0, 0.25};
+  for (size_t d = 0; d < 3; ++d) {
+    digits[d].tip =
+        SamplePath(MakeTimes(0, 1, 100), [&](double) { return Vector3d(places[d], 0, 0); });
+  }
+  const std::vector<Doubt> doubts = FindWrongUnit(digits);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "wrong_unit");
+}
+
 /** Three digits 40 mm apart that reach 0.4 m in 1 s with a peak speed of 0.75 m/s. */
 std::vector<DigitTrack> MakeReach(double rate) {
   std::vector<DigitTrack> digits(3);

@@ -76,6 +76,14 @@ TEST(FindNeverTouching, NamesTheDigitOfTheStudyOrOfOneObject) {
             Texts{"the ring touches in 2 of 10 trials only (held 40 mm away)"});
 }
 
+TEST(FindNeverTouching, ATouchAtAnUnknownInstantIsATouch) {
+  StudyResult result = MakeResult([](int) { return false; });
+  for (StudyTrial& trial : result.trials) {
+    trial.analysis->contacts.back().contact = MissingEvent(std::string(kNotUsable) + ": hidden");
+  }
+  EXPECT_TRUE(FindNeverTouching(result).empty());
+}
+
 TEST(FindManyFrozen, FromAFifthOn) {
   StudyResult result;
   EXPECT_TRUE(FindManyFrozen(result).empty());
