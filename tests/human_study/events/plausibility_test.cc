@@ -93,8 +93,8 @@ TEST(FindWrongUnit, OneDigitLeftOnTheTableIsNamed) {
   EXPECT_NE(doubts[0].text.find("digit RF"), std::string::npos) << doubts[0].text;
 }
 
-// Ten times a hand whose thumb is 90 mm from fingers 25 mm apart: without the thumb the span is still
-// no hand's.
+// Ten times a hand whose thumb is 90 mm from fingers 25 mm apart: without the thumb the span is
+// still no hand's.
 TEST(FindWrongUnit, AThumbFarFromFingersIsNoDigitLeftOnTheTable) {
   std::vector<DigitTrack> digits(3);
   const double places[] = {-0.9, 0.0, 0.25};
