@@ -2,6 +2,7 @@
 
 #include "core/grasp/grasp_keys.h"
 #include "core/hand/hand_yaml.h"
+#include "core/hand/tactile_yaml.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "datasets/session/session_keys.h"
 #include "human_study/study/study_keys.h"
@@ -16,6 +17,8 @@ const std::vector<FileFormat>& ListFileFormats() {
     return std::vector<FileFormat>{
         {"object.yaml", "a thing to grasp, beside its mesh", ListObjectKeys()},
         {"hand.yaml", "what hand.urdf beside it cannot say", hand},
+        {"tactile.yaml", "what a hand feels with, beside its hand.yaml; not needed",
+         ListTactileKeys()},
         {"session.yaml",
          "what graspbench run simulates; its session.json has all keys and is read, "
          "too",

@@ -7,7 +7,7 @@
 #include "core/base/hash.h"
 #include "core/hand/hand_yaml.h"
 #include "core/hand/read_urdf.h"
-#include "core/hand/tactile.h"
+#include "core/hand/tactile_yaml.h"
 #include "core/hand/urdf_check.h"
 
 namespace graspbench {

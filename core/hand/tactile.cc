@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/hash.h"
 #include "core/base/units.h"
-#include "core/base/yaml.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {
@@ -116,59 +114,6 @@ Vector3d ProjectOntoSurface(const Hand& hand, int link, const Vector3d& p_L) {
   const Vector3d away = p_L - on_axis;
   if (away.isZero(1e-9)) return p_L;
   return on_axis + nearest->radius * away.normalized();
-}
-
-TactileSkin ParseTactile(const std::string& text, const std::string& file, const Hand& hand,
-                         Diagnostics& problems) {
-  TactileSkin skin;
-  skin.content_hash = CalcHashHex(text);
-  YamlMap root(ParseYaml(text, file, problems), file, "tactile.yaml", problems);
-  std::string response;
-  root.Read("response", response);
-  if (const TactileResponseRow* row = FindRow(kTactileResponses, response)) {
-    skin.response = row->value;
-  } else if (!response.empty()) {
-    root.Fail("response", "no response \"" + response + "\"" +
-                              SuggestNames(response, ListNames(kTactileResponses)));
-  }
-  for (const YAML::Node& item : root.Child("surfaces")) {
-    YamlMap map(item, file, "surface", problems);
-    SensedSurface surface;
-    std::string link;
-    map.Read("link", link);
-    map.Read("palmar", surface.part.palmar, Needed::kNo);
-    map.Read("along", surface.part.along, Needed::kNo);
-    map.Read("from_m", surface.part.from, Needed::kNo);
-    surface.part.link = hand.FindLink(link);
-    if (!link.empty() && surface.part.link < 0) {
-      map.Fail("link", "the hand has no link \"" + link + "\"");
-    } else if (skin.FindSurface(surface.part.link)) {
-      map.Fail("link", "\"" + link + "\" has a surface already; give all its elements there");
-    }
-    for (const YAML::Node& entry : map.Child("elements")) {
-      YamlMap element_map(entry, file, "element of " + link, problems);
-      TactileElement element;
-      element.link = surface.part.link;
-      element_map.Read("position_m", element.p_LE);
-      element_map.Read("normal", element.normal_L);
-      element_map.Read("area_m2", element.area);
-      if (!(element.area > 0.0)) element_map.Fail("area_m2", "must be above 0");
-      element_map.FinishKnownKeys();
-      skin.elements.push_back(element);
-    }
-    map.FinishKnownKeys();
-    surface.points = SampleSurface(hand, surface.part);
-    if (surface.points.empty() && surface.part.link >= 0) {
-      map.Fail("link", "\"" + link + "\" has no contact surface there");
-    }
-    AssignElements(skin.elements, surface);
-    if (!surface.points.empty() && surface.points.front().element < 0) {
-      map.Fail("elements", "the list is empty; name at least one");
-    }
-    skin.surfaces.push_back(std::move(surface));
-  }
-  root.FinishKnownKeys();
-  return skin;
 }
 
 }  // namespace graspbench

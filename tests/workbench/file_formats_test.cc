@@ -10,6 +10,7 @@
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
+#include "core/hand/tactile_yaml.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "objects/object_file.h"
 #include "workbench/new_files.h"
@@ -37,7 +38,7 @@ void ExpectSameKeys(const FileKeys& read, const FileKeys& rows) {
 }
 
 TEST(FileFormatsTest, EveryKeyHasAMeaning) {
-  ASSERT_EQ(ListFileFormats().size(), 6u);
+  ASSERT_EQ(ListFileFormats().size(), 7u);
   for (const FileFormat& format : ListFileFormats()) {
     EXPECT_FALSE(format.keys.empty()) << format.name;
     for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;
@@ -65,6 +66,13 @@ TEST(FileFormatsTest, HandsAreReadByTheirRows) {
   for (const NewFile& file : files) WriteFile(folder / file.first, file.second);
   LoadStandardGrasps(LoadHand(folder.string()));
   ExpectSameKeys(recorder.keys(), FindKeys("hand.yaml"));
+}
+
+TEST(FileFormatsTest, TactileElementsAreReadByTheirRows) {
+  KeyRecorder recorder;
+  Diagnostics problems;
+  ParseTactile("surfaces: [{elements: [{}]}]\n", "tactile.yaml", Hand(), problems);
+  ExpectSameKeys(recorder.keys(), FindKeys("tactile.yaml"));
 }
 
 TEST(FileFormatsTest, GraspsAreReadByTheirRows) {

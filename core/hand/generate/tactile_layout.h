@@ -16,7 +16,7 @@ an element into the middle of each. @pre there are as many points. */
 std::vector<TactileElement> PlaceElements(const SensedPart& part,
                                           const std::vector<SurfacePoint>& points, int count);
 
-/** tactile.yaml of the hand "shadow" or "tum", in full. */
+/** tactile.yaml of a form of the Shadow Hand ("shadow..."), else of the TUM Hand, in full. */
 std::string MakeTactileYaml(const Hand& hand);
 
 }  // namespace graspbench

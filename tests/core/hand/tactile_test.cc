@@ -119,25 +119,5 @@ TEST(TactileTest, ProjectsOntoTheSurface) {
       1e-15);
 }
 
-TEST(TactileTest, EveryFaultIsNamedWithItsLine) {
-  const char* text =
-      "response: quadratic\n"
-      "surfaces:\n"
-      "  - link: bal\n"
-      "    elements: [{position_m: [0, 0, 0.01], normal: [0, 0, 1], area_m2: 0}]\n"
-      "  - link: ball\n"
-      "    elements: []\n"
-      "    colour: red\n";
-  Diagnostics problems;
-  ParseTactile(text, "tactile.yaml", MakeTestHand(), problems);
-  const std::string all = problems.Format();
-  for (const char* wanted :
-       {"tactile.yaml:1: ", "no response \"quadratic\"", "Known: linear, exponential",
-        "tactile.yaml:3: ", "the hand has no link \"bal\"", "must be above 0",
-        "the list is empty; name at least one", "colour"}) {
-    EXPECT_NE(all.find(wanted), all.npos) << wanted << " in\n" << all;
-  }
-}
-
 }  // namespace
 }  // namespace graspbench
