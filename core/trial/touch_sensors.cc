@@ -15,11 +15,41 @@ constexpr double kOnSurface = 0.001;     // from its nearest point: half their s
 constexpr double kRoundPeak = 1000.0;    // to mN
 constexpr double kTimeTolerance = 1e-9;  // of sums of steps [s]
 
-const SurfacePoint& FindNearestPoint(const SensedSurface& surface, const Vector3d& p_L) {
-  return *std::min_element(surface.points.begin(), surface.points.end(),
-                           [&](const SurfacePoint& a, const SurfacePoint& b) {
-                             return (a.p_L - p_L).squaredNorm() < (b.p_L - p_L).squaredNorm();
-                           });
+/** From a place to each point of a surface [m^2], and which is the nearest: of thousands, at every
+step for every contact, so once. */
+struct SurfaceDistances {
+  std::vector<double> squares;
+  size_t nearest = 0;
+};
+SurfaceDistances CalcDistances(const SensedSurface& surface, const Vector3d& p_L) {
+  SurfaceDistances distances;
+  distances.squares.reserve(surface.points.size());
+  for (const SurfacePoint& point : surface.points) {
+    distances.squares.push_back((point.p_L - p_L).squaredNorm());
+  }
+  distances.nearest =
+      static_cast<size_t>(std::min_element(distances.squares.begin(), distances.squares.end()) -
+                          distances.squares.begin());
+  return distances;
+}
+
+void Spread(const SensedSurface& surface, const SurfaceDistances& distances, double force,
+            double patch_radius, std::vector<double>& forces) {
+  const double a = patch_radius * std::cbrt(force / kPatchForce);
+  std::vector<std::pair<size_t, double>> pressed;  // element, weight
+  double sum = 0.0;
+  for (size_t i = 0; i < surface.points.size(); ++i) {
+    if (!(distances.squares[i] < a * a)) continue;
+    const SurfacePoint& point = surface.points[i];
+    pressed.emplace_back(static_cast<size_t>(point.element),
+                         point.area * std::sqrt(1.0 - distances.squares[i] / (a * a)));
+    sum += pressed.back().second;
+  }
+  if (pressed.empty()) {  // smaller than the points' spacing
+    forces[static_cast<size_t>(surface.points[distances.nearest].element)] += force;
+    return;
+  }
+  for (const auto& [element, weight] : pressed) forces[element] += force * weight / sum;
 }
 
 double CalcFullResponse(const SensorConfig& config) {
@@ -30,20 +60,7 @@ double CalcFullResponse(const SensorConfig& config) {
 
 void SpreadForce(const SensedSurface& surface, const Vector3d& p_L, double force,
                  double patch_radius, std::vector<double>& forces) {
-  const double a = patch_radius * std::cbrt(force / kPatchForce);
-  std::vector<std::pair<size_t, double>> pressed;  // element, weight
-  double sum = 0.0;
-  for (const SurfacePoint& point : surface.points) {
-    const double share = 1.0 - (point.p_L - p_L).squaredNorm() / (a * a);
-    if (!(share > 0.0)) continue;
-    pressed.emplace_back(static_cast<size_t>(point.element), point.area * std::sqrt(share));
-    sum += pressed.back().second;
-  }
-  if (pressed.empty()) {  // smaller than the points' spacing
-    forces[static_cast<size_t>(FindNearestPoint(surface, p_L).element)] += force;
-    return;
-  }
-  for (const auto& [element, weight] : pressed) forces[element] += force * weight / sum;
+  Spread(surface, CalcDistances(surface, p_L), force, patch_radius, forces);
 }
 
 double CalcReading(TactileResponse response, const SensorConfig& config, double force) {
@@ -78,8 +95,9 @@ void TouchSensors::Press(const HandContact& contact, const HandDynamics& dynamic
   if (const SensedSurface* surface = skin_->FindSurface(contact.link)) {
     const Vector3d p_L = ProjectOntoSurface(*hand_, contact.link,
                                             dynamics.X_WL(contact.link).inverse() * contact.p_WC);
-    if ((FindNearestPoint(*surface, p_L).p_L - p_L).norm() <= kOnSurface) {
-      SpreadForce(*surface, p_L, contact.normal_force, config_.patch_radius, forces_);
+    const SurfaceDistances distances = CalcDistances(*surface, p_L);
+    if (distances.squares[distances.nearest] <= kOnSurface * kOnSurface) {
+      Spread(*surface, distances, contact.normal_force, config_.patch_radius, forces_);
       sensed_[link] += contact.normal_force;
       return;
     }

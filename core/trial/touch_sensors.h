@@ -53,7 +53,7 @@ struct SensorConfig {
   double hysteresis = 0.05;     ///< share by which a falling force is remembered
   double noise = 0.001;         ///< standard deviation, share of the full reading
   double threshold = 0.006;     ///< likewise: above it is felt
-  double rate = 250.0;          ///< samples of every element [Hz]
+  double rate = 500.0;          ///< samples of every element [Hz]: a bounce may last 2 ms
 
   template <class V>
   void Visit(V&& v) {
