@@ -192,6 +192,7 @@ SensitivitySummary SummariseSensitivity(const Session& session, const Sensitivit
       summary.changes.push_back(std::move(change));
     }
   }
+  summary.offsets = ListOffsetClasses(session, data);
   return summary;
 }
 

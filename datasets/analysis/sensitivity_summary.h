@@ -14,6 +14,7 @@ intervals miss 0 by chance. */
 
 #include "core/base/record_fields.h"
 #include "core/statistics/proportion.h"
+#include "datasets/analysis/offset_classes.h"
 #include "datasets/session/sensitivity_store.h"
 
 namespace graspbench {
@@ -76,6 +77,7 @@ struct SettingChange {
 struct SensitivitySummary {
   int physics_version = kPhysicsVersion;
   std::vector<SettingChange> changes;  ///< by setting, then in the order of the session's hands
+  std::vector<OffsetClass> offsets;    ///< likewise on the same draws; in no file
 
   template <class V>
   static void ListFields(V&& field) {

@@ -9,8 +9,6 @@
 namespace graspbench {
 namespace {
 
-constexpr int kNumOffsetClasses = 4;
-
 struct PlaceSamples {
   PlaceErrors errors;
   std::vector<double> shifts, turns;
@@ -47,24 +45,6 @@ PlaceErrors Summarise(const PlaceSamples& place) {
   return errors;
 }
 
-/** The largest offset, to the corner of the square, in equal classes. */
-void AddOffset(const TrialRecord& record, const TrialDraw& draw, double half_width,
-               std::vector<OffsetClass>& classes) {
-  const double step = std::sqrt(2.0) * half_width / kNumOffsetClasses;
-  const std::string& hand = record.plan.hand;
-  auto first = std::find_if(classes.begin(), classes.end(),
-                            [&](const OffsetClass& c) { return c.hand == hand; });
-  if (first == classes.end()) {
-    for (int i = 0; i < kNumOffsetClasses; ++i) {
-      classes.push_back({hand, step * i, step * (i + 1), Tally()});
-    }
-    first = classes.end() - kNumOffsetClasses;
-  }
-  const double offset = std::hypot(draw.offset_x, draw.offset_y);
-  const int i = step > 0.0 ? std::min(static_cast<int>(offset / step), kNumOffsetClasses - 1) : 0;
-  (first + i)->tally.Count(record.result.outcome);
-}
-
 void AddTouches(const TrialRecord& record, std::vector<FeltTouches>& touches) {
   if (!record.result.touch) return;
   const TouchRecord& touch = *record.result.touch;
@@ -97,7 +77,6 @@ SensorSummary SummariseSensors(const Session& session) {
     const TrialDraw draw = MakeObjectDraw(session.config, record.plan.object, record.plan.trial);
     AddTouches(record, summary.touches);
     AddPlace(record, draw, places);
-    AddOffset(record, draw, session.config.variation.offset, summary.offsets);
   });
   for (const PlaceSamples& place : places) summary.places.push_back(Summarise(place));
   return summary;

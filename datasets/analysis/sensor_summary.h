@@ -19,13 +19,6 @@ struct PlaceErrors {
   double median_turn = kUnset, worst_turn = kUnset;  ///< of the direction, half-turns apart [rad]
 };
 
-/** Trials whose object lay so far from where it should be. */
-struct OffsetClass {
-  std::string hand;
-  double low = 0.0, high = 0.0;  ///< [m]
-  Tally tally;
-};
-
 /** Of one hand's trials that went by sensed touch. */
 struct FeltTouches {
   std::string hand;
@@ -35,7 +28,6 @@ struct FeltTouches {
 
 struct SensorSummary {
   std::vector<PlaceErrors> places;  ///< hands and objects in the order of the records
-  std::vector<OffsetClass> offsets;
   std::vector<FeltTouches> touches;
 };
 

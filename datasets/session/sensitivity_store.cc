@@ -15,7 +15,9 @@ namespace {
 constexpr char kSensitivityFolder[] = "sensitivity";
 
 /** The first part of the keys that leave plan and draws as they are. */
-const std::vector<std::string> kGroups = {"variation", "strategy", "sim", "model"};
+/** What leaves the draws of a trial, as key or as group of keys. */
+const std::vector<std::string> kComparable = {"variation",   "strategy", "sim",   "model",
+                                              "positioning", "camera",   "touch", "sensors"};
 
 std::filesystem::path MakePath(const std::filesystem::path& folder, int worker) {
   MakeFolder(folder / kSensitivityFolder);
@@ -58,14 +60,22 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
   const size_t first = assignment.find_first_not_of(" \t");
   const std::string key = assignment.substr(first, assignment.find_first_of(" \t=", first) - first);
   const std::string group = key.substr(0, key.find('.'));
-  if (std::find(kGroups.begin(), kGroups.end(), group) == kGroups.end()) {
+  if (std::find(kComparable.begin(), kComparable.end(), group) == kComparable.end()) {
     throw Error(ErrorKind::kUsage, "\"" + key +
                                        "\" decides which trials there are; only what leaves their "
                                        "draws can be compared pair by pair: variation.*, "
-                                       "strategy.*, sim.*, model.*");
+                                       "strategy.*, sim.*, model.*, positioning, camera.*, touch, "
+                                       "sensors.*");
   }
   CheckSessionConfig(changed);
-  const Json value = ToJson(changed).at(group).at(key.substr(group.size() + 1));
+  if (key != group && !ToJson(changed).contains(group)) {
+    throw Error(ErrorKind::kUsage,
+                "\"" + key + "\" changes nothing here: the session has " +
+                    (group == "camera" ? "positioning: " + config.positioning + ", not camera"
+                                       : "touch: " + config.touch + ", not sensed"));
+  }
+  const Json part = ConfigToJson(changed).at(group);
+  const Json value = key == group ? part : part.at(key.substr(group.size() + 1));
   return key + "=" + (value.is_string() ? value.get<std::string>() : FormatJson(value));
 }
 

@@ -45,15 +45,27 @@ Html DrawPlaces(const SensorSummary& summary, const SessionModels& models) {
   return MakeDetails("Errors of every object", table.ToHtml());
 }
 
-Html DrawOffsets(const SensorSummary& summary, const ReportData& data) {
-  Table table("Success by how far the object lay from where it should; positioning: " +
-                  data.session.config.positioning + ".",
-              {{"Hand"}, {"Offset [mm]", Align::kNumber}, {"Success", Align::kProse}});
-  for (const OffsetClass& offset : summary.offsets) {
-    table.AddRow(
-        {Text(data.models.NameOfHand(offset.hand)),
-         Text(FormatFixed(MmFromM(offset.low), 1) + " to " + FormatFixed(MmFromM(offset.high), 1)),
-         Text(offset.tally.finished > 0 ? FormatRate(offset.tally) : "n/a")});
+/** A row a hand and class, a column a positioning. */
+Html DrawOffsets(const std::vector<OffsetClass>& offsets, const SessionModels& models) {
+  std::vector<std::string> positionings;
+  std::vector<Column> columns = {{"Hand"}, {"Offset [mm]", Align::kNumber}};
+  for (const OffsetClass& offset : offsets) {
+    if (std::count(positionings.begin(), positionings.end(), offset.positioning)) continue;
+    positionings.push_back(offset.positioning);
+    columns.push_back({"Success, " + offset.positioning, Align::kProse});
+  }
+  Table table("Success by how far the object lay from where it should, on the same draws.",
+              columns);
+  for (const OffsetClass& row : offsets) {
+    if (row.positioning != positionings.front()) continue;
+    std::vector<Html> cells = {
+        Text(models.NameOfHand(row.hand)),
+        Text(FormatFixed(MmFromM(row.low), 1) + " to " + FormatFixed(MmFromM(row.high), 1))};
+    for (const OffsetClass& offset : offsets) {
+      if (offset.hand != row.hand || offset.low != row.low) continue;
+      cells.push_back(Text(offset.tally.finished > 0 ? FormatRate(offset.tally) : "n/a"));
+    }
+    table.AddRow(cells);
   }
   return table.ToHtml();
 }
@@ -150,19 +162,26 @@ Html DrawPeaks(const FeltTouches& felt, const SessionModels& models) {
 Html DrawSensors(const ReportData& data) {
   const SessionConfig& config = data.session.config;
   const SessionConfig defaults;
+  const std::vector<OffsetClass>& offsets = data.sensitivity.offsets;
+  Html html;
+  if (std::any_of(offsets.begin(), offsets.end(), [&](const OffsetClass& offset) {
+        return offset.positioning != defaults.positioning;
+      })) {
+    html += DrawOffsets(offsets, data.models);
+  }
   if (config.positioning == defaults.positioning && config.touch == defaults.touch) {
-    return Element("p", {},
-                   Text("No sensor took part: the hand went to where the object should be and knew "
-                        "every contact. With them: ") +
-                       Element("code", {}, "--set positioning=camera --set touch=sensed"));
+    return html + Element("p", {},
+                          Text("In the session itself no sensor took part: the hand went to where "
+                               "the object should be and knew every contact. With them: ") +
+                              Element("code", {}, "--set positioning=camera --set touch=sensed") +
+                              Text(" of graspbench run, or of graspbench sensitivity to see both "
+                                   "beside each other."));
   }
   if (data.session.records.size() > kMostSensedTrials) {
-    return MakeParagraph("So many trials would keep the page waiting for their sensors.");
+    return html + MakeParagraph("So many trials would keep the page waiting for their sensors.");
   }
   const SensorSummary summary = SummariseSensors(data.session);
-  Html html;
   if (config.positioning != defaults.positioning) {
-    html += DrawOffsets(summary, data);
     if (config.positioning == "camera") html += DrawSights(data);
     html += DrawPlaces(summary, data.models);
   }

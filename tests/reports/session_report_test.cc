@@ -313,7 +313,7 @@ TEST(SessionReport, ShowsWhatSettingsChange) {
 // Beliefs 1 and 2 mm beside the draw; 40 touches of which 39 were felt in time, 10 elsewhere.
 TEST(SessionReport, ShowsWhatTheHandSawAndFelt) {
   Session session = MakeSession({"tum"}, {"can"}, "g3", 2);
-  ExpectContains(TextOfSection(MakePageOf(session), "sensors"), "No sensor took part");
+  ExpectContains(TextOfSection(MakePageOf(session), "sensors"), "no sensor took part");
   session.config.positioning = "true";
   session.config.touch = "sensed";
   for (TrialRecord& record : session.records) {
@@ -323,11 +323,15 @@ TEST(SessionReport, ShowsWhatTheHandSawAndFelt) {
     record.result.believed_yaw = draw.offset_yaw;
     record.result.touch = TouchRecord{20, 20 - record.plan.trial, 0, 5, 0.004, {1.0}};
   }
-  const std::string page = MakePageOf(session);
+  SensitivityData varied;  // one of the two trials fails by camera
+  varied["positioning=camera"][session.records[0].plan.id].outcome = Outcome::kSuccess;
+  varied["positioning=camera"][session.records[1].plan.id].outcome = Outcome::kNotSeen;
+  const std::string page = MakeSessionReport(session, SummariseSession(session), SessionModels(),
+                                             CellPictures(), SummariseSensitivity(session, varied));
   ExpectSoundPage(page);
   const std::string text = TextOfSection(page, "sensors");
-  for (const char* part :
-       {"positioning: true", "1.50", "2.00", "39 of 40 (97.5", "10 of 50 (20.0", "Never felt"}) {
+  for (const char* part : {"Success, true", "Success, camera", "0 of 1 trial", "1.50", "2.00",
+                           "39 of 40 (97.5", "10 of 50 (20.0", "Never felt"}) {
     ExpectContains(text, part);
   }
 }

@@ -31,30 +31,6 @@ TEST(SensorSummary, ErrorsAreThoseAgainstTheDraw) {
   EXPECT_NEAR(place.median, 0.0025, 1e-12);
   EXPECT_NEAR(place.worst, 0.004, 1e-12);
   EXPECT_NEAR(place.median_turn, 0.1, 1e-12);
-
-  ASSERT_EQ(summary.offsets.size(), 4u);
-  int num_trials = 0, num_successes = 0;
-  for (const OffsetClass& offset : summary.offsets) {
-    num_trials += offset.tally.finished;
-    num_successes += offset.tally.successes();
-  }
-  EXPECT_EQ(num_trials, 5);
-  EXPECT_EQ(num_successes, 4);
-  EXPECT_NEAR(summary.offsets[3].high, std::sqrt(2.0) * session.config.variation.offset, 1e-12);
-}
-
-TEST(SensorSummary, TrialsStandInTheClassOfTheirOffset) {
-  const Session session = MakeSession({"tum"}, {"can"}, "g1", 40);
-  const SensorSummary summary = SummariseSensors(session);
-  for (const OffsetClass& offset : summary.offsets) {
-    int num_trials = 0;
-    for (const TrialRecord& record : session.records) {
-      const TrialDraw draw = MakeObjectDraw(session.config, "can", record.plan.trial);
-      const double distance = std::hypot(draw.offset_x, draw.offset_y);
-      num_trials += distance >= offset.low && distance < offset.high ? 1 : 0;
-    }
-    EXPECT_EQ(offset.tally.finished, num_trials) << offset.low;
-  }
 }
 
 TEST(SensorSummary, TouchesAddUpByHand) {

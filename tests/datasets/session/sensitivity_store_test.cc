@@ -75,6 +75,7 @@ TEST(NormaliseSetting, GivesOneNameToOneSetting) {
     EXPECT_EQ(NormaliseSetting(same, config), "sim.step_s=0.001");
   }
   EXPECT_EQ(NormaliseSetting("model.coupling_rule=even", config), "model.coupling_rule=even");
+  EXPECT_EQ(NormaliseSetting("positioning=camera", config), "positioning=camera");
 }
 
 TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
@@ -93,6 +94,11 @@ TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
   for (const Case& c : {
            Case{"seed=2", ErrorKind::kUsage, "decides which trials there are"},
            Case{"hands=tum", ErrorKind::kUsage, "decides which trials there are"},
+           Case{"positioning=eyes", ErrorKind::kRange, "nominal, true, camera"},
+           Case{"sensors.rate_hz=100", ErrorKind::kUsage,
+                "changes nothing here: the session has touch: exact, not sensed"},
+           Case{"camera.noise_grey_levels=5", ErrorKind::kUsage,
+                "positioning: nominal, not camera"},
            Case{"model.mas_scale=2", ErrorKind::kUsage, "did you mean \"model.mass_scale\"?"},
            Case{"model.mass_scale", ErrorKind::kUsage, "expected KEY=VALUE"},
            Case{"model.mass_scale=heavy", ErrorKind::kUsage, "expected a finite number"},
