@@ -15,7 +15,8 @@ namespace {
 constexpr char kSensitivityFolder[] = "sensitivity";
 
 /** The first part of the keys that leave plan and draws as they are. */
-const std::vector<std::string> kGroups = {"variation", "strategy", "sim", "model"};
+const std::vector<std::string> kGroups = {"variation", "strategy", "sim", "model",
+                                          "imperfections"};
 
 std::filesystem::path MakePath(const std::filesystem::path& folder, int worker) {
   MakeFolder(folder / kSensitivityFolder);
@@ -62,10 +63,10 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
     throw Error(ErrorKind::kUsage, "\"" + key +
                                        "\" decides which trials there are; only what leaves their "
                                        "draws can be compared pair by pair: variation.*, "
-                                       "strategy.*, sim.*, model.*");
+                                       "strategy.*, sim.*, model.*, imperfections.*");
   }
   CheckSessionConfig(changed);
-  const Json value = ToJson(changed).at(group).at(key.substr(group.size() + 1));
+  const Json value = ConfigToJson(changed).at(group).at(key.substr(group.size() + 1));
   return key + "=" + (value.is_string() ? value.get<std::string>() : FormatJson(value));
 }
 

@@ -252,7 +252,7 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
                  "x/session.json: error: sim.: expected an object of keys and values\n"
                  "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
                  "trials, seed, variation, strategy, sim, model, approach, positioning, camera, "
-                 "touch, sensors");
+                 "touch, sensors, imperfections");
   }
 }
 
