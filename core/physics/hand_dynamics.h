@@ -15,7 +15,9 @@ coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (cou
 coupling yields has a second one of its own, its deviation: u_joint = rate_j * u_dof + u_deviation.
 Speeds are
 
-    u = [ of driven joints and deviations (num_dofs) | w_WH (3) | v_WH (3) ]    v_WH that of H's origin
+    u = [ of driven joints and deviations (num_dofs) | w_WH (3) | v_WH (3) ]
+
+v_WH is that of H's origin.
 */
 
 #include <Eigen/Core>

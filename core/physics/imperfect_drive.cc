@@ -25,8 +25,7 @@ void FinishDriveFriction(const ScalarForce& friction, double v, double h, DriveM
   const bool is_at_limit = tau <= friction.lower || tau >= friction.upper;
   memory.stretch += h * v;
   if (is_at_limit) {
-    memory.stretch =
-        -std::clamp(tau, friction.lower, friction.upper) / kDriveBristleStiffness;
+    memory.stretch = -std::clamp(tau, friction.lower, friction.upper) / kDriveBristleStiffness;
   }
   memory.slides = memory.slides ? std::abs(v) >= kStribeckSpeed : is_at_limit;
 }

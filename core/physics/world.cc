@@ -68,9 +68,8 @@ void World::ChooseDistalModes(const WorldCommand& command, double& stop_work) {
     const double coupled = state_.q[distal] - state_.deviation[distal];
     const double theta = state_.q[middle] + coupled;
     const bool blocked = link_blocks_[middle_link] || link_blocks_[proximal_link];
-    const DistalMode mode =
-        FindDistalMode(state_.q[middle], coupled, hand_->joints[middle].upper,
-                       command.q[middle] > theta, blocked, modes_[dof]);
+    const DistalMode mode = FindDistalMode(state_.q[middle], coupled, hand_->joints[middle].upper,
+                                           command.q[middle] > theta, blocked, modes_[dof]);
     if (mode == modes_[dof]) continue;
     // What moved hits its stop: the joint starts from rest in its new direction.
     const double before = CalcKineticEnergy();

@@ -15,8 +15,10 @@ bool TurnsByCoupling(const HandJoint& joint) { return Turns(joint) && joint.coup
 void CheckConcerned(const Hand& hand, const char* key, bool (*is_concerned)(const HandJoint&),
                     const char* expected) {
   if (std::any_of(hand.joints.begin(), hand.joints.end(), is_concerned)) return;
-  throw Error(ErrorKind::kUsage, std::string("imperfections.") + key + " concerns nothing of the "
-                                     "hand \"" + hand.id + "\": it has no joint that " + expected +
+  throw Error(ErrorKind::kUsage, std::string("imperfections.") + key +
+                                     " concerns nothing of the "
+                                     "hand \"" +
+                                     hand.id + "\": it has no joint that " + expected +
                                      "; leave the setting or the hand out");
 }
 

@@ -15,8 +15,7 @@ namespace {
 constexpr char kSensitivityFolder[] = "sensitivity";
 
 /** The first part of the keys that leave plan and draws as they are. */
-const std::vector<std::string> kGroups = {"variation", "strategy", "sim", "model",
-                                          "imperfections"};
+const std::vector<std::string> kGroups = {"variation", "strategy", "sim", "model", "imperfections"};
 
 std::filesystem::path MakePath(const std::filesystem::path& folder, int worker) {
   MakeFolder(folder / kSensitivityFolder);

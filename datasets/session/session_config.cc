@@ -144,7 +144,8 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
   Json complete = json;
   const Json defaults = ConfigToJson(SessionConfig());
-  for (const char* key : {"approach", "positioning", "camera", "touch", "sensors", "imperfections"}) {
+  for (const char* key :
+       {"approach", "positioning", "camera", "touch", "sensors", "imperfections"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
   const auto config = ConfigFromJson<SessionConfig>(complete, file, problems);

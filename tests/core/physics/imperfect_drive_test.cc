@@ -78,8 +78,9 @@ TEST(ImperfectDriveTest, TheLoopIsAsWideAsThePlay) {
         1.75 * kPeriod,
         [](double t) {
           const double phase = t / kPeriod - std::floor(t / kPeriod);
-          return kSwing * (phase < 0.25 ? 4.0 * phase : phase < 0.75 ? 2.0 - 4.0 * phase
-                                                                     : 4.0 * phase - 4.0);
+          return kSwing * (phase < 0.25   ? 4.0 * phase
+                           : phase < 0.75 ? 2.0 - 4.0 * phase
+                                          : 4.0 * phase - 4.0);
         },
         [&](double t, double q) {
           // The command passes zero at every half period.
@@ -284,10 +285,9 @@ TEST(ImperfectDriveTest, YieldingCouplingsKeepTheEnergy) {
     bench.Drive(
         5.0, [](double) { return 0.0; },
         [&](double, double) {
-          const double spring =
-              0.5 * bench.state().deviation[1] * bench.state().deviation[1] / 2.0;
-          highest = std::max(highest, bench.world().CalcKineticEnergy() +
-                                          bench.CalcPotentialEnergy() + spring);
+          const double spring = 0.5 * bench.state().deviation[1] * bench.state().deviation[1] / 2.0;
+          highest = std::max(
+              highest, bench.world().CalcKineticEnergy() + bench.CalcPotentialEnergy() + spring);
         });
     EXPECT_LT(highest - start, 1e-5 * std::abs(start)) << step;
     EXPECT_LT(std::abs(bench.world().CalcEnergyResidual()), 1e-4 * std::abs(start)) << step;

@@ -72,10 +72,14 @@ struct HeldOutScan {
 };
 
 inline constexpr HeldOutScan kHeldOutScans[] = {
-    {"002_master_chef_can", 3, "large, round, heavy"}, {"003_cracker_box", 3, "large and heavy"},
-    {"005_tomato_soup_can", 3, "round and heavy"},     {"011_banana", 1, "between"},
-    {"016_pear", 3, "large and roundish"},             {"021_bleach_cleanser", 3, "large and heavy"},
-    {"048_hammer", 3, "large and heavy"},              {"065-d_cups", 3, "large and round"},
+    {"002_master_chef_can", 3, "large, round, heavy"},
+    {"003_cracker_box", 3, "large and heavy"},
+    {"005_tomato_soup_can", 3, "round and heavy"},
+    {"011_banana", 1, "between"},
+    {"016_pear", 3, "large and roundish"},
+    {"021_bleach_cleanser", 3, "large and heavy"},
+    {"048_hammer", 3, "large and heavy"},
+    {"065-d_cups", 3, "large and round"},
 };
 
 }  // namespace graspbench

@@ -163,6 +163,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.approach = "side";
   config.positioning = "camera";
   config.touch = "sensed";
+  config.imperfections.stick_slip = 0.1;
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     std::string pointer = "/" + key;
