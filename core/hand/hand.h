@@ -66,6 +66,12 @@ struct JointDrive {
   double stiffness = 0.0;     ///< [N m/rad]
   double damping = 0.0;       ///< [N m s/rad]
   double torque_limit = 0.0;  ///< [N m]
+  /** What no data sheet gives, of joints that turn; core/physics/imperfect_drive.h says how. */
+  ///@{
+  double play = 0.0;              ///< width of the loop between command and joint [rad]
+  double friction_static = 0.0;   ///< torque at which a joint at rest breaks loose [N m]
+  double friction_dynamic = 0.0;  ///< that which brakes it then, at most the other [N m]
+  ///@}
 };
 
 struct HandJoint {
@@ -82,6 +88,9 @@ struct HandJoint {
   bool is_mimic = false;
   double mimic_ratio = 1.0;
   double mimic_offset = 0.0;  ///< [rad], [m]
+  /** How far a coupled joint that turns yields from where its coupling has it [rad/(N m)]; 0: rigid.
+  core/physics/imperfect_drive.h. */
+  double coupling_compliance = 0.0;
 };
 
 /** A joint's position as people give and read it: degrees, of a prismatic joint millimetres. */

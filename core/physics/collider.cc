@@ -19,6 +19,24 @@ constexpr double kTableMargin = 0.008;
 /** Counts as the load of a point that has just touched, so that new ones share alike [N]. */
 constexpr double kUnknownLoad = 1e-6;
 
+/** The column of a degree of freedom among those of the contact, which ascend; a new one is zero. */
+int FindColumn(int dof, ContactPoint& contact) {
+  int i = 0;
+  while (i < contact.num_dofs && contact.dofs[i] < dof) ++i;
+  if (i < contact.num_dofs && contact.dofs[i] == dof) return i;
+  const int num_rows = contact.num_rows();
+  for (int k = contact.num_dofs; k > i; --k) {
+    contact.dofs[k] = contact.dofs[k - 1];
+    for (int row = 0; row < num_rows; ++row) {
+      contact.jacobian[row][k] = contact.jacobian[row][k - 1];
+    }
+  }
+  contact.dofs[i] = dof;
+  for (int row = 0; row < num_rows; ++row) contact.jacobian[row][i] = 0.0;
+  ++contact.num_dofs;
+  return i;
+}
+
 }  // namespace
 
 Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig& config)
@@ -93,29 +111,16 @@ void Collider::AddJointRows(const HandDynamics& dynamics, int link, double sign,
   const int num_rows = contact.num_rows();
   const Vector3d rows[3] = {contact.nhat_BA_W, contact.tangent1_W, contact.tangent2_W};
   for (int joint : dynamics.chain(link)) {
-    const double rate = dynamics.rate_of_joint(joint);
-    if (rate == 0.0) continue;
-    const int dof = dynamics.dof_of_joint(joint);
-    int i = 0;
-    while (i < contact.num_dofs && contact.dofs[i] < dof) ++i;
-    if (i == contact.num_dofs || contact.dofs[i] != dof) {
-      for (int k = contact.num_dofs; k > i; --k) {
-        contact.dofs[k] = contact.dofs[k - 1];
-        for (int row = 0; row < num_rows; ++row) {
-          contact.jacobian[row][k] = contact.jacobian[row][k - 1];
-        }
-      }
-      contact.dofs[i] = dof;
-      for (int row = 0; row < num_rows; ++row) contact.jacobian[row][i] = 0.0;
-      ++contact.num_dofs;
-    }
     const SpatialVector& S = dynamics.motion(joint);
     const Vector3d a = S.head<3>();
     const Vector3d v = Vector3d(S.tail<3>()) + a.cross(contact.p_WC);
-    for (int row = 0; row < std::min(num_rows, 3); ++row) {
-      contact.jacobian[row][i] += sign * rate * rows[row].dot(v);
-    }
-    if (num_rows == 4) contact.jacobian[kSpinRow][i] += sign * rate * contact.nhat_BA_W.dot(a);
+    dynamics.ForEachSpeed(joint, [&](int dof, double rate) {
+      const int i = FindColumn(dof, contact);
+      for (int row = 0; row < std::min(num_rows, 3); ++row) {
+        contact.jacobian[row][i] += sign * rate * rows[row].dot(v);
+      }
+      if (num_rows == 4) contact.jacobian[kSpinRow][i] += sign * rate * contact.nhat_BA_W.dot(a);
+    });
   }
 }
 

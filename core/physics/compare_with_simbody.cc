@@ -22,7 +22,9 @@ double CompareWithSimbody(World& world, SimbodyModel& simbody) {
   const int joints = dynamics.num_joints(), speeds = dynamics.num_speeds();
   // Theirs = T ours: rates of joints, then the base.
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, speeds);
-  for (int j = 0; j < joints; ++j) T(j, dynamics.dof_of_joint(j)) = dynamics.rate_of_joint(j);
+  for (int j = 0; j < joints; ++j) {
+    dynamics.ForEachSpeed(j, [&](int dof, double rate) { T(j, dof) = rate; });
+  }
   T.bottomRightCorner<6, 6>().setIdentity();
 
   VectorXd u(joints + 12);

@@ -473,6 +473,13 @@ void CompliantWorld::TakeSphereDepths(StepReport& report) const {
 
 bool CanMoveCompliantly(const GraspObject& object) { return FindSphereRadius(object).has_value(); }
 
+bool CanMoveCompliantly(const Hand& hand) {
+  return std::all_of(hand.joints.begin(), hand.joints.end(), [](const HandJoint& joint) {
+    return joint.drive.play == 0.0 && joint.drive.friction_static == 0.0 &&
+           joint.coupling_compliance == 0.0;
+  });
+}
+
 std::unique_ptr<World> MakeCompliantWorld(const Hand& hand, const GraspObject& object,
                                           const SimConfig& config) {
   return std::make_unique<CompliantWorld>(hand, object, config);

@@ -7,6 +7,7 @@ compliant contact, integrated by CPodes (variable order and step, implicit, erro
     object    a ball; Hertz contact of spheres
     friction  Stribeck law with a transition speed of 0.1 mm/s: a loaded contact creeps
     coupling  distal joints are tied, or locked, by stiff springs
+    drives    follow at once: without the play, friction and yielding of imperfect_drive.h
 
 Other objects would need elastic foundations on fine meshes, which take minutes a trial. Pads have
 no torsion radius, so sigma is lower; a smooth ball rolls off more easily than its mesh; links do
@@ -25,8 +26,11 @@ namespace graspbench {
 
 /** Whether the object is a ball; seams and dimples do not count. */
 bool CanMoveCompliantly(const GraspObject& object);
+/** Whether the hand has no imperfect drive or coupling. */
+bool CanMoveCompliantly(const Hand& hand);
 
-/** Its energy residual stays unset; it throws what Simbody throws. @pre CanMoveCompliantly. */
+/** Its energy residual stays unset; it throws what Simbody throws.
+@pre CanMoveCompliantly of both. */
 std::unique_ptr<World> MakeCompliantWorld(const Hand& hand, const GraspObject& object,
                                           const SimConfig& config);
 

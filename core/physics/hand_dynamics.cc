@@ -72,12 +72,14 @@ HandDynamics::HandDynamics(const Hand& hand) {
     if (link.joint >= 0) chain_[i].push_back(link.joint);
   }
   dof_of_joint_.assign(hand.joints.size(), -1);
+  deviation_dof_.assign(hand.joints.size(), -1);
   rate_.assign(hand.joints.size(), 1.0);
   for (size_t j = 0; j < hand.joints.size(); ++j) {
     joint_link_.push_back(hand.joints[j].link);
     slides_.push_back(hand.joints[j].is_prismatic);
-    if (hand.joints[j].coupled_to >= 0) continue;
-    dof_of_joint_[j] = num_dofs_++;
+    const bool yields = hand.joints[j].coupling_compliance > 0.0;
+    if (hand.joints[j].coupled_to >= 0 && !yields) continue;
+    (hand.joints[j].coupled_to >= 0 ? deviation_dof_ : dof_of_joint_)[j] = num_dofs_++;
     joint_of_dof_.push_back(static_cast<int>(j));
     distal_of_dof_.push_back(-1);
   }
@@ -131,15 +133,18 @@ void HandDynamics::CalcMassMatrix(Eigen::Ref<Eigen::MatrixXd> M) const {
   joint_momentum.setZero(6, num_dofs_);
   for (size_t i = num_links; i-- > 1;) {
     const int joint = joint_[i];
-    if (joint >= 0 && rate_[joint] != 0.0) {
+    if (joint >= 0 && Moves(joint)) {
       const SpatialVector F = composite[i] * S_[joint];
-      const int dof = dof_of_joint_[joint];
-      joint_momentum.col(dof) += rate_[joint] * F;
+      ForEachSpeed(joint, [&](int dof, double rate) { joint_momentum.col(dof) += rate * F; });
       for (int ancestor : chain_[i]) {
-        const int other = dof_of_joint_[ancestor];
-        const double value = rate_[joint] * rate_[ancestor] * S_[ancestor].dot(F);
-        M(dof, other) += value;
-        if (ancestor != joint) M(other, dof) += value;
+        const double S_dot_F = S_[ancestor].dot(F);
+        ForEachSpeed(joint, [&](int dof, double rate) {
+          ForEachSpeed(ancestor, [&](int other, double other_rate) {
+            const double value = rate * other_rate * S_dot_F;
+            M(dof, other) += value;
+            if (ancestor != joint) M(other, dof) += value;
+          });
+        });
       }
     }
     composite[parent_[i]].Add(composite[i]);
@@ -172,8 +177,8 @@ void HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& gravity_W,
       V[i] = V[parent_[i]];
       A[i] = A[parent_[i]];
     }
-    if (const int joint = joint_[i]; joint >= 0 && rate_[joint] != 0.0) {
-      const SpatialVector Su = S_[joint] * (rate_[joint] * u[dof_of_joint_[joint]]);
+    if (const int joint = joint_[i]; joint >= 0 && Moves(joint)) {
+      const SpatialVector Su = S_[joint] * CalcJointSpeed(joint, u);
       A[i] += CrossMotion(V[i], Su);
       V[i] += Su;
     }
@@ -183,7 +188,8 @@ void HandDynamics::CalcBias(const Eigen::VectorXd& u, const Vector3d& gravity_W,
   bias.setZero();
   for (size_t i = num_links; i-- > 1;) {
     if (const int joint = joint_[i]; joint >= 0) {
-      bias[dof_of_joint_[joint]] += rate_[joint] * S_[joint].dot(F[i]);
+      const double S_dot_F = S_[joint].dot(F[i]);
+      ForEachSpeed(joint, [&](int dof, double rate) { bias[dof] += rate * S_dot_F; });
     }
     F[parent_[i]] += F[i];
   }

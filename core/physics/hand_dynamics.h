@@ -11,10 +11,13 @@ motion vector is S = (a, p x a), of a prismatic joint (0, a); composite rigid bo
 matrix, recursive Newton-Euler the bias.
 
 Degrees of freedom: one for every driven joint, then six of the base, which an arm carries. A
-coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (coupling.h). Speeds
-are
+coupled joint shares that of the joint it follows: u_joint = rate_j * u_dof (coupling.h). One whose
+coupling yields has a second one of its own, its deviation: u_joint = rate_j * u_dof + u_deviation.
+Speeds are
 
-    u = [ rates of the driven joints (num_dofs) | w_WH (3) | v_WH (3) ]      v_WH that of H's origin
+    u = [ of driven joints and deviations (num_dofs) | w_WH (3) | v_WH (3) ]
+
+v_WH is that of H's origin.
 */
 
 #include <Eigen/Core>
@@ -51,13 +54,29 @@ class HandDynamics {
   int num_speeds() const { return num_dofs_ + 6; }
   int num_joints() const { return static_cast<int>(joint_link_.size()); }
   int dof_of_joint(int joint) const { return dof_of_joint_[joint]; }
-  /** The joint a degree of freedom is named after (its middle joint when coupled). */
+  /** That of the joint's deviation from its coupling; -1: none, it is rigid. */
+  int deviation_dof(int joint) const { return deviation_dof_[joint]; }
+  bool is_deviation(int dof) const { return deviation_dof_[joint_of_dof_[dof]] == dof; }
+  /** The joint a degree of freedom is named after (its middle joint when coupled; of a deviation
+  the joint that deviates). */
   int joint_of_dof(int dof) const { return joint_of_dof_[dof]; }
   /** The distal joint that shares the degree of freedom by the hand's coupling rule; -1: none.
   Joints tied by a linkage (HandJoint::is_mimic) do not count: their rate never changes. */
   int distal_of_dof(int dof) const { return distal_of_dof_[dof]; }
   double rate_of_joint(int joint) const { return rate_[joint]; }
   void SetRate(int joint, double rate) { rate_[joint] = rate; }
+  /** Calls function(dof, rate) for every degree of freedom that moves the joint. */
+  template <class Function>
+  void ForEachSpeed(int joint, Function&& function) const {
+    if (rate_[joint] != 0.0) function(dof_of_joint_[joint], rate_[joint]);
+    if (deviation_dof_[joint] >= 0) function(deviation_dof_[joint], 1.0);
+  }
+  bool Moves(int joint) const { return rate_[joint] != 0.0 || deviation_dof_[joint] >= 0; }
+  double CalcJointSpeed(int joint, const Eigen::VectorXd& u) const {
+    double speed = 0.0;
+    ForEachSpeed(joint, [&](int dof, double rate) { speed += rate * u[dof]; });
+    return speed;
+  }
 
   /** Poses and inertias of links, motion vectors of joints. @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
@@ -94,6 +113,7 @@ class HandDynamics {
   std::vector<std::vector<int>> chain_;
   std::vector<int> joint_link_;  // by joint
   std::vector<int> dof_of_joint_;
+  std::vector<int> deviation_dof_;  // by joint
   std::vector<double> rate_;
   std::vector<int> joint_of_dof_;
   std::vector<int> distal_of_dof_;

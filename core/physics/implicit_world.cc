@@ -56,6 +56,7 @@ void ImplicitWorld::Reset(const WorldState& state) {
   v_ << CalcHandSpeeds(), state.w_WO, state.v_WOcm;
   commanded_v_WH_ = state.v_WH;
   problem_.contacts.clear();
+  drives_.assign(static_cast<size_t>(dynamics_.num_dofs()), DriveMemory());
   step_number_ = 0;
   SetExternalLoad(Vector3d::Zero(), Vector3d::Zero());
   energy_ = EnergyAccount();
@@ -66,6 +67,10 @@ void ImplicitWorld::MovePositions(double h, const VectorXd& u, WorldState& state
   const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
     state.q[joint] += h * dynamics_.rate_of_joint(joint) * u[dynamics_.dof_of_joint(joint)];
+    if (const int dof = dynamics_.deviation_dof(joint); dof >= 0) {
+      state.q[joint] += h * u[dof];
+      state.deviation[joint] += h * u[dof];
+    }
   }
   state.X_WH.linear() = MakeRotation(h * u.segment<3>(base)) * state.X_WH.linear();
   state.X_WH.translation() += h * u.segment<3>(base + 3);
@@ -92,43 +97,70 @@ void ImplicitWorld::AddArm(const WorldCommand& command) {
   }
 }
 
-void ImplicitWorld::AddDrivesAndLimits(const WorldCommand& command) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+void ImplicitWorld::AddDrives(const WorldCommand& command) {
   const double h = config_.step;
-  problem_.scalars.clear();
   for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
     const int joint = dynamics_.joint_of_dof(dof), distal = dynamics_.distal_of_dof(dof);
+    if (dynamics_.is_deviation(dof)) {
+      problem_.scalars.push_back(MakeCouplingForce(hand_->joints[joint].coupling_compliance,
+                                                   middle_.deviation[joint], dof, h));
+      continue;
+    }
     const JointDrive& drive = hand_->joints[joint].drive;
+    const double followed = FollowWithPlay(drive.play, command.q[joint], drives_[dof]);
     double theta = middle_.q[joint];
-    if (distal >= 0 && hand_->coupling == CouplingRule::kMiddleFirst) theta += middle_.q[distal];
-    problem_.scalars.push_back({dof, drive.stiffness * (command.q[joint] - theta),
+    if (distal >= 0 && hand_->coupling == CouplingRule::kMiddleFirst) {
+      theta += middle_.q[distal] - middle_.deviation[distal];
+    }
+    problem_.scalars.push_back({dof, drive.stiffness * (followed - theta),
                                 0.5 * drive.stiffness * h + drive.damping, -drive.torque_limit,
                                 drive.torque_limit});
   }
+  first_friction_ = static_cast<int>(problem_.scalars.size());
+  for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
+    if (dynamics_.is_deviation(dof)) continue;
+    const JointDrive& drive = hand_->joints[dynamics_.joint_of_dof(dof)].drive;
+    if (drive.friction_static == 0.0) continue;
+    problem_.scalars.push_back(MakeDriveFriction(drive, drives_[dof], dof, h));
+  }
   num_drives_ = static_cast<int>(problem_.scalars.size());
-  AddArm(command);
+}
+
+/** A stop on both sides; it gives no force while the joint is between them. */
+void ImplicitWorld::AddStops(int dof, double rate, double q, double lower, double upper,
+                             double stiffness) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // Far from its limits a joint cannot reach them within the step.
+  constexpr double kNear = 0.1;
+  const double gain = stiffness * config_.step * rate * rate;
+  if (q < lower + kNear) {
+    problem_.scalars.push_back({dof, stiffness * rate * (lower - q), gain, 0.0, kInfinity});
+  }
+  if (q > upper - kNear) {
+    problem_.scalars.push_back({dof, stiffness * rate * (upper - q), gain, -kInfinity, 0.0});
+  }
+}
+
+void ImplicitWorld::AddLimits() {
   for (int joint = 0; joint < dynamics_.num_joints(); ++joint) {
-    const double rate = dynamics_.rate_of_joint(joint);
-    if (rate == 0.0) continue;
-    double lower = hand_->joints[joint].lower, upper = hand_->joints[joint].upper;
-    if (const int middle = hand_->joints[joint].coupled_to; middle >= 0) {
-      if (hand_->joints[joint].is_mimic) continue;  // the limits of the joint it follows hold
-      if (hand_->coupling != CouplingRule::kMiddleFirst)
-        continue;  // the middle joint's limits hold
+    const HandJoint& stopped = hand_->joints[joint];
+    const double stiffness = stopped.is_prismatic ? kSlideLimitStiffness : kLimitStiffness;
+    const bool is_ruled = stopped.coupled_to >= 0 && !stopped.is_mimic;
+    double lower = stopped.lower, upper = stopped.upper;
+    if (is_ruled && hand_->coupling == CouplingRule::kMiddleFirst) {
       lower = std::max(lower, 0.0);
-      upper = std::min(upper, middle_.q[middle]);  // the middle joint is never less bent
+      upper = std::min(upper, middle_.q[stopped.coupled_to]);  // the middle is never less bent
     }
-    const int dof = dynamics_.dof_of_joint(joint);
-    const double stiffness =
-        hand_->joints[joint].is_prismatic ? kSlideLimitStiffness : kLimitStiffness;
-    const double q = middle_.q[joint], gain = stiffness * h * rate * rate;
-    // Far from its limits a joint cannot reach them within the step.
-    constexpr double kNear = 0.1;
-    if (q < lower + kNear) {
-      problem_.scalars.push_back({dof, stiffness * rate * (lower - q), gain, 0.0, kInfinity});
+    const double rate = dynamics_.rate_of_joint(joint);
+    // Of a joint that is tied to another the limits of that one hold.
+    const bool is_tied = stopped.coupled_to >= 0 &&
+                         (stopped.is_mimic || hand_->coupling != CouplingRule::kMiddleFirst);
+    if (rate != 0.0 && !is_tied) {
+      AddStops(dynamics_.dof_of_joint(joint), rate, middle_.q[joint] - middle_.deviation[joint],
+               lower, upper, stiffness);
     }
-    if (q > upper - kNear) {
-      problem_.scalars.push_back({dof, stiffness * rate * (upper - q), gain, -kInfinity, 0.0});
+    if (const int dof = dynamics_.deviation_dof(joint); dof >= 0) {
+      AddStops(dof, 1.0, middle_.q[joint], lower, upper, stiffness);
     }
   }
 }
@@ -163,7 +195,10 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
 
   const Pose X_WO = MakePose(middle_.R_WO, middle_.p_WOcm - middle_.R_WO * mass_.p_OOcm);
   collider_.FindContacts(dynamics_, X_WO, middle_.p_WOcm, step_number_, problem_.contacts);
-  AddDrivesAndLimits(command);
+  problem_.scalars.clear();
+  AddDrives(command);
+  AddArm(command);
+  AddLimits();
 
   const Vector3d acceleration_W = (command.v_WH - commanded_v_WH_) / h;
   commanded_v_WH_ = command.v_WH;
@@ -177,6 +212,10 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
     return true;
   });
 
+  for (int i = first_friction_; i < num_drives_; ++i) {
+    const int dof = problem_.scalars[i].dof;
+    FinishDriveFriction(problem_.scalars[i], v_[dof], h, drives_[dof]);
+  }
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     FinishContact(problem_.contacts[c], solver_.rates()[c], solver_.forces()[c], h, step_number_);
   }

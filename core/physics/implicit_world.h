@@ -19,8 +19,10 @@ carries the hand itself: its weight and inertia along the commanded motion load 
 a hand that touches nothing is where it is commanded to be. The arm's own inertia is not modelled.
 
 A clone goes on to the very same bytes: it carries the bristles of all contacts, the speeds the
-solver starts from, the blocked links, loads and the account of energy. */
+solver starts from, the blocked links, the drives' imperfections, loads and the account of energy.
+*/
 
+#include "core/physics/imperfect_drive.h"
 #include "core/physics/step_solver.h"
 #include "core/physics/world.h"
 
@@ -30,7 +32,7 @@ namespace graspbench {
 kinetic_energy - start = drives + arm + gravity + contacts + limits + external; the rest is the
 residual. */
 struct EnergyAccount {
-  double drives = 0.0;    ///< work of the drives on the joints
+  double drives = 0.0;    ///< work of the drives, their friction and yielding couplings on joints
   double arm = 0.0;       ///< work of the arm on the hand's base
   double limits = 0.0;    ///< work of the joint limits and of the stops of coupled joints
   double gravity = 0.0;   ///< work of gravity
@@ -59,8 +61,10 @@ class ImplicitWorld : public World {
 
  private:
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
-  void AddDrivesAndLimits(const WorldCommand& command);
+  void AddDrives(const WorldCommand& command);
   void AddArm(const WorldCommand& command);
+  void AddLimits();
+  void AddStops(int dof, double rate, double q, double lower, double upper, double stiffness);
   void CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& acceleration_W);
   void AccountEnergy(const Eigen::VectorXd& v);
   double CalcTouchAge(const ContactPoint& contact) const;
@@ -76,7 +80,11 @@ class ImplicitWorld : public World {
   Eigen::Matrix<double, 6, 1> carrying_ = Eigen::Matrix<double, 6, 1>::Zero();  // the hand itself
   Eigen::Vector3d external_force_W_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
-  int num_drives_ = 0;  // the first entries of problem_.scalars; then six of the arm
+  std::vector<DriveMemory> drives_;  // by dof
+  // The first entries of problem_.scalars: drives and couplings by dof, then the drives' friction
+  // from first_friction_ on, num_drives_ in all; then six of the arm.
+  int first_friction_ = 0;
+  int num_drives_ = 0;
   int step_number_ = 0;
   EnergyAccount energy_;
 };

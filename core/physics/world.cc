@@ -25,6 +25,9 @@ World::World(const Hand& hand, const GraspObject& object, const SimConfig& confi
 
 void World::ResetScene(const WorldState& state) {
   state_ = state;
+  if (state_.deviation.size() == 0) {
+    state_.deviation = Eigen::VectorXd::Zero(dynamics_.num_joints());
+  }
   const int dofs = dynamics_.num_dofs();
   modes_.assign(static_cast<size_t>(dofs), DistalMode::kMiddleMoves);
   for (int dof = 0; dof < dofs; ++dof) {
@@ -62,16 +65,18 @@ void World::ChooseDistalModes(const WorldCommand& command, double& stop_work) {
     const int middle = dynamics_.joint_of_dof(dof);
     const int middle_link = hand_->joints[middle].link;
     const int proximal_link = hand_->links[middle_link].parent;
-    const double theta = state_.q[middle] + state_.q[distal];
+    const double coupled = state_.q[distal] - state_.deviation[distal];
+    const double theta = state_.q[middle] + coupled;
     const bool blocked = link_blocks_[middle_link] || link_blocks_[proximal_link];
-    const DistalMode mode =
-        FindDistalMode(state_.q[middle], state_.q[distal], hand_->joints[middle].upper,
-                       command.q[middle] > theta, blocked, modes_[dof]);
+    const DistalMode mode = FindDistalMode(state_.q[middle], coupled, hand_->joints[middle].upper,
+                                           command.q[middle] > theta, blocked, modes_[dof]);
     if (mode == modes_[dof]) continue;
     // What moved hits its stop: the joint starts from rest in its new direction.
     const double before = CalcKineticEnergy();
     state_.u[dof] = 0.0;
-    if (mode == DistalMode::kMiddleMoves) state_.q[distal] = std::max(state_.q[distal], 0.0);
+    if (mode == DistalMode::kMiddleMoves && coupled < 0.0) {
+      state_.q[distal] = state_.deviation[distal];
+    }
     stop_work += CalcKineticEnergy() - before;
     modes_[dof] = mode;
     SetDistalRates(dof);

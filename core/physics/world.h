@@ -27,6 +27,8 @@ struct WorldState {
   Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();  ///< of H's origin [m/s]
   Eigen::VectorXd q;                               ///< (num_joints) [rad]
   Eigen::VectorXd u;                               ///< (num_dofs) [rad/s]
+  /** Part of q by which a joint has left its coupling (num_joints); empty at a start: none [rad]. */
+  Eigen::VectorXd deviation;
   Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_WOcm = Eigen::Vector3d::Zero();
   Eigen::Vector3d w_WO = Eigen::Vector3d::Zero();                            ///< [rad/s]

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
@@ -70,7 +72,12 @@ TrialRunner::TrialRunner(std::shared_ptr<const Hand> hand,
     : impl_(std::make_unique<Impl>(std::move(hand), std::move(object))) {
   const HandDynamics dynamics(*impl_->hand);
   for (size_t link = 0; link < impl_->hand->links.size(); ++link) {
-    const size_t length = dynamics.chain(static_cast<int>(link)).size();
+    const std::vector<int>& chain = dynamics.chain(static_cast<int>(link));
+    std::set<int> dofs;
+    for (int joint : chain) {
+      dynamics.ForEachSpeed(joint, [&](int dof, double) { dofs.insert(dof); });
+    }
+    const size_t length = std::max(chain.size(), dofs.size());
     if (length > ContactPoint::kMaxChain) {
       throw Error(ErrorKind::kUnsupported,
                   "hand \"" + impl_->hand->id + "\" has " + std::to_string(length) +

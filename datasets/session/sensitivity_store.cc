@@ -14,10 +14,10 @@ namespace {
 
 constexpr char kSensitivityFolder[] = "sensitivity";
 
-/** The first part of the keys that leave plan and draws as they are. */
 /** What leaves the draws of a trial, as key or as group of keys. */
-const std::vector<std::string> kComparable = {"variation",   "strategy", "sim",   "model",
-                                              "positioning", "camera",   "touch", "sensors"};
+const std::vector<std::string> kComparable = {"variation", "strategy",      "sim",
+                                              "model",     "imperfections", "positioning",
+                                              "camera",    "touch",         "sensors"};
 
 std::filesystem::path MakePath(const std::filesystem::path& folder, int worker) {
   MakeFolder(folder / kSensitivityFolder);
@@ -64,11 +64,11 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
     throw Error(ErrorKind::kUsage, "\"" + key +
                                        "\" decides which trials there are; only what leaves their "
                                        "draws can be compared pair by pair: variation.*, "
-                                       "strategy.*, sim.*, model.*, positioning, camera.*, touch, "
-                                       "sensors.*");
+                                       "strategy.*, sim.*, model.*, imperfections.*, "
+                                       "positioning, camera.*, touch, sensors.*");
   }
   CheckSessionConfig(changed);
-  if (key != group && !ToJson(changed).contains(group)) {
+  if ((group == "camera" || group == "sensors") && !ToJson(changed).contains(group)) {
     throw Error(ErrorKind::kUsage,
                 "\"" + key + "\" changes nothing here: the session has " +
                     (group == "camera" ? "positioning: " + config.positioning + ", not camera"

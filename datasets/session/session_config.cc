@@ -136,6 +136,7 @@ Json ToJson(const SessionConfig& config) {
     json.erase("touch");
     json.erase("sensors");
   }
+  if (config.imperfections == defaults.imperfections) json.erase("imperfections");
   return json;
 }
 
@@ -143,7 +144,8 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
   Json complete = json;
   const Json defaults = ConfigToJson(SessionConfig());
-  for (const char* key : {"approach", "positioning", "camera", "touch", "sensors"}) {
+  for (const char* key :
+       {"approach", "positioning", "camera", "touch", "sensors", "imperfections"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
   const auto config = ConfigFromJson<SessionConfig>(complete, file, problems);

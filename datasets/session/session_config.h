@@ -11,6 +11,7 @@ frozen in full into the session's folder. */
 #include "core/physics/sim_config.h"
 #include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
+#include "datasets/session/imperfection_config.h"
 #include "datasets/session/model_config.h"
 
 namespace graspbench {
@@ -53,6 +54,7 @@ struct SessionConfig : TrialConditions {
   CameraConfig camera;                         ///< for positioning by camera
   std::string touch = "exact";                 ///< core/trial/touch_sensors.h
   SensorConfig sensors;                        ///< for touch: sensed
+  ImperfectionConfig imperfections;            ///< of the hands; none by default
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
 
@@ -64,6 +66,7 @@ struct SessionConfig : TrialConditions {
     v("camera", camera);
     v("touch", touch);
     v("sensors", sensors);
+    v("imperfections", imperfections);
   }
   /** Without what a campaign does not choose. */
   template <class V>
@@ -99,8 +102,8 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 @throws Error(kUsage) naming the known keys or the expected type. */
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
-/** The complete configuration, every default written out, but for an automatic approach, for
-nominal positioning, exact touch and for camera and sensors of a session that does not use them:
+/** The complete configuration, every default written out, but for an automatic approach, nominal
+positioning, exact touch, no imperfections, and for camera and sensors of a session without them:
 sessions without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.

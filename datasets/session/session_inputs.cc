@@ -46,6 +46,7 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
   for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
     auto hand = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder)));
     ApplyModel(config.model, *hand);
+    ApplyImperfections(config.imperfections, *hand);
     std::vector<StandardGrasp> grasps = LoadStandardGrasps(*hand);
     inputs.hands.push_back({std::move(hand), std::move(grasps)});
   }

@@ -48,6 +48,9 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
     content["sensors"] = ConfigToJson(config.sensors);
     content["skin"] = hand.skin->content_hash;
   }
+  if (!(config.imperfections == SessionConfig().imperfections)) {
+    content["imperfections"] = ConfigToJson(config.imperfections);
+  }
   return CalcHashHex(FormatJson(content));
 }
 

@@ -96,13 +96,16 @@ std::vector<TrialRecord> ChooseTrials(const std::vector<TrialRecord>& records,
 std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
                                      const NumericsVariant& variant, const SessionInputs& inputs) {
   if (!variant.is_compliant) return trials;
-  std::set<std::string> objects;
+  std::set<std::string> hands, objects;
+  for (const SessionHand& hand : inputs.hands) {
+    if (CanMoveCompliantly(*hand.hand)) hands.insert(hand.hand->id);
+  }
   for (const auto& object : inputs.objects) {
     if (CanMoveCompliantly(*object)) objects.insert(object->id);
   }
   std::vector<TrialRecord> covered;
   for (const TrialRecord& trial : trials) {
-    if (objects.count(trial.plan.object) > 0) covered.push_back(trial);
+    if (hands.count(trial.plan.hand) && objects.count(trial.plan.object)) covered.push_back(trial);
   }
   return covered;
 }

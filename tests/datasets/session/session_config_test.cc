@@ -163,6 +163,7 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.approach = "side";
   config.positioning = "camera";
   config.touch = "sensed";
+  config.imperfections.stick_slip = 0.1;
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     std::string pointer = "/" + key;
@@ -252,7 +253,7 @@ TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
                  "x/session.json: error: sim.: expected an object of keys and values\n"
                  "x/session.json: error: more: unknown key. Known: hands, objects, grasps, "
                  "trials, seed, variation, strategy, sim, model, approach, positioning, camera, "
-                 "touch, sensors");
+                 "touch, sensors, imperfections");
   }
 }
 
