@@ -18,8 +18,8 @@ columns of a table with their schema. A field is a double (null: not finite), in
 vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
 ReadJson(json, value) in its namespace. A field of a member that is a struct is listed with both
 members, one that is no member with functions: Json(const Record&), void(const Json&, Record&) and,
-to be read by record_text.h, void(JsonCursor&, Record&). With FieldMayMiss a number that is not finite is left out instead of null; an optional
-member without a value is left out, too. */
+to be read by record_text.h, void(JsonCursor&, Record&). With FieldMayMiss a number that is not
+finite is left out instead of null; an optional member without a value is left out, too. */
 
 #include <Eigen/Core>
 #include <cmath>

@@ -220,8 +220,8 @@ void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage)
           "lines with --accept-damage");
 }
 
-/** Settings of another physics as far as they are still settings: those that it did not have stand as
-they do by default. @param added, dropped  their names, behind `prefix`. */
+/** Settings of another physics as far as they are still settings: those that it did not have stand
+as they do by default. @param added, dropped  their names, behind `prefix`. */
 Json AdaptSettings(const Json& stored, const Json& known, const std::string& prefix,
                    std::string& added, std::string& dropped) {
   const auto list = [&](std::string& names, const std::string& key) {
