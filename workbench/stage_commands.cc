@@ -18,9 +18,11 @@ constexpr std::pair<const char*, StagePlace> kStageCommands[] = {
     {"best", StagePlace::kText},         {"compare", StagePlace::kText},
     {"quality", StagePlace::kText}};
 
-/** Where results go, how many processors work and whether to go on is the pipeline's. */
-constexpr const char* kOwnOptions[] = {"out",       "paper", "mjcf",   "jobs",          "resume",
-                                       "plan-only", "help",  "replay", "accept-damage", "replace"};
+/** Where results go, how many processors work and whether to go on is the pipeline's; what a clock
+decides is nobody's, because it would differ elsewhere. */
+constexpr const char* kOwnOptions[] = {"out",           "paper",     "mjcf",         "jobs",
+                                       "resume",        "plan-only", "help",         "replay",
+                                       "accept-damage", "replace",   "trial-timeout"};
 
 StageOption MakeStageOption(const CLI::Option& option, StagePlace place) {
   StageOption made;

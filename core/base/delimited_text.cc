@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/escape.h"
+#include "core/base/text.h"
 
 namespace graspbench {
 namespace {
@@ -114,7 +115,7 @@ double ParseNumber(const Cells& cells, size_t column, const LineReader& reader) 
   const std::string_view cell = cells[column];
   double value = std::nan("");
   if (cell.empty() || ParsePlain(cell, value)) return value;
-  const std::string lower = LowerCase(cell);
+  const std::string lower = ToLower(cell);
   if (lower == "n/a" || lower == "na") return std::nan("");
   reader.Fail("column " + std::to_string(column + 1) + ": " + Quote(cell) + " is not a number");
 }
@@ -141,14 +142,6 @@ void DropEmptyEnd(Cells& cells) {
 
 bool IsBlank(const Cells& cells) {
   return std::all_of(cells.begin(), cells.end(), [](std::string_view c) { return c.empty(); });
-}
-
-std::string LowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
 }
 
 bool StartsWith(std::string_view text, std::string_view start) {

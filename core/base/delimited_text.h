@@ -54,7 +54,6 @@ void DropEmptyEnd(Cells& cells);
 
 bool IsBlank(const Cells& cells);
 
-std::string LowerCase(std::string_view text);
 bool StartsWith(std::string_view text, std::string_view start);
 
 }  // namespace graspbench

@@ -17,9 +17,9 @@ and that one listing drives writing and reading JSON, and, for the fields with a
 columns of a table with their schema. A field is a double (null: not finite), int, bool, text,
 vector of angles, pose, another such struct, a vector of fields, or any type with ToJson(value) and
 ReadJson(json, value) in its namespace. A field of a member that is a struct is listed with both
-members, one that is no member with two functions, Json(const Record&) and void(const Json&,
-Record&). With FieldMayMiss a number that is not finite is left out instead of null; an optional
-member without a value is left out, too. */
+members, one that is no member with functions: Json(const Record&), void(const Json&, Record&) and,
+to be read by record_text.h, void(JsonCursor&, Record&). With FieldMayMiss a number that is not
+finite is left out instead of null; an optional member without a value is left out, too. */
 
 #include <Eigen/Core>
 #include <cmath>
@@ -128,8 +128,9 @@ struct FieldWriter {
   void operator()(const char* key, std::optional<T> Record::*member) const {
     if (record.*member) json[key] = FieldToJson(*(record.*member));
   }
-  void operator()(const char* key, Json (*write)(const Record&),
-                  void (*)(const Json&, Record&)) const {
+  template <class... Text>
+  void operator()(const char* key, Json (*write)(const Record&), void (*)(const Json&, Record&),
+                  const Text&...) const {
     json[key] = write(record);
   }
 };
@@ -156,8 +157,9 @@ struct FieldReader {
     (record.*member).reset();
     if (json.contains(key)) ReadField(json.at(key), (record.*member).emplace());
   }
-  void operator()(const char* key, Json (*)(const Record&),
-                  void (*read)(const Json&, Record&)) const {
+  template <class... Text>
+  void operator()(const char* key, Json (*)(const Record&), void (*read)(const Json&, Record&),
+                  const Text&...) const {
     read(json.at(key), record);
   }
 };

@@ -31,11 +31,12 @@ std::string FormatPercent(double ratio) {
   return std::isfinite(ratio) ? FormatFixed(100.0 * ratio, 1) + kNoBreakSpace + "%" : "n/a";
 }
 
-std::string ToLower(std::string text) {
-  for (char& c : text) {
+std::string ToLower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  return text;
+  return lower;
 }
 
 std::string Capitalise(std::string text) {

@@ -24,7 +24,7 @@ std::string FormatSignificant(double value, int digits);
 std::string FormatPercent(double ratio);
 
 /** All letters small, of ASCII. */
-std::string ToLower(std::string text);
+std::string ToLower(std::string_view text);
 
 /** The first letter large, of ASCII. */
 std::string Capitalise(std::string text);

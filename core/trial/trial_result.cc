@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/record_text.h"
 
 namespace graspbench {
 
@@ -38,12 +39,30 @@ void ReadDigits(const Json& json, TrialResult& result) {
   CheckOneThumb(result.contacts, "contacts");
 }
 
+void ReadDigitsText(JsonCursor& text, TrialResult& result) {
+  ReadListText(text, [&] {
+    text.Demand("{");
+    ReadFieldsText(text, result.contacts.emplace_back());
+    ReadFieldsText(text, result.touches.emplace_back(), /*is_first=*/false);
+    text.Demand("}");
+  });
+  const auto is_thumb = [](const DigitContact& contact) { return contact.is_opposing; };
+  if (std::count_if(result.contacts.begin(), result.contacts.end(), is_thumb) > 1) text.Fail();
+}
+
 Json ToJson(const TrialResult& result) { return RecordToJson(result); }
 
 TrialResult TrialResultFromJson(const Json& json) {
   TrialResult result;
   ReadRecord(json, result);
   result.timing = CalcContactTiming(result.contacts, 0.0);
+  return result;
+}
+
+TrialResult ReadTrialResultText(JsonCursor& text) {
+  TrialResult result;
+  ReadRecordText(text, result);
+  if (!text.has_failed()) result.timing = CalcContactTiming(result.contacts, 0.0);
   return result;
 }
 

@@ -8,6 +8,7 @@ What is known of a trial after it was carried out. */
 #include <vector>
 
 #include "core/base/json.h"
+#include "core/base/json_cursor.h"
 #include "core/base/pose.h"
 #include "core/base/record_fields.h"
 #include "core/base/units.h"
@@ -72,6 +73,7 @@ struct TrialResult;
 /** Contacts and touches of the grasping digits, one object each. */
 Json DigitsToJson(const TrialResult& result);
 void ReadDigits(const Json& json, TrialResult& result);
+void ReadDigitsText(JsonCursor& text, TrialResult& result);
 
 /** A new field is a member and a line in ListFields here, and the place that finds it. */
 struct TrialResult {
@@ -107,7 +109,7 @@ struct TrialResult {
     using R = TrialResult;
     field("outcome", &R::outcome);
     field("reason", &R::reason);
-    field("contacts", &DigitsToJson, &ReadDigits);
+    field("contacts", &DigitsToJson, &ReadDigits, &ReadDigitsText);
     field("lift_height_m", &R::lift_height,
           FieldColumn{"m", "height of the object's centre above rest at the end"});
     field("hold_slip_m", &R::hold_slip,
@@ -146,5 +148,7 @@ ContactOrder FindContactOrder(const TrialResult& result);
 
 Json ToJson(const TrialResult& result);
 TrialResult TrialResultFromJson(const Json& json);
+/** The same from its text; fails as record_text.h says. */
+TrialResult ReadTrialResultText(JsonCursor& text);
 
 }  // namespace graspbench

@@ -76,7 +76,7 @@ class RealTable {
       Fail(trial.line, "trial \"" + table_.Text(row, "trial") + "\"; expected 0, 1, 2, ..");
     }
     trial.is_success = ReadSuccess(row);
-    trial.is_made_up = LowerCase(table_.Text(row, "note")).find("made up") != std::string::npos;
+    trial.is_made_up = ToLower(table_.Text(row, "note")).find("made up") != std::string::npos;
     for (const std::string& digit : digits_) {
       const double time = table_.Number(row, "t_" + digit + "_s");
       if (std::abs(time) > kLongestTime) {
@@ -101,7 +101,7 @@ class RealTable {
   }
 
   bool ReadSuccess(size_t row) {
-    const std::string text = LowerCase(table_.Text(row, "success"));
+    const std::string text = ToLower(table_.Text(row, "success"));
     if (text == "1" || text == "yes") return true;
     if (text != "0" && text != "no" && !text.empty()) {
       Fail(table_.LineOfRow(row), "success is \"" + table_.Text(row, "success") +

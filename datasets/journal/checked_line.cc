@@ -45,6 +45,10 @@ std::string FormatCheckedLine(const Json& record) {
 
 bool IsCheckedLine(std::string_view line) { return !FindFault(line); }
 
+std::string_view FindCheckedBody(std::string_view line) {
+  return FindFault(line) ? std::string_view() : line.substr(0, line.size() - kSumLength);
+}
+
 Json ParseCheckedLine(std::string_view line) {
   if (const char* fault = FindFault(line)) throw Error(ErrorKind::kFormat, fault);
   try {

@@ -23,6 +23,9 @@ std::string FormatCheckedLine(const Json& record);
 /** Whether the line ends in the checksum of its bytes; it is not parsed. */
 bool IsCheckedLine(std::string_view line);
 
+/** What the checksum is of; empty when the line does not end in it. */
+std::string_view FindCheckedBody(std::string_view line);
+
 /** @returns the object, its checksum included.
 @throws Error(kFormat) saying what is wrong with the line: cut off, or its checksum. */
 Json ParseCheckedLine(std::string_view line);

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/file_pieces.h"
 #include "core/base/files.h"
+#include "core/base/json_cursor.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "datasets/journal/checked_line.h"
@@ -243,7 +244,8 @@ std::vector<Damage> FindBadLines(const fs::path& folder, const std::string& path
     try {
       // What was torn and then committed is closed by a line break before anything follows.
       if (line.start < committed) throw Error(ErrorKind::kFormat, "a torn line was continued");
-      if (line.is_whole) ParseCheckedLine(line.text);
+      if (!line.is_whole || (IsCheckedLine(line.text) && IsPlainJson(line.text))) return;
+      ParseCheckedLine(line.text);
     } catch (const Error& e) {
       damages.push_back({path, line.number, e.what()});
     }

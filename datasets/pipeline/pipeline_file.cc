@@ -125,7 +125,8 @@ class StageReader {
         Fail(line, what + ": \"" + key + "\" is given twice");
       } else if (option && option->is_own) {
         Fail(line, what + ": \"" + key +
-                       "\" is set by the pipeline; a stage writes into the folder of its own name");
+                       "\" is set by the pipeline; a stage writes into the folder of its own name, "
+                       "and no clock ends its trials");
       } else if (!option) {
         std::vector<std::string> names;
         for (const StageOption& one : command.options) {

@@ -114,6 +114,17 @@ void ExtractFile(const fs::path& pack, archive* in, const fs::path& target) {
   if (!file) throw Error(ErrorKind::kIo, "cannot write \"" + target.string() + "\"");
 }
 
+/** Behind its end a tar file may be filled up with zeros, no more. */
+void CheckEnd(const fs::path& pack, archive* in) {
+  ReadPieces(
+      pack,
+      [&](std::string_view piece) {
+        if (piece.find_first_not_of('\0') != piece.npos) FailOnPack(pack, "goes on behind its end");
+        return true;
+      },
+      static_cast<uintmax_t>(::archive_filter_bytes(in, 0)));
+}
+
 void ExtractAll(const fs::path& pack, archive* in, const fs::path& folder) {
   std::set<std::string> names;
   archive_entry* entry = nullptr;
@@ -135,6 +146,7 @@ void ExtractAll(const fs::path& pack, archive* in, const fs::path& folder) {
     }
     ExtractFile(pack, in, folder / name);
   }
+  CheckEnd(pack, in);
 }
 
 Manifest CheckUnpacked(const fs::path& pack, const fs::path& folder) {
@@ -253,17 +265,6 @@ fs::path FindPackedFile(const fs::path& folder, const Manifest& manifest) {
     if (is_listed && name.compare(0, prefix.size(), prefix) == 0) return folder / name;
   }
   throw Error(ErrorKind::kFormat, "the pack's manifest does not say which file is its pipeline");
-}
-
-bool IsPack(const fs::path& path) {
-  std::error_code fault;
-  if (!fs::is_regular_file(path, fault)) return false;
-  constexpr std::streamoff kMagic = 257;  // "ustar" in the first header
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 5> magic{};
-  file.seekg(kMagic);
-  file.read(magic.data(), magic.size());
-  return std::string_view(magic.data(), magic.size()) == "ustar";
 }
 
 }  // namespace graspbench

@@ -35,7 +35,4 @@ Manifest Unpack(const std::filesystem::path& pack, const std::filesystem::path& 
 /** The pipeline's file in an unpacked folder. @throws Error(kFormat). */
 std::filesystem::path FindPackedFile(const std::filesystem::path& folder, const Manifest& manifest);
 
-/** True for a regular file that begins as a tar file does. */
-bool IsPack(const std::filesystem::path& path);
-
 }  // namespace graspbench

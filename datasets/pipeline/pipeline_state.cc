@@ -117,8 +117,33 @@ std::vector<std::string> DescribeEdits(const TextMap& before, const TextMap& now
   return texts;
 }
 
+/** Commands make no links: somebody has put one there, and what it leads to is not of the stage. */
+void AddLinks(const fs::path& result, StageState& state) {
+  const auto add = [&](const std::string& text) {
+    state.is_edited = true;
+    state.reasons.push_back(text);
+  };
+  if (fs::is_symlink(result)) return add("its result was replaced by a link");
+  for (const auto& entry : fs::recursive_directory_iterator(result)) {
+    if (!entry.is_symlink()) continue;
+    return add("result " + entry.path().lexically_relative(result).generic_string() +
+               " was replaced by a link");
+  }
+}
+
+fs::path FindFailure(const fs::path& results, const std::string& stage) {
+  return results / kStageLogs / (stage + ".failed");
+}
+
 void FindReasons(const PipelineStage& stage, const fs::path& results, const PipelineLock& lock,
                  const std::set<std::string>& stale, StageState& state) {
+  std::error_code status;
+  if (fs::exists(FindFailure(results, stage.name), status)) {
+    state.reasons.push_back("it failed with exit code " +
+                            ReadFile(FindFailure(results, stage.name)) + "; it said why in " +
+                            kStageLogs + "/" + stage.name + ".txt");
+    return;
+  }
   const auto found = lock.find(stage.name);
   if (found == lock.end()) {
     state.reasons.push_back("it has not run yet");
@@ -133,12 +158,12 @@ void FindReasons(const PipelineStage& stage, const fs::path& results, const Pipe
     state.reasons.push_back(waits ? fact + " is stale" : DescribeChange(fact, before, now));
   }
   const fs::path result = results / stage.name;
-  std::error_code status;
   if (!fs::is_directory(result, status)) {
     state.reasons.push_back("its result is missing");
   } else {
     const auto edits = DescribeEdits(locked.files, ListStableFiles(result), state.is_edited);
     state.reasons.insert(state.reasons.end(), edits.begin(), edits.end());
+    AddLinks(result, state);
   }
   // The same key and yet other bytes: another processor, or a stage that is not reproducible.
   for (const auto& [needed, sha256] : locked.sources) {
@@ -201,6 +226,14 @@ std::vector<StageState> FindStageStates(const Pipeline& pipeline, const fs::path
     states.push_back(std::move(state));
   }
   return states;
+}
+
+void KeepFailure(const fs::path& results, const std::string& stage, int exit_code) {
+  WriteFileAtomically(FindFailure(results, stage), std::to_string(exit_code));
+}
+
+void ForgetFailure(const fs::path& results, const std::string& stage) {
+  fs::remove(FindFailure(results, stage));
 }
 
 LockedStage MakeLockedStage(const PipelineStage& stage, const StageFacts& facts,

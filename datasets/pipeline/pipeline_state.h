@@ -18,6 +18,7 @@ that which stages are stale and because of what.
 namespace graspbench {
 
 inline constexpr char kPipelineLock[] = "pipeline.lock";
+inline constexpr char kStageLogs[] = "logs";  ///< folder of what stages said
 
 /** What a result depends on, by name: "command", "parameter trials", "input session.yaml",
 "stage benchmark", "program". */
@@ -51,6 +52,11 @@ std::string CalcStageKey(const StageFacts& facts);
 std::vector<StageState> FindStageStates(const Pipeline& pipeline,
                                         const std::filesystem::path& results,
                                         const PipelineLock& lock, const StageFacts& program);
+
+/** That a stage has failed, as logs/<stage>.failed, until it runs again.
+@pre the folder of logs is there. @throws Error(kIo), std::filesystem::filesystem_error. */
+void KeepFailure(const std::filesystem::path& results, const std::string& stage, int exit_code);
+void ForgetFailure(const std::filesystem::path& results, const std::string& stage);
 
 /** What the lock says of a stage that has just been made. @throws Error(kIo). */
 LockedStage MakeLockedStage(const PipelineStage& stage, const StageFacts& facts,

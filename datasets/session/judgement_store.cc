@@ -15,8 +15,17 @@ constexpr char kFolder[] = "judge";
 /** Joins judgements to the records of a session. */
 class Joiner {
  public:
-  explicit Joiner(Session& session) : session_(session), is_brief_(!session.lines.trials.empty()) {
-    for (TrialRecord& record : session.records) records_.emplace(record.plan.id, &record);
+  explicit Joiner(Session& session)
+      : session_(session),
+        is_brief_(!session.lines.trials.empty()),
+        has_records_(!session.records.empty()) {
+    for (size_t i = 0; i < session.records.size(); ++i) {
+      places_.emplace(session.records[i].plan.id, i);
+    }
+    if (has_records_) return;
+    for (size_t i = 0; i < session.lines.trials.size(); ++i) {
+      if (session.lines.trials[i].file >= 0) places_.emplace(session.plan[i].id, i);
+    }
   }
 
   /** False: the line's trial has another judgement already.
@@ -25,18 +34,23 @@ class Joiner {
     const Json json = ParseCheckedLine(line);
     if (IntFrom(json.at("judge_version")) != kJudgeVersion) return true;
     const auto id = json.at("trial_id").get<std::string>();
-    const auto found = records_.find(id);
-    if (found == records_.end() && !IsPlanned(id)) {
+    const auto found = places_.find(id);
+    if (found == places_.end() && !IsPlanned(id)) {
       const std::string& file = session_.lines.files.at(static_cast<size_t>(place.file));
       session_.damage.push_back({file, place.number, DescribeForeign(id)});
       return true;
     }
-    if (found == records_.end()) {
+    if (found == places_.end()) {
       throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
     }
-    TrialRecord& record = *found->second;
     Judgement judgement;
     ReadRecord(json.at("judgement"), judgement);
+    return has_records_ ? AddTo(session_.records[found->second], std::move(judgement), place)
+                        : AddPlace(found->second, judgement, place);
+  }
+
+ private:
+  bool AddTo(TrialRecord& record, Judgement judgement, const LinePlace& place) {
     if (record.judgement) {
       return RecordToJson(*LoadWhole(session_, record).judgement) == RecordToJson(judgement);
     }
@@ -50,15 +64,25 @@ class Joiner {
     return true;
   }
 
- private:
+  bool AddPlace(size_t trial, const Judgement& judgement, const LinePlace& place) {
+    LinePlace& known = session_.lines.judgements[trial];
+    if (known.file >= 0) {
+      return RecordToJson(ParseJudgementLine(ReadLine(session_.lines, known))) ==
+             RecordToJson(judgement);
+    }
+    known = place;
+    return true;
+  }
+
   bool IsPlanned(const std::string& id) const {
     return std::any_of(session_.plan.begin(), session_.plan.end(),
                        [&](const PlannedTrial& planned) { return planned.id == id; });
   }
 
   Session& session_;
-  bool is_brief_;
-  std::unordered_map<std::string_view, TrialRecord*> records_;  // looked up only, never iterated
+  bool is_brief_, has_records_;
+  /** Of finished trials, among the records, or in the plan. Looked up only, never iterated. */
+  std::unordered_map<std::string_view, size_t> places_;
 };
 
 std::filesystem::path MakeJudgePath(const std::filesystem::path& folder, int worker,

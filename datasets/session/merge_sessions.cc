@@ -1,7 +1,6 @@
 #include "datasets/session/merge_sessions.h"
 
 #include <set>
-#include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -29,34 +28,35 @@ void CheckSamePlan(const fs::path& folder, const fs::path& other) {
            CalcHashHex(ReadFile(of / "plan.jsonl"));
   };
   const Json here = load(folder), there = load(other);
-  if (here == there && ReadFile(folder / "plan.jsonl") == ReadFile(other / "plan.jsonl")) return;
+  const auto seal_plan = [](const fs::path& of) { return SealFile(of, "plan.jsonl").sha256; };
+  if (here == there && seal_plan(folder) == seal_plan(other)) return;
   throw Error(ErrorKind::kUsage,
               "\"" + other.string() + "\" holds another session than \"" + folder.string() +
                   "\", nothing was merged:" + describe(folder, here) + describe(other, there));
 }
 
-/** Which lines are to be appended. Of a session of many trials there is no room for all records:
-lines are read again where they are compared or copied. */
+/** Which lines are to be appended. Of a session of many trials there is no room for records: lines
+are read again where they are compared or copied. */
 class Additions {
  public:
   explicit Additions(const fs::path& folder) : folder_(folder) {
-    const Session session = LoadSession(folder, OnDamage::kRefuse, RecordParts::kBrief);
+    const Session session = LoadSession(folder, OnDamage::kRefuse, RecordParts::kPlaces);
     AddLines(session);
     known_.reserve(session.plan.size());
-    for (size_t i = 0; i < session.records.size(); ++i) {
-      known_.emplace(session.records[i].plan.id,
-                     Known{{0, session.lines.trials[i]}, {0, session.lines.judgements[i]}});
+    for (size_t i = 0; i < session.plan.size(); ++i) {
+      known_.push_back({{0, session.lines.trials[i]}, {0, session.lines.judgements[i]}});
     }
     known_starts_ = ListStartLines(folder);
   }
 
   void Add(const fs::path& other) {
-    const Session session = LoadSession(other, OnDamage::kRefuse, RecordParts::kBrief);
+    const Session session = LoadSession(other, OnDamage::kRefuse, RecordParts::kPlaces);
     CheckSamePlan(folder_, other);
     const size_t index = AddLines(session);
-    for (size_t i = 0; i < session.records.size(); ++i) {
-      AddRecord(session.records[i].plan, {index, session.lines.trials[i]},
-                {index, session.lines.judgements[i]});
+    for (size_t i = 0; i < session.plan.size(); ++i) {
+      const Line trial{index, session.lines.trials[i]};
+      if (!trial.IsThere()) continue;
+      AddRecord(session.plan[i], known_[i], trial, {index, session.lines.judgements[i]});
     }
     workers_ += CollectStarts(other, known_starts_);
   }
@@ -94,10 +94,10 @@ class Additions {
 
   std::string Read(const Line& line) const { return ReadLine(sessions_[line.session], line.place); }
 
-  void AddRecord(const PlannedTrial& planned, const Line& trial, const Line& judgement) {
-    const auto [known, is_new] = known_.emplace(planned.id, Known{trial, {0, {}}});
-    Known& mine = known->second;
-    if (is_new) {
+  void AddRecord(const PlannedTrial& planned, Known& mine, const Line& trial,
+                 const Line& judgement) {
+    if (!mine.trial.IsThere()) {
+      mine.trial = trial;
       trials_.push_back(trial);
     } else if (!HasSameResult(Read(mine.trial), Read(trial))) {
       Fail(planned, trial, "another result than in " + NameSource(mine.trial));
@@ -150,9 +150,9 @@ class Additions {
   }
 
   fs::path folder_;
-  std::vector<RecordLines> sessions_;             // their folders and files; the first is folder_
-  std::unordered_map<std::string, Known> known_;  // looked up only, never iterated
-  std::vector<Line> trials_, judgements_;         // new ones
+  std::vector<RecordLines> sessions_;      // their folders and files; the first is folder_
+  std::vector<Known> known_;               // by place in the plan
+  std::vector<Line> trials_, judgements_;  // new ones
   std::set<std::string> known_starts_;
   std::string workers_;
   Diagnostics conflicts_;

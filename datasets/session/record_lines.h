@@ -21,8 +21,8 @@ struct LinePlace {
 struct RecordLines {
   std::filesystem::path folder;
   std::vector<std::string> files;     ///< "journal/0.jsonl", from the folder
-  std::vector<LinePlace> trials;      ///< of all records, in their order
-  std::vector<LinePlace> judgements;  ///< of the same records
+  std::vector<LinePlace> trials;      ///< of all records, in their order; or of the whole plan
+  std::vector<LinePlace> judgements;  ///< of the same
 };
 
 /** "journal/0.jsonl:12". */

@@ -1,7 +1,6 @@
 #include "datasets/session/session_store.h"
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 #include <unordered_map>
 
@@ -18,21 +17,36 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/** Places of trials of an id that another has before them; in the plan's order. */
+std::vector<size_t> FindRepeated(const std::vector<PlannedTrial>& plan) {
+  std::vector<std::pair<std::string_view, size_t>> ids;
+  ids.reserve(plan.size());
+  for (size_t i = 0; i < plan.size(); ++i) ids.emplace_back(plan[i].id, i);
+  std::sort(ids.begin(), ids.end());
+  std::vector<size_t> repeated;
+  for (size_t i = 1; i < ids.size(); ++i) {
+    if (ids[i].first == ids[i - 1].first) repeated.push_back(ids[i].second);
+  }
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
+
 std::vector<PlannedTrial> LoadPlan(const fs::path& path) {
   std::vector<PlannedTrial> plan;
+  std::vector<int> numbers;  // of their lines
   Diagnostics problems;
-  std::set<std::string> seen;
-  ForEachLine(ReadFile(path), [&](std::string_view line, int number, bool) {
+  ForEachLineOfFile(path, [&](const FileLine& line) {
+    if (line.text.empty()) return;
     try {
-      PlannedTrial planned = PlannedTrialFromJson(Json::parse(line));
-      if (!seen.insert(planned.id).second) {
-        problems.Fail("plan.jsonl", number, "trial " + planned.id + " is planned twice");
-      }
-      plan.push_back(std::move(planned));
+      plan.push_back(ParsePlannedTrial(line.text));
+      numbers.push_back(line.number);
     } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-      problems.Fail("plan.jsonl", number, e.what());
+      problems.Fail("plan.jsonl", line.number, e.what());
     }
   });
+  for (const size_t i : FindRepeated(plan)) {
+    problems.Fail("plan.jsonl", numbers[i], "trial " + plan[i].id + " is planned twice");
+  }
   problems.ThrowIfErrors(ErrorKind::kFormat,
                          "\"" + path.string() +
                              "\" is damaged; it is written once and never changed, so take it "
@@ -59,7 +73,7 @@ class Merger {
   Merger(const fs::path& folder, Session& session, RecordParts parts)
       : session_(session),
         parts_(parts),
-        records_(session.plan.size()),
+        records_(parts == RecordParts::kPlaces ? 0 : session.plan.size()),
         places_(session.plan.size()) {
     lines_.folder = folder;
     place_of_.reserve(session.plan.size());
@@ -80,6 +94,12 @@ class Merger {
         "one trial has different results: two machines or versions of the program have written to "
         "this session or a file was edited; graspbench merge DIR --set-aside FILE leaves out what "
         "one of these files holds and keeps it beside, or run the session anew");
+    if (parts_ == RecordParts::kPlaces) {
+      lines_.judgements.resize(places_.size());
+      lines_.trials = std::move(places_);
+      session_.lines = std::move(lines_);
+      return;
+    }
     size_t num_found = 0;  // they move up in place: of a large session there is no room for two
     for (size_t i = 0; i < records_.size(); ++i) {
       if (places_[i].file < 0) continue;
@@ -131,7 +151,7 @@ class Merger {
       place = {static_cast<int>(lines_.files.size()) - 1, line.number, line.start,
                line.text.size()};
       if (parts_ == RecordParts::kBrief) MakeBrief(record.result);
-      records_[found->second] = std::move(record);
+      if (parts_ != RecordParts::kPlaces) records_[found->second] = std::move(record);
     } else if (ToJson(LoadKnown(found->second)) != ToJson(record)) {
       conflicts_.Fail(file, line.number,
                       "trial " + record.plan.id + " (" + DescribeTrial(record.plan) +
@@ -200,6 +220,43 @@ void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage)
           "lines with --accept-damage");
 }
 
+/** Settings of another physics as far as they are still settings: those that it did not have stand
+as they do by default. @param added, dropped  their names, behind `prefix`. */
+Json AdaptSettings(const Json& stored, const Json& known, const std::string& prefix,
+                   std::string& added, std::string& dropped) {
+  const auto list = [&](std::string& names, const std::string& key) {
+    names += (names.empty() ? "" : ", ") + prefix + key;
+  };
+  Json settings = known;
+  for (auto& [key, value] : settings.items()) {
+    if (!stored.contains(key)) {
+      list(added, key);
+    } else if (value.is_object() && stored.at(key).is_object()) {
+      value = AdaptSettings(stored.at(key), value, prefix + key + ".", added, dropped);
+    } else {
+      value = stored.at(key);
+    }
+  }
+  for (const auto& item : stored.items()) {
+    if (!known.contains(item.key())) list(dropped, item.key());
+  }
+  return settings;
+}
+
+/** The configuration of an earlier physics, which may have had other settings. */
+Json AdaptToPhysics(const Frozen& frozen, Diagnostics& findings) {
+  if (frozen.physics_version >= kPhysicsVersion || !frozen.config.is_object()) return frozen.config;
+  std::string added, dropped;
+  Json config = AdaptSettings(frozen.config, ToJson(SessionConfig()), "", added, dropped);
+  const std::string text = (added.empty() ? "" : "; it had no " + added + ", shown as by default") +
+                           (dropped.empty() ? "" : "; it had " + dropped + ", not shown");
+  if (!text.empty()) {
+    findings.Warn(kSessionStore.file, 0,
+                  "the session is of physics " + std::to_string(frozen.physics_version) + text);
+  }
+  return config;
+}
+
 /** Without judgements. @param only  patterns of the files that may be read; empty: all. */
 Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                   const std::vector<std::string>& only) {
@@ -213,7 +270,8 @@ Session LoadFiles(const fs::path& folder, OnDamage on_damage, RecordParts parts,
                           "the session is older than manifests: changes of its configuration, its "
                           "plan and missing lines are not noticed");
   }
-  session.config = SessionConfigFromJson(frozen.config, (folder / kSessionStore.file).string());
+  session.config = SessionConfigFromJson(AdaptToPhysics(frozen, session.findings),
+                                         (folder / kSessionStore.file).string());
   session.physics_version = frozen.physics_version;
   session.plan = LoadPlan(folder / "plan.jsonl");
   Merger merger(folder, session, parts);

@@ -57,7 +57,9 @@ enum class RecordParts {
   kWhole,
   /** Without what only exports, pictures and single trials need: postures at the touches, phases,
   contact events, snapshots, the loads of a judgement. LoadWhole reads a record again. */
-  kBrief
+  kBrief,
+  /** None of them, though all are read and checked: RecordLines says where each of the plan is. */
+  kPlaces
 };
 
 struct Session {
@@ -66,7 +68,7 @@ struct Session {
   int physics_version = 0;  ///< kPhysicsVersion of the program that planned it; 0: not said
   std::vector<PlannedTrial> plan;
   std::vector<TrialRecord> records;  ///< finished trials in the plan's order
-  RecordLines lines;                 ///< of brief records; empty when they are whole
+  RecordLines lines;                 ///< of brief records and of places; empty when they are whole
   /** Warnings about journal lines that were skipped; files are named from the session's folder. */
   Diagnostics findings;
   std::vector<Damage> damage;  ///< found and accepted

@@ -1,6 +1,7 @@
 #include "datasets/session/trial_record.h"
 
 #include "core/base/error.h"
+#include "core/base/record_text.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {
@@ -25,7 +26,32 @@ std::string FormatJournalLine(const TrialRecord& record) {
   return FormatCheckedLine(ToJson(record));
 }
 
+PlannedTrial ParsePlannedTrial(std::string_view line) {
+  JsonCursor text(line);
+  PlannedTrial planned;
+  ReadRecordText(text, planned);
+  if (!text.has_failed() && text.rest().empty()) return planned;
+  return PlannedTrialFromJson(Json::parse(line));
+}
+
+namespace {
+
+/** None: it is not just as FormatJournalLine writes it. */
+std::optional<TrialRecord> ReadAsWritten(std::string_view line) {
+  JsonCursor text(FindCheckedBody(line));
+  TrialRecord record;
+  text.Demand("{");
+  ReadFieldsText(text, record.plan);
+  text.Demand(",\"result\":");
+  record.result = ReadTrialResultText(text);
+  if (text.has_failed() || !text.rest().empty()) return {};
+  return record;
+}
+
+}  // namespace
+
 TrialRecord ParseJournalLine(std::string_view line) {
+  if (std::optional<TrialRecord> record = ReadAsWritten(line)) return *std::move(record);
   const Json json = ParseCheckedLine(line);
   try {
     return {PlannedTrialFromJson(json), TrialResultFromJson(json.at("result"))};

@@ -22,6 +22,9 @@ Json ToJson(const PlannedTrial& planned);
 /** @throws Json::exception or Error(kFormat) when a key is missing or of another type. */
 PlannedTrial PlannedTrialFromJson(const Json& json);
 
+/** Of a line of the plan. @throws Json::exception or Error(kFormat), what is wrong with it. */
+PlannedTrial ParsePlannedTrial(std::string_view line);
+
 Json ToJson(const TrialRecord& record);
 
 /** Without the line break. Numbers are written shortest-exact: reading gives the same record. */

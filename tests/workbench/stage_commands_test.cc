@@ -42,7 +42,7 @@ TEST_F(StageCommands, OptionsAreThoseOfTheCommandLine) {
   EXPECT_FALSE(FindStageOption(run, "session")->is_needed);
   EXPECT_TRUE(FindStageOption(run, "trials")->takes_value);
   EXPECT_FALSE(FindStageOption(run, "trials")->is_own);
-  for (const char* own : {"out", "jobs", "resume", "plan-only"}) {
+  for (const char* own : {"out", "jobs", "resume", "plan-only", "trial-timeout"}) {
     EXPECT_TRUE(FindStageOption(run, own)->is_own) << own;
   }
   EXPECT_FALSE(FindStageOption(Find("campaign"), "compare")->takes_value);

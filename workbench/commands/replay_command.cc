@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "datasets/pipeline/pipeline_pack.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
@@ -143,7 +142,8 @@ void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
   AddAcceptDamageOption(command, options->on_damage);
   command.add_flag("--json", options->json, "print one JSON object");
   command.callback([&program, options, &exit_code] {
-    exit_code = IsPack(options->folder) ? ReplayWholePack(program, *options) : Replay(*options);
+    const bool is_file = std::filesystem::is_regular_file(options->folder);
+    exit_code = is_file ? ReplayWholePack(program, *options) : Replay(*options);
   });
 }
 

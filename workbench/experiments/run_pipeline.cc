@@ -26,7 +26,6 @@ namespace {
 
 constexpr char kRunLock[] = ".lock";
 constexpr char kBegun[] = ".begun-";  // and the stage: which key its folder is being made for
-constexpr char kLogs[] = "logs";
 constexpr char kSetAside[] = ".set-aside";
 
 bool HasOption(const PipelineStage& stage, const std::string& name) {
@@ -112,7 +111,7 @@ class PipelineRunner {
     lock_ = LoadPipelineLock(results_);
     if (!fs::exists(results_ / kPipelineLock)) WritePipelineLock(results_, lock_);
     LinkInputs(pipeline_, results_);
-    MakeFolder(results_ / kLogs);
+    MakeFolder(results_ / kStageLogs);
     for (;;) {  // a stage that gives other bytes than before makes those behind it stale
       waiting_.clear();
       for (StageState& state : FindStageStates(pipeline_, results_, lock_, request_.program)) {
@@ -175,8 +174,9 @@ class PipelineRunner {
   }
 
   void Start(StageState state, int num_jobs) {
+    ForgetFailure(results_, state.stage);
     const PipelineStage& stage = *pipeline_.Find(state.stage);
-    const fs::path log = results_ / kLogs / (stage.name + ".txt");
+    const fs::path log = results_ / kStageLogs / (stage.name + ".txt");
     std::vector<std::string> words = ListStageWords(stage);
     const bool is_resumed = Prepare(stage, state);
     if (is_resumed) {  // with its own settings, which are those of the key
@@ -238,6 +238,7 @@ class PipelineRunner {
         Keep(running);
       } else {
         KeepFault(running.state.stage, *code);
+        if (*code != kExitInterrupted && !stop_) KeepFailure(results_, running.state.stage, *code);
       }
     }
   }
@@ -255,7 +256,7 @@ class PipelineRunner {
 
   void KeepFault(const std::string& stage, int code) {
     if (!fault_.empty() && fault_kind_ != ErrorKind::kInterrupted) return;
-    const fs::path log = results_ / kLogs / (stage + ".txt");
+    const fs::path log = results_ / kStageLogs / (stage + ".txt");
     constexpr size_t kMaxShown = 600;
     std::string said = ReadFile(log);
     if (said.size() > kMaxShown) said = ".." + said.substr(said.size() - kMaxShown);

@@ -112,7 +112,7 @@ const Importer& FindImporter(const std::string& format, std::string_view head,
     throw Error(ErrorKind::kNotFound,
                 "no recording format \"" + format + "\"" + SuggestNames(format, ids));
   }
-  const std::string name = LowerCase(path.filename().string());
+  const std::string name = ToLower(path.filename().string());
   const auto has_extension = [&](const Importer& importer) {
     return std::any_of(importer.extensions.begin(), importer.extensions.end(),
                        [&](const std::string& extension) { return EndsWith(name, extension); });

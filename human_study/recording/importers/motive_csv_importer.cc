@@ -9,6 +9,7 @@ frame and time; it states neither rate nor unit, and metres, Motive's own unit, 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -72,7 +73,7 @@ Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions&
   std::string unit = options.unit;
   double capture_rate = std::nan(""), export_rate = std::nan("");
   for (size_t i = 0; i + 1 < pairs.size(); i += 2) {
-    const std::string key = LowerCase(pairs[i]);
+    const std::string key = ToLower(pairs[i]);
     if (key == "length units") unit = std::string(pairs[i + 1]);
     if (key == "capture frame rate") {
       capture_rate = ParseHeaderNumber(pairs[i + 1], "Capture Frame Rate", 1e-6, 1e6, reader);
@@ -86,7 +87,7 @@ Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions&
   Cells cells;
   do {
     SplitCells(reader.Require("the row \"Frame, Time (Seconds), ..\""), ',', cells);
-    const std::string title = LowerCase(cells.size() > 1 ? cells[1] : "");
+    const std::string title = ToLower(cells.size() > 1 ? cells[1] : "");
     const auto keep = [&](std::vector<std::string>& row) {
       row.assign(cells.begin(), cells.end());
     };
@@ -94,7 +95,7 @@ Recording ImportRaw(LineReader& reader, const Cells& pairs, const ImportOptions&
     if (title == "name") keep(names);
     // The row of kinds has no title.
     if (cells.size() > 2 && (cells[2] == "Position" || cells[2] == "Rotation")) keep(kinds);
-  } while (LowerCase(cells[0]) != "frame");
+  } while (ToLower(cells[0]) != "frame");
   if (names.empty()) reader.Fail("no row \"Name\" stands above the row \"Frame, ..\"");
   std::vector<PointColumn> columns;
   for (size_t c = 2; c + 2 < cells.size() && c < names.size(); ++c) {
@@ -140,7 +141,7 @@ std::vector<PersonalField> RedactMotiveCsv(std::string& bytes, const std::string
   std::vector<PersonalField> fields;
   std::string redacted;
   for (size_t i = 0; i < cells.size(); ++i) {
-    const std::string key = i % 2 == 1 ? LowerCase(cells[i - 1]) : "";
+    const std::string key = i % 2 == 1 ? ToLower(cells[i - 1]) : "";
     const bool is_personal =
         key == "take name" || key == "take notes" || key == "capture start time";
     if (is_personal && !cells[i].empty()) {
@@ -156,7 +157,7 @@ bool RecognisesMotive(std::string_view head) {
   if (StartsWith(head, "\xef\xbb\xbf")) head.remove_prefix(3);
   if (StartsWith(head, "Format Version,")) return true;
   const std::string_view line = head.substr(0, head.find('\n'));
-  return StartsWith(LowerCase(line), "frame,time") &&
+  return StartsWith(ToLower(line), "frame,time") &&
          line.find("_position_x") != std::string_view::npos;
 }
 

@@ -7,6 +7,7 @@ skipped and noted. */
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -28,7 +29,7 @@ void ReadBlockHead(LineReader& reader, char delimiter, const std::string& title,
   block.column_line = reader.Require("the columns of block " + title);
   SplitCells(block.column_line, delimiter, block.columns);
   DropEmptyEnd(block.columns);
-  if (block.columns.size() < 2 || LowerCase(block.columns[0]) != "frame") {
+  if (block.columns.size() < 2 || ToLower(block.columns[0]) != "frame") {
     reader.Fail("expected the row \"Frame, Sub Frame, ..\" of block " + title);
   }
   block.unit_line = reader.Require("the units of block " + title);

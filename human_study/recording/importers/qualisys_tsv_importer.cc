@@ -6,6 +6,7 @@ convention; the file does not state it. A missing sample is empty, "nan" or 0 0 
 #include <cmath>
 #include <map>
 
+#include "core/base/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -118,7 +119,7 @@ Recording ImportQualisysTsv(const ImportSource& source, const ImportOptions& opt
     SplitCells(reader.Require("the first row of data"), '\t', cells);
   }
   const std::vector<std::string> labels = FindLabels(header, reader, recording);
-  if (LowerCase(cells[0]) == "frame") {
+  if (ToLower(cells[0]) == "frame") {
     SplitCells(reader.Require("the first row of data"), '\t', cells);
   }
   const size_t num_points = labels.size();

@@ -5,6 +5,7 @@ header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -14,7 +15,7 @@ namespace {
 /** Value under a name of the header's second line; empty when absent. */
 std::string_view FindValue(const Cells& names, const Cells& values, std::string_view name) {
   for (size_t i = 0; i < std::min(names.size(), values.size()); ++i) {
-    if (LowerCase(names[i]) == name) return values[i];
+    if (ToLower(names[i]) == name) return values[i];
   }
   return {};
 }

@@ -55,9 +55,6 @@ class PipelinePack : public testing::Test {
 
 TEST_F(PipelinePack, WhatIsPackedComesOutAgain) {
   Pack("p.tar");
-  EXPECT_TRUE(IsPack(top_ / "p.tar"));
-  EXPECT_FALSE(IsPack(top_ / "x.yaml"));
-  EXPECT_FALSE(IsPack(top_ / "data"));
   const Manifest manifest = Unpack(top_ / "p.tar", top_ / "out");
   EXPECT_EQ(FindPackedFile(top_ / "out", manifest), top_ / "out" / "pipeline" / "p.yaml");
   EXPECT_EQ(ReadFile(top_ / "out" / "pipeline" / "data" / "deep" / "1.csv"),
@@ -100,6 +97,27 @@ TEST_F(PipelinePack, DamageIsNamedAndNothingIsWrittenElsewhere) {
     }
   }
   EXPECT_GT(num_told, 130);
+}
+
+TEST_F(PipelinePack, BytesBehindItsEndAreTold) {
+  Pack("p.tar");
+  const std::string whole = ReadFile(top_ / "p.tar");
+  for (const std::string& more :
+       {std::string("x"), std::string(600, '\0') + "x", whole, std::string(200000, '\0') + whole}) {
+    fs::remove_all(top_ / "out");
+    WriteFile(top_ / "more.tar", whole + more);
+    try {
+      Unpack(top_ / "more.tar", top_ / "out");
+      ADD_FAILURE() << more.size();
+    } catch (const Error& fault) {
+      EXPECT_NE(std::string(fault.what()).find("more.tar\" goes on behind its end"),
+                std::string::npos)
+          << fault.what();
+    }
+  }
+  fs::remove_all(top_ / "out");
+  WriteFile(top_ / "more.tar", whole + std::string(10240, '\0'));  // as tar itself fills up
+  EXPECT_NO_THROW(Unpack(top_ / "more.tar", top_ / "out"));
 }
 
 TEST_F(PipelinePack, OnlyFilesBelowItsFolder) {

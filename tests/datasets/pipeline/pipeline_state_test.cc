@@ -94,6 +94,29 @@ TEST_F(PipelineState, AnEditedResultIsItsOwnStagesOnly) {
   EXPECT_FALSE(Find(kText)[0].is_edited);
 }
 
+// The same bytes behind a link may be other ones tomorrow.
+TEST_F(PipelineState, ALinkIsNoResult) {
+  const fs::path file = results_ / "a" / "out.csv";
+  fs::rename(file, top_ / "elsewhere.csv");
+  fs::create_symlink(top_ / "elsewhere.csv", file);
+  EXPECT_EQ(Tell(kText), (Told{"a: result out.csv was replaced by a link;"}));
+  EXPECT_TRUE(Find(kText)[0].is_edited);
+  Make(kText);
+  fs::remove_all(file);
+  WriteFile(file, "result of a");
+  fs::rename(results_ / "a", top_ / "a");
+  fs::create_directory_symlink(top_ / "a", results_ / "a");
+  EXPECT_EQ(Tell(kText), (Told{"a: its result was replaced by a link;"}));
+}
+
+TEST_F(PipelineState, AFailureIsToldUntilItRunsAgain) {
+  MakeFolder(results_ / kStageLogs);
+  KeepFailure(results_, "b", 3);
+  EXPECT_EQ(Tell(kText), (Told{"b: it failed with exit code 3; it said why in logs/b.txt;"}));
+  ForgetFailure(results_, "b");
+  EXPECT_EQ(Tell(kText), Told{});
+}
+
 TEST_F(PipelineState, OtherBytesOfTheSameKeyMakeThoseBehindStale) {
   WriteFile(results_ / "a" / "out.csv", "from another processor");
   PipelineLock lock = LoadPipelineLock(results_);

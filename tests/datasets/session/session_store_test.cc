@@ -179,6 +179,20 @@ TEST_F(SessionStore, BriefRecordsAreReadAgainAsAWhole) {
   EXPECT_TRUE(ReadResults(folder()) == expected);
 }
 
+TEST_F(SessionStore, PlacesAreThoseOfThePlan) {
+  const auto plan = CreateFakeSession(folder(), 3);
+  AppendAll(0, {plan[5], plan[0]});
+  AppendAll(1, {plan[5], plan[2]});
+  const Session session = LoadSession(folder(), OnDamage::kRefuse, RecordParts::kPlaces);
+  EXPECT_TRUE(session.records.empty());
+  ASSERT_EQ(session.lines.trials.size(), plan.size());
+  for (const size_t i : {0u, 2u, 5u}) {
+    EXPECT_EQ(ParseJournalLine(ReadLine(session.lines, session.lines.trials[i])).plan, plan[i]);
+  }
+  EXPECT_EQ(NameOfLine(session.lines, session.lines.trials[5]), "journal/0.jsonl:1");
+  EXPECT_EQ(session.lines.trials[1].file, -1);
+}
+
 TEST_F(SessionStore, ALineThatHasChangedSinceItWasLoadedIsNamed) {
   const auto plan = CreateFakeSession(folder(), 1);
   AppendAll(0, plan);
