@@ -69,17 +69,18 @@ Html DrawSight(WristCamera& camera, const GraspObject& object, const Pose& X_WO,
   const double height = kSightWidth * camera.lens().height / camera.lens().width;
   PlotText text;
   text.title = "The " + name + " as the camera sees it";
-  text.description = found.is_found
-                         ? "Outline " + FormatFixed(MmFromM(found.length), 1) + " mm long and " +
-                               FormatFixed(MmFromM(found.width), 1) + " mm wide."
-                         : "Not found: " + found.reason + ".";
+  text.description =
+      found.is_found ? "Found, with its outline." : "Not found: " + found.reason + ".";
   Html content = Element("image", {{"href", MakeDataUri("image/webp", EncodeWebp(picture))},
                                    {"width", Px(kSightWidth)},
                                    {"height", Px(height)}});
   if (found.is_found) {
     content += DrawFound(SightPlane(camera.lens(), X_WK, outline.middle()), found);
   }
-  return Svg("img", kSightWidth, height, text, content);
+  return Element(
+      "div", {},
+      Svg("img", kSightWidth, height, text, content) +
+          Element("p", {}, name + (found.is_found ? "" : ": not found, " + found.reason)));
 }
 
 }  // namespace graspbench

@@ -116,6 +116,7 @@ YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::st
   } catch (const YAML::Exception& e) {
     throw Error(ErrorKind::kUsage, "--set \"" + assignment + "\": not a YAML value: " + e.msg);
   }
+  if (node.IsNull() && assignment[equals + 1] == '#') node = assignment.substr(equals + 1);
   if (node.IsNull()) {
     throw Error(ErrorKind::kUsage, "--set \"" + assignment + "\": the value is missing");
   }

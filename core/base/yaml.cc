@@ -137,6 +137,8 @@ template <class T>
 void YamlMap::ReadAs(const std::string& key, T& value, const char* expected, Needed needed) {
   Note(key, FormatValue(value), needed);
   const YAML::Node child = Find(key, needed);
+  if (child.IsNull() && Has(key))
+    Fail(key, "the value is missing; one that begins with # needs quotes");
   if (!child.IsDefined() || child.IsNull()) return;
   try {
     T read{};

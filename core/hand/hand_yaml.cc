@@ -337,6 +337,13 @@ void HandYamlReader::ReadCamera(const YAML::Node& node) {
     map.Fail("right", "must not lie along forward, and both need a direction");
     return;
   }
+  if (!link.empty() && hand_.FindLink(link) == hand_.palm_link &&
+      forward.dot(hand_.palm_normal) <= 0.0) {
+    map.Fail("forward",
+             "looks away from what the palm faces (palm.normal); the arm turns the camera down to "
+             "the table, and the hand with it");
+    return;
+  }
   Eigen::Matrix3d R_LK;
   R_LK.col(2) = forward.normalized();
   R_LK.col(0) = across.normalized();
@@ -391,7 +398,10 @@ const FileKeys& ListHandKeys() {
     };
     for (const FileKey& row : ListSurfaceKeys(Needed::kNo, "surfaces.")) rows.push_back(row);
     for (const FileKey& row : FileKeys{
-             {"camera", "", "on the hand or the wrist, for positioning: camera; else none"},
+             {"camera", "",
+              "on the hand or the wrist, for positioning: camera; else none. The arm holds it "
+              "above "
+              "the place, looking straight down: its mount decides what of the hand it sees"},
              {"camera.link", kRequired, "link of hand.urdf that carries it"},
              {"camera.position_m", kRequired, "of its lens, in that link", -1, 1},
              {"camera.forward", kRequired, "direction in which it looks, in that link"},

@@ -147,8 +147,10 @@ Hand CheckHand(const std::string& id_or_folder, Diagnostics& problems) {
   Hand hand =
       ParseHand(ReadFile(folder / "hand.urdf"), ReadFile(folder / "hand.yaml"), folder, problems);
   std::error_code status;
-  if (const fs::path tactile = folder / "tactile.yaml";
-      problems.num_errors() == num_errors_before && fs::is_regular_file(tactile, status)) {
+  const fs::path tactile = folder / "tactile.yaml";
+  if (fs::exists(tactile, status) && !fs::is_regular_file(tactile, status)) {
+    problems.Fail(tactile.string(), 0, "is no file; write one (graspbench help tactile.yaml)");
+  } else if (problems.num_errors() == num_errors_before && fs::exists(tactile, status)) {
     hand.skin = std::make_shared<const TactileSkin>(
         ParseTactile(ReadFile(tactile), tactile.string(), hand, problems));
   }

@@ -57,7 +57,21 @@ TactileElement ReadElement(const Hand& hand, int link, YamlMap& map) {
   return element;
 }
 
-void CheckAreas(const TactileSkin& skin, const SensedSurface& surface, YamlMap& map) {
+/** After the points have their elements. */
+void CheckElements(const TactileSkin& skin, const SensedSurface& surface, YamlMap& map) {
+  for (const TactileElement& element : skin.elements) {
+    if (element.link != surface.part.link || surface.points.empty()) continue;
+    const auto nearest = std::min_element(surface.points.begin(), surface.points.end(),
+                                          [&](const SurfacePoint& a, const SurfacePoint& b) {
+                                            return (a.p_L - element.p_LE).squaredNorm() <
+                                                   (b.p_L - element.p_LE).squaredNorm();
+                                          });
+    if (nearest->normal_L.dot(element.normal_L) > 0.0) continue;
+    map.Fail("elements", "a normal points into the hand, at position_m [" +
+                             FormatFixed(element.p_LE.x(), 5) + ", " +
+                             FormatFixed(element.p_LE.y(), 5) + ", " +
+                             FormatFixed(element.p_LE.z(), 5) + "]; expected out of it");
+  }
   double cells = 0.0, sensed = 0.0;
   for (const TactileElement& element : skin.elements) {
     if (element.link == surface.part.link) cells += element.area;
@@ -127,7 +141,7 @@ TactileSkin ParseTactile(const std::string& text, const std::string& file, const
       map.Fail("link", "\"" + link + "\" has no contact surface there");
     }
     AssignElements(skin.elements, surface);
-    CheckAreas(skin, surface, map);
+    CheckElements(skin, surface, map);
     skin.surfaces.push_back(std::move(surface));
   }
   root.FinishKnownKeys();

@@ -67,13 +67,14 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
                                        "strategy.*, sim.*, model.*, imperfections.*, "
                                        "positioning, camera.*, touch, sensors.*");
   }
-  CheckSessionConfig(changed);
   if ((group == "camera" || group == "sensors") && !ToJson(changed).contains(group)) {
     throw Error(ErrorKind::kUsage,
                 "\"" + key + "\" changes nothing here: the session has " +
                     (group == "camera" ? "positioning: " + config.positioning + ", not camera"
                                        : "touch: " + config.touch + ", not sensed"));
   }
+  // A session that looks, varied to one that does not, leaves the settings of the camera behind.
+  CheckSessionConfig(SessionConfigFromJson(ToJson(changed), assignment));
   const Json part = ConfigToJson(changed).at(group);
   const Json value = key == group ? part : part.at(key.substr(group.size() + 1));
   return key + "=" + (value.is_string() ? value.get<std::string>() : FormatJson(value));

@@ -13,6 +13,9 @@
 namespace graspbench {
 namespace {
 
+/** Over the noise: none of the 300,000 samples of a trial of the Shadow Hand is above by chance. */
+constexpr double kLeastThreshold = 5.0;
+
 void CheckNames(const std::string& key, const std::vector<std::string>& names,
                 const std::vector<std::string>& words_for_many,
                 std::vector<ConfigProblem>& problems) {
@@ -30,6 +33,37 @@ void CheckNames(const std::string& key, const std::vector<std::string>& names,
                                        words_for_many.end()) {
       problems.push_back({key, "\"" + *name + "\" must stand alone, without other names"});
     }
+  }
+}
+
+/** Of a group that the session does not use each key that has another value than by default: whoever
+wrote it expects something of it. */
+template <class Group>
+void CheckUnused(const std::string& name, const Group& group, const std::string& meanwhile,
+                 std::vector<ConfigProblem>& problems) {
+  const Json values = ConfigToJson(group), defaults = ConfigToJson(Group());
+  for (const auto& [key, value] : values.items()) {
+    if (value == defaults.at(key)) continue;
+    problems.push_back({name + "." + key, "changes nothing while " + meanwhile});
+  }
+}
+
+void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& problems) {
+  if (FindRow(kPositionings, config.positioning) &&
+      config.positioning != RowOf(kPositionings, Positioning::kCamera).name) {
+    CheckUnused(
+        "camera", config.camera,
+        "positioning is " + config.positioning + "; set positioning: camera or leave it out",
+        problems);
+  }
+  if (config.touch == SessionConfig().touch) {
+    CheckUnused("sensors", config.sensors,
+                "touch is " + config.touch + "; set touch: sensed or leave it out", problems);
+  } else if (config.touch == RowOf(kTouchSenses, TouchSense::kSensed).name &&
+             config.sensors.threshold < kLeastThreshold * config.sensors.noise) {
+    problems.push_back({"sensors.threshold",
+                        "the elements would feel their own noise; expected at least five times "
+                        "sensors.noise"});
   }
 }
 
@@ -72,6 +106,7 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
     problems.push_back({"camera.table_colour", "\"" + config.camera.table_colour +
                                                    "\" is no colour; expected one as \"#b4509b\""});
   }
+  CheckSensors(config, problems);
   const std::vector<std::string> couplings = ListModelCouplings();
   const std::string& coupling = config.model.coupling_rule;
   if (std::find(couplings.begin(), couplings.end(), coupling) == couplings.end()) {

@@ -200,7 +200,7 @@ void CheckSkinsExist(const SessionConfig& config, const SessionInputs& inputs) {
     if (hand.hand->skin) continue;
     throw Error(ErrorKind::kUsage, "the hand \"" + hand.hand->id +
                                        "\" feels nothing; choose touch: exact, or give it a "
-                                       "tactile.yaml (core/hand/tactile.h says how)");
+                                       "tactile.yaml (graspbench help tactile.yaml)");
   }
 }
 

@@ -54,7 +54,8 @@ Html DrawOffsets(const std::vector<OffsetClass>& offsets, const SessionModels& m
     positionings.push_back(offset.positioning);
     columns.push_back({"Success, " + offset.positioning, Align::kProse});
   }
-  Table table("Success by how far the object lay from where it should, on the same draws.",
+  Table table(std::string("Success by how far the object lay from where it should") +
+                  (positionings.size() > 1 ? ", on the same draws." : "."),
               columns);
   for (const OffsetClass& row : offsets) {
     if (row.positioning != positionings.front()) continue;

@@ -52,6 +52,7 @@ class Variation {
   Variation(const Session& session, const std::string& setting) : setting_(setting) {
     config_ = session.config;
     ApplySetting(setting, config_);
+    config_ = SessionConfigFromJson(ToJson(config_), setting);  // without what is not used now
     CheckSessionConfig(config_);
     inputs_ = LoadSessionInputs(config_, FieldUse::kLater, session.folder);
     const std::vector<PlannedTrial> plan = MakePlan(config_, inputs_);

@@ -34,6 +34,21 @@ TEST_F(YamlTest, ReadsValuesAndKeepsDefaults) {
   EXPECT_EQ(size, Eigen::Vector3d(1, 2, 3));
 }
 
+// YAML takes what follows " #" for a comment.
+TEST_F(YamlTest, AKeyWithoutValueIsTold) {
+  const std::string path = Write("name: ball\ncolour: #ff00ff\n");
+  YamlMap map(LoadYaml(path, problems_), "o.yaml", "object", problems_);
+  std::string name, colour = "red";
+  map.Read("name", name);
+  map.Read("colour", colour, Needed::kNo);
+  EXPECT_EQ(problems_.num_errors(), 1);
+  EXPECT_NE(
+      problems_.Format().find("o.yaml:2: error: object, colour: the value is missing; one that "
+                              "begins with # needs quotes"),
+      std::string::npos)
+      << problems_.Format();
+}
+
 TEST_F(YamlTest, ReportsEveryProblemWithItsLine) {
   const std::string path = Write("mass_kg: heavy\nsize_m: [1, .nan, 3]\nmu_statc: 0.3\n");
   YamlMap map(LoadYaml(path, problems_), "o.yaml", "object", problems_);

@@ -174,6 +174,35 @@ std::string MessageOf(const std::string& id_or_folder, ErrorKind kind) {
   return "";
 }
 
+// It would lie on the table upside down.
+TEST(LoadHandTest, ACameraOnThePalmThatLooksAwayIsRefused) {
+  const Hand hand = LoadHand("tum");
+  const std::string yaml = ReadFile(hand.folder + "/hand.yaml");
+  const std::string forward = "  forward: [0, 0, 1]\n";
+  ASSERT_NE(yaml.find(forward), std::string::npos);
+  for (const char* away : {"[0, 0, -1]", "[0, 1, 0]"}) {
+    std::string changed = yaml;
+    changed.replace(changed.find(forward), forward.size(),
+                    std::string("  forward: ") + away + "\n");
+    Diagnostics problems;
+    ParseHand(ReadFile(hand.folder + "/hand.urdf"), changed, hand.folder, problems);
+    ASSERT_EQ(problems.num_errors(), 1) << problems.Format();
+    EXPECT_NE(problems.Format().find("camera, forward: looks away from what the palm faces"),
+              std::string::npos);
+  }
+}
+
+TEST(LoadHandTest, AFolderInPlaceOfTactileElementsIsTold) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "hand_with_odd_skin";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder / "tactile.yaml");
+  for (const char* file : {"hand.urdf", "hand.yaml"}) {
+    std::filesystem::copy_file(kGood / file, folder / file);
+  }
+  EXPECT_NE(MessageOf(folder.string(), ErrorKind::kFormat).find("tactile.yaml: error: is no file"),
+            std::string::npos);
+}
+
 TEST(LoadHandTest, SaysWhatToGiveInsteadOfAWrongName) {
   EXPECT_EQ(MessageOf("shadw", ErrorKind::kNotFound),
             "no hand and no folder \"shadw\"; did you mean \"shadow\"? Known: shadow, "

@@ -64,6 +64,22 @@ TEST(TactileYamlTest, WrongUnitsAreTold) {
   }
 }
 
+// On top of the ball: a normal downwards leads into it.
+TEST(TactileYamlTest, ANormalIntoTheHandIsTold) {
+  Diagnostics problems;
+  ParseTactile(
+      "response: linear\n"
+      "surfaces:\n"
+      "  - {link: ball, elements: [{position_m: [0, 0, 0.01], normal: [0, 0, -1], area_m2: "
+      "1e-5}]}\n",
+      "tactile.yaml", MakeTestHand(), problems);
+  EXPECT_NE(
+      problems.Format().find("a normal points into the hand, at position_m [0.00000, 0.00000, "
+                             "0.01000]; expected out of it"),
+      std::string::npos)
+      << problems.Format();
+}
+
 // Directions need no length: twice an axis cuts where the axis cuts.
 TEST(TactileYamlTest, DirectionsAreMadeUnit) {
   const auto count = [](const char* along) {

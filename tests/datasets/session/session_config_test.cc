@@ -212,6 +212,30 @@ TEST(SessionConfig, ExactTouchIsNotWritten) {
   EXPECT_EQ(problems[0].text, "no touch \"sense\"; did you mean \"sensed\"? Known: exact, sensed");
 }
 
+// Whoever sets them expects something of them; so the session is refused before it begins.
+TEST(SessionConfig, SettingsOfSensorsThatAreNotUsedAreTold) {
+  SessionConfig config;
+  ApplySetting("camera.table_colour=#ff00ff", config);
+  ApplySetting("sensors.noise=0.01", config);
+  EXPECT_EQ(config.camera.table_colour, "#ff00ff");
+  const auto problems = Validate(config);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].key, "camera.table_colour");
+  EXPECT_EQ(
+      problems[0].text,
+      "changes nothing while positioning is nominal; set positioning: camera or leave it out");
+  EXPECT_EQ(problems[1].key, "sensors.noise");
+  ApplySetting("positioning=camera", config);
+  ApplySetting("touch=sensed", config);
+  const auto noisy = Validate(config);
+  ASSERT_EQ(noisy.size(), 1u);
+  EXPECT_EQ(noisy[0].key, "sensors.threshold");
+  EXPECT_EQ(noisy[0].text,
+            "the elements would feel their own noise; expected at least five times sensors.noise");
+  ApplySetting("sensors.threshold=0.05", config);
+  EXPECT_TRUE(Validate(config).empty());
+}
+
 TEST(SessionConfig, AnUnknownPositioningOrColourIsRefused) {
   SessionConfig config;
   ApplySetting("positioning=camra", config);

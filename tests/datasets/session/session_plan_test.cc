@@ -105,7 +105,7 @@ TEST(SessionPlan, IdsDependOnTheSensorsOfThoseWhoFeel) {
   EXPECT_EQ(kind, ErrorKind::kUsage);
   EXPECT_EQ(text,
             "the hand \"tum\" feels nothing; choose touch: exact, or give it a tactile.yaml "
-            "(core/hand/tactile.h says how)");
+            "(graspbench help tactile.yaml)");
 }
 
 TEST(SessionPlan, BestTakesTheObjectsWishThenItsOrderThenWhatThereIs) {
