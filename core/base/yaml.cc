@@ -80,8 +80,13 @@ YAML::Node YamlMap::Find(const std::string& key, Needed needed) {
 void YamlMap::Fail(const std::string& key, const std::string& text) {
   const YAML::Node& node = node_;
   const YAML::Node child = node[key];
-  problems_->Fail(file_, LineOf(child.IsDefined() ? child : node_),
-                  where_ + (key.empty() ? "" : ", " + key) + ": " + text);
+  YAML::Node place = child.IsDefined() ? child : node_;
+  if (place.IsNull()) {  // no value: it would stand at whatever comes next
+    for (const auto& entry : node) {
+      if (entry.first.IsScalar() && entry.first.Scalar() == key) place.reset(entry.first);
+    }
+  }
+  problems_->Fail(file_, LineOf(place), where_ + (key.empty() ? "" : ", " + key) + ": " + text);
 }
 
 namespace {
@@ -137,9 +142,10 @@ template <class T>
 void YamlMap::ReadAs(const std::string& key, T& value, const char* expected, Needed needed) {
   Note(key, FormatValue(value), needed);
   const YAML::Node child = Find(key, needed);
-  if (child.IsNull() && Has(key))
-    Fail(key, "the value is missing; one that begins with # needs quotes");
-  if (!child.IsDefined() || child.IsNull()) return;
+  if (!child.IsDefined() || child.IsNull()) {
+    if (Has(key)) Fail(key, "the value is missing; one that begins with # needs quotes");
+    return;
+  }
   try {
     T read{};
     Convert(child, read);
