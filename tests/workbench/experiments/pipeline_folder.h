@@ -81,7 +81,9 @@ class PackFolder : public PipelineFolder {
                   "\"$0\" replay ../../p.tar --verify --jobs 1' \"$GB\""),
               0)
         << Log();
-    if (!somebody_else.empty()) EXPECT_EQ(ReadFile(home / "user"), "65534\n");
+    if (!somebody_else.empty()) {
+      EXPECT_EQ(ReadFile(home / "user"), "65534\n");
+    }
     EXPECT_NE(Log().find("program  the same"), std::string::npos) << Log();
     const std::string bytes = ReadFile(top_ / "p.tar");
     for (const std::string& trace : {top_.string(), std::string(GRASPBENCH_PIPELINES_FOLDER)}) {
