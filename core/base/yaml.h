@@ -29,9 +29,6 @@ YAML::Node LoadYaml(const std::filesystem::path& path, Diagnostics& problems);
 /** The same for text in memory; `file` is its name in messages. */
 YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems);
 
-/** The same for a text that is at hand; `file` names it in messages. */
-YAML::Node ParseYaml(const std::string& text, const std::string& file, Diagnostics& problems);
-
 /** One-based line of a node, 0 when unknown. */
 int LineOf(const YAML::Node& node);
 

@@ -6,22 +6,12 @@
 
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
+#include "tests/core/hand/ball_and_rod.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
-
-/** A ball at the origin and a capsule beside it, on two links. */
-Hand MakeTestHand() {
-  Hand hand;
-  hand.links.resize(2);
-  hand.links[0].name = "ball";
-  hand.links[1].name = "rod";
-  hand.capsules = {{0, Vector3d::Zero(), Vector3d::Zero(), 0.01},
-                   {1, Vector3d::Zero(), Vector3d(0.0, 0.03, 0.0), 0.005}};
-  return hand;
-}
 
 double SumAreas(const std::vector<SurfacePoint>& points) {
   double area = 0.0;
@@ -83,7 +73,7 @@ TEST(TactileTest, CellsHaveNoGapsAndTheAreasOfTheFile) {
 
 // Areas in closed form: a ball, a capsule, halves of both, and a ball's cap.
 TEST(TactileTest, SurfacesHaveTheirAreas) {
-  const Hand hand = MakeTestHand();
+  const Hand hand = MakeBallAndRod();
   const double ball = 4.0 * kPi * 1e-4, rod = 2.0 * kPi * 0.005 * 0.04;
   EXPECT_NEAR(SumAreas(SampleSurface(hand, {0})), ball, 1e-9 * ball);
   EXPECT_NEAR(SumAreas(SampleSurface(hand, {1})), rod, 1e-9 * rod);
@@ -99,7 +89,7 @@ TEST(TactileTest, SurfacesHaveTheirAreas) {
 
 // Of two balls in one link only what is outside of both.
 TEST(TactileTest, WhatLiesInsideTheLinkIsNoSurface) {
-  Hand hand = MakeTestHand();
+  Hand hand = MakeBallAndRod();
   hand.capsules[1] = {0, Vector3d(0.01, 0.0, 0.0), Vector3d(0.01, 0.0, 0.0), 0.01};
   // Two balls whose middles are one radius apart: each loses a cap of height r / 2.
   const double wanted = 2.0 * (4.0 - 1.0) * kPi * 1e-4;
@@ -107,7 +97,7 @@ TEST(TactileTest, WhatLiesInsideTheLinkIsNoSurface) {
 }
 
 TEST(TactileTest, ProjectsOntoTheSurface) {
-  const Hand hand = MakeTestHand();
+  const Hand hand = MakeBallAndRod();
   EXPECT_LT(
       (ProjectOntoSurface(hand, 0, Vector3d(0.0, 0.02, 0.0)) - Vector3d(0.0, 0.01, 0.0)).norm(),
       1e-15);

@@ -2,23 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hand/hand.h"
+#include "tests/core/hand/ball_and_rod.h"
 
 namespace graspbench {
 namespace {
-
-using Eigen::Vector3d;
-
-/** A ball at the origin and a capsule beside it, on two links. */
-Hand MakeTestHand() {
-  Hand hand;
-  hand.links.resize(2);
-  hand.links[0].name = "ball";
-  hand.links[1].name = "rod";
-  hand.capsules = {{0, Vector3d::Zero(), Vector3d::Zero(), 0.01},
-                   {1, Vector3d::Zero(), Vector3d(0.0, 0.03, 0.0), 0.005}};
-  return hand;
-}
 
 TEST(TactileYamlTest, EveryFaultIsNamedWithItsLine) {
   const char* text =
@@ -30,7 +17,7 @@ TEST(TactileYamlTest, EveryFaultIsNamedWithItsLine) {
       "    elements: []\n"
       "    colour: red\n";
   Diagnostics problems;
-  ParseTactile(text, "tactile.yaml", MakeTestHand(), problems);
+  ParseTactile(text, "tactile.yaml", MakeBallAndRod(), problems);
   const std::string all = problems.Format();
   for (const char* wanted :
        {"tactile.yaml:1: ", "no response \"quadratic\"", "Known: linear, exponential",
@@ -51,7 +38,7 @@ TEST(TactileYamlTest, WrongUnitsAreTold) {
       "  - link: rod\n"
       "    elements: [{position_m: [0.005, 0, 0], normal: [0, 0, 0], area_m2: 14}]\n";
   Diagnostics problems;
-  ParseTactile(text, "tactile.yaml", MakeTestHand(), problems);
+  ParseTactile(text, "tactile.yaml", MakeBallAndRod(), problems);
   const std::string all = problems.Format();
   for (const char* wanted : {"tactile.yaml:4: error: element of ball, position_m: lies 9990.0 mm "
                              "from the contact surface "
@@ -72,7 +59,7 @@ TEST(TactileYamlTest, ANormalIntoTheHandIsTold) {
       "surfaces:\n"
       "  - {link: ball, elements: [{position_m: [0, 0, 0.01], normal: [0, 0, -1], area_m2: "
       "1e-5}]}\n",
-      "tactile.yaml", MakeTestHand(), problems);
+      "tactile.yaml", MakeBallAndRod(), problems);
   EXPECT_NE(
       problems.Format().find("a normal points into the hand, at position_m [0.00000, 0.00000, "
                              "0.01000]; expected out of it"),
@@ -87,7 +74,7 @@ TEST(TactileYamlTest, DirectionsAreMadeUnit) {
     const TactileSkin skin = ParseTactile(
         std::string("response: linear\nsurfaces:\n  - {link: ball, from_m: 0.005, along: ") +
             along + ", elements: [{position_m: [0, 0, 0.01], normal: [0, 0, 3], area_m2: 1e-6}]}\n",
-        "tactile.yaml", MakeTestHand(), problems);
+        "tactile.yaml", MakeBallAndRod(), problems);
     EXPECT_EQ(problems.num_errors(), 0) << problems.Format();
     EXPECT_NEAR(skin.elements.at(0).normal_L.norm(), 1.0, 1e-15);
     return skin.surfaces.at(0).points.size();
