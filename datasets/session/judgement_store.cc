@@ -6,6 +6,8 @@
 
 #include "core/base/files.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/journal_files.h"
+#include "datasets/session/judgement_line.h"
 
 namespace graspbench {
 namespace {
@@ -93,29 +95,12 @@ std::filesystem::path MakeJudgePath(const std::filesystem::path& folder, int wor
 
 }  // namespace
 
-std::string FormatJudgementLine(const std::string& trial_id, const Judgement& judgement) {
-  return FormatCheckedLine({{"trial_id", trial_id},
-                            {"judge_version", kJudgeVersion},
-                            {"judgement", RecordToJson(judgement)}});
-}
-
 JudgementWriter::JudgementWriter(const std::filesystem::path& folder, int worker,
                                  const std::string& label)
     : file_(MakeJudgePath(folder, worker, label)) {}
 
 void JudgementWriter::Append(const std::string& trial_id, const Judgement& judgement) {
   file_.Append(FormatJudgementLine(trial_id, judgement) + "\n");
-}
-
-Judgement ParseJudgementLine(std::string_view line) {
-  const Json json = ParseCheckedLine(line);
-  try {
-    Judgement judgement;
-    ReadRecord(json.at("judgement"), judgement);
-    return judgement;
-  } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-    throw Error(ErrorKind::kFormat, std::string("it is no judgement of this version: ") + e.what());
-  }
 }
 
 void LoadJudgements(const std::filesystem::path& folder, Session& session) {

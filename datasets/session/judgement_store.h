@@ -10,17 +10,12 @@ has found counts as not judged. Equal duplicates are fine, unequal ones are an e
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "datasets/session/session_store.h"
+#include "datasets/journal/append_file.h"
+#include "datasets/session/session.h"
 
 namespace graspbench {
-
-/** Without the line break. */
-std::string FormatJudgementLine(const std::string& trial_id, const Judgement& judgement);
-/** @throws Error(kFormat) saying what is wrong with the line. */
-Judgement ParseJudgementLine(std::string_view line);
 
 /** Appends to one worker's file; each Append is on the disk when it returns. */
 class JudgementWriter {

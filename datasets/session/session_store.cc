@@ -191,20 +191,6 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
   WriteFrozen(kSessionStore, folder, ToJson(config));
 }
 
-std::vector<fs::path> ListJournals(const fs::path& folder, const std::string& subfolder) {
-  std::vector<fs::path> paths;
-  std::error_code status;
-  for (const auto& entry : fs::directory_iterator(folder / subfolder, status)) {
-    if (entry.path().extension() == ".jsonl") paths.push_back(entry.path());
-  }
-  if (status && status != std::errc::no_such_file_or_directory) {
-    throw Error(ErrorKind::kIo, "cannot read folder \"" + (folder / subfolder).string() +
-                                    "\": " + status.message());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 namespace {
 
 /** Lines that do not belong to the session are damage, which its hashes cannot show. */
@@ -310,35 +296,6 @@ Session LoadShardOfSession(const fs::path& folder, const std::string& label) {
        "journal/" + label + "-*.jsonl", "journal/merged-*.jsonl", "workers/" + label + "-*.jsonl"});
 }
 
-TrialRecord LoadWhole(const Session& session, const TrialRecord& record) {
-  const RecordLines& lines = session.lines;
-  if (lines.trials.empty()) return record;
-  const auto index = static_cast<size_t>(&record - session.records.data());
-  GRASPBENCH_DEMAND(index < session.records.size(), record.plan.id);
-  LinePlace place = lines.trials[index];
-  try {
-    TrialRecord whole = ParseJournalLine(ReadLine(lines, place));
-    if (!(whole.plan == record.plan)) throw Error(ErrorKind::kFormat, "it is another trial's");
-    place = lines.judgements[index];
-    if (place.file >= 0) whole.judgement = ParseJudgementLine(ReadLine(lines, place));
-    return whole;
-  } catch (const Error& e) {
-    if (e.kind() != ErrorKind::kFormat) throw;
-    throw Error(ErrorKind::kFormat, NameOfLine(lines, place) +
-                                        " has changed since the session was loaded: " + e.what() +
-                                        "; let nobody else write there and start again");
-  }
-}
-
-fs::path FindJournal(const fs::path& subfolder, int worker, const std::string& label) {
-  const std::string name = (label.empty() ? "" : label + "-") + std::to_string(worker);
-  fs::path path = subfolder / (name + ".jsonl");
-  for (int number = 2; !label.empty() && EndsInTornLine(path); ++number) {
-    path = subfolder / (name + "-" + std::to_string(number) + ".jsonl");
-  }
-  return path;
-}
-
 JournalWriter::JournalWriter(const fs::path& journal, bool has_index) : file_(journal) {
   if (has_index) index_.emplace(journal);
 }
@@ -346,10 +303,6 @@ JournalWriter::JournalWriter(const fs::path& journal, bool has_index) : file_(jo
 void JournalWriter::Append(const TrialRecord& record) {
   file_.Append(FormatJournalLine(record) + "\n");
   if (index_) index_->Append(record.plan.id, file_.size());
-}
-
-std::string DescribeForeign(const std::string& trial_id) {
-  return "trial " + trial_id + " is not in the plan: the line is another session's";
 }
 
 std::vector<PlannedTrial> FindUnfinished(const Session& session) {

@@ -33,14 +33,11 @@ the same bytes for any number of workers and any number of interruptions. */
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
 #include "datasets/journal/append_file.h"
+#include "datasets/journal/journal_files.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/session/journal_index.h"
-#include "datasets/session/record_lines.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_plan.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/session/session.h"
 
 namespace graspbench {
 
@@ -52,30 +49,6 @@ session (suggesting --resume), Error(kIo) when it cannot be written. */
 void CreateSession(const std::filesystem::path& folder, const SessionConfig& config,
                    const std::vector<PlannedTrial>& plan);
 
-/** How much of every record is held in memory: 7 kB of journal are 5 kB whole and 1 kB brief. */
-enum class RecordParts {
-  kWhole,
-  /** Without what only exports, pictures and single trials need: postures at the touches, phases,
-  contact events, snapshots, the loads of a judgement. LoadWhole reads a record again. */
-  kBrief,
-  /** None of them, though all are read and checked: RecordLines says where each of the plan is. */
-  kPlaces
-};
-
-struct Session {
-  std::filesystem::path folder;  ///< it was loaded from; empty: it stands in none
-  SessionConfig config;
-  int physics_version = 0;  ///< kPhysicsVersion of the program that planned it; 0: not said
-  std::vector<PlannedTrial> plan;
-  std::vector<TrialRecord> records;  ///< finished trials in the plan's order
-  RecordLines lines;                 ///< of brief records and of places; empty when they are whole
-  /** Warnings about journal lines that were skipped; files are named from the session's folder. */
-  Diagnostics findings;
-  std::vector<Damage> damage;  ///< found and accepted
-  /** Machines that did not agree on a sentinel trial or have run none, as sentences
-  (worker_log.h). */
-  std::vector<std::string> machine_differences = {};
-};
 /** @throws Error(kNotFound) no session there; kVersion; kFormat for damage, which is looked for
 before anything is read, for lines of another session, and for unequal duplicates; kIo. */
 Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse,
@@ -84,46 +57,18 @@ Session LoadSession(const std::filesystem::path& folder, OnDamage on_damage = On
 /** Configuration and plan, without a look at any other file. @throws as LoadSession. */
 Session LoadPlannedSession(const std::filesystem::path& folder);
 
-/** The whole of one of session.records. Several threads may ask.
-@throws Error(kFormat, kIo) when its line is not what it was when the session was loaded. */
-TrialRecord LoadWhole(const Session& session, const TrialRecord& record);
-
-/** Calls `take(const TrialRecord&)` for the whole of every record, in their order. */
-template <class Take>
-void ForEachWhole(const Session& session, Take&& take) {
-  for (const TrialRecord& record : session.records) {
-    if (session.lines.trials.empty()) {
-      take(record);
-    } else {
-      take(LoadWhole(session, record));
-    }
-  }
-}
-
 /** What a worker of a shard needs: configuration, plan, and the brief records in the journals that
 begin with `label` or that a merge has brought. No other file is read. @throws as LoadSession. */
 Session LoadShardOfSession(const std::filesystem::path& folder, const std::string& label);
 
-/** The journals in a subfolder of the session's, by name; none when there is no such folder. */
-std::vector<std::filesystem::path> ListJournals(const std::filesystem::path& folder,
-                                                const std::string& subfolder = "journal");
-
 /** What resuming has to run: the plan without the finished trials, in the plan's order. */
 std::vector<PlannedTrial> FindUnfinished(const Session& session);
-
-/** What is wrong with a whole line of a trial that is not in the plan. */
-std::string DescribeForeign(const std::string& trial_id);
 
 /** To be called before a session is resumed.
 @throws Error(kUsage) listing the settings that differ, or the cells whose hand, object, grasp or
 physics has changed since. */
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan);
-
-/** The journal of a worker: 0.jsonl without a label; with one 3of7-0.jsonl, or, because what a
-crash has torn is not continued there, 3of7-0-2.jsonl and so on. */
-std::filesystem::path FindJournal(const std::filesystem::path& subfolder, int worker,
-                                  const std::string& label);
 
 /** Appends finished trials to one worker's journal, and a shard's to its index; see append_file.h,
 journal_index.h. */

@@ -4,9 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/version.h"
+#include "core/physics/sim_config.h"
 #include "datasets/journal/json_fault.h"
-#include "datasets/session/model_config.h"
-#include "datasets/session/trial_record.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -11,7 +11,7 @@
 #include "core/base/record_fields.h"
 #include "core/base/text.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/session/session_store.h"
+#include "datasets/journal/journal_files.h"
 #include "datasets/session/shard.h"
 
 namespace graspbench {
