@@ -8,11 +8,11 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "core/base/text/yaml.h"
 #include "core/base/units.h"
-#include "core/base/yaml.h"
-#include "core/shape/mesh_repair.h"
+#include "core/shape/repair/mesh_repair.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 

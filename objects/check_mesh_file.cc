@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/units.h"
-#include "core/shape/mesh_repair.h"
 #include "core/shape/obj_file.h"
+#include "core/shape/repair/mesh_repair.h"
 #include "objects/load_mesh.h"
 
 namespace graspbench {

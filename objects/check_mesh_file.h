@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
-#include "core/shape/mesh_check.h"
+#include "core/base/text/json.h"
+#include "core/shape/repair/mesh_check.h"
 #include "objects/length_unit.h"
 
 namespace graspbench {

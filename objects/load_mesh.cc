@@ -7,9 +7,9 @@
 #include <regex>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/obj_file.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/weld_vertices.h"
 #include "objects/mesh_reader_protocol.h"
 #include "objects/run_mesh_reader.h"
 

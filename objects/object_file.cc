@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
-#include "core/base/yaml.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 namespace {

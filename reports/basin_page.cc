@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/version.h"
 #include "datasets/analysis/basin_summary.h"
 #include "reports/outcome_words.h"
-#include "reports/sectioned_page.h"
-#include "reports/svg_parts.h"
+#include "reports/page/sectioned_page.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/develop/development_warnings.h"
 #include "core/develop/hand_pads.h"
@@ -12,8 +12,8 @@
 #include "core/render/contact_marks.h"
 #include "core/render/contact_shapes.h"
 #include "core/render/hand_scene.h"
-#include "reports/models.h"
-#include "reports/sectioned_page.h"
+#include "reports/page/models.h"
+#include "reports/page/sectioned_page.h"
 
 namespace graspbench {
 namespace {

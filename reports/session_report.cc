@@ -1,10 +1,10 @@
 #include "reports/session_report.h"
 
 #include "core/base/hash.h"
-#include "core/base/text.h"
-#include "reports/layout.h"
+#include "core/base/text/text.h"
+#include "reports/page/layout.h"
+#include "reports/page/write_page.h"
 #include "reports/sections/section.h"
-#include "reports/write_page.h"
 
 namespace graspbench {
 

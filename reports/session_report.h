@@ -9,8 +9,8 @@ snapshots. */
 
 #include "datasets/analysis/sensitivity_summary.h"
 #include "datasets/session/session_store.h"
-#include "reports/cell_pictures.h"
-#include "reports/models.h"
+#include "reports/page/models.h"
+#include "reports/scenes/cell_pictures.h"
 #include "reports/session_views.h"
 
 namespace graspbench {

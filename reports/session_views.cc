@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
-#include "datasets/session/compare_results.h"
+#include "core/base/text/text.h"
+#include "datasets/records/compare_results.h"
 #include "datasets/session/find_trial.h"
-#include "reports/cell_pictures.h"
-#include "reports/layout.h"
 #include "reports/outcome_words.h"
-#include "reports/shown_trials.h"
+#include "reports/page/layout.h"
+#include "reports/scenes/cell_pictures.h"
+#include "reports/scenes/shown_trials.h"
 
 namespace graspbench {
 namespace {

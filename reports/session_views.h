@@ -8,10 +8,10 @@ whoever can carry it out again. */
 #include <string_view>
 
 #include "datasets/analysis/session_summary.h"
-#include "reports/html.h"
-#include "reports/models.h"
-#include "reports/page_script.h"
-#include "reports/scene_3d.h"
+#include "reports/page/html.h"
+#include "reports/page/models.h"
+#include "reports/page/page_script.h"
+#include "reports/scenes/scene_3d.h"
 
 namespace graspbench {
 

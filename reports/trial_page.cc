@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "reports/cell_pictures.h"
-#include "reports/contact_strip.h"
-#include "reports/filmstrip.h"
-#include "reports/layout.h"
-#include "reports/models.h"
 #include "reports/outcome_words.h"
-#include "reports/scene_3d.h"
-#include "reports/sectioned_page.h"
+#include "reports/page/layout.h"
+#include "reports/page/models.h"
+#include "reports/page/sectioned_page.h"
+#include "reports/plots/contact_strip.h"
+#include "reports/scenes/cell_pictures.h"
+#include "reports/scenes/filmstrip.h"
+#include "reports/scenes/scene_3d.h"
 
 namespace graspbench {
 namespace {

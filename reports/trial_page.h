@@ -9,7 +9,7 @@ One trial as one page: what was grasped and how, how it ended and why, pictures,
 
 #include "core/trial/trial_setup.h"
 #include "core/trial/trial_trace.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

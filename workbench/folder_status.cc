@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/campaign/campaign_progress.h"
 #include "datasets/journal/store_kind.h"
-#include "datasets/session/worker_log.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/progress_tables.h"
+#include "datasets/shards/worker_log.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/tables/progress_tables.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

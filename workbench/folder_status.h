@@ -5,7 +5,7 @@ How far a session, a campaign or an optimisation is, by its journals alone, in w
 #include <filesystem>
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

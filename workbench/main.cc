@@ -1,6 +1,6 @@
 #include <unistd.h>
 
-#include "workbench/experiments/worker_pool.h"
+#include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/program.h"
 
 int main(int argc, char** argv) {

@@ -1,10 +1,10 @@
 #include "workbench/pack_replay.h"
 
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/replay_pack.h"
-#include "workbench/pipeline_text.h"
+#include "workbench/experiments/pipelines/replay_pack.h"
 #include "workbench/stage_commands.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
+#include "workbench/text/pipeline_text.h"
 
 namespace graspbench {
 

@@ -14,13 +14,13 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/escape.h"
-#include "core/base/text.h"
-#include "datasets/session/scene_names.h"
+#include "core/base/text/escape.h"
+#include "core/base/text/text.h"
+#include "datasets/plan/scene_names.h"
 #include "workbench/commands/command.h"
-#include "workbench/experiments/machine.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/scene_view.h"
+#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/pictures/scene_view.h"
 
 namespace graspbench {
 namespace {

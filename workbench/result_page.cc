@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/session/session_store.h"
 #include "reports/campaign/campaign_report.h"
 #include "reports/session_report.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 #include "workbench/trace_session.h"
 
 namespace graspbench {

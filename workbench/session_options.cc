@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "datasets/session/scene_names.h"
+#include "datasets/plan/scene_names.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {

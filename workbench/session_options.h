@@ -5,7 +5,7 @@ The options by which a command names what to run: a session file and what overri
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace CLI {
 class App;

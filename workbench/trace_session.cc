@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/trial/trial_runner.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 #include "objects/catalogue.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

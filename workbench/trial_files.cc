@@ -4,12 +4,12 @@
 
 #include "core/base/error.h"
 #include "datasets/gltf/trial_gltf.h"
-#include "datasets/session/trace_table.h"
+#include "datasets/records/trace_table.h"
 #include "datasets/trajectory/trajectory_form.h"
+#include "reports/plots/trial_plots.h"
 #include "reports/trial_page.h"
-#include "reports/trial_plots.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/trial_picture.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/pictures/trial_picture.h"
 
 namespace graspbench {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/trial_text.h"
+#include "workbench/text/trial_text.h"
 
 namespace graspbench {
 

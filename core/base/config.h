@@ -23,8 +23,8 @@ such struct. A list of texts may be given as one text with commas: "tum, shadow"
 
 #include "core/base/diagnostics.h"
 #include "core/base/file_keys.h"
-#include "core/base/json.h"
-#include "core/base/yaml.h"
+#include "core/base/text/json.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 
 namespace graspbench {
 

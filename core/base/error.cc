@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 
 namespace graspbench {
 namespace {

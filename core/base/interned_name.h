@@ -6,7 +6,7 @@ kept once in the process, and a name is as large as a pointer. */
 #include <ostream>
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

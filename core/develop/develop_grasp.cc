@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/develop/posture_changes.h"
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/trial/palm_contact.h"
+#include "core/trial/measures/palm_contact.h"
 
 namespace graspbench {
 namespace {

@@ -12,7 +12,7 @@ so that a failure leads towards success, and among successes the firm ones win. 
 #include <string>
 #include <vector>
 
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_result.h"

@@ -13,7 +13,7 @@ its range counts as a quarter turn, of the gap 40 mm as a radian. */
 
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

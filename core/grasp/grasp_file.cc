@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/grasp_keys.h"
 #include "core/grasp/placement.h"

@@ -9,7 +9,7 @@ prismatic joint, millimetres.
 #include <string>
 #include <vector>
 
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {

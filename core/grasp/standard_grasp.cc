@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/text/yaml.h"
 #include "core/base/units.h"
-#include "core/base/yaml.h"
 #include "core/grasp/grasp_keys.h"
 #include "core/grasp/posture_yaml.h"
 

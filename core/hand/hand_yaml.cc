@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
+#include "core/base/text/yaml.h"
 #include "core/base/units.h"
-#include "core/base/yaml.h"
 
 namespace graspbench {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 

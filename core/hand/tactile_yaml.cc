@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/hash.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
+#include "core/base/text/yaml.h"
 #include "core/base/units.h"
-#include "core/base/yaml.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {

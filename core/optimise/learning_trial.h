@@ -2,7 +2,7 @@
 /** @file
 What the optimisation keeps of a simulated trial, and the fitness it takes from it:
 
-    fitness = sigma (core/trial/stability.h), which is 0 when the object is lost,
+    fitness = sigma (core/trial/measures/stability.h), which is 0 when the object is lost,
               times G / g when the hand grips with g, more than the grip G that it may use
               (g: sum of its normal forces in the hold [N]), or
             = - the opposing digit's smallest distance to the object [m] when that digit never
@@ -16,7 +16,7 @@ grip than it may use gains nothing by that. */
 #include <limits>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/trial/trial_result.h"
 
 namespace graspbench {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/optimise/grasp_space.h"
 #include "core/optimise/optimise_steps.h"
+#include "core/optimise/spaces/grasp_space.h"
 
 namespace graspbench {
 

@@ -6,7 +6,7 @@ something, and the variants of a grasp that it makes. */
 #include <string>
 
 #include "core/base/enum_table.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/base/units.h"
 
 namespace graspbench {

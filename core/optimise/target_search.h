@@ -11,8 +11,8 @@ same footing. */
 #include "core/grasp/standard_grasp.h"
 #include "core/optimise/grasp_check.h"
 #include "core/optimise/learning_trial.h"
+#include "core/optimise/methods/search.h"
 #include "core/optimise/optimise_config.h"
-#include "core/optimise/search.h"
 
 namespace graspbench {
 

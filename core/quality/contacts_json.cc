@@ -7,7 +7,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/base/error.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/quality/force_closure.h"
 #include "core/quality/wrench_hull.h"
 

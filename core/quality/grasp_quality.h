@@ -6,7 +6,7 @@ All quality measures of one set of contacts under one convention. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/quality/quality_convention.h"
 #include "core/quality/wrench_space.h"
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/shape/mesh_edges.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/mesh_edges.h"
+#include "core/shape/repair/weld_vertices.h"
 
 namespace graspbench {
 namespace {

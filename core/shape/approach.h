@@ -4,7 +4,7 @@ From where a hand comes to an object: a grasp, an object and a session may each 
 session says comes before what the object says, and that before the grasp's own word. */
 
 #include "core/base/enum_table.h"
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 

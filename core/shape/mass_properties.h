@@ -3,7 +3,7 @@
 Mass, centre of mass and inertia of a homogeneous closed mesh by the divergence theorem
 (Mirtich 1996; signed tetrahedra against the origin). */
 
-#include "core/shape/overlap.h"
+#include "core/shape/repair/overlap.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {

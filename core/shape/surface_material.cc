@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 

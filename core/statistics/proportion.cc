@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 
 namespace graspbench {

@@ -6,7 +6,7 @@ the strategy: the pre-grasp at the object, the end of stabilisation, the end of 
 #include <string>
 
 #include "core/base/enum_table.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/grasp/strategy.h"
 
 namespace graspbench {

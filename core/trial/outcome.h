@@ -7,7 +7,7 @@ stands. A new outcome is a value, a row, and its condition in trial_outcome.cc. 
 #include <vector>
 
 #include "core/base/enum_table.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

@@ -26,7 +26,7 @@ drift, cells that press on their neighbours. */
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/hand/tactile.h"
 #include "core/physics/hand_dynamics.h"

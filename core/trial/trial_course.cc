@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/base/units.h"
 #include "core/hand/coupling.h"
-#include "core/trial/judge.h"
+#include "core/trial/judge/judge.h"
 #include "core/vision/wrist_camera.h"
 
 namespace graspbench {

@@ -7,16 +7,16 @@ What is known of a trial after it was carried out. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
-#include "core/base/json_cursor.h"
 #include "core/base/pose.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/json.h"
+#include "core/base/text/json_cursor.h"
+#include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/grasp/contact_order.h"
-#include "core/trial/contact_events.h"
+#include "core/trial/measures/contact_events.h"
+#include "core/trial/measures/stability.h"
 #include "core/trial/moment.h"
 #include "core/trial/outcome.h"
-#include "core/trial/stability.h"
 #include "core/trial/touch_sensors.h"
 
 namespace graspbench {

@@ -7,7 +7,7 @@ in physics, then a hold, after which the outcome is given. */
 #include <memory>
 #include <optional>
 
-#include "core/trial/judgement.h"
+#include "core/trial/judge/judgement.h"
 #include "core/trial/trial_result.h"
 #include "core/trial/trial_setup.h"
 

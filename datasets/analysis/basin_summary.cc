@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 #include "core/statistics/proportion.h"
 
 namespace graspbench {

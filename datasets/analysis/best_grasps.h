@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Which grasp suits an object best, found from the trials of a session with all grasps, beside the
-one that a session takes when nobody chooses (datasets/session/session_plan.h).
+one that a session takes when nobody chooses (datasets/plan/session_plan.h).
 
 Best: most successes by rate, and one at least; of equal rates the one with the larger median sigma
 of its successes; then the first by id. Those of its rate are as good by success. The usual grasp is
@@ -15,7 +15,7 @@ it is by luck, too, which the interval does not know; so
 
 #include "core/statistics/proportion.h"
 #include "datasets/analysis/session_summary.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 
 namespace graspbench {
 

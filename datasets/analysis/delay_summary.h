@@ -15,10 +15,10 @@ that survive it. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/statistics/bootstrap.h"
-#include "core/trial/disturbance.h"
-#include "datasets/analysis/grasp_responses.h"
+#include "core/trial/judge/disturbance.h"
+#include "datasets/analysis/campaign/grasp_responses.h"
 
 namespace graspbench {
 

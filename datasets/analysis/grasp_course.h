@@ -9,7 +9,7 @@ thumb stood in the closed grasp. Means are over the trials in which they are def
 
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 namespace graspbench {
 

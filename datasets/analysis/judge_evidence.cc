@@ -6,8 +6,8 @@
 
 #include "core/statistics/proportion.h"
 #include "core/statistics/ranks.h"
-#include "core/trial/verdicts.h"
-#include "datasets/session/trial_table.h"
+#include "core/trial/judge/verdicts.h"
+#include "datasets/records/trial_table.h"
 
 namespace graspbench {
 namespace {

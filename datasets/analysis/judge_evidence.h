@@ -7,7 +7,7 @@ Intervals come from drawing cells (hand, object, grasp), because trials of one c
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/statistics/bootstrap.h"
 #include "datasets/analysis/session_summary.h"
 

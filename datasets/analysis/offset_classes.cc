@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {

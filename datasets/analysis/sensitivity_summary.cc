@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 namespace {

@@ -12,7 +12,7 @@ intervals miss 0 by chance. */
 #include <string>
 #include <vector>
 
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 #include "core/statistics/proportion.h"
 #include "datasets/analysis/offset_classes.h"
 #include "datasets/session/sensitivity_store.h"

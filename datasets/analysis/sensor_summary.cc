@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/statistics/summary.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {

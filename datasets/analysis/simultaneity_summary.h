@@ -13,9 +13,9 @@ again, a campaign's variants that kept the grasp before, count once. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/statistics/within_groups.h"
-#include "datasets/analysis/grasp_responses.h"
+#include "datasets/analysis/campaign/grasp_responses.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "datasets/campaign/campaign_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

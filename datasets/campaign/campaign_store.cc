@@ -5,9 +5,9 @@
 #include <map>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
-#include "datasets/session/frozen_folder.h"
+#include "datasets/plan/frozen_folder.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

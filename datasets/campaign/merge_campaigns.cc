@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "datasets/campaign/campaign_store.h"
-#include "datasets/session/frozen_folder.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/plan/frozen_folder.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -6,10 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include "core/base/data_table.h"
-#include "core/base/delimited_text.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/data_table.h"
+#include "core/base/text/delimited_text.h"
+#include "core/base/text/text.h"
 #include "datasets/journal/sealed_store.h"
 
 namespace graspbench {

@@ -20,7 +20,7 @@ They are kept in the campaign's folder, real/trials.csv. */
 #include "core/base/diagnostics.h"
 #include "core/grasp/contact_timing.h"
 #include "core/optimise/optimise_steps.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 
 namespace graspbench {
 

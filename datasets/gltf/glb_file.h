@@ -8,7 +8,7 @@ Source: Khronos, glTF 2.0 specification, sections 3.6 (binary data) and 4 (GLB).
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

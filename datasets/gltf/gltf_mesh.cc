@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/render/display_mesh.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/weld_vertices.h"
 
 namespace graspbench {
 namespace {

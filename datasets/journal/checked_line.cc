@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/file_pieces.h"
+#include "core/base/files/file_pieces.h"
 #include "core/base/hash.h"
 #include "datasets/journal/json_fault.h"
 

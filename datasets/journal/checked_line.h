@@ -13,7 +13,7 @@ JSON Lines to every other program, and a flipped bit is found before the line is
 #include <string>
 #include <string_view>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

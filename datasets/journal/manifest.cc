@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/file_pieces.h"
-#include "core/base/files.h"
-#include "core/base/json_cursor.h"
+#include "core/base/files/file_pieces.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
-#include "core/base/text.h"
+#include "core/base/text/json_cursor.h"
+#include "core/base/text/text.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {

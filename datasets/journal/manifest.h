@@ -20,7 +20,7 @@ is good line by line, by the checksums of checked_line.h. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/json_fault.h"

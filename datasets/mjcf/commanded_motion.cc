@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 #include "core/physics/implicit_world.h"
 #include "core/trial/trial_course.h"
 

@@ -1,6 +1,6 @@
 #include "datasets/mjcf/mjcf_export.h"
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/mjcf/commanded_motion.h"
 #include "datasets/mjcf/mjcf_scene.h"
 

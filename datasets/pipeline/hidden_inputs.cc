@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/base/files.h"
-#include "core/base/yaml.h"
+#include "core/base/files/files.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "core/base/files.h"
-#include "core/base/yaml.h"
+#include "core/base/files/files.h"
+#include "core/base/text/yaml.h"
 #include "datasets/pipeline/hidden_inputs.h"
 
 namespace graspbench {

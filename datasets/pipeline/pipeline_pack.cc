@@ -11,10 +11,10 @@
 #include <set>
 #include <vector>
 
-#include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/base/file_pieces.h"
-#include "core/base/files.h"
+#include "core/base/files/atomic_file.h"
+#include "core/base/files/file_pieces.h"
+#include "core/base/files/files.h"
 #include "datasets/pipeline/stable_files.h"
 
 namespace graspbench {

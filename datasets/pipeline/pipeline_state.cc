@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/files.h"
-#include "core/base/json.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
+#include "core/base/text/json.h"
 #include "datasets/pipeline/stable_files.h"
 
 namespace graspbench {

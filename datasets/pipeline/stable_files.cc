@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/manifest.h"
@@ -29,7 +29,7 @@ bool IsOneOf(const std::string& name, const Names& names) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/** What a killed process left of a file that it was writing (core/base/atomic_file.h). */
+/** What a killed process left of a file that it was writing (core/base/files/atomic_file.h). */
 bool IsLeftPart(const std::string& name) {
   const size_t part = name.rfind(".part");
   return part != name.npos && part + 5 < name.size() &&

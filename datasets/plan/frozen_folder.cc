@@ -1,8 +1,8 @@
-#include "datasets/session/frozen_folder.h"
+#include "datasets/plan/frozen_folder.h"
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/version.h"
 #include "core/physics/sim_config.h"
 #include "datasets/journal/json_fault.h"

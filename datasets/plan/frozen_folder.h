@@ -7,7 +7,7 @@ Sessions, scenes and campaigns each have one such file (store_kind.h), and a man
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "datasets/journal/sealed_store.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "datasets/session/imperfection_config.h"
+#include "datasets/plan/imperfection_config.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "datasets/session/input_copies.h"
+#include "datasets/plan/input_copies.h"
 
 #include <algorithm>
 #include <regex>
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/json.h"
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
 #include "core/hand/load_hand.h"
 #include "datasets/journal/store_kind.h"
 #include "objects/catalogue.h"

@@ -15,7 +15,7 @@ and the benchmark of a campaign have no copies of their own: theirs are the camp
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "datasets/session/model_config.h"
+#include "datasets/plan/model_config.h"
 
 namespace graspbench {
 namespace {

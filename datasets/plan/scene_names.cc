@@ -1,11 +1,11 @@
-#include "datasets/session/scene_names.h"
+#include "datasets/plan/scene_names.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "objects/catalogue.h"

@@ -5,7 +5,7 @@ become ids before anything else sees them, so that results do not depend on how 
 
 #include <string>
 
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 

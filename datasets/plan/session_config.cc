@@ -1,14 +1,14 @@
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/shape/approach.h"
 #include "core/trial/positioning.h"
-#include "datasets/session/session_keys.h"
+#include "datasets/plan/session_keys.h"
 
 namespace graspbench {
 namespace {

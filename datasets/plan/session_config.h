@@ -6,13 +6,13 @@ frozen in full into the session's folder. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/sim_config.h"
 #include "core/trial/touch_sensors.h"
 #include "core/vision/camera_config.h"
-#include "datasets/session/imperfection_config.h"
-#include "datasets/session/model_config.h"
+#include "datasets/plan/imperfection_config.h"
+#include "datasets/plan/model_config.h"
 
 namespace graspbench {
 

@@ -1,8 +1,8 @@
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
-#include "datasets/session/input_copies.h"
+#include "datasets/plan/input_copies.h"
 
 namespace graspbench {
 namespace {

@@ -11,7 +11,7 @@ The hands and objects of a session, loaded once and shared between threads. */
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {

@@ -1,7 +1,7 @@
-#include "datasets/session/session_keys.h"
+#include "datasets/plan/session_keys.h"
 
 #include "core/base/config.h"
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 

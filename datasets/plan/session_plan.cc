@@ -1,4 +1,4 @@
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 #include <algorithm>
 #include <set>
@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/random.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/grasp/placement.h"
 #include "core/hand/tactile.h"
 #include "core/trial/positioning.h"

@@ -6,12 +6,12 @@ of hands and objects. */
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
 #include "core/base/random.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/json.h"
+#include "core/base/text/record_fields.h"
 #include "core/trial/trial_runner.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_inputs.h"
 
 namespace graspbench {
 

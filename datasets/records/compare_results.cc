@@ -1,6 +1,6 @@
-#include "datasets/session/compare_results.h"
+#include "datasets/records/compare_results.h"
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 namespace {

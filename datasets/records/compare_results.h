@@ -5,7 +5,7 @@ A trial that was simulated again against its record. */
 #include <optional>
 #include <string>
 
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

@@ -1,10 +1,10 @@
-#include "datasets/session/journal_index.h"
+#include "datasets/records/journal_index.h"
 
 #include <charconv>
 #include <utility>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "datasets/session/judgement_line.h"
+#include "datasets/records/judgement_line.h"
 
 #include "core/base/error.h"
 #include "datasets/journal/checked_line.h"

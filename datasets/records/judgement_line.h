@@ -5,7 +5,7 @@ A judgement of one trial's held grasp as a line of a journal. */
 #include <string>
 #include <string_view>
 
-#include "core/trial/judgement.h"
+#include "core/trial/judge/judgement.h"
 
 namespace graspbench {
 

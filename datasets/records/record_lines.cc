@@ -1,4 +1,4 @@
-#include "datasets/session/record_lines.h"
+#include "datasets/records/record_lines.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "datasets/session/trace_table.h"
+#include "datasets/records/trace_table.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -4,7 +4,7 @@ The course of a trial as a table, one row an instant. */
 
 #include <vector>
 
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 #include "core/trial/trial_trace.h"
 
 namespace graspbench {

@@ -1,7 +1,7 @@
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 #include "core/base/error.h"
-#include "core/base/record_text.h"
+#include "core/base/text/record_text.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {

@@ -6,9 +6,9 @@ A finished trial as one line of a journal, with a checksum (checked_line.h). */
 #include <string>
 #include <string_view>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/trial/trial_result.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 

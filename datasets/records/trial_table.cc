@@ -1,10 +1,10 @@
-#include "datasets/session/trial_table.h"
+#include "datasets/records/trial_table.h"
 
 #include <algorithm>
 #include <set>
 
-#include "core/trial/palm_contact.h"
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
+#include "core/trial/measures/palm_contact.h"
 
 namespace graspbench {
 namespace {

@@ -5,9 +5,9 @@ data dictionary and the SQLite index are made. */
 
 #include <vector>
 
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 #include "core/quality/quality_convention.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

@@ -1,10 +1,10 @@
 #include "datasets/scene/development_store.h"
 
 #include "core/base/config.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/session/frozen_folder.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/frozen_folder.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

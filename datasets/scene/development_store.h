@@ -23,7 +23,7 @@ question: an answer to another one is never taken. */
 #include "core/base/diagnostics.h"
 #include "core/develop/develop_grasp.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/config.h"
 #include "core/base/hash.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 

@@ -8,7 +8,7 @@ its trials' ids and draws. */
 
 #include "core/optimise/grasp_optimiser.h"
 #include "core/trial/trial_setup.h"
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "core/base/config.h"
-#include "core/base/csv.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "core/base/text/csv.h"
 #include "core/grasp/grasp_file.h"
 #include "datasets/journal/json_fault.h"
-#include "datasets/session/frozen_folder.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/frozen_folder.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

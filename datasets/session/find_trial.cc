@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
-#include "datasets/session/input_copies.h"
+#include "core/base/text/text.h"
+#include "datasets/plan/input_copies.h"
 
 namespace graspbench {
 namespace {

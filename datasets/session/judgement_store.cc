@@ -4,10 +4,10 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/journal_files.h"
-#include "datasets/session/judgement_line.h"
+#include "datasets/records/judgement_line.h"
 
 namespace graspbench {
 namespace {

@@ -3,11 +3,11 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/session/judgement_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -2,7 +2,7 @@
 
 #include "core/base/version.h"
 #include "core/physics/sim_config.h"
-#include "core/trial/judgement.h"
+#include "core/trial/judge/judgement.h"
 #include "datasets/journal/store_sources.h"
 
 namespace graspbench {

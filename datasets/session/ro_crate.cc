@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/json.h"
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
 #include "datasets/journal/json_fault.h"
 #include "datasets/journal/store_sources.h"
 #include "datasets/session/provenance.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {

@@ -13,7 +13,7 @@ merge of sessions does not bring these lines; they are soon made again. */
 #include <map>
 #include <string>
 
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {

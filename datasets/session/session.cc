@@ -1,7 +1,7 @@
 #include "datasets/session/session.h"
 
 #include "core/base/error.h"
-#include "datasets/session/judgement_line.h"
+#include "datasets/records/judgement_line.h"
 
 namespace graspbench {
 

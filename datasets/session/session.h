@@ -8,10 +8,10 @@ A session in memory, as LoadSession (session_store.h) gives it. */
 
 #include "core/base/diagnostics.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/session/record_lines.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_plan.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_plan.h"
+#include "datasets/records/record_lines.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

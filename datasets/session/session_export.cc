@@ -1,12 +1,12 @@
 #include <optional>
 
-#include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/atomic_file.h"
+#include "core/base/files/files.h"
+#include "datasets/records/trial_table.h"
 #include "datasets/session/provenance.h"
 #include "datasets/session/session_index.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/trial_table.h"
 
 namespace graspbench {
 namespace {

@@ -7,8 +7,8 @@ and journals; nothing is stored in it alone. */
 #include <filesystem>
 #include <memory>
 
+#include "datasets/records/trial_table.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/trial_table.h"
 
 namespace graspbench {
 

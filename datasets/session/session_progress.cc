@@ -13,11 +13,11 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/session/frozen_folder.h"
-#include "datasets/session/journal_index.h"
+#include "datasets/plan/frozen_folder.h"
+#include "datasets/records/journal_index.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

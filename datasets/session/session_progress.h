@@ -13,7 +13,7 @@ trials, unless they are being judged. */
 
 #include "core/base/enum_table.h"
 #include "datasets/journal/manifest.h"
-#include "datasets/session/shard.h"
+#include "datasets/shards/shard.h"
 
 namespace graspbench {
 

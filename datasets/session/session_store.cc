@@ -6,11 +6,11 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
-#include "datasets/session/frozen_folder.h"
+#include "datasets/plan/frozen_folder.h"
 #include "datasets/session/judgement_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -36,7 +36,7 @@ the same bytes for any number of workers and any number of interruptions. */
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/journal_files.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/session/journal_index.h"
+#include "datasets/records/journal_index.h"
 #include "datasets/session/session.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "datasets/session/shard.h"
+#include "datasets/shards/shard.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

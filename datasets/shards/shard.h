@@ -8,7 +8,7 @@ i modulo N. A pure function of the plan, so that every machine knows its own par
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,12 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/record_fields.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/record_fields.h"
+#include "core/base/text/text.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/journal_files.h"
-#include "datasets/session/shard.h"
+#include "datasets/shards/shard.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

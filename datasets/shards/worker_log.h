@@ -19,7 +19,7 @@ does not run them again; it may miss them, as nothing waits for what others writ
 
 #include "core/base/diagnostics.h"
 #include "datasets/journal/append_file.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

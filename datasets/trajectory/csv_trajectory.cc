@@ -1,5 +1,5 @@
-#include "core/base/csv.h"
-#include "datasets/session/trace_table.h"
+#include "core/base/text/csv.h"
+#include "datasets/records/trace_table.h"
 #include "datasets/trajectory/trajectory_form.h"
 
 namespace graspbench {

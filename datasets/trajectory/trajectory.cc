@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/sha256.h"
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

@@ -9,7 +9,7 @@ A trial as it went, thinned to a rate: what the files of trajectories hold. */
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_trace.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

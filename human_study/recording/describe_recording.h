@@ -4,7 +4,7 @@ What is in a recording, for people (`graspbench mocap info`) and for programs (`
 
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "human_study/recording/recording.h"
 
 namespace graspbench {

@@ -4,9 +4,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "core/base/csv.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
 #include "core/base/units.h"
 #include "human_study/recording/c3d_writer.h"
 

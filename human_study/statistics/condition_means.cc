@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/multiple_tests.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <unsupported/Eigen/KroneckerProduct>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/summary.h"
 
 namespace graspbench {

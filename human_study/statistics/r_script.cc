@@ -1,6 +1,6 @@
 #include "human_study/statistics/r_script.h"
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/ranks.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/csv.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
 
 namespace graspbench {
 namespace {

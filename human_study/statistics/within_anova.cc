@@ -8,7 +8,7 @@
 #include <optional>
 #include <unsupported/Eigen/KroneckerProduct>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 
 namespace graspbench {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/obj_file.h"
 #include "objects/generate/object_shapes.h"
 #include "objects/generate/shape_parts.h"

@@ -4,8 +4,8 @@
 
 #include "core/base/config.h"
 #include "core/base/hash.h"
-#include "core/base/text.h"
-#include "reports/write_page.h"
+#include "core/base/text/text.h"
+#include "reports/page/write_page.h"
 
 namespace graspbench {
 

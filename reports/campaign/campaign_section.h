@@ -6,10 +6,10 @@ of the page. */
 
 #include <vector>
 
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 #include "reports/campaign/variant_pictures.h"
-#include "reports/models.h"
-#include "reports/sectioned_page.h"
+#include "reports/page/models.h"
+#include "reports/page/sectioned_page.h"
 
 namespace graspbench {
 

@@ -1,6 +1,6 @@
 #include "reports/campaign/findings.h"
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/session/judgement_store.h"
 
 namespace graspbench {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/analysis/campaign_summary.h"
-#include "reports/cell_pictures.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
+#include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
 

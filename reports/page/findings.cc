@@ -1,6 +1,6 @@
-#include "reports/findings.h"
+#include "reports/page/findings.h"
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

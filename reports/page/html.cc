@@ -1,11 +1,11 @@
-#include "reports/html.h"
+#include "reports/page/html.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 
 #include <cctype>
 #include <kainjow/mustache.hpp>
@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/sha256.h"
-#include "reports/assets.h"
+#include "reports/page/assets.h"
 
 namespace graspbench {
 namespace {

@@ -7,9 +7,9 @@ everything. */
 #include <string_view>
 #include <vector>
 
-#include "core/base/json.h"
-#include "reports/html.h"
-#include "reports/provenance.h"
+#include "core/base/text/json.h"
+#include "reports/page/html.h"
+#include "reports/page/provenance.h"
 
 namespace graspbench {
 

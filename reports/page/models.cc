@@ -1,9 +1,9 @@
-#include "reports/models.h"
+#include "reports/page/models.h"
 
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
-#include "datasets/session/session_inputs.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {

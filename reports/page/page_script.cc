@@ -1,10 +1,10 @@
-#include "reports/page_script.h"
+#include "reports/page/page_script.h"
 
 #include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/sha256.h"
-#include "reports/html.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
 namespace {

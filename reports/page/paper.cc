@@ -1,13 +1,13 @@
-#include "reports/paper.h"
+#include "reports/page/paper.h"
 
 #include <tinyxml2.h>
 
 #include <cstring>
 #include <functional>
 
-#include "core/base/csv.h"
 #include "core/base/error.h"
-#include "reports/assets.h"
+#include "core/base/text/csv.h"
+#include "reports/page/assets.h"
 
 namespace graspbench {
 namespace {

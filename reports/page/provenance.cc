@@ -1,11 +1,11 @@
-#include "reports/provenance.h"
+#include "reports/page/provenance.h"
 
 #include "core/base/error.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/base/version.h"
 #include "core/physics/sim_config.h"
-#include "reports/assets.h"
-#include "reports/layout.h"
+#include "reports/page/assets.h"
+#include "reports/page/layout.h"
 
 namespace graspbench {
 namespace {

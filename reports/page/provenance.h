@@ -7,7 +7,7 @@ Nothing of it depends on when or where the page was made. */
 #include <utility>
 #include <vector>
 
-#include "reports/html.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
 

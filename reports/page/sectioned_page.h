@@ -5,7 +5,7 @@ Pages made of sections: a list in the order of the page, each drawn from the sam
 #include <string>
 #include <vector>
 
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 
 namespace graspbench {
 

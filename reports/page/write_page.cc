@@ -1,6 +1,6 @@
-#include "reports/write_page.h"
+#include "reports/page/write_page.h"
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/session/provenance.h"
 

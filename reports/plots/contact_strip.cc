@@ -1,10 +1,10 @@
-#include "reports/contact_strip.h"
+#include "reports/plots/contact_strip.h"
 
 #include <algorithm>
 
-#include "core/base/text.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "core/base/text/text.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 
 namespace graspbench {
 Html DrawContactStrip(const TrialRecord& record, const std::string& name,

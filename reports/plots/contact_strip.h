@@ -4,9 +4,9 @@ When each link of the hand touched the object in one trial, as a strip chart. */
 
 #include <string>
 
-#include "datasets/session/trial_record.h"
-#include "reports/html.h"
-#include "reports/models.h"
+#include "datasets/records/trial_record.h"
+#include "reports/page/html.h"
+#include "reports/page/models.h"
 
 namespace graspbench {
 

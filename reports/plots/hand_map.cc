@@ -1,11 +1,11 @@
-#include "reports/hand_map.h"
+#include "reports/plots/hand_map.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/tactile.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/hand/hand.h"
-#include "reports/svg_parts.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 

@@ -6,8 +6,8 @@ SVG by the same rules as svg_plot.h. */
 #include <string>
 #include <vector>
 
-#include "reports/html.h"
-#include "reports/svg_parts.h"
+#include "reports/page/html.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 

@@ -1,10 +1,10 @@
-#include "reports/svg_parts.h"
+#include "reports/plots/svg_parts.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

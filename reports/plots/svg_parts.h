@@ -6,7 +6,7 @@ frame that carries the plot's title and description. */
 #include <string>
 #include <vector>
 
-#include "reports/html.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
 

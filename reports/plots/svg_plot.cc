@@ -1,4 +1,4 @@
-#include "reports/svg_plot.h"
+#include "reports/plots/svg_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
-#include "reports/svg_parts.h"
+#include "core/base/text/text.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 namespace {

@@ -10,8 +10,8 @@ cells and segments carry text, marks differ in shape. */
 #include <vector>
 
 #include "core/base/units.h"
-#include "reports/html.h"
-#include "reports/svg_parts.h"
+#include "reports/page/html.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 

@@ -1,13 +1,13 @@
-#include "reports/trial_plots.h"
+#include "reports/plots/trial_plots.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
-#include "datasets/session/trace_table.h"
-#include "reports/assets.h"
-#include "reports/line_plot.h"
+#include "core/base/text/text.h"
+#include "datasets/records/trace_table.h"
+#include "reports/page/assets.h"
+#include "reports/plots/line_plot.h"
 
 namespace graspbench {
 namespace {

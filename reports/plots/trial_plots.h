@@ -7,7 +7,7 @@ The course of one trial as curves over time: what every digit presses with, and 
 
 #include "core/hand/hand.h"
 #include "core/trial/trial_trace.h"
-#include "reports/html.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "reports/cell_pictures.h"
+#include "reports/scenes/cell_pictures.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/render/hand_scene.h"
 #include "core/render/scene.h"
-#include "reports/instant_scene.h"
-#include "reports/shown_trials.h"
+#include "reports/scenes/instant_scene.h"
+#include "reports/scenes/shown_trials.h"
 
 namespace graspbench {
 namespace {

@@ -15,7 +15,7 @@ allow. The records hold three moments; for all phases a trial has to be simulate
 #include "core/render/scene.h"
 #include "core/trial/trial_trace.h"
 #include "datasets/analysis/session_summary.h"
-#include "reports/models.h"
+#include "reports/page/models.h"
 
 namespace graspbench {
 

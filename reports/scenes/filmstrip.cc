@@ -1,6 +1,6 @@
-#include "reports/filmstrip.h"
+#include "reports/scenes/filmstrip.h"
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

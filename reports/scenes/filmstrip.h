@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/trial/trial_result.h"
-#include "reports/cell_pictures.h"
-#include "reports/html.h"
+#include "reports/page/html.h"
+#include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
 

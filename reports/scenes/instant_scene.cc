@@ -1,4 +1,4 @@
-#include "reports/instant_scene.h"
+#include "reports/scenes/instant_scene.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

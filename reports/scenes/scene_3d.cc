@@ -1,19 +1,19 @@
-#include "reports/scene_3d.h"
+#include "reports/scenes/scene_3d.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/render/hand_scene.h"
 #include "core/shape/primitives.h"
 #include "datasets/gltf/trial_gltf.h"
-#include "datasets/session/trace_table.h"
-#include "reports/assets.h"
-#include "reports/cell_pictures.h"
-#include "reports/instant_scene.h"
-#include "reports/layout.h"
-#include "reports/trial_plots.h"
+#include "datasets/records/trace_table.h"
+#include "reports/page/assets.h"
+#include "reports/page/layout.h"
+#include "reports/plots/trial_plots.h"
+#include "reports/scenes/cell_pictures.h"
+#include "reports/scenes/instant_scene.h"
 
 namespace graspbench {
 namespace {

@@ -17,8 +17,8 @@ page: it works from a file, without a network, under its content security policy
 #include "core/render/scene.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_trace.h"
-#include "reports/html.h"
-#include "reports/page_script.h"
+#include "reports/page/html.h"
+#include "reports/page/page_script.h"
 
 namespace graspbench {
 

@@ -1,8 +1,8 @@
-#include "reports/sight_picture.h"
+#include "reports/scenes/sight_picture.h"
 
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 
 namespace graspbench {

@@ -2,7 +2,7 @@
 /** @file A picture of a wrist camera with what was found in it. */
 
 #include "core/vision/wrist_camera.h"
-#include "reports/svg_parts.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 

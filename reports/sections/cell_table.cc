@@ -1,8 +1,8 @@
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "reports/filmstrip.h"
-#include "reports/layout.h"
 #include "reports/outcome_words.h"
+#include "reports/page/layout.h"
+#include "reports/scenes/filmstrip.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {

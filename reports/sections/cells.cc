@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "reports/contact_strip.h"
-#include "reports/filmstrip.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
 #include "reports/outcome_words.h"
+#include "reports/page/layout.h"
+#include "reports/plots/contact_strip.h"
+#include "reports/plots/line_plot.h"
+#include "reports/plots/svg_plot.h"
+#include "reports/scenes/filmstrip.h"
+#include "reports/scenes/shown_trials.h"
 #include "reports/sections/section.h"
-#include "reports/shown_trials.h"
-#include "reports/svg_plot.h"
 
 namespace graspbench {
 namespace {

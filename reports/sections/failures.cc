@@ -1,10 +1,10 @@
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "datasets/session/find_trial.h"
-#include "reports/layout.h"
 #include "reports/outcome_words.h"
+#include "reports/page/layout.h"
+#include "reports/scenes/shown_trials.h"
 #include "reports/sections/section.h"
-#include "reports/shown_trials.h"
 
 namespace graspbench {
 namespace {

@@ -1,6 +1,6 @@
-#include "reports/findings.h"
+#include "reports/page/findings.h"
 
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {

@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
 #include "datasets/analysis/judge_evidence.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {

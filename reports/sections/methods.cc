@@ -1,7 +1,7 @@
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {

@@ -1,7 +1,7 @@
-#include "reports/layout.h"
 #include "reports/outcome_words.h"
+#include "reports/page/layout.h"
+#include "reports/plots/svg_plot.h"
 #include "reports/sections/section.h"
-#include "reports/svg_plot.h"
 
 namespace graspbench {
 namespace {

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/text.h"
-#include "reports/filmstrip.h"
-#include "reports/findings.h"
-#include "reports/layout.h"
+#include "core/base/text/text.h"
 #include "reports/outcome_words.h"
+#include "reports/page/findings.h"
+#include "reports/page/layout.h"
+#include "reports/plots/svg_plot.h"
+#include "reports/scenes/filmstrip.h"
 #include "reports/sections/section.h"
-#include "reports/svg_plot.h"
 
 namespace graspbench {
 namespace {

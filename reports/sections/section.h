@@ -7,9 +7,9 @@ line in section_list.inc, which fixes the order of the page. */
 
 #include "datasets/analysis/sensitivity_summary.h"
 #include "datasets/analysis/session_summary.h"
-#include "reports/cell_pictures.h"
-#include "reports/models.h"
-#include "reports/sectioned_page.h"
+#include "reports/page/models.h"
+#include "reports/page/sectioned_page.h"
+#include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
 

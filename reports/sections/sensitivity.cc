@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/range_text.h"
+#include "core/base/text/range_text.h"
 #include "core/base/units.h"
 #include "datasets/analysis/sensitivity_summary.h"
-#include "reports/assets.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "reports/page/assets.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {

@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/tactile.h"
 #include "datasets/analysis/sensor_summary.h"
-#include "reports/hand_map.h"
-#include "reports/layout.h"
+#include "reports/page/layout.h"
+#include "reports/plots/hand_map.h"
+#include "reports/scenes/sight_picture.h"
 #include "reports/sections/section.h"
-#include "reports/sight_picture.h"
 
 namespace graspbench {
 namespace {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/simultaneity_summary.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {

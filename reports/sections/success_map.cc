@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/text.h"
-#include "reports/layout.h"
+#include "core/base/text/text.h"
+#include "reports/page/layout.h"
+#include "reports/plots/svg_plot.h"
 #include "reports/sections/section.h"
-#include "reports/svg_plot.h"
 
 namespace graspbench {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/csv.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
-#include "reports/layout.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
+#include "reports/page/layout.h"
 #include "reports/study/study_format.h"
 #include "reports/study/trial_figures.h"
 

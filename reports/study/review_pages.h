@@ -2,13 +2,13 @@
 /** @file
 Pages for a person who looks at every contact of a study: an index, a page a trial with speeds and
 distances of the tips, marks of all detectors and uncertainties, and reviews.csv, to be filled in and
-named in study.yaml (human_study/study/trial_review.h). */
+named in study.yaml (human_study/study/design/trial_review.h). */
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

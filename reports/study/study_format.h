@@ -7,7 +7,7 @@ cent; heads carry the unit, cells the number alone. */
 #include <vector>
 
 #include "human_study/events/trial_analysis.h"
-#include "human_study/study/study_statistics.h"
+#include "human_study/study/inference/study_statistics.h"
 
 namespace graspbench {
 

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "reports/study/study_section.h"
 
 namespace graspbench {

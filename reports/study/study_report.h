@@ -6,7 +6,7 @@ The report of a human study: one self-contained HTML file in the manner of sessi
 #include <string>
 
 #include "datasets/session/session_store.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

@@ -5,7 +5,7 @@ A section of the study's report. A new one is one file in sections/ that defines
 
 #include <vector>
 
-#include "reports/sectioned_page.h"
+#include "reports/page/sectioned_page.h"
 #include "reports/study/study_report.h"
 
 namespace graspbench {

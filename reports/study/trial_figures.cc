@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
-#include "human_study/study/trial_flags.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "core/base/text/text.h"
+#include "human_study/study/run/trial_flags.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 
 namespace graspbench {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "human_study/study/run_study.h"
-#include "reports/html.h"
+#include "human_study/study/run/run_study.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
 

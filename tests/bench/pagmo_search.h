@@ -3,7 +3,7 @@
 CMA-ES of a maintained library, pagmo 2 (F. Biscani and D. Izzo, J. Open Source Softw. 5 (2020)), on
 the box, start and first step of a search of ours. */
 
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

@@ -18,8 +18,8 @@
 #include <filesystem>
 #include <map>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/develop/training_shapes.h"
 #include "core/grasp/placement.h"

@@ -13,7 +13,7 @@
 #include <functional>
 #include <string>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/session/merge_sessions.h"
 #include "datasets/session/session_store.h"
 #include "tests/datasets/session/fake_session.h"

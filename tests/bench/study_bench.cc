@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <map>
 
-#include "core/base/data_table.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
+#include "core/base/text/data_table.h"
 #include "core/statistics/summary.h"
-#include "human_study/study/demo_study.h"
+#include "human_study/study/synthetic/demo_study.h"
 #include "workbench/program.h"
 
 namespace graspbench {

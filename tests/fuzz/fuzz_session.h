@@ -7,10 +7,10 @@ anything is refused with an Error or understood and written back. */
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "datasets/records/trial_table.h"
 #include "datasets/scene/evaluation_journal.h"
 #include "datasets/session/session_index.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/trial_table.h"
 
 namespace graspbench {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/shape/mesh_check.h"
-#include "core/shape/mesh_repair.h"
+#include "core/shape/repair/mesh_check.h"
+#include "core/shape/repair/mesh_repair.h"
 #include "objects/load_mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);

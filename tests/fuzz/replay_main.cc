@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/data_table.h"
 #include "core/base/error.h"
-#include "human_study/study/study_config.h"
+#include "core/base/text/data_table.h"
+#include "human_study/study/design/study_config.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

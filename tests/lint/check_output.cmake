@@ -2,10 +2,10 @@
 # stdout and stderr.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 set(allowed
-  workbench/terminal.cc
-  workbench/terminal.h
-  workbench/progress.cc                       # moves the cursor; escapes the names in its block
-  workbench/status_region.cc                  # moves the cursor; takes what is escaped
+  workbench/terminal/terminal.cc
+  workbench/terminal/terminal.h
+  workbench/terminal/progress.cc                       # moves the cursor; escapes the names in its block
+  workbench/terminal/status_region.cc                  # moves the cursor; takes what is escaped
   workbench/shell/look_commands.cc            # a picture's own colours
   workbench/experiments/interrupt.cc          # a constant, from a signal handler
   core/base/error.cc                          # ends the program; escapes what it shows
@@ -26,4 +26,4 @@ foreach(file IN LISTS files)
     list(APPEND offences "${file}: ${line}")
   endforeach()
 endforeach()
-fail_if_any("${offences}" "Only workbench/terminal.cc writes to stdout and stderr; use its functions:")
+fail_if_any("${offences}" "Only workbench/terminal/terminal.cc writes to stdout and stderr; use its functions:")

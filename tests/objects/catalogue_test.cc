@@ -7,7 +7,7 @@
 
 #include "catalogue_table.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/physics/table_support.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"

@@ -4,10 +4,10 @@
 
 #include "catalogue_table.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/units.h"
-#include "core/shape/mesh_check.h"
 #include "core/shape/obj_file.h"
+#include "core/shape/repair/mesh_check.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 

@@ -12,13 +12,13 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_check.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
+#include "core/shape/repair/mesh_check.h"
 
 namespace graspbench {
 namespace {

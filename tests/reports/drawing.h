@@ -7,7 +7,7 @@ A plot as its test sees it: parsed, and searched by tag and class. */
 #include <cstring>
 #include <vector>
 
-#include "reports/html.h"
+#include "reports/page/html.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {

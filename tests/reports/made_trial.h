@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/shape/primitives.h"
-#include "reports/scene_3d.h"
+#include "reports/scenes/scene_3d.h"
 
 namespace graspbench {
 

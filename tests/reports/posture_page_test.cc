@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"

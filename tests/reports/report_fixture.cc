@@ -5,9 +5,9 @@
 #include <cstring>
 #include <set>
 
-#include "core/base/json.h"
 #include "core/base/sha256.h"
-#include "reports/html.h"
+#include "core/base/text/json.h"
+#include "reports/page/html.h"
 
 namespace graspbench {
 

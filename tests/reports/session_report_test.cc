@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/html.h"
+#include "reports/page/html.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {

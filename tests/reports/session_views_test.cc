@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 #include "tests/reports/made_trial.h"
 #include "tests/reports/report_fixture.h"
 

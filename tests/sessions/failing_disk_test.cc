@@ -13,7 +13,7 @@ killed at random: afterwards the same command ends with the bytes of an undistur
 #include <thread>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
 
 namespace graspbench {

@@ -10,8 +10,8 @@ prints, to a pipe, has no control character but line feeds and tabs, and is vali
 #include <filesystem>
 #include <string>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

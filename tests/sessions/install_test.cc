@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

@@ -6,7 +6,7 @@ beside the old ones. */
 
 #include <gtest/gtest.h>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "datasets/journal/store_kind.h"
 #include "tests/support/run_program.h"
 

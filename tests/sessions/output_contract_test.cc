@@ -14,7 +14,7 @@ before is there afterwards, byte for byte. */
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 
 namespace graspbench {

@@ -25,7 +25,7 @@ into the failing cases: read the difference before committing it. */
 #include <sstream>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

@@ -17,7 +17,7 @@ The program as a process that is started, killed and waited for, and its folders
 #include <thread>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 

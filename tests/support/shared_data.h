@@ -6,7 +6,7 @@ shared/data beside the checkout. */
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 

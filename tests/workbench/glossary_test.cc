@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
-#include "core/trial/verdicts.h"
-#include "datasets/session/trial_table.h"
+#include "core/base/files/files.h"
+#include "core/trial/judge/verdicts.h"
+#include "datasets/records/trial_table.h"
 #include "human_study/events/trial_analysis.h"
 
 namespace graspbench {

@@ -4,14 +4,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
 namespace {
 
-// What a good pack gives is told by tests/workbench/experiments/replay_pack_test.cc.
+// What a good pack gives is told by tests/workbench/experiments/pipelines/replay_pack_test.cc.
 TEST(PackReplayCommand, WhatIsNoPackIsRefusedByName) {
   ExitCode exit_code = kExitOk;
   CLI::App program;

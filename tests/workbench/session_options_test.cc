@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/trial/trial_runner.h"
-#include "datasets/session/compare_results.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/records/compare_results.h"
 
 namespace graspbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/hand/load_hand.h"
 #include "datasets/journal/sealed_store.h"
 #include "objects/catalogue.h"

@@ -3,16 +3,16 @@
 #include <memory>
 #include <string>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/basin_summary.h"
 #include "reports/basin_page.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/map_basin.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace {

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/best_grasps.h"
 #include "workbench/commands/command.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -6,16 +6,16 @@
 
 #include "core/base/config.h"
 #include "core/base/hash.h"
-#include "core/base/text.h"
-#include "datasets/analysis/campaign_export.h"
+#include "core/base/text/text.h"
+#include "datasets/analysis/campaign/campaign_export.h"
 #include "reports/campaign/campaign_report.h"
-#include "workbench/campaign_tables.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_campaign.h"
 #include "workbench/experiments/run_record.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/tables/campaign_tables.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -2,13 +2,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/numerics_check.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/numerics_tables.h"
+#include "workbench/tables/numerics_tables.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

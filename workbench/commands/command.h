@@ -12,8 +12,8 @@ Results go to stdout, messages and progress to stderr. `--json` prints one objec
 #include "core/base/error.h"
 #include "core/optimise/grasp_optimiser.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/session/session_config.h"
-#include "workbench/terminal.h"
+#include "datasets/plan/session_config.h"
+#include "workbench/terminal/terminal.h"
 
 namespace CLI {
 class App;
@@ -63,7 +63,7 @@ void AddTrialTimeoutOption(CLI::App& command, double& seconds);
 /** The folder of a store, the command's argument. "." is replaced by its path, so that what is
 advised holds anywhere. */
 void AddStoreFolder(CLI::App& command, std::filesystem::path& folder, const std::string& text);
-/** "--at", "--camera" and "--size" of a picture (workbench/trial_picture.h). */
+/** "--at", "--camera" and "--size" of a picture (workbench/pictures/trial_picture.h). */
 std::vector<CLI::Option*> AddPictureOptions(CLI::App& command, std::string& at,
                                             std::vector<std::string>& view, std::string& size);
 /** "--jobs": sets num_workers to the number of processors, unless told otherwise. */

@@ -2,12 +2,12 @@
 #include <memory>
 #include <string>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/session_comparison.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/commands/command.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

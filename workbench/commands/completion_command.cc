@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
-#include "workbench/command_line_text.h"
 #include "workbench/commands/command.h"
+#include "workbench/text/command_line_text.h"
 
 namespace graspbench {
 

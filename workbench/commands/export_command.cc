@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/mjcf/mjcf_export.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/session/find_trial.h"
 #include "datasets/session/ro_crate.h"
-#include "datasets/session/session_inputs.h"
 #include "datasets/session/session_store.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"

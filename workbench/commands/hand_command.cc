@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "workbench/commands/command.h"
-#include "workbench/diagnostics_output.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/forward_kinematics.h"
-#include "workbench/hand_picture.h"
-#include "workbench/hand_tables.h"
+#include "workbench/pictures/hand_picture.h"
+#include "workbench/tables/hand_tables.h"
+#include "workbench/terminal/diagnostics_output.h"
+#include "workbench/text/forward_kinematics.h"
 
 namespace graspbench {
 namespace {

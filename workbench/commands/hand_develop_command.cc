@@ -2,18 +2,18 @@
 #include <memory>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/develop/development_warnings.h"
 #include "core/hand/load_hand.h"
 #include "datasets/analysis/development_summary.h"
+#include "reports/page/write_page.h"
 #include "reports/posture_page.h"
-#include "reports/write_page.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/develop_hand.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/terminal_observer.h"
-#include "workbench/text_table.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace {

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/hand/import/import_hand.h"
 #include "core/hand/load_hand.h"
 #include "objects/load_mesh.h"
 #include "workbench/commands/command.h"
-#include "workbench/diagnostics_output.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/terminal/diagnostics_output.h"
 
 namespace graspbench {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "workbench/commands/command.h"
-#include "workbench/file_formats.h"
+#include "workbench/text/file_formats.h"
 
 namespace graspbench {
 namespace {

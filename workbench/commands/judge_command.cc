@@ -3,16 +3,16 @@
 #include <memory>
 #include <string>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_session.h"
-#include "workbench/terminal_observer.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/terminal/terminal_observer.h"
 #include "workbench/trace_session.h"
 
 namespace graspbench {

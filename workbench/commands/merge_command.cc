@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "core/base/text.h"
-#include "datasets/analysis/campaign_export.h"
+#include "core/base/text/text.h"
+#include "datasets/analysis/campaign/campaign_export.h"
 #include "datasets/analysis/session_summary.h"
 #include "datasets/campaign/merge_campaigns.h"
 #include "datasets/session/merge_sessions.h"
 #include "reports/campaign/campaign_report.h"
 #include "reports/session_report.h"
-#include "workbench/campaign_tables.h"
 #include "workbench/commands/command.h"
-#include "workbench/experiments/merge_campaign.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/machine_tables.h"
-#include "workbench/summary_table.h"
+#include "workbench/experiments/machines/merge_campaign.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/tables/campaign_tables.h"
+#include "workbench/tables/machine_tables.h"
+#include "workbench/tables/summary_table.h"
 #include "workbench/trace_session.h"
 
 namespace graspbench {

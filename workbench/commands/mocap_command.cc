@@ -2,13 +2,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "human_study/recording/describe_recording.h"
 #include "human_study/recording/importers/importer.h"
 #include "human_study/recording/save_recording.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/mocap_plot.h"
+#include "workbench/pictures/mocap_plot.h"
 
 namespace graspbench {
 namespace {

@@ -2,11 +2,11 @@
 #include <memory>
 #include <string>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "workbench/commands/command.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/new_files.h"
+#include "workbench/text/new_files.h"
 
 namespace graspbench {
 namespace {

@@ -11,7 +11,7 @@
 #include "objects/object_file.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/object_tables.h"
+#include "workbench/tables/object_tables.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -4,14 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/scene_runner.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/optimise_tables.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/tables/optimise_tables.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

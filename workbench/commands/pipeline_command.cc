@@ -3,13 +3,13 @@
 #include <memory>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pack_replay.h"
-#include "workbench/pipeline_text.h"
 #include "workbench/stage_commands.h"
+#include "workbench/text/pipeline_text.h"
 
 namespace graspbench {
 namespace {

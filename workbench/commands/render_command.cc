@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/trial_picture.h"
+#include "workbench/pictures/trial_picture.h"
 
 namespace graspbench {
 namespace {

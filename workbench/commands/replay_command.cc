@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/replay_session.h"
 #include "workbench/pack_replay.h"
-#include "workbench/replay_text.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/terminal/terminal_observer.h"
+#include "workbench/text/replay_text.h"
 #include "workbench/trajectory_output.h"
 
 namespace graspbench {

@@ -3,12 +3,12 @@
 #include <memory>
 #include <string>
 
-#include "core/base/files.h"
-#include "reports/paper.h"
+#include "core/base/files/files.h"
+#include "reports/page/paper.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/pictures/svg_to_pdf.h"
 #include "workbench/result_page.h"
-#include "workbench/svg_to_pdf.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

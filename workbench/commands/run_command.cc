@@ -6,18 +6,18 @@
 #include <string>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/experiments/worker_pool.h"
 #include "workbench/session_options.h"
-#include "workbench/summary_table.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/tables/summary_table.h"
+#include "workbench/terminal/terminal_observer.h"
 #include "workbench/trace_session.h"
 
 namespace graspbench {

@@ -1,9 +1,9 @@
 #include <CLI/CLI.hpp>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "workbench/commands/command.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

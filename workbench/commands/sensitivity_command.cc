@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/sensitivity_summary.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/run_sensitivity.h"
-#include "workbench/sensitivity_tables.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/tables/sensitivity_tables.h"
+#include "workbench/terminal/terminal_observer.h"
 #include "workbench/trace_session.h"
 
 namespace graspbench {

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_commands.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

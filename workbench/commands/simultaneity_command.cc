@@ -5,8 +5,8 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/delay_sweep.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/simultaneity_tables.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/tables/simultaneity_tables.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace {

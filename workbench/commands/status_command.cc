@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "workbench/commands/command.h"
 #include "workbench/folder_status.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

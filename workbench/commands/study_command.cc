@@ -3,14 +3,14 @@
 #include <memory>
 #include <optional>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
-#include "human_study/study/analyse_study.h"
-#include "human_study/study/demo_study.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
+#include "human_study/study/run/analyse_study.h"
+#include "human_study/study/synthetic/demo_study.h"
 #include "reports/study/study_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/study_text.h"
+#include "workbench/text/study_text.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
-#include "human_study/study/study_plan.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
+#include "human_study/study/design/study_plan.h"
 #include "workbench/commands/command.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "reports/study/review_pages.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"

@@ -9,12 +9,12 @@
 #include <set>
 #include <string>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/session/session_progress.h"
 #include "workbench/commands/command.h"
-#include "workbench/experiments/machine.h"
-#include "workbench/experiments/run_shard.h"
-#include "workbench/experiments/submit_script.h"
+#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/machines/run_shard.h"
+#include "workbench/experiments/machines/submit_script.h"
 
 namespace graspbench {
 namespace {

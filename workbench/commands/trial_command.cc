@@ -8,9 +8,9 @@
 
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/pictures/trial_picture.h"
+#include "workbench/text/trial_text.h"
 #include "workbench/trial_files.h"
-#include "workbench/trial_picture.h"
-#include "workbench/trial_text.h"
 
 namespace graspbench {
 namespace {

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/escape.h"
-#include "core/base/text.h"
+#include "core/base/text/escape.h"
+#include "core/base/text/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/folder_status.h"
-#include "workbench/progress.h"
-#include "workbench/status_region.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/progress.h"
+#include "workbench/terminal/status_region.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

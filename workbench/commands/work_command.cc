@@ -5,13 +5,13 @@
 #include <set>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/session/session_progress.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/run_shard.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/terminal_observer.h"
+#include "workbench/experiments/machines/run_shard.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
 namespace {

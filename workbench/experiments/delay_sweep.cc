@@ -8,9 +8,9 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/trial/delayed_digit.h"
-#include "core/trial/disturbance.h"
-#include "workbench/experiments/batch_runner.h"
-#include "workbench/experiments/session_worker.h"
+#include "core/trial/judge/disturbance.h"
+#include "workbench/experiments/pool/batch_runner.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace {

@@ -4,15 +4,15 @@
 #include <memory>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/develop/training_shapes.h"
 #include "core/develop/write_grasps.h"
 #include "core/hand/coupling.h"
 #include "core/hand/load_hand.h"
+#include "datasets/plan/input_copies.h"
+#include "datasets/plan/session_plan.h"
 #include "datasets/scene/development_store.h"
-#include "datasets/session/input_copies.h"
-#include "datasets/session/session_plan.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/output_folder.h"
 

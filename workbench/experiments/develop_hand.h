@@ -16,7 +16,7 @@ The same request again continues what was stopped. */
 
 #include "core/develop/develop_grasp.h"
 #include "workbench/experiments/observer.h"
-#include "workbench/experiments/trial_pool.h"
+#include "workbench/experiments/pool/trial_pool.h"
 
 namespace graspbench {
 

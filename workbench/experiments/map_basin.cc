@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/trial/trial_runner.h"
-#include "datasets/session/session_inputs.h"
-#include "workbench/experiments/batch_runner.h"
+#include "datasets/plan/session_inputs.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
 namespace {

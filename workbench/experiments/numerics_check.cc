@@ -8,15 +8,15 @@
 #include <set>
 #include <tuple>
 
-#include "core/base/csv.h"
 #include "core/base/error.h"
+#include "core/base/text/csv.h"
 #include "core/base/units.h"
 #include "core/physics/compliant_world.h"
 #include "core/physics/sim_config.h"
 #include "core/trial/compliant_trial.h"
 #include "core/trial/trial_result.h"
-#include "workbench/experiments/batch_runner.h"
-#include "workbench/experiments/session_worker.h"
+#include "workbench/experiments/pool/batch_runner.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace {

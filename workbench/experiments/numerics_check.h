@@ -11,11 +11,11 @@ another is no flip. Times of contacts are compared where both trials have them. 
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_inputs.h"
+#include "core/base/text/json.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/records/trial_record.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/trial_record.h"
 #include "workbench/experiments/observer.h"
 
 namespace graspbench {

@@ -12,7 +12,7 @@ starts one passes an observer. */
 
 #include "core/base/enum_table.h"
 #include "core/trial/outcome.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/version.h"
 #include "datasets/journal/manifest.h"
 #include "datasets/journal/store_kind.h"

@@ -8,10 +8,10 @@
 
 #include "core/base/error.h"
 #include "datasets/session/damaged_records.h"
-#include "datasets/session/worker_log.h"
-#include "workbench/experiments/machine.h"
+#include "datasets/shards/worker_log.h"
+#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/pool/session_worker.h"
 #include "workbench/experiments/run_record.h"
-#include "workbench/experiments/session_worker.h"
 
 namespace graspbench {
 namespace {

@@ -10,11 +10,11 @@ Nothing is written into the session's folder. */
 #include <vector>
 
 #include "core/trial/trial_trace.h"
-#include "datasets/session/compare_results.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/records/compare_results.h"
 #include "datasets/session/session_store.h"
-#include "workbench/experiments/batch_runner.h"
 #include "workbench/experiments/observer.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 namespace graspbench {
 

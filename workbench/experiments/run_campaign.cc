@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "datasets/session/input_copies.h"
+#include "core/base/files/files.h"
+#include "datasets/plan/input_copies.h"
 #include "datasets/session/judgement_store.h"
-#include "workbench/experiments/learning_batch.h"
 #include "workbench/experiments/output_folder.h"
+#include "workbench/experiments/pool/learning_batch.h"
+#include "workbench/experiments/pool/session_worker.h"
 #include "workbench/experiments/run_record.h"
 #include "workbench/experiments/run_session.h"
-#include "workbench/experiments/session_worker.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

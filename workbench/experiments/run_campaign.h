@@ -8,8 +8,8 @@ same trial poses, judge what was held, compare search methods. */
 #include <optional>
 
 #include "datasets/campaign/campaign_store.h"
-#include "workbench/experiments/learning_batch.h"
 #include "workbench/experiments/observer.h"
+#include "workbench/experiments/pool/learning_batch.h"
 
 namespace graspbench {
 

@@ -4,10 +4,10 @@
 #include <ctime>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/json.h"
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
 #include "core/base/version.h"
-#include "workbench/experiments/machine.h"
+#include "workbench/experiments/machines/machine.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

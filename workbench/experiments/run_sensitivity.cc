@@ -7,9 +7,9 @@
 #include "core/base/config.h"
 #include "core/base/error.h"
 #include "datasets/session/sensitivity_store.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/numerics_check.h"
-#include "workbench/experiments/session_worker.h"
-#include "workbench/experiments/shell_quote.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace {

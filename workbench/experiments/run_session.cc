@@ -1,10 +1,10 @@
 #include "workbench/experiments/run_session.h"
 
 #include "core/base/hash.h"
-#include "datasets/session/input_copies.h"
+#include "datasets/plan/input_copies.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/experiments/session_worker.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -8,11 +8,11 @@ A session from its configuration to the last trial in its folder. */
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/session/session_store.h"
-#include "workbench/experiments/batch_runner.h"
 #include "workbench/experiments/observer.h"
+#include "workbench/experiments/pool/batch_runner.h"
 #include "workbench/experiments/run_record.h"
 
 namespace graspbench {

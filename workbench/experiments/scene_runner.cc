@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/grasp/grasp_file.h"
-#include "datasets/session/input_copies.h"
-#include "datasets/session/session_inputs.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/input_copies.h"
+#include "datasets/plan/session_inputs.h"
+#include "datasets/plan/session_plan.h"
 #include "workbench/experiments/output_folder.h"
 
 namespace graspbench {

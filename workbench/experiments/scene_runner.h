@@ -7,7 +7,7 @@ Optimises one scene in its folder: asks the journal first and the simulation for
 
 #include "datasets/campaign/campaign_store.h"
 #include "workbench/experiments/observer.h"
-#include "workbench/experiments/trial_pool.h"
+#include "workbench/experiments/pool/trial_pool.h"
 
 namespace graspbench {
 

@@ -1,13 +1,13 @@
-#include "workbench/mocap_plot.h"
+#include "workbench/pictures/mocap_plot.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/cleaning/trajectory.h"
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 
 namespace graspbench {
 namespace {

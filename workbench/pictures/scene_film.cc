@@ -1,4 +1,4 @@
-#include "workbench/scene_film.h"
+#include "workbench/pictures/scene_film.h"
 
 #include "core/render/animation.h"
 #include "core/render/hand_scene.h"

@@ -9,7 +9,7 @@
 #include "core/render/contact_marks.h"
 #include "core/render/scene.h"
 #include "core/shape/grasp_object.h"
-#include "workbench/scene_view.h"
+#include "workbench/pictures/scene_view.h"
 
 namespace graspbench {
 

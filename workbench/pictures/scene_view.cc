@@ -1,9 +1,9 @@
-#include "workbench/scene_view.h"
+#include "workbench/pictures/scene_view.h"
 
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/render/hand_scene.h"
 #include "workbench/shell/shell_words.h"
 

@@ -1,4 +1,4 @@
-#include "workbench/svg_to_pdf.h"
+#include "workbench/pictures/svg_to_pdf.h"
 
 #include <spawn.h>
 #include <sys/wait.h>

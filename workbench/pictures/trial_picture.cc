@@ -1,16 +1,16 @@
-#include "workbench/trial_picture.h"
+#include "workbench/pictures/trial_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/render/contact_marks.h"
 #include "core/render/hand_scene.h"
 #include "core/trial/moment.h"
-#include "reports/instant_scene.h"
-#include "workbench/scene_film.h"
+#include "reports/scenes/instant_scene.h"
+#include "workbench/pictures/scene_film.h"
 #include "workbench/shell/shell_words.h"
 
 namespace graspbench {

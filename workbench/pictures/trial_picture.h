@@ -5,7 +5,7 @@
 
 #include "core/render/scene.h"
 #include "core/trial/trial_trace.h"
-#include "workbench/scene_view.h"
+#include "workbench/pictures/scene_view.h"
 
 namespace graspbench {
 

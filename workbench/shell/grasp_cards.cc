@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/develop/hand_pads.h"
 #include "core/quality/grasp_quality.h"
-#include "core/trial/stability_meter.h"
-#include "workbench/text_table.h"
+#include "core/trial/measures/stability_meter.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

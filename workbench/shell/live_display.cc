@@ -4,9 +4,9 @@
 #include <sstream>
 #include <thread>
 
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 #include "workbench/shell/shell_cards.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

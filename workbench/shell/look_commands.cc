@@ -4,17 +4,17 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/scene_film.h"
+#include "workbench/pictures/scene_film.h"
 #include "workbench/shell/grasp_cards.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_picture.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

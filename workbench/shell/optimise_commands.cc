@@ -4,16 +4,16 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/optimise/grasp_optimiser.h"
 #include "datasets/scene/learning_plan.h"
-#include "workbench/experiments/machine.h"
-#include "workbench/experiments/trial_pool.h"
-#include "workbench/optimise_tables.h"
+#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/pool/trial_pool.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
+#include "workbench/tables/optimise_tables.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

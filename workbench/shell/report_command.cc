@@ -2,15 +2,15 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/trial/trial_trace.h"
-#include "datasets/session/compare_results.h"
+#include "datasets/records/compare_results.h"
 #include "reports/trial_page.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

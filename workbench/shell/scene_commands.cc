@@ -4,14 +4,14 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/plan/scene_names.h"
+#include "datasets/plan/session_plan.h"
 #include "datasets/session/find_trial.h"
-#include "datasets/session/scene_names.h"
-#include "datasets/session/session_plan.h"
 #include "datasets/session/session_store.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/output_folder.h"
@@ -19,7 +19,7 @@
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -10,7 +10,7 @@
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

@@ -11,7 +11,7 @@ and stderr as everywhere in the program. */
 #include "core/trial/trial_result.h"
 #include "workbench/shell/shell_picture.h"
 #include "workbench/shell/shell_scene.h"
-#include "workbench/status_region.h"
+#include "workbench/terminal/status_region.h"
 
 namespace graspbench {
 

@@ -7,12 +7,12 @@
 #include <sstream>
 
 #include "core/base/config.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/quality/holding_force.h"
-#include "core/trial/stability_meter.h"
-#include "workbench/text_table.h"
-#include "workbench/trial_text.h"
+#include "core/trial/measures/stability_meter.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/text/trial_text.h"
 
 namespace graspbench {
 namespace {

@@ -10,13 +10,13 @@
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
-#include "datasets/session/scene_names.h"
+#include "datasets/plan/scene_names.h"
 #include "objects/catalogue.h"
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_picture.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/render/hand_scene.h"
-#include "workbench/status_region.h"
+#include "workbench/terminal/status_region.h"
 
 namespace graspbench {
 namespace {

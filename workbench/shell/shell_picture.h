@@ -7,7 +7,7 @@ The scene as a picture, in a file or in the cells of a terminal. */
 #include <vector>
 
 #include "core/render/scene.h"
-#include "workbench/scene_view.h"
+#include "workbench/pictures/scene_view.h"
 #include "workbench/shell/shell_scene.h"
 
 namespace graspbench {

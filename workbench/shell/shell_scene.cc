@@ -10,7 +10,7 @@
 #include "core/grasp/placement.h"
 #include "core/hand/coupling.h"
 #include "core/physics/implicit_world.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {

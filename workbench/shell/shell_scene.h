@@ -14,8 +14,8 @@ session. Going back restores the nearest saved instant and simulates on from the
 
 #include "core/trial/trial_course.h"
 #include "core/trial/trial_runner.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_inputs.h"
 
 namespace graspbench {
 

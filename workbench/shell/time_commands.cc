@@ -5,14 +5,14 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

@@ -5,18 +5,18 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
-#include "datasets/session/session_plan.h"
-#include "workbench/plain_text.h"
+#include "datasets/plan/session_plan.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_words.h"
-#include "workbench/terminal.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/terminal/terminal.h"
+#include "workbench/text/plain_text.h"
 
 namespace graspbench {
 namespace {

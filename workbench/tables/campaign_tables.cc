@@ -1,13 +1,13 @@
-#include "workbench/campaign_tables.h"
+#include "workbench/tables/campaign_tables.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/proportion.h"
-#include "datasets/analysis/campaign_summary.h"
-#include "workbench/optimise_tables.h"
-#include "workbench/text_table.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
+#include "workbench/tables/optimise_tables.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -1,13 +1,13 @@
-#include "workbench/hand_tables.h"
+#include "workbench/tables/hand_tables.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -4,7 +4,7 @@ Hands for a person and for a program. */
 
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/hand/hand.h"
 
 namespace graspbench {

@@ -1,9 +1,9 @@
-#include "workbench/machine_tables.h"
+#include "workbench/tables/machine_tables.h"
 
 #include <map>
 #include <utility>
 
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 

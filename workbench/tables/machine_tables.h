@@ -7,7 +7,7 @@ The machines that have worked on a session, as text and as JSON. */
 #include <string>
 #include <vector>
 
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 

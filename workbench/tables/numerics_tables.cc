@@ -1,7 +1,7 @@
-#include "workbench/numerics_tables.h"
+#include "workbench/tables/numerics_tables.h"
 
-#include "core/base/text.h"
-#include "workbench/text_table.h"
+#include "core/base/text/text.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 

@@ -1,9 +1,9 @@
-#include "workbench/object_tables.h"
+#include "workbench/tables/object_tables.h"
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "objects/catalogue.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

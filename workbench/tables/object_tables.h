@@ -4,7 +4,7 @@ Things to grasp and checked meshes for a person and for a program. */
 
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "core/shape/grasp_object.h"
 #include "objects/check_mesh_file.h"
 

@@ -1,13 +1,13 @@
-#include "workbench/optimise_tables.h"
+#include "workbench/tables/optimise_tables.h"
 
 #include <cmath>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
-#include "workbench/plain_text.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/text/plain_text.h"
 
 namespace graspbench {
 namespace {

@@ -1,7 +1,7 @@
-#include "workbench/progress_tables.h"
+#include "workbench/tables/progress_tables.h"
 
-#include "core/base/text.h"
-#include "workbench/text_table.h"
+#include "core/base/text/text.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "datasets/campaign/campaign_progress.h"
 
 namespace graspbench {

@@ -1,8 +1,8 @@
-#include "workbench/sensitivity_tables.h"
+#include "workbench/tables/sensitivity_tables.h"
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
-#include "workbench/text_table.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -1,10 +1,10 @@
-#include "workbench/simultaneity_tables.h"
+#include "workbench/tables/simultaneity_tables.h"
 
 #include <algorithm>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
-#include "workbench/text_table.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

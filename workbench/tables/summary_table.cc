@@ -1,14 +1,14 @@
-#include "workbench/summary_table.h"
+#include "workbench/tables/summary_table.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/proportion.h"
 #include "datasets/session/judgement_store.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/plain_text.h"
-#include "workbench/text_table.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/text/plain_text.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@ The end of a session in a few lines: success per hand, and what the failures wer
 #include <filesystem>
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "datasets/analysis/session_summary.h"
 
 namespace graspbench {

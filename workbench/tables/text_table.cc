@@ -1,9 +1,9 @@
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 
 namespace graspbench {
 namespace {

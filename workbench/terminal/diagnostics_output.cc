@@ -1,7 +1,7 @@
-#include "workbench/diagnostics_output.h"
+#include "workbench/terminal/diagnostics_output.h"
 
-#include "core/base/text.h"
-#include "workbench/terminal.h"
+#include "core/base/text/text.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 

@@ -5,7 +5,7 @@ Problems of a checked file, for a person and for a program. */
 #include <string>
 
 #include "core/base/diagnostics.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

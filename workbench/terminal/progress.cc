@@ -1,15 +1,15 @@
-#include "workbench/progress.h"
+#include "workbench/terminal/progress.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "core/base/escape.h"
-#include "core/base/text.h"
+#include "core/base/text/escape.h"
+#include "core/base/text/text.h"
 #include "core/statistics/proportion.h"
-#include "workbench/plain_text.h"
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
+#include "workbench/text/plain_text.h"
 
 namespace graspbench {
 namespace {

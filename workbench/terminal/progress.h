@@ -14,7 +14,7 @@ The rate is that of the last half minute, so that it follows what the machine do
 
 #include "core/trial/outcome.h"
 #include "workbench/experiments/observer.h"
-#include "workbench/status_region.h"
+#include "workbench/terminal/status_region.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "workbench/status_region.h"
+#include "workbench/terminal/status_region.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

@@ -1,7 +1,7 @@
-#include "workbench/terminal.h"
+#include "workbench/terminal/terminal.h"
 
 #include "core/base/error.h"
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 
 namespace graspbench {
 

@@ -1,13 +1,13 @@
 #pragma once
 /** @file
 The one way of the program to stdout and stderr: names and cells of foreign files pass through
-EscapeForTerminal on it (core/base/escape.h); tests/lint/check_output.cmake looks for others. */
+EscapeForTerminal on it (core/base/text/escape.h); tests/lint/check_output.cmake looks for others. */
 
 #include <cstdio>
 #include <string>
 #include <string_view>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

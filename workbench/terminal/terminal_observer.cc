@@ -1,7 +1,7 @@
-#include "workbench/terminal_observer.h"
+#include "workbench/terminal/terminal_observer.h"
 
-#include "core/base/text.h"
-#include "workbench/terminal.h"
+#include "core/base/text/text.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 

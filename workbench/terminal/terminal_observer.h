@@ -8,7 +8,7 @@ Shows an experiment on the terminal: a line before each stage, then its progress
 #include <optional>
 #include <string>
 
-#include "workbench/progress.h"
+#include "workbench/terminal/progress.h"
 
 namespace graspbench {
 

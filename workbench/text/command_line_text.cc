@@ -1,4 +1,4 @@
-#include "workbench/command_line_text.h"
+#include "workbench/text/command_line_text.h"
 
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -1,11 +1,11 @@
-#include "workbench/file_formats.h"
+#include "workbench/text/file_formats.h"
 
 #include "core/grasp/grasp_keys.h"
 #include "core/hand/hand_yaml.h"
 #include "core/hand/tactile_yaml.h"
 #include "datasets/pipeline/pipeline_file.h"
-#include "datasets/session/session_keys.h"
-#include "human_study/study/study_keys.h"
+#include "datasets/plan/session_keys.h"
+#include "human_study/study/design/study_keys.h"
 #include "objects/object_file.h"
 
 namespace graspbench {

@@ -1,15 +1,15 @@
-#include "workbench/forward_kinematics.h"
+#include "workbench/text/forward_kinematics.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/coupling.h"
 #include "core/hand/load_hand.h"
-#include "workbench/terminal.h"
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
+#include "workbench/terminal/terminal.h"
 
 namespace graspbench {
 namespace {

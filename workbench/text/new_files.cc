@@ -1,21 +1,21 @@
-#include "workbench/new_files.h"
+#include "workbench/text/new_files.h"
 
 #include <cmath>
 #include <map>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 #include "datasets/campaign/real_trials.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_keys.h"
-#include "human_study/study/study_config.h"
-#include "human_study/study/study_keys.h"
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_keys.h"
+#include "human_study/study/design/study_config.h"
+#include "human_study/study/design/study_keys.h"
 #include "objects/catalogue.h"
 #include "objects/object_file.h"
 

@@ -1,4 +1,4 @@
-#include "workbench/pipeline_text.h"
+#include "workbench/text/pipeline_text.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
-#include "workbench/experiments/shell_quote.h"
+#include "core/base/text/text.h"
+#include "workbench/experiments/machines/shell_quote.h"
 
 namespace graspbench {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "datasets/pipeline/pipeline_state.h"
-#include "workbench/experiments/replay_pack.h"
+#include "workbench/experiments/pipelines/replay_pack.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "workbench/plain_text.h"
+#include "workbench/text/plain_text.h"
 
 namespace graspbench {
 

@@ -5,7 +5,7 @@
 
 namespace graspbench {
 
-/** Text of core/base/text.h for a terminal: no-break spaces become spaces. */
+/** Text of core/base/text/text.h for a terminal: no-break spaces become spaces. */
 std::string MakePlainText(std::string text);
 
 }  // namespace graspbench

@@ -1,8 +1,8 @@
-#include "workbench/replay_text.h"
+#include "workbench/text/replay_text.h"
 
 #include <fmt/format.h>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/session/find_trial.h"
 
 namespace graspbench {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "workbench/experiments/replay_session.h"
 
 namespace graspbench {

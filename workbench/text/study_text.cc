@@ -1,12 +1,12 @@
-#include "workbench/study_text.h"
+#include "workbench/text/study_text.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "human_study/study/trial_removal.h"
+#include "human_study/study/run/trial_removal.h"
 
 namespace graspbench {
 namespace {

@@ -4,8 +4,8 @@ What a human study found, for the terminal. */
 
 #include <string>
 
-#include "human_study/study/demo_study.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
+#include "human_study/study/synthetic/demo_study.h"
 
 namespace graspbench {
 

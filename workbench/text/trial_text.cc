@@ -1,16 +1,16 @@
-#include "workbench/trial_text.h"
+#include "workbench/text/trial_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "datasets/session/trace_table.h"
+#include "datasets/records/trace_table.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/shell_quote.h"
-#include "workbench/text_table.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/tables/text_table.h"
 
 namespace graspbench {
 namespace {

@@ -6,7 +6,7 @@ One trial of a session, simulated again and compared with its record, for the te
 #include <string>
 
 #include "core/trial/trial_trace.h"
-#include "datasets/session/compare_results.h"
+#include "datasets/records/compare_results.h"
 #include "datasets/session/find_trial.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/base/atomic_file.h"
+#include "core/base/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/base/file_pieces.h"
+#include "core/base/files/file_pieces.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/base/file_pieces.h"
+#include "core/base/files/atomic_file.h"
+#include "core/base/files/file_pieces.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,11 +1,11 @@
-#include "core/base/data_table.h"
+#include "core/base/text/data_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "core/base/csv.h"
-#include "core/base/delimited_text.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/delimited_text.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/base/delimited_text.h"
+#include "core/base/text/delimited_text.h"
 
 #include <fmt/core.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/escape.h"
-#include "core/base/text.h"
+#include "core/base/text/escape.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

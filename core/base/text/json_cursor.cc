@@ -1,8 +1,8 @@
-#include "core/base/json_cursor.h"
+#include "core/base/text/json_cursor.h"
 
 #include <charconv>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

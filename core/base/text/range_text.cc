@@ -1,8 +1,8 @@
-#include "core/base/range_text.h"
+#include "core/base/text/range_text.h"
 
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 

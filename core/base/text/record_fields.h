@@ -29,8 +29,8 @@ finite is left out instead of null; an optional member without a value is left o
 #include <utility>
 #include <vector>
 
-#include "core/base/csv.h"
-#include "core/base/json.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

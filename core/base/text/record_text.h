@@ -6,8 +6,8 @@ text has the last word, about its faults too. */
 
 #include <vector>
 
-#include "core/base/json_cursor.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/json_cursor.h"
+#include "core/base/text/record_fields.h"
 
 namespace graspbench {
 

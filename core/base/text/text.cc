@@ -1,4 +1,4 @@
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 #include <fmt/core.h>
 #include <utf8cpp/utf8.h>

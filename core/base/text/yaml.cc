@@ -1,4 +1,4 @@
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 

@@ -4,7 +4,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/hand/generate/hand_visuals.h"
 #include "core/shape/obj_file.h"
 

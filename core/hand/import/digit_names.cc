@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/hand/closing.h"
 
 namespace graspbench {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 

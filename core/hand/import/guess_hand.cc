@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/closing.h"
 #include "core/hand/import/digit_names.h"
-#include "core/hand/import/shape_distance.h"
+#include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
-#include "core/hand/import/length_unit_guess.h"
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 #include "core/hand/import/read_foreign_urdf.h"
+#include "core/hand/import/shapes/length_unit_guess.h"
 #include "core/hand/import/write_hand.h"
 
 namespace graspbench {

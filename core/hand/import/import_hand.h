@@ -14,7 +14,7 @@ colours within a mesh. */
 #include <string>
 
 #include "core/base/diagnostics.h"
-#include "core/hand/import/load_shapes.h"
+#include "core/hand/import/shapes/load_shapes.h"
 
 namespace graspbench {
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <map>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/import/joint_limits.h"

@@ -14,7 +14,7 @@ metal with hollows. Weightless links between two joint axes get a small ball. */
 #include <vector>
 
 #include "core/hand/hand.h"
-#include "core/hand/import/load_shapes.h"
+#include "core/hand/import/shapes/load_shapes.h"
 
 namespace graspbench {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/json.h"
-#include "core/base/text.h"
+#include "core/base/text/json.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/shape/obj_file.h"
 

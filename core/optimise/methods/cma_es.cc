@@ -1,4 +1,4 @@
-#include "core/optimise/cma_es.h"
+#include "core/optimise/methods/cma_es.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

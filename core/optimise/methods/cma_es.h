@@ -5,7 +5,7 @@ arXiv:1604.00772 (2016): generations of 4 + floor(3 ln n), positive recombinatio
 cumulative step size, rank-one and rank-mu update. Samples outside the box are mirrored at its
 faces. */
 
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "core/optimise/differential_evolution.h"
+#include "core/optimise/methods/differential_evolution.h"
 
 namespace graspbench {
 namespace {

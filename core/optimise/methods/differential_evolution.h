@@ -4,7 +4,7 @@ Differential evolution rand/1/bin: population 20, F = 0.5, CR = 0.9. The first p
 start and uniform points of the box; a child takes its parent's place when it is not worse.
 Source: Storn and Price, "Differential evolution", J. of Global Optimization 11 (1997). */
 
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "core/optimise/evolution_strategy.h"
+#include "core/optimise/methods/evolution_strategy.h"
 
 #include <algorithm>
 #include <cmath>

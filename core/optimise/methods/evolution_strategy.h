@@ -14,7 +14,7 @@ says "evolutionary algorithm").
 Source: H.-P. Schwefel, "Evolution and optimum seeking", 1995; Beyer and Schwefel, "Evolution
 strategies: a comprehensive introduction", Natural Computing 1 (2002). */
 
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

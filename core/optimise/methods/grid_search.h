@@ -1,7 +1,7 @@
 #pragma once
 /** @file A search over a regular grid, for few coordinates. */
 
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file A search that learns nothing: the yardstick. */
 
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 namespace graspbench {
 

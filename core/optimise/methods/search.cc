@@ -1,4 +1,4 @@
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 const std::vector<SearchMethodRow>& ListRows() {
   static const std::vector<SearchMethodRow> rows = {
 #define GRASPBENCH_SEARCH_METHOD(Class) Class##Row(),
-#include "core/optimise/search_method_list.inc"
+#include "core/optimise/methods/search_method_list.inc"
 #undef GRASPBENCH_SEARCH_METHOD
   };
   return rows;

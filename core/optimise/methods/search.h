@@ -24,7 +24,7 @@ neither be run in parallel nor resumed, and each method is less than a hundred l
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 
 namespace graspbench {
 
@@ -73,7 +73,7 @@ struct SearchMethodRow {
                                         RandomStream stream);
 };
 #define GRASPBENCH_SEARCH_METHOD(Class) SearchMethodRow Class##Row();
-#include "core/optimise/search_method_list.inc"
+#include "core/optimise/methods/search_method_list.inc"
 #undef GRASPBENCH_SEARCH_METHOD
 
 /** "es", "cmaes", ...: all of the list. */

@@ -1,4 +1,4 @@
-#include "core/optimise/grasp_space.h"
+#include "core/optimise/spaces/grasp_space.h"
 
 namespace graspbench {
 

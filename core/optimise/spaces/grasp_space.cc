@@ -1,4 +1,4 @@
-#include "core/optimise/grasp_space.h"
+#include "core/optimise/spaces/grasp_space.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ constexpr double kFirstStep = RadFromDeg(8.0);
 const std::vector<GraspSpaceRow>& ListSpaceRows() {
   static const std::vector<GraspSpaceRow> rows = {
 #define GRASPBENCH_GRASP_SPACE(Class) Class##Row(),
-#include "core/optimise/grasp_space_list.inc"
+#include "core/optimise/spaces/grasp_space_list.inc"
 #undef GRASPBENCH_GRASP_SPACE
   };
   return rows;

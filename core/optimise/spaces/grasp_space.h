@@ -22,7 +22,7 @@ the grasp as it is, to the bit. All but the thumb is proposed by graspbench. */
 #include "core/base/units.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 #include "core/shape/grasp_object.h"
 
 namespace graspbench {
@@ -63,7 +63,7 @@ struct GraspSpaceRow {
   std::unique_ptr<GraspSpace> (*make)(const GraspSpaceStart& start);
 };
 #define GRASPBENCH_GRASP_SPACE(Class) GraspSpaceRow Class##Row();
-#include "core/optimise/grasp_space_list.inc"
+#include "core/optimise/spaces/grasp_space_list.inc"
 #undef GRASPBENCH_GRASP_SPACE
 
 /** The first of the list. */

@@ -1,5 +1,5 @@
 #include "core/grasp/placement.h"
-#include "core/optimise/grasp_space.h"
+#include "core/optimise/spaces/grasp_space.h"
 
 namespace graspbench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/hand/coupling.h"
-#include "core/optimise/grasp_space.h"
+#include "core/optimise/spaces/grasp_space.h"
 
 namespace graspbench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "core/physics/known_answers/small_scenes.h"

@@ -1,4 +1,4 @@
-#include "core/shape/fill_holes.h"
+#include "core/shape/repair/fill_holes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_edges.h"
-#include "core/shape/mesh_shells.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/mesh_edges.h"
+#include "core/shape/repair/mesh_shells.h"
+#include "core/shape/repair/weld_vertices.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/shape/mesh_check.h"
+#include "core/shape/repair/mesh_check.h"
 
 #include <fmt/core.h>
 
@@ -9,11 +9,11 @@
 #include <map>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_edges.h"
-#include "core/shape/mesh_shells.h"
+#include "core/shape/repair/mesh_edges.h"
+#include "core/shape/repair/mesh_shells.h"
 #include "core/shape/triangle_tree.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/shape/mesh_edges.h"
+#include "core/shape/repair/mesh_edges.h"
 
 #include <algorithm>
 #include <tuple>

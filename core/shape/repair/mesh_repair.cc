@@ -1,4 +1,4 @@
-#include "core/shape/mesh_repair.h"
+#include "core/shape/repair/mesh_repair.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/shape/fill_holes.h"
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_edges.h"
-#include "core/shape/mesh_shells.h"
-#include "core/shape/useless_faces.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/fill_holes.h"
+#include "core/shape/repair/mesh_edges.h"
+#include "core/shape/repair/mesh_shells.h"
+#include "core/shape/repair/useless_faces.h"
+#include "core/shape/repair/weld_vertices.h"
 
 namespace graspbench {
 namespace {

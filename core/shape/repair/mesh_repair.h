@@ -6,7 +6,7 @@ surfaces that fold through themselves need a modelling program. */
 #include <string>
 #include <vector>
 
-#include "core/shape/mesh_check.h"
+#include "core/shape/repair/mesh_check.h"
 #include "core/shape/tri_mesh.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/shape/mesh_shells.h"
+#include "core/shape/repair/mesh_shells.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

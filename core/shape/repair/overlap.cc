@@ -1,4 +1,4 @@
-#include "core/shape/overlap.h"
+#include "core/shape/repair/overlap.h"
 
 #include <Eigen/Geometry>
 #include <cstdint>

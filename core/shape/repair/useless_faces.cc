@@ -1,4 +1,4 @@
-#include "core/shape/useless_faces.h"
+#include "core/shape/repair/useless_faces.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_edges.h"
-#include "core/shape/mesh_shells.h"
+#include "core/shape/repair/mesh_edges.h"
+#include "core/shape/repair/mesh_shells.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/weld_vertices.h"
 
 #include <array>
 #include <cmath>

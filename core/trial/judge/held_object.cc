@@ -1,6 +1,6 @@
-#include "core/trial/held_object.h"
+#include "core/trial/judge/held_object.h"
 
-#include "core/trial/stability_meter.h"
+#include "core/trial/measures/stability_meter.h"
 
 namespace graspbench {
 namespace {

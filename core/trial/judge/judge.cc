@@ -1,4 +1,4 @@
-#include "core/trial/judge.h"
+#include "core/trial/judge/judge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/quality/grasp_quality.h"
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
 
 namespace graspbench {
 namespace {

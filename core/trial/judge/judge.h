@@ -19,8 +19,8 @@ the load grows on, does not count for the hand. Moments are grown as L times the
 The range ends at 100 N (100 N times the radius): a grasp that stands that is recorded unbroken. */
 
 #include "core/quality/wrench_space.h"
-#include "core/trial/held_object.h"
-#include "core/trial/judgement.h"
+#include "core/trial/judge/held_object.h"
+#include "core/trial/judge/judgement.h"
 
 namespace graspbench {
 

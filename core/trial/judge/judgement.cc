@@ -1,4 +1,4 @@
-#include "core/trial/judgement.h"
+#include "core/trial/judge/judgement.h"
 
 namespace graspbench {
 namespace {

@@ -6,8 +6,8 @@ What the judge (judge.h) found about a held grasp, and its form as JSON. */
 #include <vector>
 
 #include "core/base/interned_name.h"
-#include "core/base/json.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/json.h"
+#include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 
 namespace graspbench {

@@ -1,8 +1,8 @@
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
 
 #include <algorithm>
 
-#include "core/trial/judge.h"
+#include "core/trial/judge/judge.h"
 #include "core/trial/trial_outcome.h"
 
 namespace graspbench {

@@ -25,8 +25,8 @@ and thresholds as read in the tools' own code where there is code. */
 #include <string>
 #include <vector>
 
-#include "core/trial/held_object.h"
-#include "core/trial/judgement.h"
+#include "core/trial/judge/held_object.h"
+#include "core/trial/judge/judgement.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "core/trial/contact_events.h"
+#include "core/trial/measures/contact_events.h"
 
 #include <algorithm>
 #include <cmath>

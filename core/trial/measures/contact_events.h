@@ -14,8 +14,8 @@ interruptions are the chatter of points that roll over edges. */
 #include <vector>
 
 #include "core/base/enum_table.h"
-#include "core/base/json.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/json.h"
+#include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
 

@@ -1,4 +1,4 @@
-#include "core/trial/stability.h"
+#include "core/trial/measures/stability.h"
 
 #include <algorithm>
 #include <cmath>

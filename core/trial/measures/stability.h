@@ -25,8 +25,8 @@ Both are proposals of graspbench (the thesis names a stability without a formula
 
 #include <vector>
 
-#include "core/base/json.h"
-#include "core/base/record_fields.h"
+#include "core/base/text/json.h"
+#include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/quality/holding_force.h"
 

@@ -1,4 +1,4 @@
-#include "core/trial/stability_meter.h"
+#include "core/trial/measures/stability_meter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@ every 0.2 s in the hold, which costs a trial about a tenth of its time. */
 
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
-#include "core/trial/stability.h"
+#include "core/trial/measures/stability.h"
 #include "core/trial/trial_setup.h"
 
 namespace graspbench {

@@ -1,10 +1,10 @@
-#include "datasets/analysis/campaign_export.h"
+#include "datasets/analysis/campaign/campaign_export.h"
 
 #include <algorithm>
 
-#include "core/base/csv.h"
-#include "core/base/files.h"
-#include "datasets/analysis/campaign_summary.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@ benchmark, and comparison.csv, one for each search of the comparison. */
 #include <string>
 #include <vector>
 
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 #include "core/base/units.h"
 #include "core/optimise/optimise_steps.h"
 #include "datasets/campaign/campaign_store.h"

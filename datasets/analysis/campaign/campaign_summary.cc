@@ -1,4 +1,4 @@
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
 #include "core/statistics/proportion.h"
 #include "core/statistics/summary.h"
-#include "datasets/analysis/campaign_export.h"
+#include "datasets/analysis/campaign/campaign_export.h"
 
 namespace graspbench {
 namespace {

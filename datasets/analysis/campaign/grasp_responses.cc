@@ -1,7 +1,7 @@
-#include "datasets/analysis/grasp_responses.h"
+#include "datasets/analysis/campaign/grasp_responses.h"
 
 #include "core/base/units.h"
-#include "core/trial/disturbance.h"
+#include "core/trial/judge/disturbance.h"
 
 namespace graspbench {
 namespace {

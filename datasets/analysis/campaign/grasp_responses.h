@@ -6,7 +6,7 @@ to the measured times and `delay_summary.h` to delays that were imposed. One mor
 #include <string>
 #include <vector>
 
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 namespace graspbench {
 

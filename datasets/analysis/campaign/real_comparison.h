@@ -7,7 +7,7 @@ or with one before the start of closure has no GFT%, as in the simulation. */
 #include <string>
 #include <vector>
 
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 namespace graspbench {
 

@@ -1,9 +1,9 @@
-#include "datasets/analysis/thesis_claims.h"
+#include "datasets/analysis/campaign/thesis_claims.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/paired_decision.h"
 #include "datasets/analysis/simultaneity_summary.h"
 

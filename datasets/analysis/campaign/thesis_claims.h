@@ -32,7 +32,7 @@ Rules and limits are proposed by graspbench. */
 #include <string>
 #include <vector>
 
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 namespace graspbench {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/importers/import_errors.h"
 
 namespace graspbench {

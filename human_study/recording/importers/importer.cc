@@ -5,10 +5,10 @@
 #include <cstring>
 #include <fstream>
 
-#include "core/base/delimited_text.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/delimited_text.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/importers/importer_list.h"
 
 namespace graspbench {

@@ -8,7 +8,7 @@ POS become points, LATENCY the time stamps, the rest analog channels at the same
 #include <map>
 #include <sstream>
 
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 #include "human_study/recording/importers/import_errors.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"

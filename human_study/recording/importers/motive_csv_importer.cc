@@ -9,7 +9,7 @@ frame and time; it states neither rate nor unit, and metres, Motive's own unit, 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 

@@ -6,7 +6,7 @@ convention; the file does not state it. A missing sample is empty, "nan" or 0 0 
 #include <cmath>
 #include <map>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 

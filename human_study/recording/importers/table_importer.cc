@@ -7,7 +7,7 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 #include <fstream>
 #include <optional>
 
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 #include "human_study/recording/importers/import_errors.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/table_mapping.h"

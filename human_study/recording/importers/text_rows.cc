@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/importers/import_errors.h"
 

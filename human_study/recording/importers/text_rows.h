@@ -6,7 +6,7 @@ What all text formats share: rows of numbers under named columns. */
 #include <string>
 #include <vector>
 
-#include "core/base/delimited_text.h"
+#include "core/base/text/delimited_text.h"
 #include "human_study/recording/importers/importer.h"
 
 namespace graspbench {

@@ -5,7 +5,7 @@ header, a row of labels over three columns each, a row X1 Y1 Z1 .., and one row 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/importers/importer_list.h"
 #include "human_study/recording/importers/text_rows.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
 #include "human_study/statistics/one_way_anova.h"

@@ -1,4 +1,4 @@
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,10 +7,10 @@
 #include <set>
 
 #include "core/base/config.h"
-#include "core/base/data_table.h"
-#include "core/base/files.h"
-#include "human_study/study/study_keys.h"
-#include "human_study/study/study_levels.h"
+#include "core/base/files/files.h"
+#include "core/base/text/data_table.h"
+#include "human_study/study/design/study_keys.h"
+#include "human_study/study/design/study_levels.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {

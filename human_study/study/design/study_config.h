@@ -48,8 +48,8 @@ times in seconds, frequencies in hertz. */
 #include "human_study/events/object_surface.h"
 #include "human_study/events/trial_analysis.h"
 #include "human_study/statistics/measure_table.h"
-#include "human_study/study/study_freeze.h"
-#include "human_study/study/trial_review.h"
+#include "human_study/study/design/study_freeze.h"
+#include "human_study/study/design/trial_review.h"
 
 namespace graspbench {
 

@@ -1,16 +1,16 @@
-#include "human_study/study/study_freeze.h"
+#include "human_study/study/design/study_freeze.h"
 
 #include <map>
 #include <optional>
 #include <set>
 
 #include "core/base/config.h"
-#include "core/base/data_table.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
-#include "core/base/text.h"
+#include "core/base/text/data_table.h"
+#include "core/base/text/text.h"
 #include "core/base/version.h"
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

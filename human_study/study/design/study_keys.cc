@@ -1,7 +1,7 @@
-#include "human_study/study/study_keys.h"
+#include "human_study/study/design/study_keys.h"
 
 #include "core/base/config.h"
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 namespace {

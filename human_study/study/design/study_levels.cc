@@ -1,12 +1,12 @@
-#include "human_study/study/study_levels.h"
+#include "human_study/study/design/study_levels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "core/base/data_table.h"
-#include "core/base/delimited_text.h"
-#include "core/base/text.h"
+#include "core/base/text/data_table.h"
+#include "core/base/text/delimited_text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

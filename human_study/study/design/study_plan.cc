@@ -1,15 +1,15 @@
-#include "human_study/study/study_plan.h"
+#include "human_study/study/design/study_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "core/base/data_table.h"
-#include "core/base/delimited_text.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
-#include "core/base/text.h"
+#include "core/base/text/data_table.h"
+#include "core/base/text/delimited_text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/trial_analysis.h"

@@ -1,12 +1,12 @@
-#include "human_study/study/trial_review.h"
+#include "human_study/study/design/trial_review.h"
 
 #include <algorithm>
 #include <map>
 
-#include "core/base/data_table.h"
 #include "core/base/diagnostics.h"
-#include "core/base/text.h"
-#include "human_study/study/study_config.h"
+#include "core/base/text/data_table.h"
+#include "core/base/text/text.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "human_study/study/condition_estimates.h"
+#include "human_study/study/inference/condition_estimates.h"
 
 #include <cmath>
 

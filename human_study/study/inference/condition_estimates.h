@@ -7,7 +7,7 @@ them. */
 #include <vector>
 
 #include "core/statistics/proportion.h"
-#include "human_study/study/measure_statistics.h"
+#include "human_study/study/inference/measure_statistics.h"
 
 namespace graspbench {
 

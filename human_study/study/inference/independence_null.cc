@@ -1,15 +1,15 @@
-#include "human_study/study/independence_null.h"
+#include "human_study/study/inference/independence_null.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 
 #include "core/base/random.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "human_study/study/measure_statistics.h"
+#include "human_study/study/inference/measure_statistics.h"
 
 #include <map>
 

@@ -15,7 +15,7 @@ over factors whose levels are quantities. */
 #include "human_study/statistics/rank_tests.h"
 #include "human_study/statistics/reliability/retest.h"
 #include "human_study/statistics/within_anova.h"
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 

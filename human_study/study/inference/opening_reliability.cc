@@ -1,4 +1,4 @@
-#include "human_study/study/opening_reliability.h"
+#include "human_study/study/inference/opening_reliability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <map>
 #include <numeric>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
 #include "human_study/statistics/line_fit.h"
 #include "human_study/statistics/one_way_anova.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

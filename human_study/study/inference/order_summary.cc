@@ -1,4 +1,4 @@
-#include "human_study/study/order_summary.h"
+#include "human_study/study/inference/order_summary.h"
 
 #include <algorithm>
 #include <map>

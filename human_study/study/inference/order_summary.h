@@ -8,7 +8,7 @@ decide (core/grasp/contact_order.h). */
 #include <vector>
 
 #include "core/statistics/proportion.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

@@ -1,11 +1,11 @@
-#include "human_study/study/study_statistics.h"
+#include "human_study/study/inference/study_statistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "core/statistics/summary.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

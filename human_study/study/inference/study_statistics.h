@@ -8,11 +8,11 @@ known asynchrony. */
 #include <string>
 #include <vector>
 
-#include "human_study/study/independence_null.h"
-#include "human_study/study/measure_statistics.h"
-#include "human_study/study/opening_reliability.h"
+#include "human_study/study/inference/independence_null.h"
+#include "human_study/study/inference/measure_statistics.h"
+#include "human_study/study/inference/opening_reliability.h"
+#include "human_study/study/inference/zero_gft.h"
 #include "human_study/study/synthetic/bias_card.h"
-#include "human_study/study/zero_gft.h"
 
 namespace graspbench {
 

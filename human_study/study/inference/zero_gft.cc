@@ -1,11 +1,11 @@
-#include "human_study/study/zero_gft.h"
+#include "human_study/study/inference/zero_gft.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/random.h"
 #include "core/statistics/summary.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

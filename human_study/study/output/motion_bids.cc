@@ -1,4 +1,4 @@
-#include "human_study/study/motion_bids.h"
+#include "human_study/study/output/motion_bids.h"
 
 #include <fmt/core.h>
 
@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/version.h"
-#include "human_study/study/study_tables.h"
+#include "human_study/study/output/study_tables.h"
 
 namespace graspbench {
 namespace {

@@ -16,7 +16,7 @@ clock that starts with the trial; so do the events. trials.csv says where that i
 #include <string>
 #include <vector>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

@@ -1,9 +1,9 @@
-#include "human_study/study/statistics_table.h"
+#include "human_study/study/output/statistics_table.h"
 
 #include <iterator>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

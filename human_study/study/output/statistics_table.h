@@ -7,8 +7,8 @@ same rows. A row names its assumptions, or why it has no answer. */
 #include <string>
 #include <vector>
 
-#include "core/base/csv.h"
-#include "human_study/study/study_statistics.h"
+#include "core/base/text/csv.h"
+#include "human_study/study/inference/study_statistics.h"
 
 namespace graspbench {
 

@@ -1,10 +1,10 @@
-#include "human_study/study/study_tables.h"
+#include "human_study/study/output/study_tables.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/files.h"
-#include "human_study/study/statistics_table.h"
+#include "core/base/files/files.h"
+#include "human_study/study/output/statistics_table.h"
 
 namespace graspbench {
 namespace {

@@ -13,8 +13,8 @@ Each has a data dictionary beside it, <name>.schema.json (Frictionless Table Sch
 #include <string>
 #include <vector>
 
-#include "core/base/csv.h"
-#include "human_study/study/run_study.h"
+#include "core/base/text/csv.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

@@ -1,14 +1,14 @@
-#include "human_study/study/wide_table.h"
+#include "human_study/study/output/wide_table.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
 
-#include "core/base/csv.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
 #include "core/statistics/summary.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -1,12 +1,12 @@
-#include "human_study/study/analyse_study.h"
+#include "human_study/study/run/analyse_study.h"
 
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "human_study/statistics/tidy_export.h"
-#include "human_study/study/motion_bids.h"
-#include "human_study/study/study_tables.h"
-#include "human_study/study/wide_table.h"
+#include "human_study/study/output/motion_bids.h"
+#include "human_study/study/output/study_tables.h"
+#include "human_study/study/output/wide_table.h"
 
 namespace graspbench {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "human_study/study/prepare_recording.h"
+#include "human_study/study/run/prepare_recording.h"
 
 #include <fmt/core.h>
 

@@ -8,7 +8,7 @@ into reaches. */
 
 #include "human_study/events/reach_trial.h"
 #include "human_study/recording/recording.h"
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 

@@ -1,16 +1,16 @@
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
 #include "human_study/recording/importers/importer.h"
-#include "human_study/study/prepare_recording.h"
-#include "human_study/study/trial_removal.h"
+#include "human_study/study/run/prepare_recording.h"
+#include "human_study/study/run/trial_removal.h"
 
 namespace graspbench {
 namespace {

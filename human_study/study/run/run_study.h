@@ -12,9 +12,9 @@ here depends on the clock, the machine or the order in which files lie in a fold
 #include <vector>
 
 #include "human_study/recording/recording.h"
-#include "human_study/study/study_config.h"
-#include "human_study/study/study_statistics.h"
-#include "human_study/study/study_warnings.h"
+#include "human_study/study/design/study_config.h"
+#include "human_study/study/inference/study_statistics.h"
+#include "human_study/study/run/study_warnings.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "human_study/study/study_warnings.h"
+#include "human_study/study/run/study_warnings.h"
 
 #include <fmt/core.h>
 
@@ -6,10 +6,10 @@
 #include <set>
 #include <utility>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
-#include "core/base/text.h"
-#include "human_study/study/run_study.h"
+#include "core/base/text/text.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

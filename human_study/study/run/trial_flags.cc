@@ -1,7 +1,7 @@
-#include "human_study/study/trial_flags.h"
+#include "human_study/study/run/trial_flags.h"
 
 #include "core/statistics/proportion.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 

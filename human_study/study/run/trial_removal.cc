@@ -1,12 +1,12 @@
-#include "human_study/study/trial_removal.h"
+#include "human_study/study/run/trial_removal.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "core/base/delimited_text.h"
-#include "human_study/study/run_study.h"
+#include "core/base/text/delimited_text.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

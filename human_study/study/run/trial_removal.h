@@ -6,7 +6,7 @@ Why a trial does not count. */
 #include <utility>
 #include <vector>
 
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 

@@ -1,10 +1,10 @@
-#include "human_study/study/demo_study.h"
+#include "human_study/study/synthetic/demo_study.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/csv.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
 
 namespace graspbench {
 namespace {

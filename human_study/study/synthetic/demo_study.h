@@ -6,7 +6,7 @@ at the workbench, and the test of the whole way from files to measures. */
 #include <filesystem>
 #include <vector>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 #include "human_study/study/synthetic/synthetic_study.h"
 
 namespace graspbench {

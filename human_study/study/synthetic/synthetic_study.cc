@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/csv.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
+#include "core/base/text/csv.h"
 #include "core/base/units.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/recording/save_recording.h"

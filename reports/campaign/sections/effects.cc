@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {

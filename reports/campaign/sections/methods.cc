@@ -1,4 +1,4 @@
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "reports/campaign/campaign_section.h"

@@ -1,6 +1,6 @@
-#include "core/base/range_text.h"
-#include "core/base/text.h"
-#include "datasets/analysis/real_comparison.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
+#include "datasets/analysis/campaign/real_comparison.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {

@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "reports/campaign/campaign_section.h"
-#include "reports/cell_pictures.h"
-#include "reports/contact_strip.h"
+#include "reports/plots/contact_strip.h"
+#include "reports/scenes/cell_pictures.h"
 
 namespace graspbench {
 namespace {

@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "core/base/range_text.h"
-#include "core/base/text.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
 #include "reports/campaign/campaign_section.h"
 #include "reports/campaign/findings.h"
-#include "reports/line_plot.h"
+#include "reports/plots/line_plot.h"
 
 namespace graspbench {
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "reports/campaign/campaign_section.h"
 
 namespace graspbench {

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "reports/line_plot.h"
+#include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

@@ -1,5 +1,5 @@
-#include "core/base/text.h"
-#include "reports/line_plot.h"
+#include "core/base/text/text.h"
+#include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

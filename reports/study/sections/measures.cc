@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
-#include "human_study/study/condition_estimates.h"
-#include "reports/line_plot.h"
+#include "core/base/text/text.h"
+#include "human_study/study/inference/condition_estimates.h"
+#include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

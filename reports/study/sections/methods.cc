@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "core/base/config.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "reports/study/study_format.h"

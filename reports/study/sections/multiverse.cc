@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
+#include "reports/plots/svg_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
-#include "reports/svg_plot.h"
 
 namespace graspbench {
 namespace {

@@ -1,7 +1,7 @@
-#include "core/base/text.h"
-#include "human_study/study/order_summary.h"
+#include "core/base/text/text.h"
+#include "human_study/study/inference/order_summary.h"
+#include "reports/plots/svg_plot.h"
 #include "reports/study/study_section.h"
-#include "reports/svg_plot.h"
 
 namespace graspbench {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/analysis/timing_groups.h"
-#include "reports/line_plot.h"
-#include "reports/models.h"
+#include "reports/page/models.h"
+#include "reports/plots/line_plot.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

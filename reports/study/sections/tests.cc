@@ -2,8 +2,8 @@
 #include <cmath>
 #include <functional>
 
-#include "core/base/text.h"
-#include "human_study/study/statistics_table.h"
+#include "core/base/text/text.h"
+#include "human_study/study/output/statistics_table.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 

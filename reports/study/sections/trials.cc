@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
-#include "human_study/study/trial_flags.h"
+#include "core/base/text/text.h"
+#include "human_study/study/run/trial_flags.h"
 #include "reports/study/study_section.h"
 #include "reports/study/trial_figures.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/config.h"
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/shape/mesh_check.h"
+#include "core/shape/repair/mesh_check.h"
 #include "tests/objects/catalogue_table.h"
 
 namespace graspbench {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/hand/load_hand.h"
 
 namespace graspbench {

@@ -10,7 +10,7 @@ namespace graspbench {
 namespace {
 
 // What the rows say of a range is what the reader keeps to. (That they are complete:
-// tests/workbench/file_formats_test.cc.)
+// tests/workbench/text/file_formats_test.cc.)
 TEST(GraspKeysTest, TheClosureAtContactIsAShare) {
   const Hand hand = LoadHand("tum");
   try {

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/obj_file.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/diagnostics.h"
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/shape/mesh_shells.h"
 #include "core/shape/primitives.h"
+#include "core/shape/repair/mesh_shells.h"
 
 namespace graspbench {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/shape/primitives.h"

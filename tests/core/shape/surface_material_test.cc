@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 namespace graspbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/grasp/placement.h"
-#include "core/trial/disturbance.h"
+#include "core/trial/judge/disturbance.h"
 #include "core/trial/trial_trace.h"
 #include "tests/core/trial/trial_setups.h"
 

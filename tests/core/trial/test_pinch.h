@@ -6,7 +6,7 @@
 #include "core/physics/implicit_world.h"
 #include "core/physics/known_answers/small_scenes.h"
 #include "core/shape/primitives.h"
-#include "core/trial/held_object.h"
+#include "core/trial/judge/held_object.h"
 
 namespace graspbench {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/primitives.h"

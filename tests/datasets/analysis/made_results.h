@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 namespace graspbench {
 

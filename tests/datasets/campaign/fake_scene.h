@@ -5,7 +5,7 @@ Scenes made up for the tests of campaigns: nothing is loaded or simulated. */
 #include <filesystem>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/scene/scene_store.h"
 
 namespace graspbench {

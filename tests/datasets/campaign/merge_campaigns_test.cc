@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "datasets/campaign/campaign_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 #include "tests/datasets/campaign/fake_scene.h"
 #include "tests/datasets/session/fake_session.h"
 

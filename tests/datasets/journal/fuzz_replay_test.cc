@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/fuzz/fuzz_session.h"
 
 namespace graspbench {

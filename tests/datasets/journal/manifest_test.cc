@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/session/session_store.h"
 #include "tests/datasets/journal/store_mutations.h"

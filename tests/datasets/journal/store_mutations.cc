@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/journal/checked_line.h"

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 #include "core/hand/import/weld_links.h"
 #include "datasets/mjcf/commanded_motion.h"
 #include "datasets/mjcf/mjcf_scene.h"

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/pipeline/made_commands.h"
 #include "tests/datasets/session/fake_session.h"
 

@@ -1,4 +1,4 @@
-#include "datasets/session/imperfection_config.h"
+#include "datasets/plan/imperfection_config.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/hand/load_hand.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

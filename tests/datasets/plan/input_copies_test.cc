@@ -1,12 +1,12 @@
-#include "datasets/session/input_copies.h"
+#include "datasets/plan/input_copies.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

@@ -1,13 +1,13 @@
-#include "datasets/session/model_config.h"
+#include "datasets/plan/model_config.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
-#include "datasets/session/frozen_folder.h"
-#include "datasets/session/session_plan.h"
+#include "core/base/files/files.h"
+#include "datasets/plan/frozen_folder.h"
+#include "datasets/plan/session_plan.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "datasets/session/scene_names.h"
+#include "datasets/plan/scene_names.h"
 
 #include <gtest/gtest.h>
 

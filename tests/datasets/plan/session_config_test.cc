@@ -1,4 +1,4 @@
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -102,7 +102,7 @@ TEST(SessionConfig, EveryNumberHasARange) {
     SessionConfig config;
     ApplySetting(key + "=-1", config);
     const auto problems = Validate(config);
-    ASSERT_FALSE(problems.empty()) << key << " has no range in datasets/session/session_config.cc";
+    ASSERT_FALSE(problems.empty()) << key << " has no range in datasets/plan/session_config.cc";
     EXPECT_EQ(problems[0].key, key);
   }
 }

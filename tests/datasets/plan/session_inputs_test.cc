@@ -1,9 +1,9 @@
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {

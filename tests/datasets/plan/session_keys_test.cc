@@ -1,9 +1,9 @@
-#include "datasets/session/session_keys.h"
+#include "datasets/plan/session_keys.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/config.h"
-#include "datasets/session/session_config.h"
+#include "datasets/plan/session_config.h"
 
 namespace graspbench {
 namespace {

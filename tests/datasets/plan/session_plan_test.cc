@@ -1,4 +1,4 @@
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "datasets/session/compare_results.h"
+#include "datasets/records/compare_results.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "datasets/session/journal_index.h"
+#include "datasets/records/journal_index.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/session/session_store.h"
 #include "tests/datasets/session/fake_session.h"
 

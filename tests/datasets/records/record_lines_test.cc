@@ -1,9 +1,9 @@
-#include "datasets/session/record_lines.h"
+#include "datasets/records/record_lines.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

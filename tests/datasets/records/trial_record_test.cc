@@ -1,4 +1,4 @@
-#include "datasets/session/trial_record.h"
+#include "datasets/records/trial_record.h"
 
 #include <gtest/gtest.h>
 

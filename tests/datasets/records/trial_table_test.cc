@@ -1,4 +1,4 @@
-#include "datasets/session/trial_table.h"
+#include "datasets/records/trial_table.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 #include "tests/datasets/session/fake_session.h"
 

@@ -6,7 +6,7 @@ Hands, objects and results made up for the tests of sessions: nothing is loaded 
 #include <filesystem>
 #include <string>
 
-#include "datasets/session/session_inputs.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {

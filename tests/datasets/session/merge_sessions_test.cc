@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/session/judgement_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/sha256.h"
 #include "tests/datasets/session/fake_session.h"
 

@@ -5,10 +5,10 @@
 #include <chrono>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

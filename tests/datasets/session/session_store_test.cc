@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/session/judgement_store.h"

@@ -1,4 +1,4 @@
-#include "datasets/session/shard.h"
+#include "datasets/shards/shard.h"
 
 #include <gtest/gtest.h>
 

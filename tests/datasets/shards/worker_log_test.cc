@@ -1,13 +1,13 @@
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/session/session_store.h"
-#include "datasets/session/shard.h"
+#include "datasets/shards/shard.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

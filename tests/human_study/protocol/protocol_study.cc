@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/statistics/summary.h"
 #include "human_study/events/scalar_curve.h"
 #include "human_study/recording/c3d_writer.h"

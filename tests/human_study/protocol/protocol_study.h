@@ -7,7 +7,7 @@ truth. Everything goes the way of a user's data: C3D files, study.yaml, RunStudy
 #include <string>
 #include <vector>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 #include "tests/human_study/protocol/protocol_reach.h"
 
 namespace graspbench::protocol {

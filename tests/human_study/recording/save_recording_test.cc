@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/human_study/recording/synthetic_recording.h"
 
 namespace graspbench {

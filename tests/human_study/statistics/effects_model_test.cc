@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "human_study/statistics/within_anova.h"
 
 namespace graspbench {

@@ -8,12 +8,12 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/random.h"
 #include "human_study/statistics/tidy_export.h"
 #include "human_study/statistics/within_anova.h"
-#include "human_study/study/analyse_study.h"
-#include "human_study/study/demo_study.h"
+#include "human_study/study/run/analyse_study.h"
+#include "human_study/study/synthetic/demo_study.h"
 #include "tests/human_study/statistics/reach_study.h"
 
 namespace graspbench {

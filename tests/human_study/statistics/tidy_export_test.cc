@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/json.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "reports/page_script.h"
+#include "reports/page/page_script.h"
 
 #include <gtest/gtest.h>
 
-#include "reports/layout.h"
+#include "reports/page/layout.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {

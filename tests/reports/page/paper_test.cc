@@ -1,12 +1,12 @@
-#include "reports/paper.h"
+#include "reports/page/paper.h"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
 #include <algorithm>
 
-#include "reports/layout.h"
-#include "reports/line_plot.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
 
 namespace graspbench {
 namespace {

@@ -1,9 +1,9 @@
-#include "reports/provenance.h"
+#include "reports/page/provenance.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/json.h"
-#include "reports/layout.h"
+#include "core/base/text/json.h"
+#include "reports/page/layout.h"
 #include "tests/reports/report_fixture.h"
 
 namespace graspbench {

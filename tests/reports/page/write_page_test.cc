@@ -1,8 +1,8 @@
-#include "reports/write_page.h"
+#include "reports/page/write_page.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/journal/manifest.h"
 
 namespace graspbench {

@@ -1,8 +1,8 @@
-#include "reports/hand_map.h"
+#include "reports/plots/hand_map.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/hand/load_hand.h"
 #include "core/hand/tactile.h"
 

@@ -1,4 +1,4 @@
-#include "reports/line_plot.h"
+#include "reports/plots/line_plot.h"
 
 #include <gtest/gtest.h>
 

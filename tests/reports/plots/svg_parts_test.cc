@@ -1,4 +1,4 @@
-#include "reports/svg_parts.h"
+#include "reports/plots/svg_parts.h"
 
 #include <gtest/gtest.h>
 

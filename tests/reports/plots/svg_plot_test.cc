@@ -1,4 +1,4 @@
-#include "reports/svg_plot.h"
+#include "reports/plots/svg_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/trial_plots.h"
+#include "reports/plots/trial_plots.h"
 
 #include <gtest/gtest.h>
 

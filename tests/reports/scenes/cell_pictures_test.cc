@@ -1,8 +1,8 @@
-#include "reports/cell_pictures.h"
+#include "reports/scenes/cell_pictures.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/primitives.h"
 #include "tests/reports/report_fixture.h"
 

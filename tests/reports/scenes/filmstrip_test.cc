@@ -1,4 +1,4 @@
-#include "reports/filmstrip.h"
+#include "reports/scenes/filmstrip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/scene_3d.h"
+#include "reports/scenes/scene_3d.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/base/files.h"
-#include "reports/layout.h"
+#include "core/base/files/files.h"
+#include "reports/page/layout.h"
 #include "tests/reports/made_trial.h"
 #include "tests/reports/report_fixture.h"
 

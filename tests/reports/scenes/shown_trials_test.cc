@@ -1,4 +1,4 @@
-#include "reports/shown_trials.h"
+#include "reports/scenes/shown_trials.h"
 
 #include <gtest/gtest.h>
 

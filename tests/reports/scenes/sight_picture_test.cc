@@ -1,4 +1,4 @@
-#include "reports/sight_picture.h"
+#include "reports/scenes/sight_picture.h"
 
 #include <gtest/gtest.h>
 

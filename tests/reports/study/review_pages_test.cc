@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "core/base/files.h"
-#include "human_study/study/demo_study.h"
+#include "core/base/files/files.h"
+#include "human_study/study/synthetic/demo_study.h"
 #include "reports/study/trial_figures.h"
 #include "tests/reports/report_fixture.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/base/text.h"
-#include "human_study/study/demo_study.h"
+#include "core/base/text/text.h"
+#include "human_study/study/synthetic/demo_study.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
 #include "tests/reports/report_fixture.h"

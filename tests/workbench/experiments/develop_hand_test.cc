@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/hand/import/import_hand.h"
 #include "core/hand/load_hand.h"
 #include "tests/core/hand/import/small_gripper.h"

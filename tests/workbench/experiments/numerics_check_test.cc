@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "workbench/numerics_tables.h"
+#include "workbench/tables/numerics_tables.h"
 
 namespace graspbench {
 namespace {

@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-#include "core/base/files.h"
-#include "core/base/json.h"
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 

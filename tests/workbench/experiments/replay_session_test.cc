@@ -7,9 +7,9 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/machine.h"
+#include "workbench/experiments/machines/machine.h"
 #include "workbench/experiments/run_session.h"
 
 namespace graspbench {

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
@@ -17,7 +17,7 @@
 #include "core/statistics/ranks.h"
 #include "core/statistics/summary.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/session_worker.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "workbench/hand_picture.h"
+#include "workbench/pictures/hand_picture.h"
 
 #include <gtest/gtest.h>
 

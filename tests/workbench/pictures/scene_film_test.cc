@@ -1,4 +1,4 @@
-#include "workbench/scene_film.h"
+#include "workbench/pictures/scene_film.h"
 
 #include <gtest/gtest.h>
 

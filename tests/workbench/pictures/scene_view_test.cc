@@ -1,4 +1,4 @@
-#include "workbench/scene_view.h"
+#include "workbench/pictures/scene_view.h"
 
 #include <gtest/gtest.h>
 

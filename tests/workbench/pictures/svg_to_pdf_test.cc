@@ -1,4 +1,4 @@
-#include "workbench/svg_to_pdf.h"
+#include "workbench/pictures/svg_to_pdf.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "workbench/trial_picture.h"
+#include "workbench/pictures/trial_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@ glued lines. What is refused must change nothing. */
 
 #include "core/base/config.h"
 #include "core/base/random.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_commands.h"
 

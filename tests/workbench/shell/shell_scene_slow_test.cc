@@ -10,7 +10,7 @@ Every trial of the benchmark in the shell's scene: the bytes of the session's, a
 
 #include "core/base/random.h"
 #include "core/statistics/summary.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 #include "workbench/shell/shell_scene.h"
 
 namespace graspbench {

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "datasets/session/session_plan.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {

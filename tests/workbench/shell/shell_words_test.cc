@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "datasets/session/scene_names.h"
+#include "datasets/plan/scene_names.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "workbench/machine_tables.h"
+#include "workbench/tables/machine_tables.h"
 
 #include <gtest/gtest.h>
 

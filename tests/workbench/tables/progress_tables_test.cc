@@ -1,4 +1,4 @@
-#include "workbench/progress_tables.h"
+#include "workbench/tables/progress_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "workbench/sensitivity_tables.h"
+#include "workbench/tables/sensitivity_tables.h"
 
 #include <gtest/gtest.h>
 

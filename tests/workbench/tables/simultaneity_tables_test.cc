@@ -1,4 +1,4 @@
-#include "workbench/simultaneity_tables.h"
+#include "workbench/tables/simultaneity_tables.h"
 
 #include <gtest/gtest.h>
 

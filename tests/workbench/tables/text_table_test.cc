@@ -1,4 +1,4 @@
-#include "workbench/text_table.h"
+#include "workbench/tables/text_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "workbench/progress.h"
+#include "workbench/terminal/progress.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "workbench/status_region.h"
+#include "workbench/terminal/status_region.h"
 
 #include <gtest/gtest.h>
 #include <pty.h>

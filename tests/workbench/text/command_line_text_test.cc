@@ -1,4 +1,4 @@
-#include "workbench/command_line_text.h"
+#include "workbench/text/command_line_text.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

@@ -1,19 +1,19 @@
-#include "workbench/file_formats.h"
+#include "workbench/text/file_formats.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/yaml.h"
+#include "core/base/files/files.h"
+#include "core/base/text/yaml.h"
 #include "core/grasp/grasp_file.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
 #include "core/hand/tactile_yaml.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "objects/object_file.h"
-#include "workbench/new_files.h"
+#include "workbench/text/new_files.h"
 
 namespace graspbench {
 namespace {

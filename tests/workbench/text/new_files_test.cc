@@ -1,13 +1,13 @@
-#include "workbench/new_files.h"
+#include "workbench/text/new_files.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "core/base/config.h"
-#include "core/base/files.h"
-#include "datasets/session/session_config.h"
-#include "human_study/study/study_config.h"
+#include "core/base/files/files.h"
+#include "datasets/plan/session_config.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 namespace {

@@ -1,10 +1,10 @@
-#include "workbench/pipeline_text.h"
+#include "workbench/text/pipeline_text.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/pipeline/made_commands.h"
 #include "tests/datasets/session/fake_session.h"
 

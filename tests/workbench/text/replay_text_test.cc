@@ -1,4 +1,4 @@
-#include "workbench/replay_text.h"
+#include "workbench/text/replay_text.h"
 
 #include <gtest/gtest.h>
 

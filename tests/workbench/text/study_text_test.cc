@@ -1,4 +1,4 @@
-#include "workbench/study_text.h"
+#include "workbench/text/study_text.h"
 
 #include <gtest/gtest.h>
 

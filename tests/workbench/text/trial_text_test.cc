@@ -1,4 +1,4 @@
-#include "workbench/trial_text.h"
+#include "workbench/text/trial_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "workbench/experiments/campaign_shard.h"
+#include "workbench/experiments/machines/campaign_shard.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "datasets/campaign/campaign_store.h"
+#include "workbench/experiments/machines/run_shard.h"
 #include "workbench/experiments/run_campaign.h"
-#include "workbench/experiments/run_shard.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@ One machine's part of a campaign. Scenes are dealt out first. When all are finis
 the benchmark, as it needs their grasps; then the same shards take the benchmark's trials, judge
 what they held, and run the searches that are compared. */
 
-#include "workbench/experiments/shard_work.h"
+#include "workbench/experiments/machines/shard_work.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "workbench/experiments/machine.h"
+#include "workbench/experiments/machines/machine.h"
 
 #include <gnu/libc-version.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/base/version.h"
 #include "datasets/journal/checked_line.h"

@@ -1,9 +1,9 @@
 #pragma once
-/** @file What this process runs on and is; see Machine in datasets/session/worker_log.h. */
+/** @file What this process runs on and is; see Machine in datasets/shards/worker_log.h. */
 
 #include <string>
 
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 

@@ -1,11 +1,11 @@
-#include "workbench/experiments/merge_campaign.h"
+#include "workbench/experiments/machines/merge_campaign.h"
 
 #include <algorithm>
 
 #include "datasets/campaign/merge_campaigns.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/merge_sessions.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 #include "workbench/experiments/run_campaign.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "workbench/experiments/run_shard.h"
+#include "workbench/experiments/machines/run_shard.h"
 
 #include <algorithm>
 #include <map>
@@ -6,14 +6,14 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/session/judgement_store.h"
 #include "objects/catalogue.h"
-#include "workbench/experiments/campaign_shard.h"
+#include "workbench/experiments/machines/campaign_shard.h"
+#include "workbench/experiments/pool/session_worker.h"
+#include "workbench/experiments/pool/worker_pool.h"
 #include "workbench/experiments/scene_runner.h"
-#include "workbench/experiments/session_worker.h"
-#include "workbench/experiments/worker_pool.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -2,11 +2,11 @@
 /** @file
 One machine's part of what several work on. A worker reads configuration and plan, writes journals
 of its own and nothing else; which trials are its own follows from the plan
-(datasets/session/shard.h). */
+(datasets/shards/shard.h). */
 
 #include <optional>
 
-#include "workbench/experiments/shard_work.h"
+#include "workbench/experiments/machines/shard_work.h"
 
 namespace graspbench {
 

@@ -1,12 +1,12 @@
-#include "workbench/experiments/shard_work.h"
+#include "workbench/experiments/machines/shard_work.h"
 
 #include <algorithm>
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "workbench/experiments/machine.h"
-#include "workbench/experiments/session_worker.h"
+#include "core/base/files/files.h"
+#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 What every shard does around its trials, whatever they belong to: it looks whether this program may
-work on them, says in its file that it begins and ends (datasets/session/worker_log.h), runs the
+work on them, says in its file that it begins and ends (datasets/shards/worker_log.h), runs the
 sentinel trials, and keeps to its time. */
 
 #include <atomic>
@@ -11,8 +11,8 @@ sentinel trials, and keeps to its time. */
 #include <string>
 #include <vector>
 
-#include "datasets/session/shard.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/shard.h"
+#include "datasets/shards/worker_log.h"
 #include "workbench/experiments/observer.h"
 #include "workbench/experiments/run_session.h"
 

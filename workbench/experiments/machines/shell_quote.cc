@@ -1,4 +1,4 @@
-#include "workbench/experiments/shell_quote.h"
+#include "workbench/experiments/machines/shell_quote.h"
 
 namespace graspbench {
 

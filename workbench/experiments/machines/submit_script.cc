@@ -1,4 +1,4 @@
-#include "workbench/experiments/submit_script.h"
+#include "workbench/experiments/machines/submit_script.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -7,9 +7,9 @@
 
 #include "core/base/enum_table.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/yaml.h"
-#include "workbench/experiments/shell_quote.h"
+#include "core/base/files/files.h"
+#include "core/base/text/yaml.h"
+#include "workbench/experiments/machines/shell_quote.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "workbench/experiments/pipeline_process.h"
+#include "workbench/experiments/pipelines/pipeline_process.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-#include "workbench/experiments/replay_pack.h"
+#include "workbench/experiments/pipelines/replay_pack.h"
 
 #include <stdlib.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "datasets/pipeline/pipeline_pack.h"
 #include "datasets/pipeline/stable_files.h"
 #include "datasets/session/provenance.h"

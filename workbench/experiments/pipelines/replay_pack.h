@@ -8,8 +8,8 @@ A packed pipeline made again from its own inputs, and compared with what it hold
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
-#include "workbench/experiments/run_pipeline.h"
+#include "core/base/text/json.h"
+#include "workbench/experiments/pipelines/run_pipeline.h"
 
 namespace graspbench {
 

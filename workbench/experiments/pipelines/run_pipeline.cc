@@ -1,4 +1,4 @@
-#include "workbench/experiments/run_pipeline.h"
+#include "workbench/experiments/pipelines/run_pipeline.h"
 
 #include <unistd.h>
 
@@ -10,14 +10,14 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/pipeline/stable_files.h"
-#include "workbench/experiments/machine.h"
-#include "workbench/experiments/pipeline_process.h"
-#include "workbench/experiments/shell_quote.h"
+#include "workbench/experiments/machines/machine.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/pipelines/pipeline_process.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,8 +1,8 @@
-#include "workbench/experiments/batch_runner.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 #include <memory>
 
-#include "workbench/experiments/worker_pool.h"
+#include "workbench/experiments/pool/worker_pool.h"
 
 namespace graspbench {
 

@@ -1,9 +1,9 @@
-#include "workbench/experiments/learning_batch.h"
+#include "workbench/experiments/pool/learning_batch.h"
 
 #include <algorithm>
 #include <memory>
 
-#include "workbench/experiments/worker_pool.h"
+#include "workbench/experiments/pool/worker_pool.h"
 
 namespace graspbench {
 

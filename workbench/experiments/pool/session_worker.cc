@@ -1,10 +1,10 @@
-#include "workbench/experiments/session_worker.h"
+#include "workbench/experiments/pool/session_worker.h"
 
 #include <algorithm>
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
 
 namespace graspbench {
 namespace {

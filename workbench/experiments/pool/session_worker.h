@@ -5,11 +5,11 @@ session and writes them into its own journal. */
 
 #include <filesystem>
 
+#include "datasets/plan/session_config.h"
+#include "datasets/plan/session_inputs.h"
 #include "datasets/session/judgement_store.h"
-#include "datasets/session/session_config.h"
-#include "datasets/session/session_inputs.h"
-#include "workbench/experiments/batch_runner.h"
-#include "workbench/experiments/setup_runner.h"
+#include "workbench/experiments/pool/batch_runner.h"
+#include "workbench/experiments/pool/setup_runner.h"
 
 namespace graspbench {
 

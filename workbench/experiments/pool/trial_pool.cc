@@ -1,9 +1,9 @@
-#include "workbench/experiments/trial_pool.h"
+#include "workbench/experiments/pool/trial_pool.h"
 
 #include <mutex>
 
 #include "core/base/error.h"
-#include "workbench/experiments/worker_pool.h"
+#include "workbench/experiments/pool/worker_pool.h"
 
 namespace graspbench {
 namespace {

@@ -10,8 +10,8 @@ time is given up; its result is a numerical failure. */
 #include <vector>
 
 #include "core/trial/trial_result.h"
-#include "workbench/experiments/batch_runner.h"
-#include "workbench/experiments/setup_runner.h"
+#include "workbench/experiments/pool/batch_runner.h"
+#include "workbench/experiments/pool/setup_runner.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "workbench/experiments/worker_pool.h"
+#include "workbench/experiments/pool/worker_pool.h"
 
 #include <pthread.h>
 #include <time.h>

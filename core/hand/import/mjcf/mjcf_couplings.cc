@@ -1,4 +1,4 @@
-#include "core/hand/import/mjcf_couplings.h"
+#include "core/hand/import/mjcf/mjcf_couplings.h"
 
 #include <tinyxml2.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/close_loops.h"
 #include "core/hand/import/fix_joint.h"

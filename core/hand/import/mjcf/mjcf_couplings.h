@@ -19,7 +19,7 @@ Positions are displacements from the file's place, as in ForeignHand. */
 #include <string>
 
 #include "core/hand/import/foreign_hand.h"
-#include "core/hand/import/mjcf_document.h"
+#include "core/hand/import/mjcf/mjcf_document.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "core/hand/import/mjcf_document.h"
+#include "core/hand/import/mjcf/mjcf_document.h"
 
 #include <tinyxml2.h>
 
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/foreign_xml.h"
 

@@ -1,4 +1,4 @@
-#include "core/hand/import/mjcf_geoms.h"
+#include "core/hand/import/mjcf/mjcf_geoms.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/hand/import/foreign_hand.h"
-#include "core/hand/import/mjcf_document.h"
+#include "core/hand/import/mjcf/mjcf_document.h"
 
 namespace graspbench {
 

@@ -1,4 +1,4 @@
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 
 #include <tinyxml2.h>
 
@@ -8,13 +8,13 @@
 #include <map>
 #include <set>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/import/joint_limits.h"
-#include "core/hand/import/mjcf_couplings.h"
-#include "core/hand/import/mjcf_document.h"
-#include "core/hand/import/mjcf_geoms.h"
+#include "core/hand/import/mjcf/mjcf_couplings.h"
+#include "core/hand/import/mjcf/mjcf_document.h"
+#include "core/hand/import/mjcf/mjcf_geoms.h"
 
 namespace graspbench {
 namespace {

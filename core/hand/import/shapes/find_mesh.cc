@@ -1,6 +1,6 @@
-#include "core/hand/import/find_mesh.h"
+#include "core/hand/import/shapes/find_mesh.h"
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

@@ -1,8 +1,8 @@
-#include "core/hand/import/length_unit_guess.h"
+#include "core/hand/import/shapes/length_unit_guess.h"
 
 #include <algorithm>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/import/joint_limits.h"
 

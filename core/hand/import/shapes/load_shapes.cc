@@ -1,15 +1,15 @@
-#include "core/hand/import/load_shapes.h"
+#include "core/hand/import/shapes/load_shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/hand/import/find_mesh.h"
-#include "core/hand/import/fit_capsules.h"
-#include "core/hand/import/geom_mass.h"
-#include "core/hand/import/length_unit_guess.h"
+#include "core/hand/import/shapes/find_mesh.h"
+#include "core/hand/import/shapes/fit_capsules.h"
+#include "core/hand/import/shapes/geom_mass.h"
+#include "core/hand/import/shapes/length_unit_guess.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {

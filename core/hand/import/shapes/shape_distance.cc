@@ -1,4 +1,4 @@
-#include "core/hand/import/shape_distance.h"
+#include "core/hand/import/shapes/shape_distance.h"
 
 #include <algorithm>
 #include <cmath>

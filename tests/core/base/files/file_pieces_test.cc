@@ -1,9 +1,9 @@
-#include "core/base/file_pieces.h"
+#include "core/base/files/file_pieces.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/base/data_table.h"
+#include "core/base/text/data_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "core/base/escape.h"
+#include "core/base/text/escape.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {

@@ -1,11 +1,11 @@
-#include "core/base/json_cursor.h"
+#include "core/base/text/json_cursor.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/base/json.h"
 #include "core/base/random.h"
+#include "core/base/text/json.h"
 
 namespace graspbench {
 namespace {

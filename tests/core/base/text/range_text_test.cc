@@ -1,4 +1,4 @@
-#include "core/base/range_text.h"
+#include "core/base/text/range_text.h"
 
 #include <gtest/gtest.h>
 

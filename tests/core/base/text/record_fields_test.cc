@@ -1,4 +1,4 @@
-#include "core/base/record_fields.h"
+#include "core/base/text/record_fields.h"
 
 #include <gtest/gtest.h>
 

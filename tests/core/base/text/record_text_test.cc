@@ -1,4 +1,4 @@
-#include "core/base/record_text.h"
+#include "core/base/text/record_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "core/base/yaml.h"
+#include "core/base/text/yaml.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

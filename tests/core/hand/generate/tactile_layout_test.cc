@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/hand/load_hand.h"
 
 namespace graspbench {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "core/hand/import/foreign_xml.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"

@@ -7,11 +7,11 @@
 #include <memory>
 #include <random>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/units.h"
 #include "core/hand/coupling.h"
 #include "core/hand/import/import_hand.h"
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 #include "core/hand/import/weld_links.h"
 #include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"

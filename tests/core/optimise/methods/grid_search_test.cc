@@ -1,4 +1,4 @@
-#include "core/optimise/grid_search.h"
+#include "core/optimise/methods/grid_search.h"
 
 #include <gtest/gtest.h>
 

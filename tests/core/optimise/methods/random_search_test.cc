@@ -1,4 +1,4 @@
-#include "core/optimise/random_search.h"
+#include "core/optimise/methods/random_search.h"
 
 #include <gtest/gtest.h>
 

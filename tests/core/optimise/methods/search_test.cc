@@ -1,4 +1,4 @@
-#include "core/optimise/search.h"
+#include "core/optimise/methods/search.h"
 
 #include <gtest/gtest.h>
 

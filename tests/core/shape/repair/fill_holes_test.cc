@@ -1,4 +1,4 @@
-#include "core/shape/fill_holes.h"
+#include "core/shape/repair/fill_holes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <random>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_check.h"
-#include "core/shape/mesh_repair.h"
 #include "core/shape/primitives.h"
+#include "core/shape/repair/mesh_check.h"
+#include "core/shape/repair/mesh_repair.h"
 #include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {

@@ -1,13 +1,13 @@
-#include "core/shape/mesh_check.h"
+#include "core/shape/repair/mesh_check.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-#include "core/shape/mesh_repair.h"
 #include "core/shape/primitives.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/mesh_repair.h"
+#include "core/shape/repair/weld_vertices.h"
 #include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {

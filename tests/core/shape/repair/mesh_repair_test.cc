@@ -1,4 +1,4 @@
-#include "core/shape/mesh_repair.h"
+#include "core/shape/repair/mesh_repair.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_check.h"
 #include "core/shape/primitives.h"
+#include "core/shape/repair/mesh_check.h"
 
 namespace graspbench {
 namespace {

@@ -1,10 +1,10 @@
-#include "core/shape/mesh_shells.h"
+#include "core/shape/repair/mesh_shells.h"
 
 #include <gtest/gtest.h>
 
 #include "core/shape/mass_properties.h"
 #include "core/shape/primitives.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/weld_vertices.h"
 #include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {

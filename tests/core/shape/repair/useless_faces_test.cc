@@ -1,4 +1,4 @@
-#include "core/shape/useless_faces.h"
+#include "core/shape/repair/useless_faces.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/shape/mass_properties.h"
-#include "core/shape/mesh_check.h"
 #include "core/shape/primitives.h"
-#include "core/shape/weld_vertices.h"
+#include "core/shape/repair/mesh_check.h"
+#include "core/shape/repair/weld_vertices.h"
 #include "tests/core/shape/join_meshes.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/trial/disturbance.h"
+#include "core/trial/judge/disturbance.h"
 
 #include <gtest/gtest.h>
 

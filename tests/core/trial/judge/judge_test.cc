@@ -1,10 +1,10 @@
-#include "core/trial/judge.h"
+#include "core/trial/judge/judge.h"
 
 #include <gtest/gtest.h>
 
 #include "core/quality/quality_convention.h"
-#include "core/trial/stability_meter.h"
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
+#include "core/trial/measures/stability_meter.h"
 #include "tests/core/trial/test_pinch.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/trial/verdicts.h"
+#include "core/trial/judge/verdicts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/trial/palm_contact.h"
+#include "core/trial/measures/palm_contact.h"
 
 #include <gtest/gtest.h>
 

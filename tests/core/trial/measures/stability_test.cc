@@ -1,4 +1,4 @@
-#include "core/trial/stability.h"
+#include "core/trial/measures/stability.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/pose.h"
 #include "core/base/units.h"
-#include "core/trial/stability_meter.h"
+#include "core/trial/measures/stability_meter.h"
 
 namespace graspbench {
 namespace {

@@ -1,8 +1,8 @@
-#include "datasets/analysis/campaign_export.h"
+#include "datasets/analysis/campaign/campaign_export.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

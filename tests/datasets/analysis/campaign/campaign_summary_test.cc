@@ -1,4 +1,4 @@
-#include "datasets/analysis/campaign_summary.h"
+#include "datasets/analysis/campaign/campaign_summary.h"
 
 #include <gtest/gtest.h>
 

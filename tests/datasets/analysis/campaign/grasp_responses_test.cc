@@ -1,4 +1,4 @@
-#include "datasets/analysis/grasp_responses.h"
+#include "datasets/analysis/campaign/grasp_responses.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "datasets/analysis/real_comparison.h"
+#include "datasets/analysis/campaign/real_comparison.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "datasets/analysis/thesis_claims.h"
+#include "datasets/analysis/campaign/thesis_claims.h"
 
 #include <gtest/gtest.h>
 

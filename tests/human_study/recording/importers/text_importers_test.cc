@@ -3,7 +3,7 @@
 #include <array>
 #include <fstream>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "human_study/recording/importers/table_mapping.h"
 #include "tests/human_study/recording/synthetic_recording.h"
 

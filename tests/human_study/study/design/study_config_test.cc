@@ -1,4 +1,4 @@
-#include "human_study/study/study_config.h"
+#include "human_study/study/design/study_config.h"
 
 #include <gtest/gtest.h>
 

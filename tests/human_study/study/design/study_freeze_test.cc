@@ -1,11 +1,11 @@
-#include "human_study/study/study_freeze.h"
+#include "human_study/study/design/study_freeze.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "human_study/study/study_config.h"
+#include "core/base/files/files.h"
+#include "human_study/study/design/study_config.h"
 
 namespace graspbench {
 namespace {

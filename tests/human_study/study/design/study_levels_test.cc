@@ -1,9 +1,9 @@
-#include "human_study/study/study_levels.h"
+#include "human_study/study/design/study_levels.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/data_table.h"
 #include "core/base/diagnostics.h"
+#include "core/base/text/data_table.h"
 
 namespace graspbench {
 namespace {

@@ -1,11 +1,11 @@
-#include "human_study/study/study_plan.h"
+#include "human_study/study/design/study_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

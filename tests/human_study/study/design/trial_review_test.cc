@@ -1,4 +1,4 @@
-#include "human_study/study/trial_review.h"
+#include "human_study/study/design/trial_review.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/data_table.h"
-#include "core/base/text.h"
-#include "human_study/study/demo_study.h"
-#include "human_study/study/study_tables.h"
+#include "core/base/text/data_table.h"
+#include "core/base/text/text.h"
+#include "human_study/study/output/study_tables.h"
+#include "human_study/study/synthetic/demo_study.h"
 
 namespace graspbench {
 namespace {

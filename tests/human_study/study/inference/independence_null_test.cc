@@ -1,4 +1,4 @@
-#include "human_study/study/independence_null.h"
+#include "human_study/study/inference/independence_null.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "human_study/study/opening_reliability.h"
+#include "human_study/study/inference/opening_reliability.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/base/random.h"
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -1,8 +1,8 @@
-#include "human_study/study/zero_gft.h"
+#include "human_study/study/inference/zero_gft.h"
 
 #include <gtest/gtest.h>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

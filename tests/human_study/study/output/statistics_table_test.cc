@@ -1,4 +1,4 @@
-#include "human_study/study/statistics_table.h"
+#include "human_study/study/output/statistics_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "human_study/study/wide_table.h"
+#include "human_study/study/output/wide_table.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
-#include "core/base/json.h"
-#include "human_study/study/run_study.h"
+#include "core/base/files/files.h"
+#include "core/base/text/json.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -1,9 +1,9 @@
-#include "human_study/study/analyse_study.h"
+#include "human_study/study/run/analyse_study.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/files.h"
-#include "human_study/study/demo_study.h"
+#include "core/base/files/files.h"
+#include "human_study/study/synthetic/demo_study.h"
 
 namespace graspbench {
 namespace {

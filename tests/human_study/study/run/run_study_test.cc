@@ -1,17 +1,17 @@
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <map>
 
-#include "core/base/files.h"
-#include "core/base/text.h"
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
 #include "human_study/recording/importers/importer.h"
-#include "human_study/study/demo_study.h"
-#include "human_study/study/motion_bids.h"
-#include "human_study/study/prepare_recording.h"
-#include "human_study/study/study_tables.h"
+#include "human_study/study/output/motion_bids.h"
+#include "human_study/study/output/study_tables.h"
+#include "human_study/study/run/prepare_recording.h"
+#include "human_study/study/synthetic/demo_study.h"
 #include "tests/support/mocap_data.h"
 
 namespace graspbench {

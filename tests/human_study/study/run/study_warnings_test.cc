@@ -1,10 +1,10 @@
-#include "human_study/study/study_warnings.h"
+#include "human_study/study/run/study_warnings.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
-#include "human_study/study/run_study.h"
+#include "core/base/files/files.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -1,8 +1,8 @@
-#include "human_study/study/trial_removal.h"
+#include "human_study/study/run/trial_removal.h"
 
 #include <gtest/gtest.h>
 
-#include "human_study/study/run_study.h"
+#include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/importers/importer.h"
 #include "tests/human_study/events/trajectories.h"

@@ -1,11 +1,11 @@
-#include "workbench/experiments/campaign_shard.h"
+#include "workbench/experiments/machines/campaign_shard.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "datasets/campaign/campaign_store.h"
 #include "tests/datasets/session/fake_session.h"
-#include "workbench/experiments/merge_campaign.h"
+#include "workbench/experiments/machines/merge_campaign.h"
 #include "workbench/experiments/run_campaign.h"
 
 namespace graspbench {

@@ -1,9 +1,9 @@
-#include "workbench/experiments/machine.h"
+#include "workbench/experiments/machines/machine.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 
 namespace graspbench {

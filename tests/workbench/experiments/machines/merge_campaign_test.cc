@@ -1,9 +1,9 @@
-#include "workbench/experiments/merge_campaign.h"
+#include "workbench/experiments/machines/merge_campaign.h"
 
 #include <gtest/gtest.h>
 
 #include "datasets/campaign/campaign_store.h"
-#include "datasets/session/worker_log.h"
+#include "datasets/shards/worker_log.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

@@ -1,10 +1,10 @@
-#include "workbench/experiments/run_shard.h"
+#include "workbench/experiments/machines/run_shard.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "datasets/campaign/campaign_progress.h"
 #include "datasets/campaign/merge_campaigns.h"

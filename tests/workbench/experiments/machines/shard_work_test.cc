@@ -1,9 +1,9 @@
-#include "workbench/experiments/shard_work.h"
+#include "workbench/experiments/machines/shard_work.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "workbench/experiments/submit_script.h"
+#include "workbench/experiments/machines/submit_script.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "workbench/experiments/pipeline_process.h"
+#include "workbench/experiments/pipelines/pipeline_process.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

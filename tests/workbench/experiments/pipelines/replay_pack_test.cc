@@ -1,4 +1,4 @@
-#include "workbench/experiments/replay_pack.h"
+#include "workbench/experiments/pipelines/replay_pack.h"
 
 #include "tests/workbench/experiments/pipeline_folder.h"
 

@@ -1,4 +1,4 @@
-#include "workbench/experiments/run_pipeline.h"
+#include "workbench/experiments/pipelines/run_pipeline.h"
 
 #include <chrono>
 #include <fstream>

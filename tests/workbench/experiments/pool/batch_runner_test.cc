@@ -1,4 +1,4 @@
-#include "workbench/experiments/batch_runner.h"
+#include "workbench/experiments/pool/batch_runner.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "workbench/experiments/worker_pool.h"
+#include "workbench/experiments/pool/worker_pool.h"
 
 namespace graspbench {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/hand/import/mjcf_couplings.h"
+#include "core/hand/import/mjcf/mjcf_couplings.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 #include "tests/core/hand/import/small_claw.h"
 
 namespace graspbench {

@@ -1,10 +1,10 @@
-#include "core/hand/import/mjcf_document.h"
+#include "core/hand/import/mjcf/mjcf_document.h"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/base/units.h"
 
 namespace graspbench {

@@ -1,10 +1,10 @@
-#include "core/hand/import/mjcf_geoms.h"
+#include "core/hand/import/mjcf/mjcf_geoms.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 #include "tests/core/hand/import/small_claw.h"
 
 namespace graspbench {

@@ -1,4 +1,4 @@
-#include "core/hand/import/read_foreign_mjcf.h"
+#include "core/hand/import/mjcf/read_foreign_mjcf.h"
 
 #include <gtest/gtest.h>
 

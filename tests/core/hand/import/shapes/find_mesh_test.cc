@@ -1,9 +1,9 @@
-#include "core/hand/import/find_mesh.h"
+#include "core/hand/import/shapes/find_mesh.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 
 namespace graspbench {
 namespace {

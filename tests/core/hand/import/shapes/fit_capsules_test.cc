@@ -1,4 +1,4 @@
-#include "core/hand/import/fit_capsules.h"
+#include "core/hand/import/shapes/fit_capsules.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/hand/import/geom_mass.h"
+#include "core/hand/import/shapes/geom_mass.h"
 
 #include <gtest/gtest.h>
 

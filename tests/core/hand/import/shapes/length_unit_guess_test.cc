@@ -1,4 +1,4 @@
-#include "core/hand/import/length_unit_guess.h"
+#include "core/hand/import/shapes/length_unit_guess.h"
 
 #include <gtest/gtest.h>
 

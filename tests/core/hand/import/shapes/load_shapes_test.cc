@@ -1,9 +1,9 @@
-#include "core/hand/import/load_shapes.h"
+#include "core/hand/import/shapes/load_shapes.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/base/files.h"
+#include "core/base/files/files.h"
 #include "core/shape/mass_properties.h"
 #include "core/shape/primitives.h"
 #include "tests/core/hand/import/small_gripper.h"
