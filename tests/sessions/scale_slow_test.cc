@@ -11,7 +11,6 @@ trials are real ones multiplied under the ids of a plan, because to simulate the
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 #include "datasets/records/judgement_line.h"
-#include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "tests/support/run_program.h"
 
