@@ -32,7 +32,7 @@ struct SceneConfig : TrialConditions {
 struct SceneInputs {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
-  StandardGrasp grasp;
+  Grasp grasp;
 };
 
 /** Adds to the frozen configuration of a scene or campaign what older ones lack: they searched the
