@@ -15,8 +15,8 @@
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_picture.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

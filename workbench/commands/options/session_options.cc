@@ -1,4 +1,4 @@
-#include "workbench/session_options.h"
+#include "workbench/commands/options/session_options.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
