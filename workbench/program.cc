@@ -302,7 +302,7 @@ int RunProgram(int argc, const char* const* argv) {
         "  graspbench run                       both hands, 21 objects, then a report\n"
         "  graspbench render shadow can g3 --at closed --out can.png");
     program.require_subcommand(1);
-#define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
+#define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
