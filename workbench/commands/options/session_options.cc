@@ -3,17 +3,46 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
+#include "datasets/plan/presets.h"
 #include "datasets/plan/scene_names.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
+namespace {
+
+/** An option for one setting. */
+struct SettingOption {
+  const char* option;
+  const char* setting;
+  void (*copy)(const SessionConfig& given, SessionConfig& config);
+};
+constexpr SettingOption kOptions[] = {
+    {"--hand", "hands",
+     [](const SessionConfig& given, SessionConfig& c) { c.hands = given.hands; }},
+    {"--object", "objects",
+     [](const SessionConfig& given, SessionConfig& c) { c.objects = given.objects; }},
+    {"--grasp", "grasps",
+     [](const SessionConfig& given, SessionConfig& c) { c.grasps = given.grasps; }},
+    {"--approach", "approach",
+     [](const SessionConfig& given, SessionConfig& c) { c.approach = given.approach; }},
+    {"--trials", "trials",
+     [](const SessionConfig& given, SessionConfig& c) { c.trials = given.trials; }},
+    {"--seed", "seed", [](const SessionConfig& given, SessionConfig& c) { c.seed = given.seed; }}};
+
+}  // namespace
 
 void SessionOptions::AddTo(CLI::App& command) {
   command
       .add_option("session", session_file_,
                   "session file: YAML, or session.json of a session; absent: the benchmark")
       ->option_text("SESSION");
+  std::string names;
+  for (const Preset& preset : ListPresets()) names += (names.empty() ? "" : ",") + preset.name;
+  command.add_option("--preset", preset_, "named settings instead of a session file: " + names)
+      ->type_name("{" + names + "}")
+      ->option_text("NAME");
   AddSceneOptions(command, given_);
   AddListOption(command, "--grasp", given_.grasps, "best, all, ids or grasp files: g1,my.yaml",
                 "G,..");
@@ -34,45 +63,44 @@ void SessionOptions::AddTo(CLI::App& command) {
 bool SessionOptions::IsGiven(const char* option) const { return command_->count(option) > 0; }
 
 bool SessionOptions::HasAny() const {
-  const auto options = {"session",    "--hand",   "--object", "--grasp",
-                        "--approach", "--trials", "--seed",   "--set"};
-  return std::any_of(options.begin(), options.end(),
-                     [this](const char* option) { return IsGiven(option); });
+  return IsGiven("session") || IsGiven("--preset") || IsGiven("--set") ||
+         std::any_of(std::begin(kOptions), std::end(kOptions),
+                     [this](const SettingOption& row) { return IsGiven(row.option); });
 }
 
 /** What an option and --set both say would silently be that of the option. */
 void SessionOptions::RefuseTwice(const std::string& setting) const {
   const std::string key = setting.substr(0, setting.find('='));
-  for (const auto& [of_setting, option] : {std::pair{"hands", "--hand"},
-                                           {"objects", "--object"},
-                                           {"grasps", "--grasp"},
-                                           {"approach", "--approach"},
-                                           {"trials", "--trials"},
-                                           {"seed", "--seed"}}) {
-    if (key != of_setting || !IsGiven(option)) continue;
-    throw Error(ErrorKind::kUsage,
-                "--set " + setting + " and " + option + " say the same setting; give one of them");
+  for (const SettingOption& row : kOptions) {
+    if (key != row.setting || !IsGiven(row.option)) continue;
+    throw Error(ErrorKind::kUsage, "--set " + setting + " and " + row.option +
+                                       " say the same setting; give one of them");
   }
 }
 
 SessionConfig SessionOptions::MakeConfig() const {
+  if (!session_file_.empty() && !preset_.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "a session file and --preset are both given; leave out --preset "
+                "and write into " +
+                    session_file_ + ": preset: " + preset_);
+  }
   SessionConfig config;
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
+  if (!preset_.empty()) config = LoadPreset(preset_);
   for (const std::string& setting : settings_) {
     RefuseTwice(setting);
     ApplySetting(setting, config);
   }
   ReplaceNames(config);  // those of options are ids already
-  if (IsGiven("--hand")) config.hands = given_.hands;
-  if (IsGiven("--object")) config.objects = given_.objects;
-  if (IsGiven("--grasp")) config.grasps = given_.grasps;
-  if (IsGiven("--approach")) config.approach = given_.approach;
-  if (IsGiven("--trials")) config.trials = given_.trials;
-  if (IsGiven("--seed")) config.seed = given_.seed;
+  for (const SettingOption& row : kOptions) {
+    if (IsGiven(row.option)) row.copy(given_, config);
+  }
   return config;
 }
 
 std::string SessionOptions::name() const {
+  if (!preset_.empty()) return preset_;
   return session_file_.empty() ? "benchmark" : std::filesystem::path(session_file_).stem().string();
 }
 
