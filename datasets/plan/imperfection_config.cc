@@ -25,7 +25,7 @@ void CheckConcerned(const Hand& hand, const char* key, bool (*is_concerned)(cons
 }  // namespace
 
 bool operator==(const ImperfectionConfig& a, const ImperfectionConfig& b) {
-  return ConfigToJson(a) == ConfigToJson(b);
+  return HaveEqualValues(a, b);
 }
 
 void ApplyImperfections(const ImperfectionConfig& config, Hand& hand) {

@@ -40,7 +40,7 @@ thumb. */
 void CompleteOptimiseConfig(Json& config);
 
 /** All problems of the values, as Validate(SessionConfig) reports them. */
-std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
+[[nodiscard]] std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
 /** @throws Error(kRange) listing them. */
 void CheckOptimiseConfig(const OptimiseConfig& config);
 

@@ -44,7 +44,7 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
   }
   return a.config.hands == b.config.hands && a.config.approach == b.config.approach &&
          a.config.objects == b.config.objects && a.folder.empty() && b.folder.empty() &&
-         ConfigToJson(a.config.model) == ConfigToJson(b.config.model);
+         HaveEqualValues(a.config.model, b.config.model);
 }
 
 /** Moves the place at which the hand grasps, and from where it comes. */
