@@ -1,5 +1,5 @@
 /** @file
-Runs the program as a user would and compares what it prints. Each tests/sessions/<topic>.session
+Runs the program as a user would and compares what it prints. Each transcripts/<topic>.session
 holds cases of the form
 
     # name: object_show_unknown

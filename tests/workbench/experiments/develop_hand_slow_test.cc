@@ -12,7 +12,7 @@ using DevelopHandSlow = DevelopHandTest;
 TEST_F(DevelopHandSlow, AGripperGetsItsGraspsWhateverTheWorkersAndWhereverItStopped) {
   const std::vector<DevelopedGrasp> developed = Develop("one", 1);
   ASSERT_EQ(developed.size(), 3u);  // g2, g3, g4: with two digits
-  const std::vector<StandardGrasp> read = LoadStandardGrasps(LoadHand(out("one").string()));
+  const std::vector<Grasp> read = LoadStandardGrasps(LoadHand(out("one").string()));
   ASSERT_EQ(read.size(), 3u);
   for (size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(read[k].id, developed[k].grasp.id);

@@ -1,4 +1,4 @@
-#include "workbench/shell/shell_words.h"
+#include "workbench/text/typed_words.h"
 
 #include <fmt/core.h>
 

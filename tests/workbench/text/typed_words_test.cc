@@ -1,4 +1,4 @@
-#include "workbench/shell/shell_words.h"
+#include "workbench/text/typed_words.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-TEST(ShellWords, AreSplitAtBlanksOutsideOfQuotes) {
+TEST(TypedWords, AreSplitAtBlanksOutsideOfQuotes) {
   EXPECT_EQ(SplitWords(""), Words());
   EXPECT_EQ(SplitWords("  \t "), Words());
   EXPECT_EQ(SplitWords(" goto\t1.25s\r"), Words({"goto", "1.25s"}));
@@ -19,23 +19,23 @@ TEST(ShellWords, AreSplitAtBlanksOutsideOfQuotes) {
   EXPECT_EQ(SplitWords("it's \"it's\""), Words({"it's", "it's"}));
 }
 
-TEST(ShellWords, EndAtAComment) {
+TEST(TypedWords, EndAtAComment) {
   EXPECT_EQ(SplitWords("# all of it"), Words());
   EXPECT_EQ(SplitWords("run # to the end"), Words({"run"}));
   EXPECT_EQ(SplitWords("save a#b '#c'"), Words({"save", "a#b", "#c"}));
 }
 
-TEST(ShellWords, AQuoteWithoutEndIsRefused) {
+TEST(TypedWords, AQuoteWithoutEndIsRefused) {
   EXPECT_THROW(SplitWords("save 'my grasp"), Error);
   EXPECT_THROW(SplitWords("\""), Error);
 }
 
-TEST(ShellWords, NamesAreComparedWithoutCase) {
+TEST(TypedWords, NamesAreComparedWithoutCase) {
   EXPECT_EQ(MakeComparable("Light Bulb"), "light_bulb");
   EXPECT_EQ(MakeComparable("TUM-Hand"), "tum_hand");
 }
 
-TEST(ShellWords, NumbersMayCarryTheirUnit) {
+TEST(TypedWords, NumbersMayCarryTheirUnit) {
   EXPECT_EQ(ParseNumber("1.25", "the time", "s", 0.0, 10.0), 1.25);
   EXPECT_EQ(ParseNumber("1.25s", "the time", "s", 0.0, 10.0), 1.25);
   EXPECT_EQ(ParseNumber("-3deg", "the angle", "deg", -5.0, 5.0), -3.0);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -5,6 +7,7 @@
 #include <vector>
 
 #include "core/base/text/text.h"
+#include "datasets/plan/presets.h"
 #include "workbench/commands/command.h"
 #include "workbench/text/file_formats.h"
 
@@ -30,6 +33,17 @@ void PrintFormat(const std::string& name, bool json) {
     json ? PrintJson(MakeFormatJson(format))
          : PrintResult(format.name + ": " + format.about + "\n\n" + FormatFileKeys(format.keys));
   }
+}
+
+/** What "graspbench --help" prints, and what else has a name: presets and files. */
+std::string FormatOverview(const CLI::App& program, const std::vector<std::string>& files) {
+  std::string presets;
+  for (const Preset& preset : ListPresets()) {
+    presets += fmt::format("  {:<27} {}\n", preset.name, preset.about);
+  }
+  return program.help() +
+         "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
+         presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) + "\n";
 }
 
 /** What "graspbench WORDS --help" prints. @throws Error(kUsage) when there is no such command. */
@@ -71,6 +85,7 @@ std::string JoinForCompletion(const std::vector<std::string>& files, const CLI::
 void AddHelpCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
       program, "help", "Explain a command, or every key of a file: unit, range and default.",
+      "  graspbench help                       commands, presets and files\n"
       "  graspbench help object.yaml\n"
       "  graspbench help session.yaml --json\n"
       "  graspbench help hand develop          as graspbench hand develop --help");
@@ -78,12 +93,14 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
   for (const FileFormat& format : ListFileFormats()) files.push_back(format.name);
   const auto words = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false);
-  command.add_option("topic", *words, "a command, or one of " + ListNames(files))
-      ->required()
+  command
+      .add_option("topic", *words,
+                  "a command, or one of " + ListNames(files) + "; absent: all there is")
       ->type_name("{" + JoinForCompletion(files, program) + "}")
       ->option_text("COMMAND|FILE");
   command.add_flag("--json", *json, "of a file: print one JSON object");
   command.callback([&program, files, words, json] {
+    if (words->empty()) return PrintResult(FormatOverview(program, files));
     const bool is_file = std::find(files.begin(), files.end(), words->front()) != files.end();
     is_file ? PrintFormat(words->front(), *json) : PrintResult(FindCommandHelp(program, *words));
   });

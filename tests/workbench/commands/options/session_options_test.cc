@@ -1,4 +1,4 @@
-#include "workbench/session_options.h"
+#include "workbench/commands/options/session_options.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -42,6 +42,27 @@ TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
   EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
   EXPECT_EQ(config.trials, 9);
   EXPECT_EQ(config.seed, 6);
+}
+
+TEST_F(SessionOptionsTest, APresetStandsInThePlaceOfAFile) {
+  command_.parse("--preset benchmark --set seed=6 --trials 9", false);
+  EXPECT_TRUE(options_.HasAny());
+  EXPECT_EQ(options_.name(), "benchmark");
+  SessionConfig expected;
+  expected.seed = 6;
+  expected.trials = 9;
+  EXPECT_EQ(ToJson(options_.MakeConfig()), ToJson(expected));
+}
+
+TEST_F(SessionOptionsTest, AFileAndAPresetAreRefused) {
+  command_.parse(file_.string() + " --preset benchmark", false);
+  try {
+    options_.MakeConfig();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    EXPECT_NE(std::string(error.what()).find("preset: benchmark"), std::string::npos);
+  }
 }
 
 TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
