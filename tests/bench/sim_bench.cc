@@ -31,7 +31,7 @@ TrialSetup MakeSetup(const char* hand_id, const char* object_id, const char* gra
   TrialSetup setup;
   setup.hand = std::make_shared<const Hand>(LoadHand(hand_id));
   setup.object = LoadObject(object_id);
-  for (const StandardGrasp& grasp : LoadStandardGrasps(*setup.hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(*setup.hand)) {
     if (grasp.id == grasp_id) setup.grasp = grasp;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
