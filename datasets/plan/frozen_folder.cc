@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/physics/sim_config.h"
 #include "datasets/journal/json_fault.h"
+#include "datasets/plan/model_config.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;

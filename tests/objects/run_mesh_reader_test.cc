@@ -15,7 +15,7 @@ const char kAsciiStl[] =
     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 4 5 6\nvertex 7 8 10\nendloop\n"
     "endfacet\nendsolid a\n";
 
-std::string FindMessage(const std::string& bytes, const std::string& format) {
+std::string FindReaderMessage(const std::string& bytes, const std::string& format) {
   try {
     RunMeshReader(bytes, format, {}, "the file");
   } catch (const Error& e) {
@@ -47,15 +47,15 @@ TEST(RunMeshReaderTest, ThreadsDoNotMeet) {
 TEST(RunMeshReaderTest, MessagesArePrintable) {
   const std::string escape = "\x1b]0;title\x07\xe2\x80\xae";
   for (const std::string format : {"gltf", "ply", "stl", "glb"}) {
-    const std::string message = FindMessage("{\"" + escape + "\": [" + escape, format);
+    const std::string message = FindReaderMessage("{\"" + escape + "\": [" + escape, format);
     EXPECT_EQ(message.find("mesh \"the file\" cannot be read ("), 0u) << message;
     for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
   }
 }
 
 TEST(RunMeshReaderTest, OneFormatIsReadAsAskedForAndNoOther) {
-  EXPECT_NE(FindMessage(kAsciiStl, "ply"), "no error");
-  EXPECT_NE(FindMessage("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "off")
+  EXPECT_NE(FindReaderMessage(kAsciiStl, "ply"), "no error");
+  EXPECT_NE(FindReaderMessage("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "off")
                 .find("(the format is not known)"),
             std::string::npos);
 }
@@ -65,7 +65,7 @@ TEST(RunMeshReaderTest, AFileThatAsksForTooMuchIsRefused) {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
       "z\nelement face 999999999\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 "
       "0\n0 1 0\n3 0 1";
-  EXPECT_NE(FindMessage(ply, "ply"), "no error");
+  EXPECT_NE(FindReaderMessage(ply, "ply"), "no error");
 }
 
 }  // namespace

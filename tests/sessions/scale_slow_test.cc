@@ -10,7 +10,7 @@ trials are real ones multiplied under the ids of a plan, because to simulate the
 
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
-#include "datasets/session/judgement_store.h"
+#include "datasets/records/judgement_line.h"
 #include "datasets/session/session_store.h"
 #include "tests/support/run_program.h"
 

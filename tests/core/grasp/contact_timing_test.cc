@@ -11,7 +11,7 @@
 namespace graspbench {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNeverTouches = std::numeric_limits<double>::quiet_NaN();
 
 // Times in eighths of a second are exact in binary, so the expected differences are exact too.
 std::vector<DigitContact> MakeHand(double thumb, const std::vector<double>& fingers) {
@@ -54,7 +54,7 @@ TEST(ContactTiming, TwoDigitsFormAsTheyOppose) {
 }
 
 TEST(ContactTiming, AFingerThatNeverTouchesLeavesOnlyOpposition) {
-  const ContactTiming timing = CalcContactTiming(MakeHand(0.25, {0.5, kNever}), 0.0);
+  const ContactTiming timing = CalcContactTiming(MakeHand(0.25, {0.5, kNeverTouches}), 0.0);
   EXPECT_TRUE(std::isnan(timing.gct));
   EXPECT_TRUE(std::isnan(timing.gft));
   EXPECT_EQ(timing.got, 0.25);
@@ -64,7 +64,7 @@ TEST(ContactTiming, AFingerThatNeverTouchesLeavesOnlyOpposition) {
 
 TEST(ContactTiming, WithoutTheThumbNothingOpposes) {
   for (const std::vector<DigitContact>& contacts :
-       {MakeHand(kNever, {0.5, 0.75}), MakeHand(0.5, {kNever, kNever})}) {
+       {MakeHand(kNeverTouches, {0.5, 0.75}), MakeHand(0.5, {kNeverTouches, kNeverTouches})}) {
     const ContactTiming timing = CalcContactTiming(contacts, 0.0);
     EXPECT_TRUE(std::isnan(timing.got));
     EXPECT_TRUE(std::isnan(timing.got_ratio));

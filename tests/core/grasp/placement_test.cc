@@ -72,17 +72,17 @@ class PlacementTest : public testing::TestWithParam<Case> {
 };
 
 // A thing of middle size, 40 mm wide and 30 mm high.
-const Vector3d kSize(0.08, 0.04, 0.03);
+const Vector3d kPlacedSize(0.08, 0.04, 0.03);
 
 TEST_P(PlacementTest, PadsStandAsFarApartAsTheObjectIsWideAndOverItsCentreOfMass) {
   const Vector3d p_OOcm(0.01, 0.0, 0.0);
-  const Placement placement = CalcPlacement(hand_, grasp_, kSize, p_OOcm);
+  const Placement placement = CalcPlacement(hand_, grasp_, kPlacedSize, p_OOcm);
   const double s = placement.closing_at_contact;
   ASSERT_GT(s, 0.0);
   ASSERT_LT(s, 1.0);
   const Vector3d thumb = CalcPad(placement, s, true), fingers = CalcPad(placement, s, false);
   const Eigen::Vector2d opening = (fingers - thumb).head<2>();
-  EXPECT_NEAR(opening.norm(), kSize.y(), 0.002);  // the search moves in steps of 1/200
+  EXPECT_NEAR(opening.norm(), kPlacedSize.y(), 0.002);  // the search moves in steps of 1/200
   EXPECT_LT((0.5 * (thumb + fingers) - p_OOcm).head<2>().norm(), 1e-9);
   // alpha between the object's long axis and the line from thumb to fingers.
   EXPECT_NEAR(std::atan2(opening.y(), opening.x()), grasp_.alpha, 1e-9);
@@ -106,7 +106,7 @@ TEST_P(PlacementTest, AThinThingIsPickedOffTheTable) {
 }
 
 TEST_P(PlacementTest, ComesStraightDownOnWhatIsLow) {
-  const Placement placement = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
+  const Placement placement = CalcPlacement(hand_, grasp_, kPlacedSize, Vector3d::Zero());
   EXPECT_LT((placement.approach_W + Vector3d::UnitZ()).norm(), 1e-12);
   const Eigen::Matrix3d R = placement.X_WH.linear();
   EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
@@ -221,8 +221,8 @@ TEST_P(PlacementTest, AMovedHandKeepsTheRules) {
 }
 
 TEST_P(PlacementTest, AShiftedCentreOfMassShiftsTheHand) {
-  const Placement a = CalcPlacement(hand_, grasp_, kSize, Vector3d::Zero());
-  const Placement b = CalcPlacement(hand_, grasp_, kSize, Vector3d(0.02, -0.01, 0.0));
+  const Placement a = CalcPlacement(hand_, grasp_, kPlacedSize, Vector3d::Zero());
+  const Placement b = CalcPlacement(hand_, grasp_, kPlacedSize, Vector3d(0.02, -0.01, 0.0));
   EXPECT_LT((b.X_WH.translation() - a.X_WH.translation() - Vector3d(0.02, -0.01, 0.0)).norm(),
             1e-12);
   EXPECT_LT((b.X_WH.linear() - a.X_WH.linear()).norm(), 1e-15);

@@ -17,8 +17,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kWidth = 240;
-constexpr int kHeight = 180;
+constexpr int kPictureWidth = 240;
+constexpr int kPictureHeight = 180;
 constexpr int kBackground[3] = {237, 238, 240};  // sRGB, as scene.h promises
 
 // The pinhole camera written down once more, as the truth for the pictures: pixel (u, v) with v
@@ -28,16 +28,16 @@ struct Pinhole {
     forward = (camera.p_WTarget - camera.p_WEye).normalized();
     right = forward.cross(Vector3d::UnitZ()).normalized();
     down = forward.cross(right);
-    focal_length = 0.5 * kHeight / std::tan(0.5 * camera.field_of_view);
+    focal_length = 0.5 * kPictureHeight / std::tan(0.5 * camera.field_of_view);
   }
   Vector2d Project(const Vector3d& p_W) const {
     const Vector3d p = p_W - p_WEye;
-    return Vector2d(0.5 * kWidth + focal_length * p.dot(right) / p.dot(forward),
-                    0.5 * kHeight + focal_length * p.dot(down) / p.dot(forward));
+    return Vector2d(0.5 * kPictureWidth + focal_length * p.dot(right) / p.dot(forward),
+                    0.5 * kPictureHeight + focal_length * p.dot(down) / p.dot(forward));
   }
   Vector3d CalcRay(double u, double v) const {
-    return (forward + (u - 0.5 * kWidth) / focal_length * right +
-            (v - 0.5 * kHeight) / focal_length * down)
+    return (forward + (u - 0.5 * kPictureWidth) / focal_length * right +
+            (v - 0.5 * kPictureHeight) / focal_length * down)
         .normalized();
   }
   Vector3d p_WEye, forward, right, down;
@@ -62,7 +62,7 @@ constexpr double kOffsets[] = {-0.75, -0.25, 0.25, 0.75};
 
 // Making one compiles the shaders, so most tests share it.
 Renderer& SharedRenderer() {
-  static Renderer renderer(kWidth, kHeight);
+  static Renderer renderer(kPictureWidth, kPictureHeight);
   return renderer;
 }
 
@@ -71,8 +71,8 @@ int CountWrongPixels(const Image& image, const Camera& camera,
                      const std::function<bool(const Vector3d& p_W, const Vector3d& ray_W)>& hits) {
   const Pinhole pinhole(camera);
   int num_wrong = 0;
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) {
+  for (int v = 0; v < kPictureHeight; ++v) {
+    for (int u = 0; u < kPictureWidth; ++u) {
       int num_hits = 0;
       for (const double du : kOffsets) {
         for (const double dv : kOffsets) {
@@ -134,13 +134,13 @@ TEST(RendererTest, SphereFillsThePixelsOfItsProjection) {
                                  std::pow(std::cos(alpha), 2.0) -
                              middle * middle - 1.0);
   const double f = pinhole.focal_length;
-  const Vector2d principal(0.5 * kWidth, 0.5 * kHeight);
+  const Vector2d principal(0.5 * kPictureWidth, 0.5 * kPictureHeight);
   const Vector2d expected_centre =
       principal + f * middle * (pinhole.Project(centre) - principal).normalized();
   double area = 0.0;
   Vector2d sum = Vector2d::Zero();
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) {
+  for (int v = 0; v < kPictureHeight; ++v) {
+    for (int u = 0; u < kPictureWidth; ++u) {
       if (IsBackground(image, u, v)) continue;
       area += 1.0;
       sum += Vector2d(u + 0.5, v + 0.5);
@@ -189,7 +189,7 @@ TEST(RendererTest, NearerThingHidesTheFartherOne) {
   Renderer& renderer = SharedRenderer();
   for (int i = 0; i < 2; ++i) {  // in either order
     const Image image = renderer.Render(scene, camera);
-    const uint8_t* middle = FindPixel(image, kWidth / 2, kHeight / 2);
+    const uint8_t* middle = FindPixel(image, kPictureWidth / 2, kPictureHeight / 2);
     EXPECT_GT(middle[0], 2 * middle[1]);
     const Vector2d beside = Pinhole(camera).Project(Vector3d(0.025, 0.0, 0.05));
     const uint8_t* rim =
@@ -203,9 +203,9 @@ TEST(RendererTest, EmptySceneIsBackground) {
   Scene scene;
   scene.has_table = false;
   const Image image = SharedRenderer().Render(scene, Camera());
-  ASSERT_EQ(image.rgb.size(), 3u * kWidth * kHeight);
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) ASSERT_TRUE(IsBackground(image, u, v)) << u << " " << v;
+  ASSERT_EQ(image.rgb.size(), 3u * kPictureWidth * kPictureHeight);
+  for (int v = 0; v < kPictureHeight; ++v) {
+    for (int u = 0; u < kPictureWidth; ++u) ASSERT_TRUE(IsBackground(image, u, v)) << u << " " << v;
   }
 }
 
@@ -221,7 +221,8 @@ TEST(RendererTest, OpenMeshIsSeenFromBothSides) {
     Camera camera;
     camera.p_WEye = Vector3d(0.0, side, 0.0);
     camera.p_WTarget = Vector3d::Zero();
-    EXPECT_FALSE(IsBackground(SharedRenderer().Render(scene, camera), kWidth / 2, kHeight / 2));
+    EXPECT_FALSE(IsBackground(SharedRenderer().Render(scene, camera), kPictureWidth / 2,
+                              kPictureHeight / 2));
   }
 }
 
@@ -268,7 +269,7 @@ TEST(RendererTest, SameSceneGivesSameBytes) {
   const Image first = renderer.Render(scene, Camera());
   renderer.Render(MakeStillLife(MakePose(Vector3d(0.1, 0.0, 0.0))), Camera());
   EXPECT_EQ(renderer.Render(scene, Camera()).rgb, first.rgb);
-  EXPECT_EQ(Renderer(kWidth, kHeight).Render(scene, Camera()).rgb, first.rgb);
+  EXPECT_EQ(Renderer(kPictureWidth, kPictureHeight).Render(scene, Camera()).rgb, first.rgb);
 }
 
 // A new mesh may take the address of a dead one; the picture must not show the dead one.
@@ -298,10 +299,10 @@ TEST(RendererTest, LooksStraightDownWithWorldYUpwards) {
   scene.drawables.push_back(
       MakeDrawable(MakeSphere(0.02), MakePose(Vector3d(0.0, 0.08, 0.0)), kRed));
   const Image image = SharedRenderer().Render(scene, camera);
-  const double focal_length = 0.5 * kHeight / std::tan(0.5 * camera.field_of_view);
-  const int v = static_cast<int>(0.5 * kHeight - focal_length * 0.08 / 0.5);
-  EXPECT_FALSE(IsBackground(image, kWidth / 2, v));
-  EXPECT_TRUE(IsBackground(image, kWidth / 2, kHeight - v));
+  const double focal_length = 0.5 * kPictureHeight / std::tan(0.5 * camera.field_of_view);
+  const int v = static_cast<int>(0.5 * kPictureHeight - focal_length * 0.08 / 0.5);
+  EXPECT_FALSE(IsBackground(image, kPictureWidth / 2, v));
+  EXPECT_TRUE(IsBackground(image, kPictureWidth / 2, kPictureHeight - v));
 }
 
 // A pixel shows the thing or the table as in full quality, but for the outlines; the table is lit
@@ -313,15 +314,15 @@ TEST(RendererTest, DraftShowsTheSameThingsWithoutShadows) {
   ASSERT_GT(scene.drawables[0].mesh->num_triangles(), 30000);
   scene.drawables[0].colour = Eigen::Vector3f(0.7f, 0.05f, 0.05f);
   const Camera camera;
-  Renderer draft(kWidth, kHeight, RenderQuality::kDraft);
+  Renderer draft(kPictureWidth, kPictureHeight, RenderQuality::kDraft);
   const Image full = SharedRenderer().Render(scene, camera), fast = draft.Render(scene, camera);
   const auto is_red = [](const Image& image, int u, int v) {
     const uint8_t* rgb = FindPixel(image, u, v);
     return rgb[0] > rgb[1] + 20;
   };
   int num_different = 0, num_red = 0, num_dark = 0;
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) {
+  for (int v = 0; v < kPictureHeight; ++v) {
+    for (int u = 0; u < kPictureWidth; ++u) {
       num_red += is_red(full, u, v);
       num_different += is_red(full, u, v) != is_red(fast, u, v);
       num_dark += !is_red(fast, u, v) && !is_red(full, u, v) && FindPixel(fast, u, v)[0] < 170;
@@ -361,12 +362,12 @@ TEST(Renderer, WhatMayBeCutFadesTowardsTheEdge) {
   const Image cut = SharedRenderer().Render(scene, camera);
   scene.drawables[0].must_be_seen = false;
   const Image faded = SharedRenderer().Render(scene, camera);
-  const Vector2d middle(0.5 * kWidth, 0.5 * kHeight);
+  const Vector2d middle(0.5 * kPictureWidth, 0.5 * kPictureHeight);
   EXPECT_EQ(CalcBrightness(faded, middle), CalcBrightness(cut, middle));
   const int background = kBackground[0] + kBackground[1] + kBackground[2];
   int last = CalcBrightness(faded, middle);
   for (const double share : {0.08, 0.05, 0.02, 0.0}) {  // towards the left edge
-    const Vector2d pixel(share * kWidth, 0.5 * kHeight);
+    const Vector2d pixel(share * kPictureWidth, 0.5 * kPictureHeight);
     const int brightness = CalcBrightness(faded, pixel);
     EXPECT_GT(brightness, last) << share;
     EXPECT_LT(CalcBrightness(cut, pixel), background / 2);
