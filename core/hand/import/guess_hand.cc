@@ -21,6 +21,7 @@ constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
 constexpr double kPadPlace = 0.6;       // of the way from the last joint to the tip
 constexpr double kAgreement = 0.5;      // of the pads' directions, mean length
+constexpr double kSameSide = 0.5;       // cosine
 constexpr double kSameDirection = 0.8;  // cosine
 constexpr double kNearlyAxis = 0.985;   // cosine
 constexpr double kLeastHeight = 0.01;   // [m] behind the palm's surface
@@ -338,7 +339,7 @@ Vector3d Guesser::GuessNormal(const DigitMeeting& meeting) const {
   normal.stableNormalize();
   // The pads of a gripper face each other.
   const bool is_gripper = all_facing.norm() < kAgreement;
-  if (is_gripper || normal.dot(meeting.direction) < kSameDirection) {
+  if (is_gripper || normal.dot(meeting.direction) < kSameSide) {
     return SnapToAxis(meeting.direction, kSameDirection);
   }
   return SnapToAxis(normal, kNearlyAxis);

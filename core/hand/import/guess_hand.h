@@ -9,7 +9,7 @@ user that they are guesses.
 - The pad faces where the last link goes when the digit closes (core/hand/closing.h).
 - The thumb is the digit of that name, otherwise the one that faces the others most.
 - The palm faces where the digits can meet (palm_frame.h). Where the fingers' pads face the same
-  way, within 37 degrees of that, they say it more exactly; an axis that is within 37 degrees of
+  way, within 60 degrees of that, they say it more exactly; an axis that is within 37 degrees of
   the direction of a gripper is meant. Digits that cannot meet in front of the palm are an error. */
 
 #include <optional>

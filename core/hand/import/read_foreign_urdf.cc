@@ -169,8 +169,8 @@ std::optional<ForeignShape> ForeignUrdfReader::ReadShape(XMLElement& element,
     shape.mesh = address ? address : "";
     shape.scale = Vector(solid, "scale", Vector3d::Ones(), where);
     if (!shape.mesh.empty() && shape.scale.cwiseAbs().minCoeff() > 0.0) return shape;
-    Warn(*solid,
-         where + ": a mesh without " + (shape.mesh.empty() ? "filename" : "extent") + "; left out");
+    Warn(*solid, where + ": a mesh with" + (shape.mesh.empty() ? "out filename" : " a scale of 0") +
+                     "; left out");
     return {};
   } else {
     Warn(*solid, where + ": <" + kind + "> is no shape of URDF; left out");
@@ -219,7 +219,8 @@ void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
   const double effort = Number(limit, "effort", 0.0, where);
   joint.drive.effort = std::max(0.0, effort);
   const bool is_driven = !element.FirstChildElement("mimic");
-  if (limit && is_driven && effort <= 0.0) without_effort_.push_back(joint.name);
+  if (limit && limit->Attribute("effort") && is_driven && effort <= 0.0)
+    without_effort_.push_back(joint.name);
   const double most_effort = joint.kind == ForeignJoint::Kind::kRevolute ? 200.0 : 5000.0;
   if (effort > most_effort) with_great_effort_.push_back(joint.name);
   StatedLimits stated;
@@ -310,6 +311,10 @@ void ForeignUrdfReader::ReadJoint(XMLElement& element) {
     joint.kind = ForeignJoint::Kind::kRevolute;
   } else if (type == "prismatic") {
     joint.kind = ForeignJoint::Kind::kPrismatic;
+  } else if (type != "fixed" && type != "floating" && type != "planar") {
+    Fail(element, where + ": type \"" + type +
+                      "\" is not one of URDF: revolute, continuous, prismatic, fixed, floating, "
+                      "planar");
   } else if (type != "fixed") {
     Warn(element, where + ": type \"" + type + "\" is no joint of a hand; taken as fixed");
   }

@@ -38,9 +38,11 @@ std::string FormatPlace(const Vector3d& p) {
   return "[" + text + "]";
 }
 
+/** One angle after the other is taken out, so that they stay exact where the pitch is 90 degrees. */
 Vector3d CalcRpy(const Eigen::Matrix3d& R) {
-  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
-          std::atan2(R(1, 0), R(0, 0))};
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(-yaw, Vector3d::UnitZ()) * R;
+  return {std::atan2(-tilted(1, 2), tilted(1, 1)), std::atan2(-tilted(2, 0), tilted(0, 0)), yaw};
 }
 
 class UrdfWriter {

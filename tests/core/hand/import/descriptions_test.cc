@@ -110,7 +110,7 @@ TEST_P(RightDescriptionTest, IsNotDoubted) {
                     GetParam()[1] == "-" ? "" : GetParam()[1], problems);
   for (const Diagnostic& problem : problems.entries()) {
     for (const char* doubt : {"would fit", "mirror image", "times as much", "taken to be in",
-                              "narrowed", "fixed: give", "effort of"}) {
+                              "fixed: give", "without torque"}) {
       EXPECT_EQ(problem.text.find(doubt), std::string::npos) << problem.text;
     }
   }
