@@ -100,6 +100,7 @@ class MeetingFinder {
 std::optional<DigitMeeting> FindMeeting(const Hand& hand) {
   const auto thumb = std::find_if(hand.digits.begin(), hand.digits.end(),
                                   [](const Digit& digit) { return digit.is_thumb; });
+  if (thumb == hand.digits.end()) return {};
   const MeetingFinder finder(hand);
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
   const auto base = [&](const Digit& digit) -> Vector3d {

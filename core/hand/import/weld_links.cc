@@ -24,6 +24,7 @@ constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
 constexpr double kBallMass = 0.004;      // [kg]
 constexpr int kMostWristJoints = 2;
 constexpr double kHeaviestHand = 10.0;  // [kg]
+constexpr double kFarthestFrame = 2.0;  // [m] along an axis, as hand.yaml has it
 
 bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
 
@@ -403,6 +404,7 @@ ImportedHand Welder::Weld(int palm) {
     const int index = link_of[member];
     if (index < 0 || foreign_.links[member].name == hand.links[index].name) continue;
     const Pose X_LF = index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member]) : X_LM[member];
+    if (X_LF.translation().cwiseAbs().maxCoeff() > kFarthestFrame) continue;  // of a scene
     hand.frames.push_back({foreign_.links[member].name, index, X_LF});
   }
   NarrowForFollowers(hand);
