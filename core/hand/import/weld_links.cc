@@ -319,8 +319,8 @@ void Welder::NarrowForFollowers(Hand& hand) {
     const double kept = upper - lower, narrowed = range - kept;
     if (narrowed > 1e-3 * range) {
       const auto format = [](const HandJoint& joint, double from, double to) {
-        return FormatFixed(ShownFromPosition(joint, from), 1) + " to " +
-               FormatFixed(ShownFromPosition(joint, to), 1) + " " + ShownUnitOf(joint);
+        return FormatFixed(ToDisplayUnits(joint, from), 1) + " to " +
+               FormatFixed(ToDisplayUnits(joint, to), 1) + " " + DisplayUnitOf(joint);
       };
       WarnAt(0, "joint \"" + driver.name + "\": its limits of " +
                     format(driver, driver.lower, driver.upper) + " are narrowed to " +
