@@ -127,7 +127,7 @@ TEST_P(NamedFramesTest, AreWhereTheDescriptionHasThem) {
       EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-9) << link;  // 1e-6 mm
     }
   }
-  RecordProperty("largest_difference", std::to_string(largest));
+  RecordProperty("largest_difference_pm", std::to_string(1e12 * largest));
 }
 INSTANTIATE_TEST_SUITE_P(Hands, NamedFramesTest,
                          testing::Values("claw_tips.urdf", "five_digits_mount.urdf",
