@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kNearer = 0.5;  // of the open distance
 constexpr double kNear = 0.025;  // [m], near enough whatever the open distance
-constexpr int kShares = 24, kSamples = 3000;
+constexpr int kMeetingShares = 24, kMeetingSamples = 3000;
 
 struct Nearest {
   double gap = std::numeric_limits<double>::infinity();
@@ -31,18 +31,18 @@ class MeetingFinder {
     Nearest open;
     Try(a, b, open_, open);
     Nearest best = open;
-    for (int i = 0; i <= kShares; ++i) {
-      for (int k = 0; k <= kShares; ++k) {
+    for (int i = 0; i <= kMeetingShares; ++i) {
+      for (int k = 0; k <= kMeetingShares; ++k) {
         Eigen::VectorXd q = open_;
-        Close(a, static_cast<double>(i) / kShares, q);
-        Close(b, static_cast<double>(k) / kShares, q);
+        Close(a, static_cast<double>(i) / kMeetingShares, q);
+        Close(b, static_cast<double>(k) / kMeetingShares, q);
         ApplyCoupling(hand_, q);
         Try(a, b, q, best);
       }
     }
     const double enough = std::max(kNearer * open.gap, kNear);
     if (best.gap > enough) {
-      for (int k = 1; k <= kSamples; ++k) Try(a, b, MakeSample(a, b, k), best);
+      for (int k = 1; k <= kMeetingSamples; ++k) Try(a, b, MakeSample(a, b, k), best);
     }
     if (best.gap > enough) return {};
     return best;
