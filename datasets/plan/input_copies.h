@@ -30,6 +30,10 @@ void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder
 @throws Error(kUsage) for a file that is named from outside the folder; Error(kIo). */
 void CopyHand(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/** As CopyHand, but meshes named from outside the folder are put into `meshes` and hand.urdf names
+them there: a hand of its own, not a copy to the byte. @throws Error(kIo). */
+void GatherHand(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /** Where to load an input from: its copy in the store's folder, else the name itself.
 @param folder  empty: there is no store yet. */
 std::string FindHandInput(const std::string& name, const std::filesystem::path& folder);
