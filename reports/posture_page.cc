@@ -39,7 +39,7 @@ double CalcAngle(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-PadStand CalcStand(const Hand& hand, const StandardGrasp& grasp, const VectorXd& q) {
+PadStand CalcStand(const Hand& hand, const Grasp& grasp, const VectorXd& q) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
   const Vector3d approach_H = CalcApproachDirection(hand, grasp.tilt);
   const auto opposing = static_cast<size_t>(FindOpposingDigit(hand, grasp));
@@ -80,7 +80,7 @@ std::string Mm(double metres) { return FormatFixed(MmFromM(metres), 1); }
 std::string Deg(double radians) { return FormatFixed(DegFromRad(radians), 0); }
 
 Html DrawRules(const Hand& hand, const DevelopedGrasp& one) {
-  const StandardGrasp &proposed = one.proposed.grasp, &developed = one.grasp;
+  const Grasp &proposed = one.proposed.grasp, &developed = one.grasp;
   const PadStand stands[] = {
       CalcStand(hand, proposed, proposed.q_pre), CalcStand(hand, developed, developed.q_pre),
       CalcStand(hand, proposed, proposed.q_target), CalcStand(hand, developed, developed.q_target)};
@@ -138,7 +138,7 @@ Html DrawJoints(const Hand& hand, const DevelopedGrasp& one) {
     std::vector<Html> cells = {Text(joint.name)};
     for (const VectorXd* q : {&one.proposed.grasp.q_pre, &one.grasp.q_pre,
                               &one.proposed.grasp.q_target, &one.grasp.q_target}) {
-      cells.push_back(Text(FormatFixed(ShownFromPosition(joint, (*q)[j]), 1)));
+      cells.push_back(Text(FormatFixed(ToDisplayUnits(joint, (*q)[j]), 1)));
     }
     table.AddRow(cells);
   }
@@ -162,7 +162,7 @@ std::string DescribeColours(const Hand& hand) {
 }
 
 /** The hand over the table as it comes to an object, its pads with arrows where they face. */
-Scene MakePostureScene(const std::shared_ptr<const Hand>& hand, const StandardGrasp& grasp,
+Scene MakePostureScene(const std::shared_ptr<const Hand>& hand, const Grasp& grasp,
                        const VectorXd& q, const Pose& X_WH) {
   Scene scene;
   scene.has_table = false;
@@ -183,7 +183,7 @@ Scene MakePostureScene(const std::shared_ptr<const Hand>& hand, const StandardGr
   return scene;
 }
 
-Html DrawPictures(const std::shared_ptr<const Hand>& hand, const StandardGrasp& grasp,
+Html DrawPictures(const std::shared_ptr<const Hand>& hand, const Grasp& grasp,
                   const std::string& of, Renderer& renderer) {
   const Vector3d approach_H = CalcApproachDirection(*hand, grasp.tilt);
   const Pose X_WH = MakePose(

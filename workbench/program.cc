@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -16,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/text/escape.h"
 #include "core/base/text/text.h"
+#include "core/base/version.h"
 #include "datasets/plan/scene_names.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/machines/machine.h"
@@ -63,6 +65,23 @@ std::vector<std::string> ListOptions(const CLI::App& command) {
   return names;
 }
 
+/** What a room of commands/ is called in the help: "hands_and_objects" as "Hands and objects". */
+std::string MakeHeading(std::string room) {
+  std::replace(room.begin(), room.end(), '_', ' ');
+  room[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(room[0])));
+  return room;
+}
+
+/** Lists what `add` adds to the program under the heading of its room. */
+void AddToRoom(const std::string& room, void (*add)(CLI::App&, ExitCode&), CLI::App& program,
+               ExitCode& exit_code) {
+  const auto all = [](const CLI::App*) { return true; };
+  const size_t num_before = program.get_subcommands(all).size();
+  add(program, exit_code);
+  const std::vector<CLI::App*> commands = program.get_subcommands(all);
+  for (size_t i = num_before; i < commands.size(); ++i) commands[i]->group(MakeHeading(room));
+}
+
 /** The parser's complaint in our words, with suggestions. */
 std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
   const CLI::App& command = FindCurrentCommand(program);
@@ -72,9 +91,10 @@ std::string Explain(const CLI::ParseError& fault, const CLI::App& program) {
     if (command.get_parent() != &program) typed += " " + command.get_parent()->get_name();
     typed += " " + command.get_name();
   }
-  const std::vector<std::string> extras = command.remaining();
+  std::vector<std::string> extras = command.remaining();
   std::string text;
   if (!extras.empty() && extras.front().rfind('-', 0) == 0) {
+    extras.front() = extras.front().substr(0, extras.front().find('='));
     text = "unknown option \"" + extras.front() + "\"" +
            SuggestNames(extras.front(), ListOptions(command));
   } else if (!extras.empty() && !subcommands.empty()) {
@@ -302,7 +322,9 @@ int RunProgram(int argc, const char* const* argv) {
         "  graspbench run                       both hands, 21 objects, then a report\n"
         "  graspbench render shadow can g3 --at closed --out can.png");
     program.require_subcommand(1);
-#define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
+    program.set_version_flag("--version,-V", std::string("graspbench ") + program_version(),
+                             "Print the version of the program and exit");
+#define GRASPBENCH_COMMAND(Name, room) AddToRoom(#room, &Add##Name##Command, program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
     RefuseEmptyNames(program);
@@ -316,7 +338,7 @@ int RunProgram(int argc, const char* const* argv) {
     FlushResults();
     return exit_code;
   } catch (const CLI::ParseError& fault) {
-    if (fault.get_exit_code() == 0) {  // --help
+    if (fault.get_exit_code() == 0) {  // --help, --version
       std::ostringstream help, none;
       program.exit(fault, help, none);
       PrintResult(help.str());

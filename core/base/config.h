@@ -19,6 +19,7 @@ such struct. A list of texts may be given as one text with commas: "tum, shadow"
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/base/diagnostics.h"
@@ -146,6 +147,23 @@ class KeyLister {
   std::vector<std::string>* keys_;
 };
 
+class ValueLister {
+ public:
+  template <class T>
+  void operator()(const char*, T& value) {
+    if constexpr (HasVisit<T>::value) {
+      value.Visit(*this);
+    } else {
+      values_.emplace_back(value);
+    }
+  }
+  using Value = std::variant<int, double, bool, std::string, std::vector<std::string>>;
+  const std::vector<Value>& values() const { return values_; }
+
+ private:
+  std::vector<Value> values_;
+};
+
 /** Splits "sim.step_s=0.001" and gives {sim: {step_s: 0.001}}.
 @throws Error(kUsage) when it is not of that form or the key is not known. */
 YAML::Node ParseSetting(const std::string& assignment, const std::vector<std::string>& known);
@@ -170,6 +188,15 @@ Json ConfigToJson(Config config) {
   internal::JsonConfigWriter writer;
   config.Visit(writer);
   return writer.json();
+}
+
+/** Whether all values are equal; one that is not a number equals none. */
+template <class Config>
+[[nodiscard]] bool HaveEqualValues(Config a, Config b) {
+  internal::ValueLister of_a, of_b;
+  a.Visit(of_a);
+  b.Visit(of_b);
+  return of_a.values() == of_b.values();
 }
 
 /** Reads a complete configuration; missing and unknown keys and wrong types go into `problems`. */

@@ -18,7 +18,6 @@ constexpr double RadFromDeg(double angle_deg) { return angle_deg * (kPi / 180.0)
 constexpr double DegFromRad(double angle) { return angle * (180.0 / kPi); }
 constexpr double MFromMm(double length_mm) { return length_mm * 1e-3; }
 constexpr double MmFromM(double length) { return length * 1e3; }
-constexpr double KgFromG(double mass_g) { return mass_g * 1e-3; }
 constexpr double GFromKg(double mass) { return mass * 1e3; }
 constexpr double MsFromS(double time) { return time * 1e3; }
 constexpr double MjFromJ(double energy) { return energy * 1e3; }

@@ -45,7 +45,7 @@ class Course {
  public:
   explicit Course(const RunDevelopTrials& run) : run_(run) {}
 
-  std::vector<double> Score(const std::string& stage, const std::vector<StandardGrasp>& grasps,
+  std::vector<double> Score(const std::string& stage, const std::vector<Grasp>& grasps,
                             int first_shape, int num_shapes, const std::vector<int>& draws) {
     std::vector<double> scores;
     for (const auto& trials : Run(stage, grasps, first_shape, num_shapes, draws)) {
@@ -54,11 +54,10 @@ class Course {
     return scores;
   }
   std::vector<std::vector<DevelopTrial>> Run(const std::string& stage,
-                                             const std::vector<StandardGrasp>& grasps,
-                                             int first_shape, int num_shapes,
-                                             const std::vector<int>& draws) {
+                                             const std::vector<Grasp>& grasps, int first_shape,
+                                             int num_shapes, const std::vector<int>& draws) {
     std::vector<DevelopRequest> requests;
-    for (const StandardGrasp& grasp : grasps) {
+    for (const Grasp& grasp : grasps) {
       DevelopRequest request{stage, grasp, {}};
       for (int shape = first_shape; shape < first_shape + num_shapes; ++shape) {
         for (const int draw : draws) request.trials.push_back({shape, draw});
@@ -97,9 +96,9 @@ class Contest {
     std::iota(left_.begin(), left_.end(), size_t{0});
   }
 
-  void Run(const std::string& stage, const std::vector<StandardGrasp>& all, int first_shape,
-           int num_shapes, const std::vector<int>& draws) {
-    std::vector<StandardGrasp> grasps;
+  void Run(const std::string& stage, const std::vector<Grasp>& all, int first_shape, int num_shapes,
+           const std::vector<int>& draws) {
+    std::vector<Grasp> grasps;
     for (const size_t k : left_) grasps.push_back(all[k]);
     const auto scores = course_.Score(stage, grasps, first_shape, num_shapes, draws);
     for (size_t k = 0; k < left_.size(); ++k) {
@@ -126,7 +125,7 @@ class Contest {
 
 /** @returns the index of the winner. */
 size_t RunRace(const std::vector<ProposedGrasp>& proposals, const Plan& plan, Course& course) {
-  std::vector<StandardGrasp> grasps;
+  std::vector<Grasp> grasps;
   for (const ProposedGrasp& proposed : proposals) {
     if (static_cast<int>(grasps.size()) < plan.num_racing) grasps.push_back(proposed.grasp);
   }
@@ -141,14 +140,14 @@ size_t RunRace(const std::vector<ProposedGrasp>& proposals, const Plan& plan, Co
 }
 
 /** Of the search, the best evaluations of its later half, when it had found its way. */
-std::vector<StandardGrasp> ListFinalists(const SearchResult& search, const PostureChanges& changes,
-                                         int count) {
+std::vector<Grasp> ListFinalists(const SearchResult& search, const PostureChanges& changes,
+                                 int count) {
   const size_t first = search.individuals.size() / 2;
   std::vector<double> fitness;
   for (size_t k = first; k < search.individuals.size(); ++k) {
     fitness.push_back(search.individuals[k].fitness);
   }
-  std::vector<StandardGrasp> finalists;
+  std::vector<Grasp> finalists;
   for (const size_t k : SortByScore(fitness)) {
     if (static_cast<int>(finalists.size()) == count) break;
     finalists.push_back(changes.Apply(search.individuals[first + k].genome));
@@ -175,7 +174,7 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
   const PostureChanges changes(hand, developed.proposed.grasp);
   const int half = plan.num_shapes / 2;
   const auto evaluate = [&](const std::vector<Individual>& generation) {
-    std::vector<StandardGrasp> grasps;
+    std::vector<Grasp> grasps;
     for (const Individual& one : generation) grasps.push_back(changes.Apply(one.genome));
     const int number = generation.front().generation;
     return course.Score("search", grasps, number % 2 == 0 ? 0 : half, half,
@@ -187,7 +186,7 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
                              "search of a development"),
                 evaluate);
 
-  std::vector<StandardGrasp> finalists = ListFinalists(search, changes, plan.num_finalists);
+  std::vector<Grasp> finalists = ListFinalists(search, changes, plan.num_finalists);
   finalists.insert(finalists.begin(), developed.proposed.grasp);
   Contest finals(finalists.size(), course);
   finals.Run("finals", finalists, 0, plan.num_shapes, {kFirstFinalsDraw});

@@ -46,7 +46,7 @@ struct DevelopRequest {
     int draw = 0;   ///< of the variation between trials
   };
   std::string stage;  ///< "race", "search", "finals", "check"
-  StandardGrasp grasp;
+  Grasp grasp;
   std::vector<Trial> trials;
 };
 /** The trials of each request, in the order of the requests. */
@@ -58,7 +58,7 @@ inline constexpr int kNumTrainingShapes = 24;
 
 struct DevelopedGrasp {
   ProposedGrasp proposed;           ///< what geometry gave, and the race chose
-  StandardGrasp grasp;              ///< what came of it
+  Grasp grasp;                      ///< what came of it
   double proposed_score = 0.0;      ///< in the first finals
   double score = 0.0;               ///< in the finals
   int num_trials = 0;               ///< in all

@@ -17,7 +17,7 @@ constexpr double kSlightPull = 0.2;  // [N]
 
 }  // namespace
 
-DevelopTrial MakeDevelopTrial(const StandardGrasp& grasp, const GraspObject& object,
+DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
                               const TrialResult& result) {
   DevelopTrial trial;
   trial.outcome = result.outcome;

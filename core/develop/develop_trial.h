@@ -30,7 +30,7 @@ struct DevelopTrial {
   }
 };
 
-DevelopTrial MakeDevelopTrial(const StandardGrasp& grasp, const GraspObject& object,
+DevelopTrial MakeDevelopTrial(const Grasp& grasp, const GraspObject& object,
                               const TrialResult& result);
 
 double CalcMeanScore(const std::vector<DevelopTrial>& trials);  ///< 0 without trials

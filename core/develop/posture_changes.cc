@@ -29,7 +29,7 @@ bool AreMirrored(const HandJoint& a, const HandJoint& b) {
 
 }  // namespace
 
-PostureChanges::PostureChanges(const Hand& hand, StandardGrasp grasp)
+PostureChanges::PostureChanges(const Hand& hand, Grasp grasp)
     : hand_(hand), grasp_(std::move(grasp)) {
   const int opposing = FindOpposingDigit(hand, grasp_);
   std::map<std::pair<size_t, size_t>, size_t> group_of_build;  // driven joints, place from base
@@ -67,8 +67,8 @@ SearchSpace PostureChanges::MakeSpace() const {
   return space;
 }
 
-StandardGrasp PostureChanges::Apply(const Eigen::VectorXd& change) const {
-  StandardGrasp grasp = grasp_;
+Grasp PostureChanges::Apply(const Eigen::VectorXd& change) const {
+  Grasp grasp = grasp_;
   const auto move = [&](const Move& moved, double by, Eigen::VectorXd& q) {
     const HandJoint& joint = hand_.joints[static_cast<size_t>(moved.joint)];
     q[moved.joint] = std::clamp(q[moved.joint] + moved.per_unit * by, joint.lower, joint.upper);

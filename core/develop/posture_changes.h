@@ -19,12 +19,12 @@ namespace graspbench {
 
 class PostureChanges {
  public:
-  PostureChanges(const Hand& hand, StandardGrasp grasp);
+  PostureChanges(const Hand& hand, Grasp grasp);
 
   /** No change at the start; 30 degrees either way at most. */
   SearchSpace MakeSpace() const;
   /** The grasp, changed and within the joints' limits. */
-  StandardGrasp Apply(const Eigen::VectorXd& change) const;
+  Grasp Apply(const Eigen::VectorXd& change) const;
 
  private:
   struct Move {
@@ -33,7 +33,7 @@ class PostureChanges {
   };
 
   const Hand& hand_;
-  StandardGrasp grasp_;
+  Grasp grasp_;
   std::vector<std::vector<Move>> groups_;  ///< of joints that change together
 };
 

@@ -46,7 +46,7 @@ struct PostureRules::Stand {
 
 PostureRules::PostureRules(const Hand& hand, const PostureAim& aim, const VectorXd& q_rest)
     : hand_(hand), aim_(aim), q_rest_(q_rest), joints_(FindGraspJoints(hand, aim.digits)) {
-  StandardGrasp grasp;
+  Grasp grasp;
   grasp.digits = aim.digits;
   opposing_ = &hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
   is_tip_.resize(hand.links.size(), false);

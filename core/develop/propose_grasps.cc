@@ -186,7 +186,7 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_cou
   const PosturePair pair = SolvePair(rules, start, proposed.miss);
   proposed.miss += CalcOverlap(hand, proposed.aim.digits, pairs, pair) / kOverlap;
 
-  StandardGrasp& grasp = proposed.grasp;
+  Grasp& grasp = proposed.grasp;
   grasp.id = taxon.id;
   grasp.type = taxon.type;
   grasp.approach_distance = taxon.approach_distance;
@@ -204,7 +204,7 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_cou
 
 }  // namespace
 
-void RoundGrasp(const Hand& hand, StandardGrasp& grasp) {
+void RoundGrasp(const Hand& hand, Grasp& grasp) {
   const double scale = std::pow(10.0, kGraspDecimals);
   grasp.tilt = RadFromDeg(std::round(DegFromRad(grasp.tilt) * scale) / scale);
   grasp.palm_gap = MFromMm(std::round(MmFromM(grasp.palm_gap) * scale) / scale);
@@ -219,7 +219,7 @@ bool CanDevelop(const Hand& hand, const GraspTaxon& taxon) {
 VectorXd CalcSqueeze(const Hand& hand, const std::vector<std::string>& digits,
                      const VectorXd& q_met, const Vector3d& approach_H, double grip) {
   constexpr double kMostTorque = 0.5;  // of a drive's limit
-  StandardGrasp grasp;
+  Grasp grasp;
   grasp.digits = digits;
   const Digit& opposing = hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q_met);

@@ -23,7 +23,7 @@ the rules are in posture_rules.h. */
 namespace graspbench {
 
 struct ProposedGrasp {
-  StandardGrasp grasp;
+  Grasp grasp;
   PostureAim aim;
   double grip = 0.0;  ///< of the thumb with nothing between the pads [N]
   double miss = 0.0;  ///< of the rules: root of the summed squared residuals; links inside
@@ -33,7 +33,7 @@ struct ProposedGrasp {
 /** Of degrees and millimetres in hand.yaml. */
 inline constexpr int kGraspDecimals = 2;
 /** Postures and tilt as hand.yaml will hold them, so that what was tried is what is read. */
-void RoundGrasp(const Hand& hand, StandardGrasp& grasp);
+void RoundGrasp(const Hand& hand, Grasp& grasp);
 
 /** Whether the hand has the digits: three for all finger precision and the three finger special,
 two for the rest. The pinch is one of pads with a small opening, not of a finger's side. */

@@ -47,7 +47,7 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
       kMade, hand.id, config.any_coupling ? " --any-coupling" : "", config.budget, config.seed,
       kSection);
   for (const DevelopedGrasp& one : developed) {
-    const StandardGrasp& grasp = one.grasp;
+    const Grasp& grasp = one.grasp;
     std::string digits;
     for (const std::string& id : grasp.digits) digits += (digits.empty() ? "" : ", ") + id;
     text += "  " + grasp.id + ":\n";

@@ -126,7 +126,7 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
   YamlMap map(root, file, "grasp", problems, &ListGraspFileKeys());
   ReadHeader(map);
   GraspFile result;
-  StandardGrasp& grasp = result.grasp;
+  Grasp& grasp = result.grasp;
   const GraspTaxon& taxon = ReadTaxon(map);
   grasp.type = taxon.type;
   grasp.approach_distance = taxon.approach_distance;
@@ -159,8 +159,7 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
   return result;
 }
 
-std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
-                            const std::string& made_from) {
+std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::string& made_from) {
   std::string digits;
   for (const std::string& digit : grasp.digits) digits += (digits.empty() ? "" : ", ") + digit;
   std::string text = std::string("format: ") + kFormat +
@@ -187,9 +186,9 @@ std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
   return text;
 }
 
-std::string FormatIsaacGrasp(const Hand& hand, const StandardGrasp& grasp,
-                             const std::string& object_id, const Vector3d& object_size,
-                             const Vector3d& p_OOcm, double confidence) {
+std::string FormatIsaacGrasp(const Hand& hand, const Grasp& grasp, const std::string& object_id,
+                             const Vector3d& object_size, const Vector3d& p_OOcm,
+                             double confidence) {
   Pose X_OH = CalcPlacement(hand, grasp, object_size, p_OOcm).X_WH;
   X_OH.pretranslate(Vector3d(0.0, 0.0, -0.5 * object_size.z()));
   const Vector3d p = X_OH.translation();

@@ -34,7 +34,7 @@ namespace graspbench {
 
 struct GraspFile {
   std::string hand;  ///< id
-  StandardGrasp grasp;
+  Grasp grasp;
 };
 
 /** @param hands  one of them must be the file's.
@@ -48,12 +48,11 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
 /** Angles with six decimals, lengths with nine: what is parsed from it differs by rounding from
 `grasp` and is written again with the same text.
 @param made_from  id of the standard grasp. */
-std::string FormatGraspFile(const Hand& hand, const StandardGrasp& grasp,
-                            const std::string& made_from);
+std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::string& made_from);
 
 /** @param object_size  length, width, height [m].  @param confidence  a success rate, in [0, 1]. */
-std::string FormatIsaacGrasp(const Hand& hand, const StandardGrasp& grasp,
-                             const std::string& object_id, const Eigen::Vector3d& object_size,
-                             const Eigen::Vector3d& p_OOcm, double confidence);
+std::string FormatIsaacGrasp(const Hand& hand, const Grasp& grasp, const std::string& object_id,
+                             const Eigen::Vector3d& object_size, const Eigen::Vector3d& p_OOcm,
+                             double confidence);
 
 }  // namespace graspbench

@@ -26,7 +26,7 @@ struct Pads {
   Vector3d p_HFingers;  ///< mean of the other grasping digits' pads
 };
 
-Pads CalcPads(const Hand& hand, const StandardGrasp& grasp, const std::vector<Pose>& X_HL) {
+Pads CalcPads(const Hand& hand, const Grasp& grasp, const std::vector<Pose>& X_HL) {
   Pads pads{Vector3d::Zero(), Vector3d::Zero()};
   const Digit& opposing = hand.digits[FindOpposingDigit(hand, grasp)];
   for (const Digit& digit : hand.digits) {
@@ -92,7 +92,7 @@ double CalcBoxDistance(const Vector3d& size, const Vector3d& p_O) {
 }
 
 /** How far along the approach the open hand must stop short of `placement` [m]. */
-double CalcWayBack(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+double CalcWayBack(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                    const CalcObstacle& calc_obstacle, const Placement& placement) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, 0.0));
   const Vector3d p_WO(0.0, 0.0, 0.5 * object.size.z());
@@ -147,7 +147,7 @@ double CalcGraspHeight(double height, bool from_side) {
 }
 
 /** What is taller than the fingers reach is grasped with power from the side, when nobody says. */
-bool ComesFromSide(const Hand& hand, const StandardGrasp& grasp, double height) {
+bool ComesFromSide(const Hand& hand, const Grasp& grasp, double height) {
   if (grasp.approach != Approach::kAutomatic) return grasp.approach == Approach::kSide;
   return grasp.type == GraspType::kPower && height > CalcReach(hand);
 }
@@ -163,7 +163,7 @@ Matrix3d CalcRotation(const Vector3d& a_H, const Vector3d& b_H, const Vector3d& 
 
 }  // namespace
 
-Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s) {
+Eigen::VectorXd CalcClosingPosture(const Hand& hand, const Grasp& grasp, double s) {
   Eigen::VectorXd q = grasp.q_pre + s * (grasp.q_target - grasp.q_pre);
   ApplyCoupling(hand, q);
   return q;
@@ -180,13 +180,13 @@ Vector3d CalcApproachDirection(const Hand& hand, double tilt) {
   return std::cos(tilt) * hand.palm_normal + std::sin(tilt) * forward_H;
 }
 
-double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp) {
+double CalcPreGraspWidth(const Hand& hand, const Grasp& grasp) {
   const Pads pads = CalcPads(hand, grasp, CalcLinkPoses(hand, grasp.q_pre));
   const Vector3d apart = pads.p_HFingers - pads.p_HThumb;
   return apart.cross(CalcApproachDirection(hand, grasp.tilt)).norm();
 }
 
-Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vector3d& object_size,
+Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Vector3d& object_size,
                         const Vector3d& p_OOcm) {
   GRASPBENCH_DEMAND(object_size.minCoeff() > 0.0, "an object's sizes must be positive");
   if (grasp.placement) return *grasp.placement;
@@ -247,7 +247,7 @@ Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const Vect
 namespace {
 
 /** Back along the approach until nothing is in the way, with whether it still reaches the object. */
-Placement StopBefore(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+Placement StopBefore(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                      const CalcObstacle& calc_obstacle, Placement placement) {
   const double back = CalcWayBack(hand, grasp, object, calc_obstacle, placement);
   if (back == 0.0) return placement;
@@ -263,9 +263,9 @@ Placement StopBefore(const Hand& hand, const StandardGrasp& grasp, const GraspOb
 }
 
 /** Of CalcPlacement, with what stands in the way. */
-Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+Placement PlaceBefore(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                       const CalcObstacle& calc_obstacle) {
-  StandardGrasp chosen = grasp;
+  Grasp chosen = grasp;
   if (object.approach != Approach::kAutomatic) chosen.approach = object.approach;
   const Placement placement =
       CalcPlacement(hand, chosen, object.size, object.mass_properties.p_OOcm);
@@ -275,12 +275,12 @@ Placement PlaceBefore(const Hand& hand, const StandardGrasp& grasp, const GraspO
 
 }  // namespace
 
-Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
+Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
   return PlaceBefore(hand, grasp, object,
                      [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); });
 }
 
-Placement MovePlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                         const Vector3d& shift_W, const Vector3d& turn_W) {
   GRASPBENCH_DEMAND(grasp.placement.has_value(), grasp.id);
   Placement placement = *grasp.placement;
@@ -303,7 +303,7 @@ Placement MovePlacement(const Hand& hand, const StandardGrasp& grasp, const Gras
       placement);
 }
 
-bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object) {
+bool ReachesBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
   return PlaceBefore(hand, grasp, object,
                      [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); })
       .reaches_object;

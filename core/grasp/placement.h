@@ -44,7 +44,7 @@ namespace graspbench {
 inline constexpr double kTableClearance = 0.0005;
 
 /** The posture at closing parameter s in [0, 1], coupled joints included. */
-Eigen::VectorXd CalcClosingPosture(const Hand& hand, const StandardGrasp& grasp, double s);
+Eigen::VectorXd CalcClosingPosture(const Hand& hand, const Grasp& grasp, double s);
 
 /** Unit, in H: the direction in which the hand comes to an object from above; the palm's normal,
 turned about the fingers' flexion axis by `tilt` towards the fingertips. */
@@ -52,26 +52,26 @@ Eigen::Vector3d CalcApproachDirection(const Hand& hand, double tilt);
 
 /** Between the opposing pad and the mean of the others in the pre-grasp, seen along the approach
 from above: what is wider does not fit [m]. */
-double CalcPreGraspWidth(const Hand& hand, const StandardGrasp& grasp);
+double CalcPreGraspWidth(const Hand& hand, const Grasp& grasp);
 
 /** As the grasp says it is approached.
 @param object_size  length, width, height of the object as it rests [m], all > 0.
 @param p_OOcm  its centre of mass [m]. */
-Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp,
-                        const Eigen::Vector3d& object_size, const Eigen::Vector3d& p_OOcm);
+Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Eigen::Vector3d& object_size,
+                        const Eigen::Vector3d& p_OOcm);
 
 /** The same, as the object says if it does, and stops before the object as it is (its distance
 field). A placement that the grasp brings is left alone. */
-Placement CalcPlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
+Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 /** The placement that the grasp brings with the hand turned about the object's centre by the vector
 `turn_W` [rad], then shifted by `shift_W` [m], the approach as it was. A hand that was moved is
 raised off the table and stopped before the object by the rules above. @pre the grasp brings one. */
-Placement MovePlacement(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object,
+Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                         const Eigen::Vector3d& shift_W, const Eigen::Vector3d& turn_W);
 
 /** Whether a computed one would reach the object even if the object filled its bounding box; needs
 no distance field. True implies that the placement reaches the object itself, which lies inside. */
-bool ReachesBoundingBox(const Hand& hand, const StandardGrasp& grasp, const GraspObject& object);
+bool ReachesBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

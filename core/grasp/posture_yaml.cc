@@ -27,11 +27,11 @@ void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& fi
     }
     for (size_t i = 0; i < actuated.size(); ++i) {
       const HandJoint& joint = hand.joints[actuated[i]];
-      const double angle = PositionFromShown(joint, angles_deg[i]);
+      const double angle = FromDisplayUnits(joint, angles_deg[i]);
       constexpr double kRounding = 1e-4;  // limits are written with four digits
       if (angle < joint.lower - kRounding || angle > joint.upper + kRounding) {
         map.Fail(digit.id, "joint " + joint.name + " at " + std::to_string(angles_deg[i]) + " " +
-                               ShownUnitOf(joint) + " is outside its limits");
+                               DisplayUnitOf(joint) + " is outside its limits");
       }
       q[actuated[i]] = std::clamp(angle, joint.lower, joint.upper);
     }
@@ -46,7 +46,7 @@ std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q, int decima
     text += (text.empty() ? "" : ", ") + digit.id + ": [";
     const char* separator = "";
     for (const int joint : FindDrivenJoints(hand, digit)) {
-      text += fmt::format("{}{:.{}f}", separator, ShownFromPosition(hand.joints[joint], q[joint]),
+      text += fmt::format("{}{:.{}f}", separator, ToDisplayUnits(hand.joints[joint], q[joint]),
                           decimals);
       separator = ", ";
     }
@@ -60,8 +60,8 @@ Eigen::VectorXd RoundPosture(const Hand& hand, const Eigen::VectorXd& q, int dec
   Eigen::VectorXd rounded = q;
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];
-    const double written = std::round(ShownFromPosition(joint, q[j]) * scale) / scale;
-    rounded[j] = std::clamp(PositionFromShown(joint, written), joint.lower, joint.upper);
+    const double written = std::round(ToDisplayUnits(joint, q[j]) * scale) / scale;
+    rounded[j] = std::clamp(FromDisplayUnits(joint, written), joint.lower, joint.upper);
   }
   ApplyCoupling(hand, rounded);
   return rounded;

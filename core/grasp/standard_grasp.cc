@@ -11,11 +11,11 @@
 namespace graspbench {
 namespace {
 
-StandardGrasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& node,
-                        const std::string& file, Diagnostics& problems) {
+Grasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& node,
+                const std::string& file, Diagnostics& problems) {
   const std::string where = "grasp " + taxon.id;
   YamlMap map(node, file, where, problems, &ListHandGraspKeys(), "grasps.ID.");
-  StandardGrasp grasp;
+  Grasp grasp;
   grasp.id = taxon.id;
   grasp.type = taxon.type;
   grasp.approach_distance = taxon.approach_distance;
@@ -61,7 +61,7 @@ const GraspTaxon& FindGraspTaxon(const std::string& id) {
   throw Error(ErrorKind::kNotFound, "no grasp \"" + id + "\"" + SuggestNames(id, known));
 }
 
-int FindOpposingDigit(const Hand& hand, const StandardGrasp& grasp) {
+int FindOpposingDigit(const Hand& hand, const Grasp& grasp) {
   int first = -1;
   for (size_t d = 0; d < hand.digits.size(); ++d) {
     const Digit& digit = hand.digits[d];
@@ -73,14 +73,14 @@ int FindOpposingDigit(const Hand& hand, const StandardGrasp& grasp) {
   return first;
 }
 
-std::vector<StandardGrasp> LoadStandardGrasps(const Hand& hand) {
+std::vector<Grasp> LoadStandardGrasps(const Hand& hand) {
   const std::filesystem::path path = std::filesystem::path(hand.folder) / "hand.yaml";
   const std::string file = path.string();
   Diagnostics problems;
   const YAML::Node root = LoadYaml(path, problems);
   problems.ThrowIfErrors(ErrorKind::kFormat,
                          "the grasps of hand \"" + hand.id + "\" cannot be read:");
-  std::vector<StandardGrasp> grasps;
+  std::vector<Grasp> grasps;
   const YAML::Node node = root["grasps"];
   if (!node.IsDefined()) return grasps;
 

@@ -45,7 +45,7 @@ struct Placement {
 
 /** One grasp of one hand. Where the hand stands follows from the postures (placement.h), unless
 the grasp was made for one object and brings its placement. */
-struct StandardGrasp {
+struct Grasp {
   std::string id;  ///< "g1".."g5", or the name of an optimised grasp
   GraspType type = GraspType::kAllFingerPrecision;
   double approach_distance = 0.1;  ///< d [m]
@@ -64,10 +64,10 @@ struct StandardGrasp {
 
 /** The digit that opposes the others: the thumb, or the first grasping digit of a grasp without it.
 Index into hand.digits. @pre the grasp has digits of this hand. */
-int FindOpposingDigit(const Hand& hand, const StandardGrasp& grasp);
+int FindOpposingDigit(const Hand& hand, const Grasp& grasp);
 
 /** All standard grasps the hand can do, from its hand.yaml.
 @throws Error(kFormat) listing every problem with file and line. */
-std::vector<StandardGrasp> LoadStandardGrasps(const Hand& hand);
+std::vector<Grasp> LoadStandardGrasps(const Hand& hand);
 
 }  // namespace graspbench

@@ -56,15 +56,15 @@ std::vector<int> FindDrivenJoints(const Hand& hand, const Digit& digit) {
   return driven;
 }
 
-double ShownFromPosition(const HandJoint& joint, double position) {
+double ToDisplayUnits(const HandJoint& joint, double position) {
   return joint.is_prismatic ? MmFromM(position) : DegFromRad(position);
 }
 
-double PositionFromShown(const HandJoint& joint, double shown) {
-  return joint.is_prismatic ? MFromMm(shown) : RadFromDeg(shown);
+double FromDisplayUnits(const HandJoint& joint, double displayed) {
+  return joint.is_prismatic ? MFromMm(displayed) : RadFromDeg(displayed);
 }
 
-const char* ShownUnitOf(const HandJoint& joint) { return joint.is_prismatic ? "mm" : "deg"; }
+const char* DisplayUnitOf(const HandJoint& joint) { return joint.is_prismatic ? "mm" : "deg"; }
 
 namespace {
 

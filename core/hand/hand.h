@@ -68,7 +68,7 @@ struct JointDrive {
   double torque_limit = 0.0;  ///< [N m]
   /** What no data sheet gives, of joints that turn; core/physics/imperfect_drive.h says how. */
   ///@{
-  double play = 0.0;              ///< width of the loop between command and joint [rad]
+  double hysteresis_width = 0.0;  ///< of the loop between command and joint [rad]
   double friction_static = 0.0;   ///< torque at which a joint at rest breaks loose [N m]
   double friction_dynamic = 0.0;  ///< that which brakes it then, at most the other [N m]
   ///@}
@@ -95,9 +95,9 @@ struct HandJoint {
 
 /** A joint's position as people give and read it: degrees, of a prismatic joint millimetres. */
 ///@{
-double ShownFromPosition(const HandJoint& joint, double position);
-double PositionFromShown(const HandJoint& joint, double shown);
-const char* ShownUnitOf(const HandJoint& joint);  ///< "deg", "mm"
+double ToDisplayUnits(const HandJoint& joint, double position);
+double FromDisplayUnits(const HandJoint& joint, double displayed);
+const char* DisplayUnitOf(const HandJoint& joint);  ///< "deg", "mm"
 ///@}
 
 /** How a distal joint follows its middle joint; see coupling.h. */

@@ -36,7 +36,7 @@ DigitPlace CalcPlace(const Hand& hand, const GraspObject& object, const Pose& X_
 
 }  // namespace
 
-DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const StandardGrasp& grasp,
+DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const Grasp& grasp,
                             const Digit& digit, const VectorXd& q_pre, const VectorXd& deviation) {
   GRASPBENCH_DEMAND(grasp.placement, grasp.id);
   DigitCourse course;

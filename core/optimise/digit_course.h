@@ -25,7 +25,7 @@ struct DigitCourse {
 /** @param q_pre  the course is q_pre + s (grasp.q_target - q_pre), coupled joints filled in
 (num_joints) [rad].
 @param deviation  added to it (num_joints) [rad].  @pre the grasp brings its placement. */
-DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const StandardGrasp& grasp,
+DigitCourse CalcDigitCourse(const Hand& hand, const GraspObject& object, const Grasp& grasp,
                             const Digit& digit, const Eigen::VectorXd& q_pre,
                             const Eigen::VectorXd& deviation);
 

@@ -8,7 +8,7 @@
 namespace graspbench {
 namespace {
 
-LearningRequest MakeCheckRequest(LearningStage stage, const StandardGrasp& grasp,
+LearningRequest MakeCheckRequest(LearningStage stage, const Grasp& grasp,
                                  const std::vector<int>& draws) {
   LearningRequest request;
   request.stage = stage;
@@ -36,8 +36,8 @@ std::vector<int> ListDraws(int first, int count) {
   return draws;
 }
 
-GraspCheck CheckGrasp(const StandardGrasp& before, const StandardGrasp& after,
-                      const CheckPlan& plan, const RunLearningTrials& run) {
+GraspCheck CheckGrasp(const Grasp& before, const Grasp& after, const CheckPlan& plan,
+                      const RunLearningTrials& run) {
   GraspCheck check;
   const int num_looks = plan.most_pairs / kPairsPerLook;
   for (int look = 1; check.decision == PairedDecision::kGoOn && look <= num_looks; ++look) {
@@ -52,8 +52,7 @@ GraspCheck CheckGrasp(const StandardGrasp& before, const StandardGrasp& after,
   return check;
 }
 
-GraspCheck CheckOldGrasp(const StandardGrasp& before, int first_draw,
-                         const RunLearningTrials& run) {
+GraspCheck CheckOldGrasp(const Grasp& before, int first_draw, const RunLearningTrials& run) {
   GraspCheck check;
   check.before = run({MakeCheckRequest(LearningStage::kCheckBefore, before,
                                        ListDraws(first_draw, kPairsPerLook))})

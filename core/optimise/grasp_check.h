@@ -19,7 +19,7 @@ namespace graspbench {
 /** What the simulation is asked: one grasp on some learning draws. */
 struct LearningRequest {
   LearningStage stage = LearningStage::kStandard;
-  StandardGrasp grasp;
+  Grasp grasp;
   std::vector<int> draws;      ///< 0: without variation
   bool full_hold = true;       ///< else a hold of 0.5 s: enough to take the fitness from
   bool keep_postures = false;  ///< of the digits' first touches: the lesson of step 1
@@ -43,11 +43,11 @@ struct CheckPlan {
   std::function<double(const LearningTrial&)> goal;
 };
 
-GraspCheck CheckGrasp(const StandardGrasp& before, const StandardGrasp& after,
-                      const CheckPlan& plan, const RunLearningTrials& run);
+GraspCheck CheckGrasp(const Grasp& before, const Grasp& after, const CheckPlan& plan,
+                      const RunLearningTrials& run);
 
 /** The old grasp alone, when there is no new one: as many trials as one look has. */
-GraspCheck CheckOldGrasp(const StandardGrasp& before, int first_draw, const RunLearningTrials& run);
+GraspCheck CheckOldGrasp(const Grasp& before, int first_draw, const RunLearningTrials& run);
 
 /** "start kept: the new target succeeded less often"; empty when it is taken.
 @param kept  what is kept.  @param changed  what was tried.  @param missed  why not, when it is not

@@ -27,7 +27,7 @@ constexpr int kNumFinalists = 10;
 constexpr int kFinalShare = 2;
 
 std::vector<LearningTrial> RunOne(const RunLearningTrials& run, LearningStage stage,
-                                  const StandardGrasp& grasp, const std::vector<int>& draws,
+                                  const Grasp& grasp, const std::vector<int>& draws,
                                   bool keep_postures = false) {
   LearningRequest request;
   request.stage = stage;
@@ -38,8 +38,7 @@ std::vector<LearningTrial> RunOne(const RunLearningTrials& run, LearningStage st
 }
 
 /** The same grasp with the angles that a grasp file holds. */
-StandardGrasp RoundAngles(const Hand& hand, const StandardGrasp& grasp,
-                          const std::string& made_from) {
+Grasp RoundAngles(const Hand& hand, const Grasp& grasp, const std::string& made_from) {
   return ParseGraspFile(FormatGraspFile(hand, grasp, made_from), grasp.id, {&hand}).grasp;
 }
 
@@ -60,7 +59,7 @@ bool IsBetter(const std::vector<LearningTrial>& a, const std::vector<LearningTri
   return CalcMedianGftRatio(a) < CalcMedianGftRatio(b);
 }
 
-bool IsTried(const std::vector<PreGraspShot>& shots, const StandardGrasp& grasp) {
+bool IsTried(const std::vector<PreGraspShot>& shots, const Grasp& grasp) {
   return std::any_of(shots.begin(), shots.end(), [&](const PreGraspShot& shot) {
     return shot.grasp.q_pre.isApprox(grasp.q_pre, kSameAngle);
   });
@@ -72,8 +71,8 @@ double CalcPreGraspGoal(const LearningTrial& trial) {
 }
 
 /** Checks the best of the shots against the standard grasp, or says why none of them is taken. */
-void Choose(const StandardGrasp& standard, const OptimiseConfig& config,
-            const RunLearningTrials& run, PreGraspStep& step) {
+void Choose(const Grasp& standard, const OptimiseConfig& config, const RunLearningTrials& run,
+            PreGraspStep& step) {
   if (step.shots.empty()) {
     step.verdict = "standard kept: there was nothing to learn, too few digits touched or no room";
     return;
@@ -98,14 +97,14 @@ void Choose(const StandardGrasp& standard, const OptimiseConfig& config,
   }
 }
 
-PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object,
-                             const StandardGrasp& start, const std::string& made_from,
-                             const OptimiseConfig& config, const RunLearningTrials& run) {
+PreGraspStep LearnInTwoShots(const Hand& hand, const GraspObject& object, const Grasp& start,
+                             const std::string& made_from, const OptimiseConfig& config,
+                             const RunLearningTrials& run) {
   PreGraspStep step;
   const std::vector<int> draws = ListDraws(0, config.choice_trials);
   step.standard_trials = RunOne(run, LearningStage::kStandard, start, draws, true);
   const int enough = CountSuccesses(step.standard_trials);
-  StandardGrasp grasp = start;
+  Grasp grasp = start;
   LearningTrial lesson = step.standard_trials.front();
   std::vector<Eigen::VectorXd> expected;
   for (const LearningStage stage : {LearningStage::kOneShot, LearningStage::kTwoShot}) {
@@ -194,24 +193,23 @@ int CountLearningTrials(const OptimiseConfig& config) {
   return (steps.learns_pregrasp ? step1 : 0) + (steps.searches_target ? step2 : 0);
 }
 
-StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
-                              const StandardGrasp& standard, const std::string& id) {
-  StandardGrasp grasp = standard;
+Grasp MakeObjectGrasp(const Hand& hand, const GraspObject& object, const Grasp& standard,
+                      const std::string& id) {
+  Grasp grasp = standard;
   grasp.placement = CalcPlacement(hand, standard, object);
   grasp.object = object.id;
   grasp.id = id;
   return RoundAngles(hand, grasp, standard.id);
 }
 
-TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const Grasp& start,
                         const OptimiseConfig& config, const RunLearningTrials& run) {
   TargetSearch search(hand, object, start, config);
   return RunTargetSearch(search, config, run);
 }
 
-OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
-                             const StandardGrasp& standard, const OptimiseConfig& config,
-                             const RunLearningTrials& run) {
+OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object, const Grasp& standard,
+                             const OptimiseConfig& config, const RunLearningTrials& run) {
   OptimisedGrasp result;
   result.new_pregrasp = MakeObjectGrasp(hand, object, standard, NameOf(kNewPreGrasp));
   if (StepsOf(config).searches_target) CheckSearch(hand, object, result.new_pregrasp, config);
@@ -225,7 +223,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
   if (!StepsOf(config).searches_target) return result;
 
   TargetStep& step = result.target_step;
-  const StandardGrasp start = result.new_target;
+  const Grasp start = result.new_target;
   TargetSearch search(hand, object, start, config);
   step = RunTargetSearch(search, config, run);
   ChooseFinalist(search, config, run, step);
@@ -235,7 +233,7 @@ OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
     return result;
   }
   const Individual& best = step.search.individuals[static_cast<size_t>(step.found)];
-  const StandardGrasp found = RoundAngles(hand, search.space().MakeGrasp(best.genome), standard.id);
+  const Grasp found = RoundAngles(hand, search.space().MakeGrasp(best.genome), standard.id);
   const auto goal = [&](const LearningTrial& trial) { return CalcFitness(trial, step.grip_limit); };
   step.check = CheckGrasp(start, found, {kFirstTargetCheck, config.check_pairs, goal}, run);
   step.verdict = step.check.is_taken()

@@ -44,7 +44,7 @@ struct PreGraspShot {
   std::string name;  ///< "one-shot, widest", "two-shot, above the table", "one-shot, half", ...
   LearnedPreGrasp learned;
   bool was_pushed_away = false;  ///< the trial it learned from ended with the object out of reach
-  StandardGrasp grasp;           ///< with the new pre-grasp
+  Grasp grasp;                   ///< with the new pre-grasp
   std::vector<LearningTrial> trials;  ///< of the choice; the first one is without variation
 };
 
@@ -69,27 +69,25 @@ struct TargetStep {
 };
 
 struct OptimisedGrasp {
-  StandardGrasp
-      new_pregrasp;  ///< its id is its variant's; the standard postures when step 1 kept them
-  StandardGrasp new_target;    ///< the same; those of new_pregrasp when step 2 kept them
+  Grasp new_pregrasp;  ///< its id is its variant's; the standard postures when step 1 kept them
+  Grasp new_target;    ///< the same; those of new_pregrasp when step 2 kept them
   PreGraspStep pregrasp_step;  ///< empty when it was not asked for
   TargetStep target_step;      ///< the same
 };
 
 /** @throws Error of the space or method, before anything is asked; what `run` throws. Deterministic:
 the same answers of `run` lead to the same requests. */
-OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object,
-                             const StandardGrasp& standard, const OptimiseConfig& config,
-                             const RunLearningTrials& run);
+OptimisedGrasp OptimiseGrasp(const Hand& hand, const GraspObject& object, const Grasp& standard,
+                             const OptimiseConfig& config, const RunLearningTrials& run);
 
 /** Step 2's search alone, without screening, finalists and check. */
-TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+TargetStep SearchTarget(const Hand& hand, const GraspObject& object, const Grasp& start,
                         const OptimiseConfig& config, const RunLearningTrials& run);
 
 /** A standard grasp as it becomes when it is made for one object: with this id, at its place;
 angles rounded as in a grasp file, so that a file holds the very grasp that was tried. */
-StandardGrasp MakeObjectGrasp(const Hand& hand, const GraspObject& object,
-                              const StandardGrasp& standard, const std::string& id);
+Grasp MakeObjectGrasp(const Hand& hand, const GraspObject& object, const Grasp& standard,
+                      const std::string& id);
 
 /** About how many trials OptimiseGrasp will run: how soon a check is decided is not known. */
 int CountLearningTrials(const OptimiseConfig& config);

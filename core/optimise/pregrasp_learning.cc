@@ -29,8 +29,8 @@ const Digit& FindDigit(const Hand& hand, const std::string& id) {
 /** One digit as it can be opened and closed. */
 class OpenableDigit {
  public:
-  OpenableDigit(const Hand& hand, const GraspObject& object, const StandardGrasp& grasp,
-                const Digit& digit, const VectorXd& deviation)
+  OpenableDigit(const Hand& hand, const GraspObject& object, const Grasp& grasp, const Digit& digit,
+                const VectorXd& deviation)
       : hand_(hand), object_(object), grasp_(grasp), digit_(digit), deviation_(deviation) {
     const DigitCourse start = CalcCourse(0.0);
     first_touch_ = largest_touch_ = largest_above_table_ = start.touch;
@@ -84,7 +84,7 @@ class OpenableDigit {
 
   const Hand& hand_;
   const GraspObject& object_;
-  const StandardGrasp& grasp_;
+  const Grasp& grasp_;
   const Digit& digit_;
   const VectorXd& deviation_;
   double first_touch_, largest_touch_, largest_above_table_;
@@ -99,7 +99,7 @@ DigitCase FindCase(double touch) {
 
 }  // namespace
 
-double CalcOpening(const Hand& hand, const StandardGrasp& grasp, const VectorXd& q) {
+double CalcOpening(const Hand& hand, const Grasp& grasp, const VectorXd& q) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
   const std::string& opposing = hand.digits[FindOpposingDigit(hand, grasp)].id;
   Vector3d p_HThumb = Vector3d::Zero(), p_HFingers = Vector3d::Zero();
@@ -115,7 +115,7 @@ double CalcOpening(const Hand& hand, const StandardGrasp& grasp, const VectorXd&
   return (p_HThumb - p_HFingers).norm();
 }
 
-std::vector<VectorXd> CalcDeviations(const Hand& hand, const StandardGrasp& grasp,
+std::vector<VectorXd> CalcDeviations(const Hand& hand, const Grasp& grasp,
                                      const std::vector<double>& closings,
                                      const std::vector<VectorXd>& q) {
   GRASPBENCH_DEMAND(closings.size() == grasp.digits.size(), std::to_string(closings.size()));
@@ -133,9 +133,8 @@ std::vector<VectorXd> CalcDeviations(const Hand& hand, const StandardGrasp& gras
   return deviations;
 }
 
-LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object,
-                              const StandardGrasp& grasp, const std::vector<VectorXd>& deviations,
-                              PreGraspWidth width) {
+LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object, const Grasp& grasp,
+                              const std::vector<VectorXd>& deviations, PreGraspWidth width) {
   GRASPBENCH_DEMAND(deviations.size() == grasp.digits.size(), std::to_string(deviations.size()));
   LearnedPreGrasp result;
   result.q_pre = grasp.q_pre;

@@ -69,16 +69,15 @@ inline constexpr double kLargestCommonClosing = 0.9;
 /** By how much each digit's joints fell short of their commands when it first touched, of
 grasp.digits (num_joints each) [rad]; 0 for the joints of other digits, and where it never touched.
 @param closings, q  s and joints of the whole hand at the first touches; NaN and empty: never. */
-std::vector<Eigen::VectorXd> CalcDeviations(const Hand& hand, const StandardGrasp& grasp,
+std::vector<Eigen::VectorXd> CalcDeviations(const Hand& hand, const Grasp& grasp,
                                             const std::vector<double>& closings,
                                             const std::vector<Eigen::VectorXd>& q);
 
 /** @param deviations  of grasp.digits.  @pre the grasp brings its placement. */
-LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object,
-                              const StandardGrasp& grasp,
+LearnedPreGrasp LearnPreGrasp(const Hand& hand, const GraspObject& object, const Grasp& grasp,
                               const std::vector<Eigen::VectorXd>& deviations, PreGraspWidth width);
 
 /** Distance from the opposing digit's pad to the mean of the other grasping digits' pads [m]. */
-double CalcOpening(const Hand& hand, const StandardGrasp& grasp, const Eigen::VectorXd& q);
+double CalcOpening(const Hand& hand, const Grasp& grasp, const Eigen::VectorXd& q);
 
 }  // namespace graspbench

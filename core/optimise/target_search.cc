@@ -13,7 +13,7 @@ constexpr double kCandidateDistance = RadFromDeg(2.0);
 
 }  // namespace
 
-TargetSearch::TargetSearch(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+TargetSearch::TargetSearch(const Hand& hand, const GraspObject& object, const Grasp& start,
                            const OptimiseConfig& config)
     : hand_(hand),
       object_(object),
@@ -97,7 +97,7 @@ std::vector<Individual> FindCandidates(const SearchResult& search, int most) {
   return candidates;
 }
 
-void CheckSearch(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+void CheckSearch(const Hand& hand, const GraspObject& object, const Grasp& start,
                  const OptimiseConfig& config) {
   const TargetSearch search(hand, object, start, config);
   MakeSearchMethod(config.method, search.space().box(), config.evaluations, search.MakeStream());

@@ -25,7 +25,7 @@ class TargetSearch {
  public:
   /** All references must outlive it. @pre the start brings its placement.
   @throws Error of the space. */
-  TargetSearch(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+  TargetSearch(const Hand& hand, const GraspObject& object, const Grasp& start,
                const OptimiseConfig& config);
   TargetSearch(const TargetSearch&) = delete;
   TargetSearch& operator=(const TargetSearch&) = delete;
@@ -61,7 +61,7 @@ the start. */
 std::vector<Individual> FindCandidates(const SearchResult& search, int most);
 
 /** @throws Error when the space or the method cannot be used here: a grid of many coordinates. */
-void CheckSearch(const Hand& hand, const GraspObject& object, const StandardGrasp& start,
+void CheckSearch(const Hand& hand, const GraspObject& object, const Grasp& start,
                  const OptimiseConfig& config);
 
 }  // namespace graspbench

@@ -7,7 +7,7 @@ compliant contact, integrated by CPodes (variable order and step, implicit, erro
     object    a ball; Hertz contact of spheres
     friction  Stribeck law with a transition speed of 0.1 mm/s: a loaded contact creeps
     coupling  distal joints are tied, or locked, by stiff springs
-    drives    follow at once: without the play, friction and yielding of imperfect_drive.h
+    drives    follow at once: without the hysteresis, friction and yielding of imperfect_drive.h
 
 Other objects would need elastic foundations on fine meshes, which take minutes a trial. Pads have
 no torsion radius, so sigma is lower; a smooth ball rolls off more easily than its mesh; links do

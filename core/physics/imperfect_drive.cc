@@ -6,10 +6,10 @@
 
 namespace graspbench {
 
-double FollowWithPlay(double play, double command, DriveMemory& memory) {
+double FollowWithHysteresis(double width, double command, DriveMemory& memory) {
   if (!memory.has_followed) memory.piston = command;
   memory.has_followed = true;
-  memory.piston = std::clamp(memory.piston, command - 0.5 * play, command + 0.5 * play);
+  memory.piston = std::clamp(memory.piston, command - 0.5 * width, command + 0.5 * width);
   return memory.piston;
 }
 

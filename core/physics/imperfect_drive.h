@@ -54,8 +54,8 @@ struct DriveMemory {
   bool slides = false;
 };
 
-/** Returns z of a drive with this play, and remembers it; without play z is the command. */
-double FollowWithPlay(double play, double command, DriveMemory& memory);
+/** Returns z of a drive whose loop has this width, and remembers it; of width 0, z is the command. */
+double FollowWithHysteresis(double width, double command, DriveMemory& memory);
 
 /** @param h  step [s]. */
 ScalarForce MakeDriveFriction(const JointDrive& drive, const DriveMemory& memory, int dof,

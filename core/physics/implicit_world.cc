@@ -107,7 +107,8 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
       continue;
     }
     const JointDrive& drive = hand_->joints[joint].drive;
-    const double followed = FollowWithPlay(drive.play, command.q[joint], drives_[dof]);
+    const double followed =
+        FollowWithHysteresis(drive.hysteresis_width, command.q[joint], drives_[dof]);
     double theta = middle_.q[joint];
     if (distal >= 0 && hand_->coupling == CouplingRule::kMiddleFirst) {
       theta += middle_.q[distal] - middle_.deviation[distal];

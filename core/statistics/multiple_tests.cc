@@ -29,16 +29,4 @@ std::vector<double> AdjustHolm(const std::vector<double>& p) {
   return adjusted;
 }
 
-std::vector<double> AdjustBenjaminiHochberg(const std::vector<double>& p) {
-  std::vector<double> adjusted = p;
-  const std::vector<size_t> order = SortTests(p);
-  const double count = static_cast<double>(order.size());
-  double smallest = 1.0;
-  for (size_t i = order.size(); i-- > 0;) {
-    smallest = std::min(smallest, count * p[order[i]] / static_cast<double>(i + 1));
-    adjusted[order[i]] = smallest;
-  }
-  return adjusted;
-}
-
 }  // namespace graspbench

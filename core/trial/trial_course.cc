@@ -387,7 +387,7 @@ bool TrialCourse::Advance() {
   return true;
 }
 
-std::optional<WorldCommand> TrialCourse::CommandBlindly() {
+std::optional<WorldCommand> TrialCourse::ComputeOpenLoopCommand() {
   const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, {});
   notes_.phase = notes_.strategy.phase();
   if (notes_.phase == Phase::kDone) return std::nullopt;

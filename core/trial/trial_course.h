@@ -76,8 +76,8 @@ class TrialCourse {
   bool Advance();
   /** What the strategy would ask for in the next step if nothing touched, without physics: the rest
   of the course of a trial that is over early. Unset: its last phase has ended. */
-  std::optional<WorldCommand> CommandBlindly();
-  /** The result. @pre Advance gave false; CommandBlindly was not called. */
+  std::optional<WorldCommand> ComputeOpenLoopCommand();
+  /** The result. @pre Advance gave false; ComputeOpenLoopCommand was not called. */
   TrialResult End();
   /** Begin, Advance to the end, End. @param observe  called after Begin and after every step. */
   TrialResult Run(const std::function<void(TrialCourse&)>& observe = {});

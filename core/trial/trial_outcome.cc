@@ -33,7 +33,7 @@ bool IsArmOverloaded(const TrialFacts& facts) {
 bool IsUnreachable(const TrialFacts& facts) { return !facts.is_reachable || facts.start_gap < 0.0; }
 
 /** Why a held object is not held as a real one would be; empty: it is. */
-std::string FindNonsense(const TrialFacts& facts) {
+std::string FindImplausibility(const TrialFacts& facts) {
   if (facts.penetration > kDeepestContact) {
     return fmt::format("the hand is {:.2f} mm inside the object (limit {:.0f} mm)",
                        MmFromM(facts.penetration), MmFromM(kDeepestContact));
@@ -149,8 +149,8 @@ OutcomeReason FindOutcome(const TrialFacts& facts) {
   const bool was_lifted = facts.phase == Phase::kHold || facts.phase == Phase::kDone;
   if (IsHeld(facts)) {
     if (facts.phase == Phase::kDone && facts.relative_speed <= kSteadySpeed) {
-      const std::string nonsense = FindNonsense(facts);
-      if (!nonsense.empty()) return {Outcome::kNotPhysical, nonsense};
+      const std::string implausibility = FindImplausibility(facts);
+      if (!implausibility.empty()) return {Outcome::kNotPhysical, implausibility};
       return {Outcome::kSuccess, ""};
     }
     return {Outcome::kDroppedWhileHolding,

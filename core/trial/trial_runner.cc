@@ -52,7 +52,7 @@ struct TrialRunner::Impl {
 
 WristCamera* TrialRunner::Impl::FindCamera(const TrialSetup& setup) {
   if (setup.positioning != Positioning::kCamera) return nullptr;
-  if (!camera || ConfigToJson(setup.camera) != ConfigToJson(camera_config)) {
+  if (!camera || !HaveEqualValues(setup.camera, camera_config)) {
     camera_config = setup.camera;
     camera = std::make_unique<WristCamera>(hand, object, camera_config);
   }

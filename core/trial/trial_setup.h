@@ -37,7 +37,7 @@ struct DriveCommand {
 struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
-  StandardGrasp grasp;
+  Grasp grasp;
   StrategyConfig strategy;
   SimConfig sim;
   TrialDraw draw;

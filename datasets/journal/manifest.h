@@ -77,7 +77,7 @@ ManifestFile SealJournal(const std::filesystem::path& folder, const std::string&
 
 bool HasManifest(const std::filesystem::path& folder);
 /** None when there is none that can be read. */
-std::optional<Manifest> FindManifest(const std::filesystem::path& folder);
+[[nodiscard]] std::optional<Manifest> FindManifest(const std::filesystem::path& folder);
 /** @throws Error(kNotFound), Error(kFormat) when it is damaged itself, Error(kIo). */
 Manifest LoadManifest(const std::filesystem::path& folder);
 /** The file's whole text: the same manifest, the same bytes. */
@@ -87,14 +87,15 @@ void WriteManifest(const std::filesystem::path& folder, const Manifest& manifest
 
 /** Everything in which the folder's files are not what the manifest says; in its order. Files that
 it does not name are not looked at. */
-std::vector<Damage> FindDamage(const std::filesystem::path& folder, const Manifest& manifest);
+[[nodiscard]] std::vector<Damage> FindDamage(const std::filesystem::path& folder,
+                                             const Manifest& manifest);
 
 /** By the folder's manifest and lengths alone, which takes a moment: files that are gone or have
 lost bytes. None without a manifest that can be read. */
-std::vector<Damage> FindLostBytes(const std::filesystem::path& folder);
+[[nodiscard]] std::vector<Damage> FindLostBytes(const std::filesystem::path& folder);
 
 /** Whole lines of a journal behind its first `committed` bytes that are no checked lines. */
-std::vector<Damage> FindBadLines(const std::filesystem::path& folder, const std::string& path,
-                                 uintmax_t committed);
+[[nodiscard]] std::vector<Damage> FindBadLines(const std::filesystem::path& folder,
+                                               const std::string& path, uintmax_t committed);
 
 }  // namespace graspbench

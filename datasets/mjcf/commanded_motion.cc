@@ -16,7 +16,7 @@ CommandedMotion RecordMotion(const TrialSetup& setup) {
   course.Begin();
   motion.start = course.world().state();
   while (course.Advance()) motion.steps.push_back({course.phase(), course.last_command()});
-  while (const std::optional<WorldCommand> command = course.CommandBlindly()) {
+  while (const std::optional<WorldCommand> command = course.ComputeOpenLoopCommand()) {
     motion.steps.push_back({course.phase(), *command});
   }
   return motion;

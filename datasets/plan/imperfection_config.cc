@@ -25,7 +25,7 @@ void CheckConcerned(const Hand& hand, const char* key, bool (*is_concerned)(cons
 }  // namespace
 
 bool operator==(const ImperfectionConfig& a, const ImperfectionConfig& b) {
-  return ConfigToJson(a) == ConfigToJson(b);
+  return HaveEqualValues(a, b);
 }
 
 void ApplyImperfections(const ImperfectionConfig& config, Hand& hand) {
@@ -39,7 +39,7 @@ void ApplyImperfections(const ImperfectionConfig& config, Hand& hand) {
   for (HandJoint& joint : hand.joints) {
     joint.drive.stiffness *= config.stiffness_scale;
     if (TurnsByDrive(joint)) {
-      joint.drive.play = config.hysteresis;
+      joint.drive.hysteresis_width = config.hysteresis;
       joint.drive.friction_static = config.stick_slip * joint.drive.torque_limit;
       joint.drive.friction_dynamic = kSlidingFrictionShare * joint.drive.friction_static;
     } else if (TurnsByCoupling(joint)) {

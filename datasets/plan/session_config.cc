@@ -8,6 +8,7 @@
 #include "core/base/text/text.h"
 #include "core/shape/approach.h"
 #include "core/trial/positioning.h"
+#include "datasets/plan/presets.h"
 #include "datasets/plan/session_keys.h"
 
 namespace graspbench {
@@ -142,18 +143,50 @@ SessionConfig ParseFrozenConfig(const std::string& text, const std::string& file
   return config;
 }
 
+/** @throws Error(kFormat) listing `problems` and those of the values, at their lines. */
+void CheckRead(const YAML::Node& root, const std::string& file, const SessionConfig& config,
+               Diagnostics& problems) {
+  for (const ConfigProblem& problem : Validate(config)) {
+    problems.Fail(file, FindConfigLine(root, problem.key), problem.key + ": " + problem.text);
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the session cannot be run");
+}
+
+/** The defaults of a session file: those of the preset that it names. */
+SessionConfig FindDefaults(const YAML::Node& root, const std::string& file, Diagnostics& problems) {
+  SessionFile session;
+  Diagnostics found_later;  // with the preset's values
+  ReadConfig(root, file, "session", session, found_later);
+  if (session.preset.empty()) return {};
+  try {
+    return LoadPreset(session.preset);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kNotFound) throw;
+    problems.Fail(file, FindConfigLine(root, "preset"), std::string("preset: ") + error.what());
+    return {};
+  }
+}
+
 }  // namespace
 
 SessionConfig ParseSessionConfig(const std::string& text, const std::string& file) {
   if (std::filesystem::path(file).extension() == ".json") return ParseFrozenConfig(text, file);
   Diagnostics problems;
-  SessionConfig config;
+  SessionFile session;
   const YAML::Node root = ParseYaml(text, file, problems);
-  ReadConfig(root, file, "session", config, problems);
-  for (const ConfigProblem& problem : Validate(config)) {
-    problems.Fail(file, FindConfigLine(root, problem.key), problem.key + ": " + problem.text);
-  }
-  problems.ThrowIfErrors(ErrorKind::kFormat, "the session cannot be run");
+  static_cast<SessionConfig&>(session) = FindDefaults(root, file, problems);
+  ReadConfig(root, file, "session", session, problems);
+  CheckRead(root, file, session, problems);
+  return session;
+}
+
+SessionConfig LoadPreset(const std::string& name) {
+  const std::string file = FindPreset(name).file.string();
+  Diagnostics problems;
+  SessionConfig config;  // a preset does not name another
+  const YAML::Node root = ParseYaml(ReadFile(file), file, problems);
+  ReadConfig(root, file, "preset", config, problems);
+  CheckRead(root, file, config, problems);
   return config;
 }
 

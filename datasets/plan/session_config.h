@@ -80,6 +80,17 @@ struct SessionConfig : TrialConditions {
   }
 };
 
+/** A session file: what is left out is that of a preset, or the default. */
+struct SessionFile : SessionConfig {
+  std::string preset;  ///< datasets/plan/presets.h; empty: none
+
+  template <class V>
+  void Visit(V&& v) {
+    v("preset", preset);
+    SessionConfig::Visit(v);
+  }
+};
+
 /** A value that a session must not have. */
 struct ConfigProblem {
   std::string key;   ///< full name: "sim.step_s"
@@ -88,7 +99,7 @@ struct ConfigProblem {
 
 /** All problems of the values: ranges, empty or repeated names. Whether hands, objects and grasps
 of these names exist is asked when they are loaded (session_inputs.h). */
-std::vector<ConfigProblem> Validate(const SessionConfig& config);
+[[nodiscard]] std::vector<ConfigProblem> Validate(const SessionConfig& config);
 /** @throws Error(kRange) listing all problems. */
 void CheckSessionConfig(const SessionConfig& config);
 
@@ -97,6 +108,8 @@ with file and line; unknown keys are errors. */
 SessionConfig LoadSessionConfig(const std::string& path);
 /** The same for text in memory; `file` is its name in messages. */
 SessionConfig ParseSessionConfig(const std::string& text, const std::string& file);
+/** What a preset contains. @throws as FindPreset; Error(kFormat) as LoadSessionConfig. */
+[[nodiscard]] SessionConfig LoadPreset(const std::string& name);
 
 /** Applies "sim.step_s=0.001". The range is checked with the rest, by CheckSessionConfig.
 @throws Error(kUsage) naming the known keys or the expected type. */

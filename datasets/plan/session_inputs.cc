@@ -27,7 +27,7 @@ void ApplyApproach(const std::string& name, SessionInputs& inputs) {
     return;  // an unknown one is refused with the rest
   const Approach approach = row->value;
   for (SessionHand& hand : inputs.hands) {
-    for (StandardGrasp& grasp : hand.grasps) {
+    for (Grasp& grasp : hand.grasps) {
       if (!grasp.placement) grasp.approach = approach;
     }
   }
@@ -47,7 +47,7 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
     auto hand = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder)));
     ApplyModel(config.model, *hand);
     ApplyImperfections(config.imperfections, *hand);
-    std::vector<StandardGrasp> grasps = LoadStandardGrasps(*hand);
+    std::vector<Grasp> grasps = LoadStandardGrasps(*hand);
     inputs.hands.push_back({std::move(hand), std::move(grasps)});
   }
   for (const std::string& name : config.objects == kAll ? ListObjects() : config.objects) {

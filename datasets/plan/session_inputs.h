@@ -18,7 +18,7 @@ namespace graspbench {
 
 struct SessionHand {
   std::shared_ptr<const Hand> hand;
-  std::vector<StandardGrasp> grasps;  ///< all it can do, then those of grasp files
+  std::vector<Grasp> grasps;  ///< all it can do, then those of grasp files
 };
 
 struct SessionInputs {

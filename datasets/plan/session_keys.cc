@@ -7,6 +7,7 @@ namespace graspbench {
 
 const FileKeys& ListSessionKeys() {
   static const FileKeys rows = {
+      {"preset", "", "named settings in the place of the defaults; graspbench help lists them"},
       {"hands", "", "hands by id, name or folder, or all"},
       {"objects", "", "objects by id, name or folder, or all"},
       {"grasps", "", "standard grasps by id or name, grasp files (.yaml), best, or all"},
@@ -79,7 +80,7 @@ const FileKeys& ListSessionKeys() {
        "of coupled joints: own (as hand.yaml says), middle-first, even or "
        "fixed"},
   };
-  static const FileKeys keys = DescribeConfig(SessionConfig(), rows);
+  static const FileKeys keys = DescribeConfig(SessionFile(), rows);
   return keys;
 }
 

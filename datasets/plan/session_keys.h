@@ -5,7 +5,7 @@
 
 namespace graspbench {
 
-/** In the order of SessionConfig, with its defaults. The ranges keep the simulation stable and
+/** In the order of SessionFile, with its defaults. The ranges keep the simulation stable and
 short; they are wider than anything sensible. */
 const FileKeys& ListSessionKeys();
 

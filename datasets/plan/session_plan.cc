@@ -24,7 +24,7 @@ Json ToJson(const HandCamera& camera) {
 
 /** @pre a hand that looks has a camera, one that feels has a skin. */
 std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const GraspObject& object,
-                        const StandardGrasp& grasp, int trial) {
+                        const Grasp& grasp, int trial) {
   Json content = {{"physics", kPhysicsVersion},
                   {"hand", {hand.id, hand.content_hash}},
                   {"object", {object.id, object.content_hash}},
@@ -72,12 +72,10 @@ void CheckNamesFit(const std::string& what, const std::vector<std::string>& name
 }
 
 /** The hand's grasp of this id that may be used on the object. */
-const StandardGrasp* FindGrasp(const SessionHand& hand, const GraspObject& object,
-                               const std::string& id) {
-  const auto grasp =
-      std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const StandardGrasp& g) {
-        return g.id == id && (g.object.empty() || g.object == object.id);
-      });
+const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id) {
+  const auto grasp = std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const Grasp& g) {
+    return g.id == id && (g.object.empty() || g.object == object.id);
+  });
   return grasp == hand.grasps.end() ? nullptr : &*grasp;
 }
 
@@ -86,21 +84,21 @@ constexpr double kRoomBetweenPads = 0.01;
 
 /** The geometry of the placement alone decides; a distance field is made when its bounding box
 leaves it open. */
-bool CanReach(const SessionHand& hand, const StandardGrasp& grasp,
+bool CanReach(const SessionHand& hand, const Grasp& grasp,
               const std::shared_ptr<const GraspObject>& object) {
   return ReachesBoundingBox(*hand.hand, grasp, *object) ||
          CalcPlacement(*hand.hand, grasp, *CompleteObject(object)).reaches_object;
 }
 
-const StandardGrasp& FindBestGrasp(const SessionHand& hand,
-                                   const std::shared_ptr<const GraspObject>& object) {
+const Grasp& FindBestGrasp(const SessionHand& hand,
+                           const std::shared_ptr<const GraspObject>& object) {
   const auto best = object->best_grasp.find(hand.hand->id);
   if (best != object->best_grasp.end()) {
-    if (const StandardGrasp* grasp = FindGrasp(hand, *object, best->second)) return *grasp;
+    if (const Grasp* grasp = FindGrasp(hand, *object, best->second)) return *grasp;
   }
-  const StandardGrasp *first = nullptr, *first_reaching = nullptr;
+  const Grasp *first = nullptr, *first_reaching = nullptr;
   for (const std::string& id : object->grasp_order) {
-    const StandardGrasp* grasp = FindGrasp(hand, *object, id);
+    const Grasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
     if (grasp->placement) return *grasp;
     if (!first) first = grasp;
@@ -120,19 +118,18 @@ std::string FindGraspId(const SessionInputs& inputs, const std::string& name) {
   return file == inputs.grasp_files.end() ? name : file->second;
 }
 
-std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config,
-                                             const SessionInputs& inputs, const SessionHand& hand,
-                                             const std::shared_ptr<const GraspObject>& object) {
-  std::vector<const StandardGrasp*> grasps;
+std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
+                                     const SessionHand& hand,
+                                     const std::shared_ptr<const GraspObject>& object) {
+  std::vector<const Grasp*> grasps;
   if (hand.grasps.empty()) return grasps;
   if (config.grasps.front() == "all") {
-    for (const StandardGrasp& grasp : hand.grasps) grasps.push_back(&grasp);
+    for (const Grasp& grasp : hand.grasps) grasps.push_back(&grasp);
     return grasps;
   }
   for (const std::string& name : config.grasps) {
-    const StandardGrasp* grasp = name == "best"
-                                     ? &FindBestGrasp(hand, object)
-                                     : FindGrasp(hand, *object, FindGraspId(inputs, name));
+    const Grasp* grasp = name == "best" ? &FindBestGrasp(hand, object)
+                                        : FindGrasp(hand, *object, FindGraspId(inputs, name));
     if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
       grasps.push_back(grasp);
     }
@@ -143,7 +140,7 @@ std::vector<const StandardGrasp*> FindGrasps(const SessionConfig& config,
 void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) {
   std::vector<std::string> known;
   for (const SessionHand& hand : inputs.hands) {
-    for (const StandardGrasp& grasp : hand.grasps) {
+    for (const Grasp& grasp : hand.grasps) {
       if (std::find(known.begin(), known.end(), grasp.id) == known.end()) known.push_back(grasp.id);
     }
   }
@@ -163,7 +160,7 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
 /** Two files may bring grasps of one name only for different objects. */
 void CheckGraspsDiffer(const SessionHand& hand) {
   std::set<std::pair<std::string, std::string>> seen;
-  for (const StandardGrasp& grasp : hand.grasps) {
+  for (const Grasp& grasp : hand.grasps) {
     if (seen.emplace(grasp.id, grasp.object).second) continue;
     throw Error(ErrorKind::kUsage,
                 "two grasp files of the session bring a grasp \"" + grasp.id + "\" of the hand \"" +
@@ -219,7 +216,7 @@ std::string DescribeTrial(const PlannedTrial& planned) {
          std::to_string(planned.trial);
 }
 
-Json ToJson(const StandardGrasp& grasp) {
+Json ToJson(const Grasp& grasp) {
   Json json{{"id", grasp.id},
             {"type", static_cast<int>(grasp.type)},
             {"approach_distance_m", grasp.approach_distance},
@@ -247,7 +244,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   for (const SessionHand& hand : inputs.hands) {
     hand_names.push_back(hand.hand->id);
     CheckGraspsDiffer(hand);
-    for (const StandardGrasp& grasp : hand.grasps) CheckNamesFit("grasp", {grasp.id});
+    for (const Grasp& grasp : hand.grasps) CheckNamesFit("grasp", {grasp.id});
   }
   for (const auto& object : inputs.objects) object_names.push_back(object->id);
   CheckNamesFit("hand", hand_names);
@@ -261,7 +258,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   std::vector<PlannedTrial> plan;
   for (const SessionHand& hand : inputs.hands) {
     for (const auto& object : inputs.objects) {
-      for (const StandardGrasp* grasp : FindGrasps(config, inputs, hand, object)) {
+      for (const Grasp* grasp : FindGrasps(config, inputs, hand, object)) {
         for (int trial = 0; trial < config.trials; ++trial) {
           plan.push_back({CalcTrialId(config, *hand.hand, *object, *grasp, trial), hand.hand->id,
                           object->id, grasp->id, trial});
@@ -330,7 +327,7 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                    [&](const auto& candidate) { return candidate->id == planned.object; });
   GRASPBENCH_DEMAND(hand != inputs.hands.end() && object != inputs.objects.end(),
                     planned.hand + ", " + planned.object);
-  const StandardGrasp* grasp = FindGrasp(*hand, **object, planned.grasp);
+  const Grasp* grasp = FindGrasp(*hand, **object, planned.grasp);
   GRASPBENCH_DEMAND(grasp, planned.grasp);
   TrialSetup setup{hand->hand, *object,
                    *grasp,     config.strategy,

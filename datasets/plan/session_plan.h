@@ -73,7 +73,7 @@ TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, Rand
                         RandomStream error);
 
 /** Every field that decides a grasp's result. */
-Json ToJson(const StandardGrasp& grasp);
+Json ToJson(const Grasp& grasp);
 
 /** Everything TrialRunner needs for a trial of MakePlan(config, inputs). */
 TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,

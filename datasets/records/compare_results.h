@@ -15,11 +15,11 @@ struct FieldDifference {
 };
 
 /** The first field of the record that is not the same to the last bit; unset: all are. */
-std::optional<FieldDifference> FindFirstDifference(const TrialResult& recorded,
-                                                   const TrialResult& now);
+[[nodiscard]] std::optional<FieldDifference> FindFirstDifference(const TrialResult& recorded,
+                                                                 const TrialResult& now);
 
 /** The same of the whole record; what decides the trial comes before its result. */
-std::optional<FieldDifference> FindFirstDifference(const TrialRecord& recorded,
-                                                   const TrialRecord& now);
+[[nodiscard]] std::optional<FieldDifference> FindFirstDifference(const TrialRecord& recorded,
+                                                                 const TrialRecord& now);
 
 }  // namespace graspbench

@@ -32,7 +32,7 @@ struct SceneConfig : TrialConditions {
 struct SceneInputs {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
-  StandardGrasp grasp;
+  Grasp grasp;
 };
 
 /** Adds to the frozen configuration of a scene or campaign what older ones lack: they searched the
@@ -40,7 +40,7 @@ thumb. */
 void CompleteOptimiseConfig(Json& config);
 
 /** All problems of the values, as Validate(SessionConfig) reports them. */
-std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
+[[nodiscard]] std::vector<ConfigProblem> Validate(const OptimiseConfig& config);
 /** @throws Error(kRange) listing them. */
 void CheckOptimiseConfig(const OptimiseConfig& config);
 

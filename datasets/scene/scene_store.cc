@@ -40,7 +40,7 @@ Json MakePreGraspScore(const std::vector<LearningTrial>& trials) {
   return score;
 }
 
-Json MakeShotJson(const PreGraspShot& shot, const StandardGrasp& start) {
+Json MakeShotJson(const PreGraspShot& shot, const Grasp& start) {
   Json cases = Json::object();
   for (size_t d = 0; d < start.digits.size(); ++d) {
     cases[start.digits[d]] = NameOf(shot.learned.digit_cases[d]);
@@ -54,7 +54,7 @@ Json MakeShotJson(const PreGraspShot& shot, const StandardGrasp& start) {
               {"score", MakePreGraspScore(shot.trials)}};
 }
 
-Json MakePreGraspJson(const PreGraspStep& step, const StandardGrasp& start) {
+Json MakePreGraspJson(const PreGraspStep& step, const Grasp& start) {
   Json shots = Json::array();
   for (const PreGraspShot& shot : step.shots) shots.push_back(MakeShotJson(shot, start));
   return Json{{"verdict", step.verdict},
@@ -195,8 +195,7 @@ void CreateScene(const fs::path& folder, const SceneConfig& config) {
 void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
                       const OptimisedGrasp& optimised) {
   const Hand& hand = *inputs.hand;
-  const auto write_grasp = [&](const StandardGrasp& grasp,
-                               const std::vector<LearningTrial>& trials) {
+  const auto write_grasp = [&](const Grasp& grasp, const std::vector<LearningTrial>& trials) {
     const double confidence =
         trials.empty() ? 0.0 : static_cast<double>(CountSuccesses(trials)) / trials.size();
     WriteFileAtomically(folder / (grasp.id + ".yaml"), FormatGraspFile(hand, grasp, config.grasp));
@@ -237,7 +236,7 @@ SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   return scene;
 }
 
-StandardGrasp LoadSceneGrasp(const fs::path& folder, Variant variant, const Hand& hand) {
+Grasp LoadSceneGrasp(const fs::path& folder, Variant variant, const Hand& hand) {
   return LoadGraspFile((folder / (std::string(NameOf(variant)) + ".yaml")).string(), {&hand}).grasp;
 }
 

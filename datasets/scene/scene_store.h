@@ -50,7 +50,6 @@ struct SceneRecord {
 SceneRecord LoadScene(const std::filesystem::path& folder, OnDamage on_damage = OnDamage::kRefuse);
 
 /** The grasp of a new variant as it was saved. */
-StandardGrasp LoadSceneGrasp(const std::filesystem::path& folder, Variant variant,
-                             const Hand& hand);
+Grasp LoadSceneGrasp(const std::filesystem::path& folder, Variant variant, const Hand& hand);
 
 }  // namespace graspbench

@@ -99,7 +99,7 @@ std::vector<int> DealGroups(const std::vector<int>& group_sizes, int num_shards)
   return shards;
 }
 
-std::vector<PlannedTrial> DealPlan(const std::vector<PlannedTrial>& plan, const Shard& shard) {
+std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, const Shard& shard) {
   if (static_cast<size_t>(shard.count) > plan.size()) {
     throw Error(ErrorKind::kUsage, FormatCount(shard.count, "shard") + " of " +
                                        FormatCount(static_cast<int64_t>(plan.size()), "trial") +

@@ -38,7 +38,7 @@ std::vector<int> DealGroups(const std::vector<int>& group_sizes, int num_shards)
 
 /** The shard's trials in the plan's order; none when the cards do not go round.
 @throws Error(kUsage) when there are more shards than trials. */
-std::vector<PlannedTrial> DealPlan(const std::vector<PlannedTrial>& plan, const Shard& shard);
+std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, const Shard& shard);
 
 /** The three trials that every machine runs to be compared: the first of each hand, then the first
 others of the plan. Fewer when the plan has fewer. */

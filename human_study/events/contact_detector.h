@@ -52,7 +52,9 @@ struct ContactOptions {
 /** How the reason starts why a contact that is known too badly (max_uncertainty) is missing. */
 inline constexpr std::string_view kNotUsable = "not usable here";
 /** Touched, but nobody can say when. */
-inline bool IsUntold(const EventTime& contact) { return contact.missing.rfind(kNotUsable, 0) == 0; }
+inline bool IsUnresolved(const EventTime& contact) {
+  return contact.missing.rfind(kNotUsable, 0) == 0;
+}
 
 /** What the detectors share, computed once a trial. "About the hold" is the part of the hold from
 50 ms before to 100 ms after its instant, or the sample of the hold nearest to that instant that

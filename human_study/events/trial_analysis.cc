@@ -68,7 +68,7 @@ ContactTiming CalcTiming(const std::vector<DigitContactEvents>& contacts, double
   std::vector<DigitContact> times;
   for (const DigitContactEvents& contact : contacts) {
     // Of a digit that touched at an unknown instant nobody knows whether it was first or last.
-    if (IsUntold(contact.contact)) return CalcContactTiming({}, t0);
+    if (IsUnresolved(contact.contact)) return CalcContactTiming({}, t0);
     if (contact.contact.IsFound() || with_missing) {
       times.push_back({contact.digit, contact.is_thumb, contact.contact.time});
     }
@@ -157,10 +157,10 @@ void CalcMeasures(const AnalysisOptions& options, TrialAnalysis& analysis) {
       analysis.contacts.begin(), analysis.contacts.end(), [](const DigitContactEvents& digit) {
         return digit.contact.IsFound() && !digit.is_verified;
       }));
-  analysis.num_untold = static_cast<int>(
+  analysis.num_unresolved = static_cast<int>(
       std::count_if(analysis.contacts.begin(), analysis.contacts.end(),
-                    [](const DigitContactEvents& digit) { return IsUntold(digit.contact); }));
-  analysis.final_opening = analysis.num_untold > 0
+                    [](const DigitContactEvents& digit) { return IsUnresolved(digit.contact); }));
+  analysis.final_opening = analysis.num_unresolved > 0
                                ? std::nan("")
                                : ValueNear(analysis.opening, FindLastContact(analysis.contacts));
   analysis.timing = CalcTiming(analysis.contacts, analysis.closure_start.time, false);

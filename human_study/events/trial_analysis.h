@@ -74,9 +74,9 @@ struct TrialAnalysis {
   std::vector<DigitContactEvents> contacts;
   ContactOrder order;
   int num_touching = 0;      ///< digits with a contact
-  int num_untold = 0;        ///< digits that touched at an instant that cannot be told
+  int num_unresolved = 0;    ///< digits whose contact time is unresolved
   int num_unverified = 0;    ///< contacts of which only the digit's own stop tells
-  ContactTiming timing;      ///< of the digits that touched: missing when one is untold
+  ContactTiming timing;      ///< of the digits that touched: missing when one is unresolved
   ContactTiming timing_all;  ///< of all digits: missing when one did not touch
   /** Standard uncertainties of GFT, GOT, GCT [s] from those of the instants that decide them. */
   double gft_uncertainty = std::numeric_limits<double>::quiet_NaN();

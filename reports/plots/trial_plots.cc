@@ -57,12 +57,12 @@ class TrialPlotter {
 
   /** At most kMaxCurves joints of one unit. */
   Html DrawJoints(const std::string& of, const std::vector<int>& joints) const {
-    const std::string unit = ShownUnitOf(JointAt(joints[0]));
+    const std::string unit = DisplayUnitOf(JointAt(joints[0]));
     LinePlot plot = StartPlot("Joints of the " + of, of + ": position [" + unit + "]");
     for (int j : joints) {
       LinePlot::Series series = StartSeries(JointAt(j).name);
       for (const TraceInstant* instant : shown_) {
-        series.y.push_back(ShownFromPosition(JointAt(j), instant->q[j]));
+        series.y.push_back(ToDisplayUnits(JointAt(j), instant->q[j]));
       }
       plot.series.push_back(std::move(series));
     }

@@ -152,17 +152,6 @@ std::vector<std::string> RenderInstants(const std::vector<const TraceInstant*>& 
   return pictures;
 }
 
-std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, size_t shown,
-                                const std::shared_ptr<const Hand>& hand,
-                                const std::shared_ptr<const GraspObject>& object, int width,
-                                int height) {
-  const Camera camera = PlaceCamera(snapshots, hand, object, static_cast<double>(width) / height);
-  const SceneSnapshot& snapshot = snapshots[shown];
-  const Eigen::Vector3d rise = FindRise(snapshot, snapshots[0]);
-  const Scene scene = MakeGraspScene(hand, snapshot.q, snapshot.X_WH, object, snapshot.X_WO);
-  return EncodePng(Renderer(width, height).Render(scene, Raise(camera, rise)));
-}
-
 namespace {
 
 struct StripJob {

@@ -63,12 +63,6 @@ std::vector<std::string> RenderInstants(const std::vector<const TraceInstant*>& 
                                         const std::shared_ptr<const GraspObject>& object,
                                         Renderer& renderer);
 
-/** One of them alone, from the camera that suits all. @throws as above. */
-std::string RenderSnapshotAsPng(const std::vector<SceneSnapshot>& snapshots, size_t shown,
-                                const std::shared_ptr<const Hand>& hand,
-                                const std::shared_ptr<const GraspObject>& object, int width,
-                                int height);
-
 /** Of the cells that are drawn in full (shown_trials.h); the strips of other outcomes as long as
 there are not too many for one page. Never throws for a machine that cannot draw: the reason becomes
 a problem. */

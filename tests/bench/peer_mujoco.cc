@@ -104,7 +104,7 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
   setup.hand = hand;
   setup.object = LoadObject(scene.object);
   const std::string grasp_id = setup.object->best_grasp.at(hand->id);
-  for (const StandardGrasp& grasp : LoadStandardGrasps(*hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
     if (grasp.id == grasp_id) setup.grasp = grasp;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());

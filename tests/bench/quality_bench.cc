@@ -1,7 +1,7 @@
 // Epsilon of random grasps (eight edges): the expanding polytope against the whole hull by Qhull,
 // and the largest force along a direction. Argument: contacts. Target: ten contacts in at most 3
 // ms.
-//   build/release/tests/bench/quality_bench
+//   build/release/tests/bench/quality_bench --validation workbench/manual/validation/physics.yaml
 
 #include <benchmark/benchmark.h>
 
@@ -14,6 +14,8 @@
 #include "core/quality/epsilon_fast.h"
 #include "core/quality/force_closure.h"
 #include "core/quality/wrench_hull.h"
+#include "core/statistics/summary.h"
+#include "tests/bench/validation_main.h"
 #include "tests/core/quality/grasp_samples.h"
 
 namespace graspbench {
@@ -80,5 +82,27 @@ BENCHMARK(BM_EpsilonFast)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMi
 BENCHMARK(BM_EpsilonHull)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_TaskForce)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 
+std::vector<ValidationRow> MakeRows(const BenchmarkRuns& all) {
+  const auto runs = all.by_name.find("BM_EpsilonFast/10");
+  if (runs == all.by_name.end()) return {};
+  ValidationRow time = MakeValidationRow("Physics", false);
+  time.command = "build/release/tests/bench/quality_bench --benchmark_filter=EpsilonFast/10";
+  ValidationRow difference = time;
+  time.claim = "epsilon of 10 contacts with 8 edges, time";
+  SetFigure(time, runs->second.cpu_times, " ms");
+  time.bar = "3 ms";
+  time.met = CalcMedian(runs->second.cpu_times) <= 3.0 ? "yes" : "no";
+  difference.claim = "epsilon of 10 contacts with 8 edges, largest difference from the 6-D hull";
+  const std::vector<double>& differences = runs->second.counters.at("worst_difference");
+  SetFigure(difference, differences, "");
+  difference.bar = "1e-9";
+  difference.met = CalcMedian(differences) <= 1e-9 ? "yes" : "no";
+  return {time, difference};
+}
+
 }  // namespace
 }  // namespace graspbench
+
+int main(int argc, char** argv) {
+  return graspbench::RunBenchmarks(argc, argv, graspbench::MakeRows);
+}

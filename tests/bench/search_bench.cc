@@ -55,7 +55,7 @@ struct BenchScene {
   std::string name;
   SceneConfig config;
   SceneInputs inputs;
-  StandardGrasp start;
+  Grasp start;
 };
 
 struct Found {
@@ -85,7 +85,7 @@ std::vector<BenchScene> ListTrainingScenes(const Options& options) {
     for (const std::string& id : options.hands) {
       const auto hand = std::make_shared<const Hand>(LoadHand(id));
       const std::string& taxon = taxa[static_cast<size_t>(k) % taxa.size()];
-      for (const StandardGrasp& grasp : LoadStandardGrasps(*hand)) {
+      for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
         if (grasp.id != taxon) continue;
         const int number = k / static_cast<int>(taxa.size());
         const double largest = kLargestShape * CalcPreGraspWidth(*hand, grasp);

@@ -2,7 +2,7 @@
 // in a session; where the time of a step goes, on an object that is held; an instant
 // of a trial saved and restored; a distance field built
 // and read from the cache; what Simbody's own position kinematics would cost per step.
-//   build/release/tests/bench/sim_bench
+//   build/release/tests/bench/sim_bench --validation workbench/manual/validation/speed.yaml
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/text/text.h"
 #include "core/hand/load_hand.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/implicit_world.h"
@@ -21,6 +22,7 @@
 #include "core/trial/trial_course.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
+#include "tests/bench/validation_main.h"
 
 namespace graspbench {
 namespace {
@@ -29,7 +31,7 @@ TrialSetup MakeSetup(const char* hand_id, const char* object_id, const char* gra
   TrialSetup setup;
   setup.hand = std::make_shared<const Hand>(LoadHand(hand_id));
   setup.object = LoadObject(object_id);
-  for (const StandardGrasp& grasp : LoadStandardGrasps(*setup.hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(*setup.hand)) {
     if (grasp.id == grasp_id) setup.grasp = grasp;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());
@@ -229,5 +231,35 @@ BENCHMARK_CAPTURE(BM_Positions, tum_simbody, "tum", true);
 BENCHMARK_CAPTURE(BM_Positions, shadow_ours, "shadow", false);
 BENCHMARK_CAPTURE(BM_Positions, shadow_simbody, "shadow", true);
 
+struct MedianTrialBar {
+  const char* run;
+  const char* hand;
+  double milliseconds;
+};
+constexpr MedianTrialBar kMedianTrialBars[] = {{"BM_MedianTrial/tum", "TUM", 30.0},
+                                               {"BM_MedianTrial/shadow", "Shadow", 50.0}};
+
+std::vector<ValidationRow> MakeRows(const BenchmarkRuns& all) {
+  std::vector<ValidationRow> rows;
+  for (const MedianTrialBar& bar : kMedianTrialBars) {
+    const auto runs = all.by_name.find(bar.run);
+    if (runs == all.by_name.end()) continue;
+    const std::vector<double>& times = runs->second.counters.at("median_trial_ms");
+    ValidationRow row = MakeValidationRow("Speed", true);
+    row.claim = std::string("a trial of the ") + bar.hand +
+                " Hand with the best grasp, processor time, median of the 21 objects";
+    row.command = "build/release/tests/bench/sim_bench --benchmark_filter=MedianTrial";
+    SetFigure(row, times, " ms");
+    row.bar = FormatSignificant(bar.milliseconds, 3) + " ms";
+    row.met = CalcMedian(times) <= bar.milliseconds ? "yes" : "no";
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 }  // namespace
 }  // namespace graspbench
+
+int main(int argc, char** argv) {
+  return graspbench::RunBenchmarks(argc, argv, graspbench::MakeRows);
+}

@@ -57,7 +57,7 @@ void TimeOnce(WristCamera& camera, const OutlineModel& outline, const Eigen::Vec
 bool MeasureObject(const std::shared_ptr<const Hand>& hand, const std::string& id,
                    const CameraConfig& config, Timing& timing) {
   const auto object = LoadObject(id);
-  const std::vector<StandardGrasp> grasps = LoadStandardGrasps(*hand);
+  const std::vector<Grasp> grasps = LoadStandardGrasps(*hand);
   WristCamera camera(hand, object, config);
   const OutlineModel outline(object->mesh);
   std::vector<double> shifts_mm, turns_deg;

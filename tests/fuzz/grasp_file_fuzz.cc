@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace graspbench;
   static const Hand hand = LoadHand("tum");
   try {
-    const StandardGrasp grasp =
+    const Grasp grasp =
         ParseGraspFile({reinterpret_cast<const char*>(data), size}, "fuzz", {&hand}).grasp;
     for (const double s : {0.0, 0.5, 1.0}) {
       const Eigen::VectorXd q = CalcClosingPosture(hand, grasp, s);

@@ -1,10 +1,13 @@
 // Any bytes as a foreign URDF: refused with problems, or files that load without error. A mesh
 // found anywhere would be a tetrahedron.
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
 #include "core/hand/import/import_hand.h"
 #include "core/hand/load_hand.h"
 
@@ -26,9 +29,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       ImportHand(std::string(reinterpret_cast<const char*>(data), size), source, "", problems);
   GRASPBENCH_DEMAND(imported.files.empty() == (problems.num_errors() > 0), problems.Format());
   if (imported.files.empty()) return 0;
+  // Pictures lie in files of their own, which the loader reads.
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       ("graspbench_fuzz_hand_" + std::to_string(::getpid()));
+  std::filesystem::remove_all(folder);
+  for (const auto& [name, content] : imported.files) {
+    MakeFolder((folder / name).parent_path());
+    WriteFile(folder / name, content);
+  }
   Diagnostics of_loading;
-  ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), "no-such-folder",
-            of_loading);
+  ParseHand(imported.files.at("hand.urdf"), imported.files.at("hand.yaml"), folder, of_loading);
+  std::filesystem::remove_all(folder);
   GRASPBENCH_DEMAND(of_loading.num_errors() == 0,
                     of_loading.Format() + "\n" + imported.files.at("hand.yaml"));
   return 0;

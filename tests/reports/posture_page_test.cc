@@ -18,7 +18,7 @@ PosturePageData MakeData() {
   data.hand = std::make_shared<const Hand>(hand);
   data.config.seed = 7;
   data.config.budget = 1234;
-  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(hand)) {
     if (grasp.id != "g2" && grasp.id != "g3") continue;
     DevelopedGrasp& one = data.developed.emplace_back();
     one.grasp = one.proposed.grasp = grasp;

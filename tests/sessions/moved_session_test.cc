@@ -31,7 +31,7 @@ class MovedSession : public testing::Test {
               "name: block\nmesh: block.obj\nmesh_unit: mm\nmass_kg: 0.05\n"
               "friction_static: 0.5\nfriction_dynamic: 0.4\n");
     const Hand hand = LoadHand((top_ / "mine" / "my_hand").string());
-    StandardGrasp grasp = LoadStandardGrasps(hand).front();
+    Grasp grasp = LoadStandardGrasps(hand).front();
     const std::string made_from = grasp.id;
     grasp.id = "my-grasp";
     WriteFile(top_ / "mine" / "my.yaml", FormatGraspFile(hand, grasp, made_from));

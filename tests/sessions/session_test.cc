@@ -1,5 +1,5 @@
 /** @file
-Runs the program as a user would and compares what it prints. Each tests/sessions/<topic>.session
+Runs the program as a user would and compares what it prints. Each transcripts/<topic>.session
 holds cases of the form
 
     # name: object_show_unknown
@@ -10,7 +10,8 @@ holds cases of the form
     graspbench: no object "pencl" ...
 
 Commands run in a shell, in an empty folder, with stdout and stderr together; `# exit` (of the last
-command) is 0 when absent. In the expected text "..." stands for any text within a line and, alone
+command) is 0 when absent. `made FOLDER OPTIONS..` is `graspbench run OPTIONS.. --out FOLDER` without
+what it prints; the session is made once for all cases and copied. In the expected text "..." stands for any text within a line and, alone
 on a line, for any number of lines. GRASPBENCH_UPDATE_SESSIONS=1 writes what the program prints now
 into the failing cases: read the difference before committing it. */
 
@@ -129,13 +130,36 @@ struct Answer {
   std::vector<std::string> lines;
 };
 
+/** Where `made` keeps its sessions: those of another build of the program are not used. */
+fs::path MakeStoreOfSessions() {
+  const fs::path all = fs::path(GRASPBENCH_PROGRAM_FOLDER) / "tests" / "made_sessions";
+  const fs::path program = fs::path(GRASPBENCH_PROGRAM_FOLDER) / "graspbench";
+  const auto built = fs::last_write_time(program).time_since_epoch().count();
+  const fs::path store =
+      all / (std::to_string(fs::file_size(program)) + "_" + std::to_string(built));
+  fs::create_directories(store);
+  return store;
+}
+
+constexpr char kMade[] = R"(made() {
+  folder=$1; shift
+  store=$STORE/$(echo "$*" | cksum | cut -d ' ' -f 1)
+  (
+    flock 9
+    [ -d "$store" ] || { graspbench run "$@" --out "$store.new" >/dev/null 2>&1; mv "$store.new" "$store"; }
+  ) 9>"$store.lock"
+  cp -r "$store" "$folder"
+}
+)";
+
 Answer RunCommands(const SessionCase& c) {
   const fs::path folder =
       fs::path(testing::TempDir()) / ("session_" + c.name + "_" + std::to_string(::getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder / "work");
   WriteFileAtomically(folder / "commands", "cd '" + (folder / "work").string() + "'\nPATH='" +
-                                               GRASPBENCH_PROGRAM_FOLDER + "':$PATH\n" +
+                                               GRASPBENCH_PROGRAM_FOLDER + "':$PATH\nSTORE='" +
+                                               MakeStoreOfSessions().string() + "'\n" + kMade +
                                                c.commands);
   const fs::path output = folder / "output";
   const int status = std::system(

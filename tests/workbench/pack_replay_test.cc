@@ -15,7 +15,7 @@ namespace {
 TEST(PackReplayCommand, WhatIsNoPackIsRefusedByName) {
   ExitCode exit_code = kExitOk;
   CLI::App program;
-#define GRASPBENCH_COMMAND(Name) Add##Name##Command(program, exit_code);
+#define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
   const TemporaryFolder temporary;

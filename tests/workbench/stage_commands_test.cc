@@ -20,7 +20,7 @@ const StageOption* FindStageOption(const StageCommand& command, const std::strin
 class StageCommands : public testing::Test {
  protected:
   StageCommands() {
-#define GRASPBENCH_COMMAND(Name) Add##Name##Command(program_, exit_code_);
+#define GRASPBENCH_COMMAND(Name, room) Add##Name##Command(program_, exit_code_);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
   }

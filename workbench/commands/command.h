@@ -22,7 +22,7 @@ class Option;
 
 namespace graspbench {
 
-#define GRASPBENCH_COMMAND(Name) void Add##Name##Command(CLI::App& program, ExitCode& exit_code);
+#define GRASPBENCH_COMMAND(Name, room) void Add##Name##Command(CLI::App& program, ExitCode& exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
 

@@ -184,7 +184,7 @@ OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneCon
 void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,
                          const ObserveLearning& observe) {
   const CampaignScene& scene = *task.scene;
-  StandardGrasp start = LoadSceneGrasp(scene.folder, kNewPreGrasp, *scene.inputs.hand);
+  Grasp start = LoadSceneGrasp(scene.folder, kNewPreGrasp, *scene.inputs.hand);
   start.id = NameOf(kNewTarget);
   EvaluationJournal journal(task.journal);
   SearchTarget(*scene.inputs.hand, *scene.inputs.object, start, task.config.optimise,

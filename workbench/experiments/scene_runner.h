@@ -48,7 +48,7 @@ void RunComparisonSearch(const ComparisonTask& task, TrialPool& pool,
 
 /** An individual of a finished search, simulated again. */
 struct ReplayedIndividual {
-  StandardGrasp grasp;  ///< id "individual-<number>"
+  Grasp grasp;  ///< id "individual-<number>"
   double stored_fitness = 0.0;
   double fitness = 0.0;
   bool is_same = false;  ///< every number of every trial

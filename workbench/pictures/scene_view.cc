@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/render/hand_scene.h"
-#include "workbench/shell/shell_words.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

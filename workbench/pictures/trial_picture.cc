@@ -11,7 +11,7 @@
 #include "core/trial/moment.h"
 #include "reports/scenes/instant_scene.h"
 #include "workbench/pictures/scene_film.h"
-#include "workbench/shell/shell_words.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

@@ -16,7 +16,7 @@ namespace graspbench {
 namespace {
 
 const Eigen::VectorXd& FindPosture(ShellScene& scene, const std::string& posture) {
-  const StandardGrasp& grasp = scene.setup().grasp;
+  const Grasp& grasp = scene.setup().grasp;
   if (posture == "pre") return grasp.q_pre;
   if (posture == "target") return grasp.q_target;
   return scene.course().world().state().q;

@@ -13,8 +13,8 @@
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/shell/shell_picture.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

@@ -11,9 +11,9 @@
 #include "workbench/experiments/pool/trial_pool.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_commands.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/tables/optimise_tables.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

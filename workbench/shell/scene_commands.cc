@@ -18,8 +18,8 @@
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -182,10 +182,10 @@ NamedPosition ParseJoint(const Hand& hand, const std::string& name, const std::s
                                          hand.joints[joint.coupled_to].name + "; set that one");
     }
     // The limits as they are printed are within them, whatever the last bits are.
-    const double shown = ParseNumber(number, "the position of " + joint.name, ShownUnitOf(joint),
-                                     ShownFromPosition(joint, joint.lower) - kPrintedExact,
-                                     ShownFromPosition(joint, joint.upper) + kPrintedExact);
-    return {joint.name, std::clamp(PositionFromShown(joint, shown), joint.lower, joint.upper)};
+    const double shown = ParseNumber(number, "the position of " + joint.name, DisplayUnitOf(joint),
+                                     ToDisplayUnits(joint, joint.lower) - kPrintedExact,
+                                     ToDisplayUnits(joint, joint.upper) + kPrintedExact);
+    return {joint.name, std::clamp(FromDisplayUnits(joint, shown), joint.lower, joint.upper)};
   }
   throw Error(ErrorKind::kNotFound,
               "the " + hand.name + " has no joint \"" + name + "\"" + SuggestNames(name, known));
@@ -296,7 +296,7 @@ void SaveGrasp(Shell& shell, const ShellArguments& arguments) {
   }
   CheckOutputFile(file);
   const TrialSetup& setup = shell.scene().setup();
-  StandardGrasp grasp = setup.grasp;
+  Grasp grasp = setup.grasp;
   const std::string made_from = FindStandardId(grasp);
   grasp.id = MakePlainKey({fs::path(file).stem().string()});
   WriteFileAtomically(file, FormatGraspFile(*setup.hand, grasp, made_from));

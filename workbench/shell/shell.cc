@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell_commands.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

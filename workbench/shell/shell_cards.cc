@@ -86,7 +86,7 @@ std::string FormatJoints(ShellScene& scene) {
   for (size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];
     const auto format = [&joint](double position, int decimals) {
-      return FormatFixed(ShownFromPosition(joint, position), decimals) +
+      return FormatFixed(ToDisplayUnits(joint, position), decimals) +
              (joint.is_prismatic ? " mm" : "");
     };
     const double angle = q[static_cast<Eigen::Index>(j)];
@@ -200,20 +200,20 @@ std::string FormatChanges(const ShellScene& scene) {
     text += "hand     moved " + list(choice.hand_place->shift, MmFromM(1.0)) + " mm, turned " +
             list(choice.hand_place->angles, DegFromRad(1.0)) + " deg about x y z\n";
   }
-  const StandardGrasp grasp = scene.unedited_grasp();
+  const Grasp grasp = scene.unedited_grasp();
   for (const JointEdit& edit : choice.joints) {
     const int index = hand.FindJoint(edit.joint);
     const HandJoint& joint = hand.joints[static_cast<size_t>(index)];
     const Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
     text += fmt::format("joint    {} {} {} {}, the grasp's {} {}\n", edit.joint,
-                        FormatFixed(ShownFromPosition(joint, edit.position), 1), ShownUnitOf(joint),
+                        FormatFixed(ToDisplayUnits(joint, edit.position), 1), DisplayUnitOf(joint),
                         edit.is_target ? "target" : "pre",
-                        FormatFixed(ShownFromPosition(joint, q[index]), 1), ShownUnitOf(joint));
+                        FormatFixed(ToDisplayUnits(joint, q[index]), 1), DisplayUnitOf(joint));
   }
   for (const DriveEdit& edit : choice.drives) {
     const HandJoint& joint = hand.joints[static_cast<size_t>(hand.FindJoint(edit.joint))];
     text += fmt::format("drive    {} {} {} from {} s on\n", edit.joint,
-                        FormatFixed(ShownFromPosition(joint, edit.position), 1), ShownUnitOf(joint),
+                        FormatFixed(ToDisplayUnits(joint, edit.position), 1), DisplayUnitOf(joint),
                         FormatFixed(edit.time, 3));
   }
   std::istringstream now(FormatSettings(choice.config, "")), before(FormatSettings({}, ""));

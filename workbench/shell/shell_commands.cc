@@ -15,8 +15,8 @@
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_picture.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/terminal/terminal.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -78,7 +78,7 @@ Names ListObjectNames(Shell&, size_t index) { return index == 0 ? ListObjects() 
 
 Names ListGrasps(Shell& shell, size_t index) {
   Names names = {"best"};
-  for (const StandardGrasp& grasp : shell.scene().grasps()) names.push_back(grasp.id);
+  for (const Grasp& grasp : shell.scene().grasps()) names.push_back(grasp.id);
   return index == 0 ? names : Names();
 }
 

@@ -44,11 +44,11 @@ bool LoadsTheSame(const SceneChoice& a, const SceneChoice& b) {
   }
   return a.config.hands == b.config.hands && a.config.approach == b.config.approach &&
          a.config.objects == b.config.objects && a.folder.empty() && b.folder.empty() &&
-         ConfigToJson(a.config.model) == ConfigToJson(b.config.model);
+         HaveEqualValues(a.config.model, b.config.model);
 }
 
 /** Moves the place at which the hand grasps, and from where it comes. */
-void ApplyHandPlace(const HandPlace& place, const TrialSetup& setup, StandardGrasp& grasp) {
+void ApplyHandPlace(const HandPlace& place, const TrialSetup& setup, Grasp& grasp) {
   Placement placement = CalcPlacement(*setup.hand, grasp, *setup.object);
   const Eigen::Vector3d middle(0.0, 0.0, 0.5 * setup.object->size.z());
   const Eigen::Matrix3d R = MakeRotationRpy(place.angles.x(), place.angles.y(), place.angles.z());
@@ -59,7 +59,7 @@ void ApplyHandPlace(const HandPlace& place, const TrialSetup& setup, StandardGra
   grasp.object = setup.object->id;
 }
 
-void ApplyEdit(const Hand& hand, const JointEdit& edit, StandardGrasp& grasp) {
+void ApplyEdit(const Hand& hand, const JointEdit& edit, Grasp& grasp) {
   const int index = hand.FindJoint(edit.joint);
   GRASPBENCH_DEMAND(index >= 0, edit.joint);
   Eigen::VectorXd& q = edit.is_target ? grasp.q_target : grasp.q_pre;
@@ -86,7 +86,7 @@ TrialSetup MakeChosenSetup(const SceneChoice& choice, const SessionInputs& input
 
 }  // namespace
 
-std::string FindStandardId(const StandardGrasp& grasp) {
+std::string FindStandardId(const Grasp& grasp) {
   std::string found = grasp.id;
   for (const GraspTaxon& taxon : ListGraspTaxa()) {
     if (taxon.id == grasp.id) return taxon.id;
@@ -127,7 +127,7 @@ void ShellScene::Choose(const SceneChoice& choice) {
   instants_.push_back(course_->Save());
 }
 
-StandardGrasp ShellScene::unedited_grasp() const {
+Grasp ShellScene::unedited_grasp() const {
   return choice_.learned ? *choice_.learned : MakeDrawnSetup(choice_, *inputs_, std::nullopt).grasp;
 }
 

@@ -53,7 +53,7 @@ struct SceneChoice {
   std::string folder;       ///< of the session it was opened from; empty: of its own
   std::optional<int> draw;  ///< the session's number of the trial, from 0; unset: no variation
   std::optional<ObjectPlace> place;
-  std::optional<StandardGrasp> learned;  ///< instead of the grasp of the configuration
+  std::optional<Grasp> learned;  ///< instead of the grasp of the configuration
   std::optional<HandPlace> hand_place;
   std::vector<JointEdit> joints;
   std::vector<DriveEdit> drives;  ///< by time
@@ -63,7 +63,7 @@ struct SceneChoice {
 };
 
 /** Of the standard grasp that a grasp was made from: the one of its type, distance and alpha. */
-std::string FindStandardId(const StandardGrasp& grasp);
+std::string FindStandardId(const Grasp& grasp);
 
 class ShellScene {
  public:
@@ -76,11 +76,11 @@ class ShellScene {
   /** @pre of all below: Choose was called. */
   const TrialSetup& setup() const { return *setup_; }
   /** The chosen grasp without the joints set by hand. */
-  StandardGrasp unedited_grasp() const;
+  Grasp unedited_grasp() const;
   /** What another draw of the same choice would be. */
   TrialSetup MakeSetup(std::optional<int> draw) const;
   /** All that the hand can do. */
-  const std::vector<StandardGrasp>& grasps() const { return inputs_->hands.front().grasps; }
+  const std::vector<Grasp>& grasps() const { return inputs_->hands.front().grasps; }
   TrialRunner& runner();
 
   TrialCourse& course() { return *course_; }

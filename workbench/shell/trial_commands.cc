@@ -13,10 +13,10 @@
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_commands.h"
-#include "workbench/shell/shell_words.h"
 #include "workbench/tables/text_table.h"
 #include "workbench/terminal/terminal.h"
 #include "workbench/text/plain_text.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

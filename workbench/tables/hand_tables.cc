@@ -25,7 +25,7 @@ std::vector<std::string> ListDigits(const Hand& hand) {
 
 std::vector<std::string> ListGrasps(const Hand& hand) {
   std::vector<std::string> ids;
-  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) ids.push_back(grasp.id);
+  for (const Grasp& grasp : LoadStandardGrasps(hand)) ids.push_back(grasp.id);
   return ids;
 }
 
@@ -68,9 +68,9 @@ Json MakeHandJson(const Hand& hand) {
   Json joints = Json::array();
   for (const HandJoint& joint : hand.joints) {
     Json entry = {{"name", joint.name}};
-    const std::string unit = ShownUnitOf(joint);
-    entry["lower_" + unit] = ShownFromPosition(joint, joint.lower);
-    entry["upper_" + unit] = ShownFromPosition(joint, joint.upper);
+    const std::string unit = DisplayUnitOf(joint);
+    entry["lower_" + unit] = ToDisplayUnits(joint, joint.lower);
+    entry["upper_" + unit] = ToDisplayUnits(joint, joint.upper);
     if (joint.coupled_to >= 0) {
       entry["coupled_to"] = hand.joints[joint.coupled_to].name;
       if (joint.is_mimic) entry["ratio"] = joint.mimic_ratio;
@@ -111,7 +111,7 @@ std::string FormatHand(const Hand& hand) {
     const bool is_coupled = joint.coupled_to >= 0;
     const bool slides = joint.is_prismatic;
     const auto format_position = [&](double q) {
-      return FormatFixed(ShownFromPosition(joint, q), 1) + (slides ? " mm" : "");
+      return FormatFixed(ToDisplayUnits(joint, q), 1) + (slides ? " mm" : "");
     };
     table.AddRow(
         {joint.name, format_position(joint.lower), format_position(joint.upper),

@@ -12,7 +12,7 @@
 namespace graspbench {
 namespace {
 
-std::string FormatAngles(const Hand& hand, const StandardGrasp& grasp, const Eigen::VectorXd& q) {
+std::string FormatAngles(const Hand& hand, const Grasp& grasp, const Eigen::VectorXd& q) {
   const Digit& digit = hand.digits[static_cast<size_t>(FindOpposingDigit(hand, grasp))];
   std::string text;
   for (const int joint : FindDrivenJoints(hand, digit)) {
@@ -64,7 +64,7 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   TextTable angles(
       {hand.digits[static_cast<size_t>(FindOpposingDigit(hand, inputs.grasp))].name + " [deg]",
        "pre-grasp", "target"});
-  const auto add_angles = [&](const std::string& variant, const StandardGrasp& grasp) {
+  const auto add_angles = [&](const std::string& variant, const Grasp& grasp) {
     angles.AddRow({variant, FormatAngles(hand, grasp, grasp.q_pre),
                    FormatAngles(hand, grasp, grasp.q_target)});
   };

@@ -35,13 +35,13 @@ void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& 
         "\"" + assignment + "\" is no joint angle; expected NAME=DEG, e.g. " + name + "=30");
   }
   const HandJoint& limits = hand.joints[joint];
-  q[joint] = PositionFromShown(limits, angle_deg);
+  q[joint] = FromDisplayUnits(limits, angle_deg);
   constexpr double kTolerance = 1e-9;  // [rad] limits in degrees are not exact in radians
   if (q[joint] < limits.lower - kTolerance || q[joint] > limits.upper + kTolerance) {
     const auto format = [&](double position) {
-      return FormatSignificant(ShownFromPosition(limits, position), 4);
+      return FormatSignificant(ToDisplayUnits(limits, position), 4);
     };
-    const std::string unit = std::string(" ") + ShownUnitOf(limits);
+    const std::string unit = std::string(" ") + DisplayUnitOf(limits);
     PrintMessage("note: " + name + " = " + FormatSignificant(angle_deg, 4) + unit +
                  " is outside its limits " + format(limits.lower) + " .. " + format(limits.upper) +
                  unit);

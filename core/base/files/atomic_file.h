@@ -9,7 +9,7 @@ A file that is written piece by piece and is there when it is whole. */
 namespace graspbench {
 
 /** False, and errno says why, when not all of it could be written. */
-bool WriteAll(int file, std::string_view content);
+[[nodiscard]] bool WriteAll(int file, std::string_view content);
 
 /** Written beside the target, synced and renamed by Commit: the target is the old or the new file,
 never half of one. Without Commit nothing is left. What killed processes of this host left beside

@@ -31,8 +31,8 @@ class TargetSpace : public GraspSpace {
     }
   }
 
-  StandardGrasp MakeGrasp(const Eigen::VectorXd& genome) const override {
-    StandardGrasp grasp = start_.grasp;
+  Grasp MakeGrasp(const Eigen::VectorXd& genome) const override {
+    Grasp grasp = start_.grasp;
     for (size_t i = 0; i < joints_.size(); ++i) {
       grasp.q_target[joints_[i]] = genome[static_cast<Eigen::Index>(i)];
     }

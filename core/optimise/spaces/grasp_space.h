@@ -39,7 +39,7 @@ class GraspSpace {
   const SearchSpace& box() const { return box_; }
   const std::vector<GraspCoordinate>& coordinates() const { return coordinates_; }
   /** The start with the coordinates changed. @pre as many as there are. */
-  virtual StandardGrasp MakeGrasp(const Eigen::VectorXd& genome) const = 0;
+  virtual Grasp MakeGrasp(const Eigen::VectorXd& genome) const = 0;
 
  protected:
   void AddCoordinate(const GraspCoordinate& coordinate, double lower, double start, double upper);
@@ -53,7 +53,7 @@ class GraspSpace {
 struct GraspSpaceStart {
   const Hand& hand;
   const GraspObject& object;
-  const StandardGrasp& grasp;  ///< brings its placement
+  const Grasp& grasp;  ///< brings its placement
 };
 
 /** A space by its name; given by <Class>Row() beside the class of each line of the list. */

@@ -15,8 +15,8 @@ class HandPoseSpace : public GraspSpace {
     for (const char* axis : {"x", "y", "z"}) Add({std::string("hand_turn_") + axis, "rad"});
   }
 
-  StandardGrasp MakeGrasp(const Eigen::VectorXd& genome) const override {
-    StandardGrasp grasp = start_.grasp;
+  Grasp MakeGrasp(const Eigen::VectorXd& genome) const override {
+    Grasp grasp = start_.grasp;
     grasp.placement = MovePlacement(start_.hand, grasp, start_.object,
                                     kShiftPerRadian * genome.head<3>(), genome.tail<3>());
     return grasp;

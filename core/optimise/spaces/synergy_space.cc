@@ -16,7 +16,7 @@ constexpr double kNoVariance = 1e-6;     // [rad], root of the sum of squares
 row each; what else the other digits do is no part of them. */
 Eigen::MatrixXd ListPostures(const GraspSpaceStart& start, const std::vector<int>& joints) {
   std::vector<Eigen::VectorXd> postures;
-  for (const StandardGrasp& grasp : LoadStandardGrasps(start.hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(start.hand)) {
     const bool grasp_all = std::all_of(
         start.grasp.digits.begin(), start.grasp.digits.end(), [&](const std::string& digit) {
           return std::count(grasp.digits.begin(), grasp.digits.end(), digit) > 0;
@@ -75,8 +75,8 @@ class SynergySpace : public GraspSpace {
     }
   }
 
-  StandardGrasp MakeGrasp(const Eigen::VectorXd& genome) const override {
-    StandardGrasp grasp = start_.grasp;
+  Grasp MakeGrasp(const Eigen::VectorXd& genome) const override {
+    Grasp grasp = start_.grasp;
     const Eigen::VectorXd change = synergies_ * genome;
     for (size_t i = 0; i < joints_.size(); ++i) {
       const TargetRange range = FindTargetRange(start_, joints_[i]);

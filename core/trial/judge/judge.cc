@@ -86,10 +86,6 @@ BreakingLoad FindBreakingForce(const HeldObject& held, const Vector3d& direction
   return FindBreakingLoad(held, direction_W, false);
 }
 
-BreakingLoad FindBreakingMoment(const HeldObject& held, const Vector3d& axis_W) {
-  return FindBreakingLoad(held, axis_W, true);
-}
-
 Judgement JudgeGrasp(const HeldObject& held, const std::vector<GraspContact>& contacts) {
   Judgement judgement;
   JudgeQuality(held, contacts, judgement);

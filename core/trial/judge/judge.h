@@ -26,7 +26,6 @@ namespace graspbench {
 
 /** @param direction_W  unit vector. */
 BreakingLoad FindBreakingForce(const HeldObject& held, const Eigen::Vector3d& direction_W);
-BreakingLoad FindBreakingMoment(const HeldObject& held, const Eigen::Vector3d& axis_W);
 
 /** All tests of a grasp: breaking loads, epsilons of every convention, verdicts.
 @param contacts  those of the moment, positions from the centre of mass, axes of O. */

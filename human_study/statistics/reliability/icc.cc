@@ -181,12 +181,6 @@ std::string NameOf(const Icc& icc) {
          (icc.num_trials == 1.0 ? ",1)" : ",k)");
 }
 
-Answer<double> CalcSingleIcc(const std::vector<PersonTrials>& persons) {
-  const Answer<OneWay> one_way = CalcOneWay(persons);
-  if (!one_way) return one_way.none();
-  return one_way->icc;
-}
-
 Answer<IccPair> CalcIcc(const std::vector<PersonTrials>& persons, IccForm form) {
   if (form == IccForm::kOneWay) {
     const Answer<OneWay> one_way = CalcOneWay(persons);

@@ -60,7 +60,4 @@ person differ; for the two-way forms also when persons have different numbers of
 missing, or the rest has no spread. */
 Answer<IccPair> CalcIcc(const std::vector<PersonTrials>& persons, IccForm form);
 
-/** ICC(1,1) without its interval, which is what costs: for resampling. */
-Answer<double> CalcSingleIcc(const std::vector<PersonTrials>& persons);
-
 }  // namespace graspbench

@@ -39,7 +39,7 @@ Untouched CountUntouched(const StudyResult& result, const std::string& digit,
     for (const DigitContactEvents& contact : trial.analysis->contacts) {
       if (contact.digit != digit) continue;
       ++counted.num_trials;
-      if (contact.contact.IsFound() || IsUntold(contact.contact)) continue;
+      if (contact.contact.IsFound() || IsUnresolved(contact.contact)) continue;
       ++counted.num_missing;
       const std::string& reason = contact.contact.missing;
       const int count = ++reasons[reason.substr(0, reason.find_first_of("0123456789"))];

@@ -24,7 +24,7 @@ const std::vector<TrialFlag>& TrialFlagList() {
        [](const A& a) { return a.num_unverified > 0; }},
       {"digit without touch", "a recorded digit never touched",
        [](const A& a) {
-         return a.num_touching + a.num_untold < static_cast<int>(a.contacts.size());
+         return a.num_touching + a.num_unresolved < static_cast<int>(a.contacts.size());
        }},
       {"regrasp",
        "a digit touched, left its place and returned: GFT, GOT and GCT are those of its last touch",
@@ -42,7 +42,7 @@ const std::vector<TrialFlag>& TrialFlagList() {
        }},
       {"touch not told",
        "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",
-       [](const A& a) { return a.num_untold > 0; }},
+       [](const A& a) { return a.num_unresolved > 0; }},
   };
   return flags;
 }

@@ -82,7 +82,7 @@ Removal FindRemoval(const TrialAnalysis& analysis, const RemovalConfig& rules) {
       }
       continue;
     }
-    const bool is_usable = !IsUntold(digit.contact);
+    const bool is_usable = !IsUnresolved(digit.contact);
     const Removal removal = {is_usable ? "no_contact" : "not_usable",
                              "no contact of the " + name + ": " + digit.contact.missing};
     if (digit.is_thumb || rules.missing_digit) return removal;

@@ -81,7 +81,6 @@ inline const std::vector<std::string>& SyntheticTipLabels() {
 }
 inline constexpr const char* kSyntheticWristLabel = "wrist";
 /** Object markers are "object_1" .. "object_3", force channels "force_TH" .. */
-inline constexpr int kNumSyntheticObjectMarkers = 3;
 inline constexpr double kSyntheticObjectHeight = 0.11;  ///< [m]
 inline constexpr double kSyntheticPadOffset = 0.008;    ///< marker to surface in contact [m]
 /** Places of the object's markers in O. */

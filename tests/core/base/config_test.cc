@@ -110,6 +110,16 @@ TEST(Config, DifferencesNameTheKeyAndBothValues) {
   EXPECT_TRUE(FindConfigDifferences(a, a).empty());
 }
 
+TEST(Config, EqualityLooksAtEveryValue) {
+  EXPECT_TRUE(HaveEqualValues(Outer(), Outer()));
+  for (const char* setting :
+       {"name=other", "parts=[a]", "count=4", "inner.size_m=0.6", "inner.is_round=true"}) {
+    Outer other;
+    SetConfigValue(setting, other);
+    EXPECT_FALSE(HaveEqualValues(Outer(), other)) << setting;
+  }
+}
+
 TEST(Config, FindsTheLineOfAKey) {
   const YAML::Node root = YAML::Load("name: x\ninner:\n  size_m: 1\n");
   EXPECT_EQ(FindConfigLine(root, "name"), 1);

@@ -12,6 +12,12 @@ TEST(SuggestNames, NamesTheClosestAndListsTheKnown) {
             "; did you mean \"pencil\"? Known: pencil, cup");
 }
 
+TEST(SuggestNames, LettersExchangedAreOneFault) {
+  EXPECT_EQ(SuggestNames("shwo", {"check", "show"}), "; did you mean \"show\"? Known: check, show");
+  EXPECT_EQ(SuggestNames("hsow", {"show"}), "; did you mean \"show\"? Known: show");
+  EXPECT_EQ(SuggestNames("hwso", {"show"}), ". Known: show");  // two exchanges
+}
+
 TEST(SuggestNames, DoesNotGuessWhenNothingIsNear) {
   EXPECT_EQ(SuggestNames("xylophone", {"pencil", "cup"}), ". Known: pencil, cup");
   EXPECT_EQ(SuggestNames("a", {}), ". Known: none");

@@ -21,7 +21,7 @@ class HiddenTarget {
       if (hand.joints[static_cast<size_t>(j)].coupled_to < 0) hidden_[j] += RadFromDeg(4.0);
     }
   }
-  double Score(const StandardGrasp& grasp) const {
+  double Score(const Grasp& grasp) const {
     return 1.3 * std::exp(-(grasp.q_target - hidden_).norm());
   }
   RunDevelopTrials MakeRun() {

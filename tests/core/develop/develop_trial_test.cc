@@ -21,7 +21,7 @@ class DevelopTrialTest : public testing::Test {
   }
   void Lift(double height) { result_.lift_height = height; }
 
-  StandardGrasp grasp_;
+  Grasp grasp_;
   GraspObject object_;
   TrialResult result_;
 };

@@ -12,13 +12,13 @@ class PostureChangesTest : public testing::Test {
  protected:
   PostureChangesTest() : hand_(LoadHand("tum")), grasp_(LoadStandardGrasps(hand_).front()) {}
 
-  double Change(const StandardGrasp& changed, const char* joint) const {
+  double Change(const Grasp& changed, const char* joint) const {
     const int j = hand_.FindJoint(joint);
     return DegFromRad(changed.q_target[j] - grasp_.q_target[j]);
   }
 
   Hand hand_;
-  StandardGrasp grasp_;
+  Grasp grasp_;
 };
 
 // Three joints of the thumb and three that both fingers share, before and after closing, and the
@@ -27,13 +27,13 @@ TEST_F(PostureChangesTest, FingersOfOneBuildChangeTogether) {
   const PostureChanges changes(hand_, grasp_);
   const SearchSpace space = changes.MakeSpace();
   ASSERT_EQ(space.size(), 13);
-  const StandardGrasp same = changes.Apply(space.start);
+  const Grasp same = changes.Apply(space.start);
   EXPECT_LT((same.q_pre - grasp_.q_pre).norm() + (same.q_target - grasp_.q_target).norm(), 1e-9);
   int num_shared = 0, num_single = 0;
   for (int g = 6; g < 12; ++g) {
     Eigen::VectorXd x = space.start;
     x[g] = RadFromDeg(3.0);
-    const StandardGrasp changed = changes.Apply(x);
+    const Grasp changed = changes.Apply(x);
     EXPECT_LT((changed.q_pre - grasp_.q_pre).norm(), 1e-9);
     for (const char* joint : {"q1", "q2", "q3"}) {
       const double of_index = Change(changed, ("FF" + std::string(joint)).c_str());
@@ -51,7 +51,7 @@ TEST_F(PostureChangesTest, LimitsHold) {
   const PostureChanges changes(hand_, grasp_);
   const SearchSpace space = changes.MakeSpace();
   for (const Eigen::VectorXd& x : {space.lower, space.upper}) {
-    const StandardGrasp changed = changes.Apply(x);
+    const Grasp changed = changes.Apply(x);
     for (int j = 0; j < hand_.num_joints(); ++j) {
       const HandJoint& joint = hand_.joints[static_cast<size_t>(j)];
       EXPECT_GE(changed.q_pre[j], joint.lower) << joint.name;
@@ -61,7 +61,7 @@ TEST_F(PostureChangesTest, LimitsHold) {
 }
 
 TEST_F(PostureChangesTest, APowerGraspsPalmComesNearer) {
-  const StandardGrasp power = LoadStandardGrasps(hand_).at(2);
+  const Grasp power = LoadStandardGrasps(hand_).at(2);
   const PostureChanges changes(hand_, power);
   Eigen::VectorXd x = changes.MakeSpace().start;
   ASSERT_EQ(x.size(), 14);

@@ -24,7 +24,7 @@ struct Stand {
 };
 
 /** By forward kinematics alone. */
-Stand CalcStand(const Hand& hand, const StandardGrasp& grasp, const VectorXd& q) {
+Stand CalcStand(const Hand& hand, const Grasp& grasp, const VectorXd& q) {
   const auto X_HL = CalcLinkPoses(hand, q);
   const Vector3d a = CalcApproachDirection(hand, grasp.tilt);
   const int opposing = FindOpposingDigit(hand, grasp);
@@ -110,7 +110,7 @@ TEST(ProposeGraspsTest, WithAnyCouplingSomeKeepLeadersStraight) {
 
 TEST(ProposeGraspsTest, WhatIsWrittenIsWhatWasTried) {
   const Hand hand = LoadHand("shadow");
-  const StandardGrasp grasp =
+  const Grasp grasp =
       ProposeGrasps(hand, FindGraspTaxon("g1"), 5, 1, false, Stream()).front().grasp;
   Diagnostics problems;
   VectorXd q;

@@ -49,10 +49,10 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
   EXPECT_NE(warning, std::string::npos);
   EXPECT_EQ(yaml.find("WARNING"), yaml.find("WARNING", warning));  // g1 has none
   WriteFile(folder / "hand.yaml", yaml);
-  const std::vector<StandardGrasp> read = LoadStandardGrasps(LoadHand(folder.string()));
+  const std::vector<Grasp> read = LoadStandardGrasps(LoadHand(folder.string()));
   ASSERT_EQ(read.size(), 2u);
   for (size_t k = 0; k < 2; ++k) {
-    const StandardGrasp& made = developed[k].grasp;
+    const Grasp& made = developed[k].grasp;
     EXPECT_EQ(read[k].id, made.id);
     EXPECT_EQ(read[k].q_pre, made.q_pre);
     EXPECT_EQ(read[k].q_target, made.q_target);

@@ -21,8 +21,8 @@ const Hand& TumHand() {
 }
 
 /** The power grasp as an optimisation leaves it. */
-StandardGrasp MakeOptimisedGrasp(const Hand& hand) {
-  StandardGrasp grasp = LoadStandardGrasps(hand).at(2);
+Grasp MakeOptimisedGrasp(const Hand& hand) {
+  Grasp grasp = LoadStandardGrasps(hand).at(2);
   grasp.id = "new-target";
   grasp.object = "adhesive_tape";
   grasp.placement = CalcPlacement(hand, grasp, kSize, Vector3d::Zero());
@@ -33,7 +33,7 @@ StandardGrasp MakeOptimisedGrasp(const Hand& hand) {
 TEST(GraspFile, GivesBackWhatWasWritten) {
   for (const char* id : {"tum", "shadow"}) {
     const Hand hand = LoadHand(id);
-    StandardGrasp grasp = LoadStandardGrasps(hand).at(2);
+    Grasp grasp = LoadStandardGrasps(hand).at(2);
     grasp.id = "new-target";
     grasp.object = "can";
     // A can is grasped from the side: another approach, another orientation.
@@ -63,7 +63,7 @@ TEST(GraspFile, GivesBackWhatWasWritten) {
 }
 
 TEST(GraspFile, ItsPlacementIsTakenAsItStands) {
-  const StandardGrasp grasp = MakeOptimisedGrasp(TumHand());
+  const Grasp grasp = MakeOptimisedGrasp(TumHand());
   const Placement placement = CalcPlacement(TumHand(), grasp, {0.1, 0.1, 0.1}, Vector3d::Zero());
   EXPECT_TRUE(placement.X_WH.isApprox(grasp.placement->X_WH, 0.0));
 }
@@ -120,7 +120,7 @@ TEST(GraspFile, SaysForWhichHandItIs) {
 // frame, joint values by name.
 TEST(IsaacGrasp, HoldsTheHandInTheObjectsFrame) {
   const Hand& hand = TumHand();
-  const StandardGrasp grasp = MakeOptimisedGrasp(hand);
+  const Grasp grasp = MakeOptimisedGrasp(hand);
   const YAML::Node root =
       YAML::Load(FormatIsaacGrasp(hand, grasp, "adhesive_tape", kSize, Vector3d::Zero(), 0.9));
   EXPECT_EQ(root["format"].as<std::string>(), "isaac_grasp");

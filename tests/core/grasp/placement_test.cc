@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 // Straight fingers of the TUM Hand: bases 80 mm apart, pads 7 mm inside of each.
 TEST(PreGraspWidthTest, IsThatOfThePadsAcrossTheApproach) {
   const Hand hand = LoadHand("tum");
-  StandardGrasp grasp = LoadStandardGrasps(hand).front();
+  Grasp grasp = LoadStandardGrasps(hand).front();
   grasp.q_pre.setZero();
   grasp.tilt = 0.0;
   EXPECT_NEAR(CalcPreGraspWidth(hand, grasp), 0.08 - 2.0 * 0.007, 1e-9);
@@ -37,7 +37,7 @@ class PlacementTest : public testing::TestWithParam<Case> {
   void SetUp() override {
     hand_ = LoadHand(GetParam().hand);
     const auto grasps = LoadStandardGrasps(hand_);
-    const auto found = std::find_if(grasps.begin(), grasps.end(), [](const StandardGrasp& grasp) {
+    const auto found = std::find_if(grasps.begin(), grasps.end(), [](const Grasp& grasp) {
       return grasp.id == GetParam().grasp;
     });
     ASSERT_NE(found, grasps.end());
@@ -68,7 +68,7 @@ class PlacementTest : public testing::TestWithParam<Case> {
   }
 
   Hand hand_;
-  StandardGrasp grasp_;
+  Grasp grasp_;
 };
 
 // A thing of middle size, 40 mm wide and 30 mm high.
@@ -190,7 +190,7 @@ TEST_P(PlacementTest, ABoundingBoxIsReachedWhenABlockOfItsSizeIs) {
 TEST_P(PlacementTest, AMovedHandKeepsTheRules) {
   constexpr double kRadius = 0.025, kHeight = 0.06, kShift = 0.0175, kTurn = 0.4;
   const GraspObject object = MakeCylinder(kRadius, kHeight);
-  StandardGrasp grasp = grasp_;
+  Grasp grasp = grasp_;
   grasp.placement = CalcPlacement(hand_, grasp_, object);
   const Vector3d zero = Vector3d::Zero();
   EXPECT_EQ(MovePlacement(hand_, grasp, object, zero, zero).X_WH.matrix(),
@@ -238,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(Grasps, PlacementTest,
 
 TEST(Placement, APowerGraspOfATallThingComesFromTheSide) {
   const Hand hand = LoadHand("tum");
-  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(hand)) {
     const Placement placement =
         CalcPlacement(hand, grasp, Vector3d(0.066, 0.066, 0.1156), Vector3d::Zero());
     if (grasp.type == GraspType::kPower) {
@@ -259,8 +259,8 @@ TEST(Placement, APowerGraspOfATallThingComesFromTheSide) {
   }
 }
 
-StandardGrasp LoadGrasp(const Hand& hand, const std::string& id) {
-  for (const StandardGrasp& grasp : LoadStandardGrasps(hand)) {
+Grasp LoadGrasp(const Hand& hand, const std::string& id) {
+  for (const Grasp& grasp : LoadStandardGrasps(hand)) {
     if (grasp.id == id) return grasp;
   }
   return {};
@@ -270,7 +270,7 @@ TEST(Placement, TheSideIsChosenOrExcludedForAnyGraspAndHeight) {
   for (const char* id : {"tum", "shadow"}) {
     const Hand hand = LoadHand(id);
     for (const char* grasp_id : {"g1", "g3"}) {
-      StandardGrasp grasp = LoadGrasp(hand, grasp_id);
+      Grasp grasp = LoadGrasp(hand, grasp_id);
       for (const double height : {0.04, 0.3}) {
         const Vector3d size(0.05, 0.05, height);
         grasp.approach = Approach::kSide;
@@ -288,7 +288,7 @@ TEST(Placement, TheSideIsChosenOrExcludedForAnyGraspAndHeight) {
 
 TEST(Placement, TheObjectsWordComesBeforeTheGrasps) {
   const Hand hand = LoadHand("tum");
-  StandardGrasp grasp = LoadGrasp(hand, "g3");
+  Grasp grasp = LoadGrasp(hand, "g3");
   GraspObject object = MakeCylinder(0.03, 0.06);
   const auto calc_z = [&] { return CalcPlacement(hand, grasp, object).approach_W.z(); };
   EXPECT_NEAR(calc_z(), -1.0, 1e-12);
@@ -300,7 +300,7 @@ TEST(Placement, TheObjectsWordComesBeforeTheGrasps) {
 
 TEST(Placement, APowerGraspSaysHowNearThePalmComes) {
   const Hand hand = LoadHand("shadow");
-  StandardGrasp grasp = LoadGrasp(hand, "g3");
+  Grasp grasp = LoadGrasp(hand, "g3");
   const Vector3d size(0.06, 0.06, 0.09);
   const Placement usual = CalcPlacement(hand, grasp, size, Vector3d::Zero());
   grasp.palm_gap = 0.001;

@@ -35,7 +35,7 @@ TEST(StandardGrasps, StayWithinTheJointLimitsOfEveryHand) {
     const Hand hand = LoadHand(id);
     const auto grasps = LoadStandardGrasps(hand);
     EXPECT_FALSE(grasps.empty()) << id;
-    for (const StandardGrasp& grasp : grasps) {
+    for (const Grasp& grasp : grasps) {
       for (int j = 0; j < hand.num_joints(); ++j) {
         for (double q : {grasp.q_pre[j], grasp.q_target[j]}) {
           EXPECT_GE(q, hand.joints[j].lower - 1e-6) << id << " " << grasp.id;

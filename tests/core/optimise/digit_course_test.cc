@@ -53,7 +53,7 @@ class DigitCourseTest : public testing::Test {
   }
 
   Hand hand_;
-  StandardGrasp grasp_;
+  Grasp grasp_;
   GraspObject ball_;
 };
 

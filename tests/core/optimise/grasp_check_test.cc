@@ -34,7 +34,7 @@ struct MadeTrials {
 };
 
 GraspCheck Check(MadeTrials& trials, int most_pairs = 100) {
-  StandardGrasp before, after;
+  Grasp before, after;
   before.id = "old";
   after.id = "new";
   return CheckGrasp(before, after,
@@ -84,7 +84,7 @@ TEST(GraspCheck, SaysWhenThePairsWereTooFew) {
 
 TEST(GraspCheck, WithoutANewGraspTheOldOneIsTriedAlone) {
   MadeTrials trials;
-  StandardGrasp old;
+  Grasp old;
   const GraspCheck check = CheckOldGrasp(old, 1000, trials.MakeRun());
   EXPECT_EQ(check.before.size(), 20u);
   EXPECT_TRUE(check.after.empty());

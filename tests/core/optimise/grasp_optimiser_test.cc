@@ -29,12 +29,12 @@ class FakeTrials {
   }
   const Hand& hand() const { return hand_; }
   const GraspObject& object() const { return object_; }
-  StandardGrasp grasp() const { return LoadStandardGrasps(hand_).at(2); }
+  Grasp grasp() const { return LoadStandardGrasps(hand_).at(2); }
 
   LearningTrial Run(const LearningRequest& request, int draw) const {
     LearningTrial trial;
     trial.draw = draw;
-    const StandardGrasp& grasp = request.grasp;
+    const Grasp& grasp = request.grasp;
     for (const std::string& id : grasp.digits) {
       // The search asks for sigma alone.
       const double s = request.stage == LearningStage::kSearch ? 0.5 : FindTouch(grasp, id);
@@ -73,7 +73,7 @@ class FakeTrials {
     return trial;
   }
 
-  double FindTouch(const StandardGrasp& grasp, const std::string& id) const {
+  double FindTouch(const Grasp& grasp, const std::string& id) const {
     const auto digit = std::find_if(hand_.digits.begin(), hand_.digits.end(),
                                     [&](const Digit& d) { return d.id == id; });
     const Eigen::VectorXd follows = Eigen::VectorXd::Zero(hand_.num_joints());
@@ -118,7 +118,7 @@ OptimiseConfig MakeConfig() {
 
 TEST(OptimiseGrasp, TakesBothStepsOnALinearHand) {
   FakeTrials fake;
-  const StandardGrasp standard = fake.grasp();
+  const Grasp standard = fake.grasp();
   const OptimisedGrasp result =
       OptimiseGrasp(fake.hand(), fake.object(), standard, MakeConfig(), fake.MakeRun());
   ASSERT_GE(result.pregrasp_step.chosen, 0) << result.pregrasp_step.verdict;
@@ -201,8 +201,8 @@ TEST(OptimiseGrasp, TakesWhatAnotherSpaceFinds) {
     const OptimisedGrasp result =
         OptimiseGrasp(fake.hand(), fake.object(), fake.grasp(), config, fake.MakeRun());
     EXPECT_TRUE(result.target_step.check.is_taken()) << space << result.target_step.verdict;
-    const StandardGrasp& before = result.new_pregrasp;
-    const StandardGrasp& after = result.new_target;
+    const Grasp& before = result.new_pregrasp;
+    const Grasp& after = result.new_target;
     EXPECT_EQ(after.q_target.isApprox(before.q_target, 1e-3), space == std::string("hand-pose"));
     EXPECT_EQ(after.placement->X_WH.isApprox(before.placement->X_WH, 1e-3),
               space != std::string("hand-pose"));

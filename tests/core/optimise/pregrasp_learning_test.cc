@@ -62,7 +62,7 @@ class LearnPreGraspTest : public testing::Test {
   }
 
   Hand hand_;
-  StandardGrasp grasp_;
+  Grasp grasp_;
   std::vector<VectorXd> follows_;  ///< a hand that moves as it is told
 };
 
@@ -177,7 +177,7 @@ TEST_F(LearnPreGraspTest, DeviationsAreThoseOfTheDigitsOwnJoints) {
 TEST(LearnPreGrasp, WorksForEveryStandardGraspOfEveryHand) {
   for (const std::string& id : ListHands()) {
     const Hand hand = LoadHand(id);
-    for (StandardGrasp grasp : LoadStandardGrasps(hand)) {
+    for (Grasp grasp : LoadStandardGrasps(hand)) {
       grasp.placement = CalcPlacement(hand, grasp, Ball().size, Vector3d::Zero());
       const std::vector<VectorXd> follows(grasp.digits.size(), VectorXd::Zero(hand.num_joints()));
       for (const PreGraspWidth width : kWidths) {

@@ -73,7 +73,7 @@ class TargetSearchTest : public testing::Test {
 
   Hand hand_;
   GraspObject ball_;
-  StandardGrasp start_;
+  Grasp start_;
   OptimiseConfig config_;
 };
 

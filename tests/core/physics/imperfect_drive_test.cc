@@ -65,11 +65,11 @@ class Bench : public SmallWorld {
   double step_;
 };
 
-// Back and forth so slowly that damping hardly counts: up and down lie `play` apart.
+// Back and forth so slowly that damping hardly counts: up and down lie `width` apart.
 TEST(ImperfectDriveTest, TheLoopIsAsWideAsThePlay) {
-  for (const double play : {0.0, 0.02, 0.07}) {
+  for (const double width : {0.0, 0.02, 0.07}) {
     Hand hand = MakeOneJoint();
-    hand.joints[0].drive.play = play;
+    hand.joints[0].drive.hysteresis_width = width;
     Bench bench(hand);
     constexpr double kPeriod = 40.0, kSwing = 0.4;
     const double lag = kDamping / kStiffness * 4.0 * kSwing / kPeriod;  // of a ramp
@@ -88,15 +88,15 @@ TEST(ImperfectDriveTest, TheLoopIsAsWideAsThePlay) {
           if (std::abs(t - kPeriod) < 1e-6) up = q;
           highest = std::max(highest, q);
         });
-    EXPECT_NEAR(down - up, play + 2.0 * lag, 1e-5) << play;
-    EXPECT_NEAR(highest, kSwing - 0.5 * play, 1.1 * lag + 1e-5) << play;
+    EXPECT_NEAR(down - up, width + 2.0 * lag, 1e-5) << width;
+    EXPECT_NEAR(highest, kSwing - 0.5 * width, 1.1 * lag + 1e-5) << width;
   }
 }
 
-// A command smaller than the play moves nothing, a larger one all but half of it.
+// A command narrower than the loop moves nothing, a larger one all but half of it.
 TEST(ImperfectDriveTest, SmallCommandsAreLost) {
   Hand hand = MakeOneJoint();
-  hand.joints[0].drive.play = 0.1;
+  hand.joints[0].drive.hysteresis_width = 0.1;
   Bench bench(hand);
   bench.Drive(1.0, [](double) { return 0.0; });
   bench.Drive(1.0, [](double) { return 0.049; });
@@ -328,10 +328,10 @@ TEST(ImperfectDriveTest, YieldingHandsMoveAsSimbodySays) {
   }
 }
 
-// A copy remembers play, friction and deviation.
+// A copy remembers hysteresis, friction and deviation.
 TEST(ImperfectDriveTest, ACloneGoesOnToTheSameBits) {
   Hand hand = MakeCoupledFinger(CouplingRule::kFixed, 0.5);
-  hand.joints[0].drive.play = 0.05;
+  hand.joints[0].drive.hysteresis_width = 0.05;
   hand.joints[0].drive.friction_static = 0.02;
   hand.joints[0].drive.friction_dynamic = 0.01;
   Bench bench(hand);

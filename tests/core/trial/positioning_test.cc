@@ -20,7 +20,7 @@ class PositioningTest : public testing::Test {
     TrialSetup setup;
     setup.hand = std::make_shared<const Hand>(LoadHand("tum"));
     setup.object = LoadObject(object);
-    for (const StandardGrasp& grasp : LoadStandardGrasps(*setup.hand)) {
+    for (const Grasp& grasp : LoadStandardGrasps(*setup.hand)) {
       if (grasp.id == grasp_id) setup.grasp = grasp;
     }
     setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());

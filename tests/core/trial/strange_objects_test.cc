@@ -42,7 +42,7 @@ class StrangeObjects : public testing::Test {
     for (const char* id : {"tum", "shadow"}) {
       const auto hand = std::make_shared<const Hand>(LoadHand(id));
       TrialRunner runner(hand, object);
-      for (const StandardGrasp& grasp : LoadStandardGrasps(*hand)) {
+      for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
         const TrialResult result = runner.Run(MakeSetup(hand, grasp.id, object));
         const std::string name = object->id + ", " + id + " " + grasp.id;
         EXPECT_NE(result.outcome, Outcome::kNumericalFailure) << name << ": " << result.reason;

@@ -104,7 +104,7 @@ class SensedTouchTest : public testing::Test {
     TrialSetup setup;
     setup.hand = std::make_shared<const Hand>(LoadHand(hand));
     setup.object = LoadObject("tea_light");
-    for (const StandardGrasp& grasp : LoadStandardGrasps(*setup.hand)) {
+    for (const Grasp& grasp : LoadStandardGrasps(*setup.hand)) {
       if (grasp.id == "g1") setup.grasp = grasp;
     }
     setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());

@@ -25,7 +25,7 @@ inline TrialSetup MakeSetup(std::shared_ptr<const Hand> hand, const std::string&
   TrialSetup setup;
   setup.hand = std::move(hand);
   setup.object = std::move(object);
-  for (const StandardGrasp& candidate : LoadStandardGrasps(*setup.hand)) {
+  for (const Grasp& candidate : LoadStandardGrasps(*setup.hand)) {
     if (candidate.id == grasp) setup.grasp = candidate;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(setup.hand->num_joints());

@@ -80,7 +80,7 @@ TEST(WristCameraTest, NoHandIsInItsOwnPicture) {
     WristCamera camera(hand, object, CameraConfig());
     const Pose X_WK = camera.CalcLookPose({});
     Renderer renderer(camera.lens().width, camera.lens().height);
-    for (const StandardGrasp& grasp : LoadStandardGrasps(*hand)) {
+    for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
       const Scene scene = camera.MakeScene(X_WK, grasp.q_pre, nullptr);
       ASSERT_GT(scene.drawables.size(), 5u);
       const GeometryPicture picture = renderer.RenderGeometry(scene, camera.MakePinhole(X_WK));

@@ -15,7 +15,7 @@ inline TrialSetup MakeBestGraspSetup(const std::string& hand_id, const std::stri
   const auto hand = std::make_shared<const Hand>(LoadHand(hand_id));
   setup.hand = hand;
   setup.object = LoadObject(object_id);
-  for (const StandardGrasp& grasp : LoadStandardGrasps(*hand)) {
+  for (const Grasp& grasp : LoadStandardGrasps(*hand)) {
     if (grasp.id == setup.object->best_grasp.at(hand_id)) setup.grasp = grasp;
   }
   setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());

@@ -27,7 +27,7 @@ TEST(ImperfectionConfigTest, EachOptionChangesItsNumbersAlone) {
     EXPECT_EQ(drive.stiffness, 0.5 * before.stiffness);
     EXPECT_EQ(drive.damping, before.damping);
     EXPECT_EQ(drive.torque_limit, before.torque_limit);
-    EXPECT_EQ(drive.play, is_coupled ? 0.0 : 0.07);
+    EXPECT_EQ(drive.hysteresis_width, is_coupled ? 0.0 : 0.07);
     EXPECT_EQ(drive.friction_static, is_coupled ? 0.0 : 0.1 * before.torque_limit);
     EXPECT_EQ(drive.friction_dynamic, 0.6 * drive.friction_static);
     EXPECT_EQ(hand.joints[j].coupling_compliance, is_coupled ? 0.4 : 0.0);

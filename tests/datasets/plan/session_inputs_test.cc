@@ -34,7 +34,7 @@ TEST(SessionInputs, TheSessionsApproachComesBeforeAllOthers) {
     config.approach = name;
     const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater);
     EXPECT_EQ(RowOf(kApproaches, inputs.objects[0]->approach).name, std::string(name));
-    for (const StandardGrasp& grasp : inputs.hands[0].grasps) {
+    for (const Grasp& grasp : inputs.hands[0].grasps) {
       EXPECT_EQ(RowOf(kApproaches, grasp.approach).name, std::string(name));
     }
   }

@@ -182,7 +182,7 @@ TEST(SessionPlan, BestReachesTheObjectAsItIs) {
 
 TEST(SessionPlan, AGraspOfOneObjectIsTriedOnThatObjectBesideTheBestOne) {
   SessionInputs inputs = MakeFakeInputs();
-  StandardGrasp optimised = inputs.hands[0].grasps[0];
+  Grasp optimised = inputs.hands[0].grasps[0];
   optimised.id = "new-target";
   optimised.object = "pencil";
   inputs.hands[0].grasps.push_back(optimised);
@@ -214,11 +214,11 @@ TEST(SessionPlan, WhereTheHandStandsIsPartOfTheTrialsId) {
   SessionInputs inputs = MakeFakeInputs();
   const std::set<std::string> before = ListIds(MakePlan(SessionConfig(), inputs));
   for (SessionHand& hand : inputs.hands) {
-    for (StandardGrasp& grasp : hand.grasps) grasp.placement = Placement();
+    for (Grasp& grasp : hand.grasps) grasp.placement = Placement();
   }
   const std::set<std::string> fixed = ListIds(MakePlan(SessionConfig(), inputs));
   for (SessionHand& hand : inputs.hands) {
-    for (StandardGrasp& grasp : hand.grasps) grasp.placement->X_WH.translation().z() = 0.1;
+    for (Grasp& grasp : hand.grasps) grasp.placement->X_WH.translation().z() = 0.1;
   }
   const std::set<std::string> moved = ListIds(MakePlan(SessionConfig(), inputs));
   for (const std::string& id : fixed) EXPECT_EQ(before.count(id) + moved.count(id), 0u);
@@ -285,10 +285,10 @@ TEST(SessionPlan, EverythingThatMattersChangesTheIds) {
     }
     return ListIds(MakePlan(SessionConfig(), inputs));
   };
-  const auto change_grasp = [](const std::function<void(StandardGrasp&)>& change) {
+  const auto change_grasp = [](const std::function<void(Grasp&)>& change) {
     SessionInputs inputs = MakeFakeInputs();
     for (SessionHand& hand : inputs.hands) {
-      for (StandardGrasp& grasp : hand.grasps) change(grasp);
+      for (Grasp& grasp : hand.grasps) change(grasp);
     }
     return ListIds(MakePlan(SessionConfig(), inputs));
   };
@@ -301,16 +301,16 @@ TEST(SessionPlan, EverythingThatMattersChangesTheIds) {
       change_config("strategy.lift_time_s=1.5"),
       change_hand([](Hand& hand) { hand.content_hash += "+"; }),
       change_object([](GraspObject& object) { object.content_hash += "+"; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.q_pre[0] += 1e-15; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.q_target[0] += 1e-9; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.alpha = 0.1; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.tilt = 0.1; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.approach_distance = 0.2; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.digits = {"TH"}; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.palm_may_touch = true; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.type = GraspType::kPower; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.palm_gap = 0.001; }),
-      change_grasp([](StandardGrasp& grasp) { grasp.approach = Approach::kSide; }),
+      change_grasp([](Grasp& grasp) { grasp.q_pre[0] += 1e-15; }),
+      change_grasp([](Grasp& grasp) { grasp.q_target[0] += 1e-9; }),
+      change_grasp([](Grasp& grasp) { grasp.alpha = 0.1; }),
+      change_grasp([](Grasp& grasp) { grasp.tilt = 0.1; }),
+      change_grasp([](Grasp& grasp) { grasp.approach_distance = 0.2; }),
+      change_grasp([](Grasp& grasp) { grasp.digits = {"TH"}; }),
+      change_grasp([](Grasp& grasp) { grasp.palm_may_touch = true; }),
+      change_grasp([](Grasp& grasp) { grasp.type = GraspType::kPower; }),
+      change_grasp([](Grasp& grasp) { grasp.palm_gap = 0.001; }),
+      change_grasp([](Grasp& grasp) { grasp.approach = Approach::kSide; }),
   };
   for (size_t i = 0; i < others.size(); ++i) {
     for (const std::string& id : others[i]) EXPECT_EQ(ids.count(id), 0u) << "change " << i;

@@ -27,7 +27,7 @@ SessionHand MakeFakeHand(const std::string& id, int num_joints, double joint_acc
   SessionHand session_hand;
   session_hand.hand = hand;
   for (const std::string& grasp_id : grasps) {
-    StandardGrasp grasp;
+    Grasp grasp;
     grasp.id = grasp_id;
     grasp.digits = {"TH", "FF"};
     grasp.q_pre = Eigen::VectorXd::Zero(num_joints);

@@ -19,7 +19,7 @@ class ReadProgressTest : public testing::Test {
  protected:
   void Finish(const Shard& shard, size_t num_trials) {
     JournalWriter journal(folder_.path(), 0, FormatLabel(shard));
-    const std::vector<PlannedTrial> trials = DealPlan(plan_, shard);
+    const std::vector<PlannedTrial> trials = PartitionPlan(plan_, shard);
     for (size_t i = 0; i < std::min(num_trials, trials.size()); ++i) {
       journal.Append(MakeFakeRecord(trials[i]));
     }
@@ -37,7 +37,7 @@ TEST_F(ReadProgressTest, TellsFinishedRunningStaleAndWaiting) {
                       fs::file_time_type::clock::now() - std::chrono::hours(1));
   const SessionProgress progress = ReadProgress(folder_.path(), 60.0);
   EXPECT_EQ(progress.num_trials, static_cast<int>(plan_.size()));
-  EXPECT_EQ(progress.num_finished, static_cast<int>(DealPlan(plan_, {1, 4}).size()) + 3);
+  EXPECT_EQ(progress.num_finished, static_cast<int>(PartitionPlan(plan_, {1, 4}).size()) + 3);
   EXPECT_EQ(progress.num_bad_lines, 0);
   ASSERT_EQ(progress.shards.size(), 4u);
   const ShardState states[] = {ShardState::kFinished, ShardState::kRunning, ShardState::kStale,
@@ -45,7 +45,7 @@ TEST_F(ReadProgressTest, TellsFinishedRunningStaleAndWaiting) {
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(progress.shards[i].state, states[i]) << i;
     EXPECT_EQ(progress.shards[i].num_trials,
-              static_cast<int>(DealPlan(plan_, progress.shards[i].shard).size()));
+              static_cast<int>(PartitionPlan(plan_, progress.shards[i].shard).size()));
   }
   EXPECT_EQ(progress.shards[2].num_finished, 2);
   EXPECT_GE(*progress.shards[2].age, 3500.0);
@@ -148,7 +148,7 @@ TEST_F(ReadProgressTest, CountsHeldGraspsOfAJudge) {
   int num_first = 0;
   {
     JudgementWriter first(folder_.path(), 0, "1of2");
-    for (const PlannedTrial& planned : DealPlan(plan_, {1, 2})) {
+    for (const PlannedTrial& planned : PartitionPlan(plan_, {1, 2})) {
       if (held.count(planned.id) == 0) continue;
       first.Append(planned.id, Judgement());
       ++num_first;

@@ -42,13 +42,13 @@ TEST(FindShardOfFile, ReadsWhatLabelsSay) {
   }
 }
 
-TEST(DealPlan, GivesEveryTrialToOneShardInThePlansOrder) {
+TEST(PartitionPlan, GivesEveryTrialToOneShardInThePlansOrder) {
   for (const int count : {1, 2, 3, 7, 40, 41, 50, 420}) {
     const std::vector<PlannedTrial> plan = MakeTrials(21, 10);
     std::map<std::string, int> seen;
     for (int number = 1; number <= count; ++number) {
       int last = -1;
-      for (const PlannedTrial& planned : DealPlan(plan, {number, count})) {
+      for (const PlannedTrial& planned : PartitionPlan(plan, {number, count})) {
         ++seen[planned.id];
         EXPECT_GT(std::stoi(planned.id), last);
         last = std::stoi(planned.id);
@@ -60,14 +60,14 @@ TEST(DealPlan, GivesEveryTrialToOneShardInThePlansOrder) {
 }
 
 // Whole groups where they deal out evenly, so that each world is built once.
-TEST(DealPlan, CutsGroupsOnlyWhereSharesWouldBeUneven) {
+TEST(PartitionPlan, CutsGroupsOnlyWhereSharesWouldBeUneven) {
   const auto count_worlds = [](int count) {
     int num_worlds = 0;
     size_t largest = 0;
     const std::vector<PlannedTrial> plan = MakeTrials(21, 50);
     for (int number = 1; number <= count; ++number) {
       std::set<std::string> worlds;
-      const std::vector<PlannedTrial> trials = DealPlan(plan, {number, count});
+      const std::vector<PlannedTrial> trials = PartitionPlan(plan, {number, count});
       for (const PlannedTrial& planned : trials) worlds.insert(planned.hand + planned.object);
       num_worlds += static_cast<int>(worlds.size());
       largest = std::max(largest, trials.size());
@@ -82,11 +82,12 @@ TEST(DealPlan, CutsGroupsOnlyWhereSharesWouldBeUneven) {
   EXPECT_GT(count_worlds(40), 42);
 }
 
-TEST(DealPlan, TakesAsManyShardsAsTrialsAndNoMore) {
+TEST(PartitionPlan, TakesAsManyShardsAsTrialsAndNoMore) {
   const std::vector<PlannedTrial> plan = MakeTrials(1, 8);
-  for (int number = 1; number <= 16; ++number) EXPECT_EQ(DealPlan(plan, {number, 16}).size(), 1u);
+  for (int number = 1; number <= 16; ++number)
+    EXPECT_EQ(PartitionPlan(plan, {number, 16}).size(), 1u);
   try {
-    DealPlan(plan, {1, 100000});
+    PartitionPlan(plan, {1, 100000});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kUsage);

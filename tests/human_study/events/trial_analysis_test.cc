@@ -263,7 +263,7 @@ TEST(AnalyseTrial, AContactInALongGapIsNotTold) {
     EXPECT_FALSE(event.IsFound()) << event.time << " for " << contact;
     EXPECT_NE(event.missing, "");
     // Nobody knows whether it was the first or the last.
-    EXPECT_GT(analysis.num_untold, 0) << event.missing;
+    EXPECT_GT(analysis.num_unresolved, 0) << event.missing;
     EXPECT_TRUE(std::isnan(analysis.timing.gft));
     EXPECT_TRUE(std::isnan(analysis.timing.got));
     EXPECT_TRUE(std::isnan(analysis.final_opening));

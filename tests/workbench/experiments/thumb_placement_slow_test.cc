@@ -31,7 +31,7 @@ std::vector<std::string> WriteGraspFiles(const fs::path& folder) {
   const Hand hand = LoadHand("tum");
   const GraspObject object = *LoadObject("adhesive_tape");
   std::vector<std::string> files;
-  for (StandardGrasp grasp : LoadStandardGrasps(hand)) {
+  for (Grasp grasp : LoadStandardGrasps(hand)) {
     if (grasp.id != "g3") continue;
     grasp.object = object.id;
     grasp.placement = CalcPlacement(hand, grasp, object.size, object.mass_properties.p_OOcm);

@@ -5,7 +5,7 @@
 #include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/shell/shell.h"
-#include "workbench/shell/shell_words.h"
+#include "workbench/text/typed_words.h"
 
 namespace graspbench {
 namespace {

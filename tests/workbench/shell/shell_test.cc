@@ -54,7 +54,7 @@ TEST_F(ShellTest, AJointTakesItsLimitsAsTheyArePrinted) {
     if (joint.coupled_to >= 0) continue;
     for (const double limit : {joint.lower, joint.upper}) {
       const std::string line =
-          "joint " + joint.name + " " + FormatFixed(ShownFromPosition(joint, limit), 1);
+          "joint " + joint.name + " " + FormatFixed(ToDisplayUnits(joint, limit), 1);
       EXPECT_EQ(shell_.Execute(line), Shell::Reply::kDone) << line;
       const Eigen::VectorXd& q = shell_.scene().setup().grasp.q_target;
       EXPECT_LE(q[hand.FindJoint(joint.name)], joint.upper);

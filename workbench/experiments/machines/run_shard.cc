@@ -76,7 +76,7 @@ class SessionShard {
   }
 
   ShardResult Work(const std::optional<SessionInputs>& inputs) {
-    const std::vector<PlannedTrial> own = DealPlan(session_.plan, request_.shard);
+    const std::vector<PlannedTrial> own = PartitionPlan(session_.plan, request_.shard);
     const std::vector<PlannedTrial> trials =
         Intersect(request_.judge ? FindUnjudged(session_) : FindUnfinished(session_), own);
     if (request_.judge) CheckSomeFinished(own);

@@ -48,13 +48,13 @@ class GraspSpaceTest : public testing::TestWithParam<Case> {
   }
 
   Hand hand_;
-  StandardGrasp grasp_;
+  Grasp grasp_;
 };
 
 TEST_P(GraspSpaceTest, TheStartIsTheGraspToTheBit) {
   for (const std::string& name : ListGraspSpaces()) {
     const auto space = Make(name);
-    const StandardGrasp same = space->MakeGrasp(space->box().start);
+    const Grasp same = space->MakeGrasp(space->box().start);
     EXPECT_EQ(same.q_pre, grasp_.q_pre) << name;
     EXPECT_EQ(same.q_target, grasp_.q_target) << name;
     EXPECT_EQ(same.placement->X_WH.matrix(), grasp_.placement->X_WH.matrix()) << name;
@@ -72,7 +72,7 @@ TEST_P(GraspSpaceTest, KeepsTheRulesEverywhere) {
       VectorXd genome = DrawUniformPoint(box, stream);
       if (k == 0) genome = box.lower;
       if (k == 1) genome = box.upper;
-      const StandardGrasp grasp = space->MakeGrasp(genome);
+      const Grasp grasp = space->MakeGrasp(genome);
       EXPECT_EQ(grasp.q_pre, grasp_.q_pre) << name;
       VectorXd coupled = grasp.q_target;
       ApplyCoupling(hand_, coupled);
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Hands, GraspSpaceTest,
 
 TEST(GraspSpace, HasACoordinateForEachThingThatIsSearched) {
   const Hand hand = LoadHand("shadow");
-  const StandardGrasp g1 = MakeObjectGrasp(hand, Ball(), LoadStandardGrasps(hand).front(), "made");
+  const Grasp g1 = MakeObjectGrasp(hand, Ball(), LoadStandardGrasps(hand).front(), "made");
   const auto count = [&](const char* name) {
     return MakeGraspSpace(name, {hand, Ball(), g1})->box().size();
   };
@@ -140,13 +140,13 @@ TEST(GraspSpace, HasACoordinateForEachThingThatIsSearched) {
 
 TEST(GraspSpace, SynergiesAreTheDirectionsInWhichThePosturesDiffer) {
   const Hand hand = LoadHand("tum");
-  const std::vector<StandardGrasp> all = LoadStandardGrasps(hand);
-  const StandardGrasp start = MakeObjectGrasp(hand, Ball(), all.at(2), "made");
+  const std::vector<Grasp> all = LoadStandardGrasps(hand);
+  const Grasp start = MakeObjectGrasp(hand, Ball(), all.at(2), "made");
   const auto space = MakeGraspSpace("synergy", {hand, Ball(), start});
   // Each posture minus the mean of all lies in their span; so does every direction of the space
   // that starts within all limits.
   std::vector<VectorXd> postures;
-  for (const StandardGrasp& grasp : all) {
+  for (const Grasp& grasp : all) {
     if (grasp.digits.size() < 3) continue;
     postures.push_back(grasp.q_pre);
     postures.push_back(grasp.q_target);
@@ -170,8 +170,7 @@ TEST(GraspSpace, SynergiesAreTheDirectionsInWhichThePosturesDiffer) {
 
 TEST(GraspSpace, RefusesSynergiesOfTooFewPostures) {
   const Hand hand = LoadHand("tum-original");  // it can do one grasp only
-  const StandardGrasp grasp =
-      MakeObjectGrasp(hand, Ball(), LoadStandardGrasps(hand).front(), "made");
+  const Grasp grasp = MakeObjectGrasp(hand, Ball(), LoadStandardGrasps(hand).front(), "made");
   try {
     MakeGraspSpace("synergy", {hand, Ball(), grasp});
     FAIL();

@@ -41,8 +41,11 @@ TEST(Judge, ATwistBreaksWhereTorsionEnds) {
   const TestPinch pinch(kForce, kMass, kMu, Vector3d::Zero());
   const HeldObject held = pinch.MakeHeldObject();
   const double torsion = 2.0 * kMu * kForce * TestPinch::kTorsionRadius;
-  EXPECT_NEAR(FindBreakingMoment(held, Vector3d::UnitX()).load, torsion, 0.03 * torsion);
-  EXPECT_NEAR(FindBreakingMoment(held, -Vector3d::UnitX()).load, torsion, 0.03 * torsion);
+  const std::vector<BreakingLoad> loads = JudgeGrasp(held, {}).loads;
+  for (const size_t i : {6, 7}) {
+    EXPECT_EQ(loads[i].direction, i == 6 ? "moment +x" : "moment -x");
+    EXPECT_NEAR(loads[i].load, torsion, 0.03 * torsion);
+  }
 }
 
 TEST(Judge, TheSmallestOfSixIsTheBreakingForce) {

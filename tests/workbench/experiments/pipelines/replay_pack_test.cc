@@ -9,9 +9,8 @@ namespace fs = std::filesystem;
 using ReplayPackTest = PackFolder;
 
 TEST_F(ReplayPackTest, SmallBenchmark) { ExpectSameBytes("small_benchmark"); }
-TEST_F(ReplayPackTest, PeopleBesideRobots) { ExpectSameBytes("people_beside_robots"); }
 
-// The other two are in replay_pack_slow_test.cc.
+// The other three are in replay_pack_slow_test.cc.
 TEST_F(ReplayPackTest, EveryPipelineThatIsShippedHasItsTest) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(GRASPBENCH_PIPELINES_FOLDER)) {

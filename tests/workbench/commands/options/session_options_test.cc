@@ -1,0 +1,88 @@
+#include "workbench/commands/options/session_options.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "core/base/files/files.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class SessionOptionsTest : public testing::Test {
+ protected:
+  SessionOptionsTest()
+      : file_(fs::path(testing::TempDir()) / ("pilot_" + std::to_string(::getpid()) + ".yaml")) {
+    WriteFileAtomically(file_, "hands: tum\ntrials: 7\nseed: 5\n");
+    options_.AddTo(command_);
+  }
+  ~SessionOptionsTest() override { fs::remove(file_); }
+
+  fs::path file_;
+  CLI::App command_;
+  SessionOptions options_;
+};
+
+TEST_F(SessionOptionsTest, NothingGivenIsTheBenchmark) {
+  command_.parse("", false);
+  EXPECT_FALSE(options_.HasAny());
+  EXPECT_EQ(options_.name(), "benchmark");
+  EXPECT_EQ(ToJson(options_.MakeConfig()), ToJson(SessionConfig()));
+}
+
+// The defaults shown in the help must not override the file.
+TEST_F(SessionOptionsTest, OptionsOverrideSettingsAndSettingsTheFile) {
+  command_.parse(file_.string() + " --set seed=6 --trials 9", false);
+  EXPECT_TRUE(options_.HasAny());
+  EXPECT_EQ(options_.name(), file_.stem().string());
+  const SessionConfig config = options_.MakeConfig();
+  EXPECT_EQ(config.hands, std::vector<std::string>{"tum"});
+  EXPECT_EQ(config.trials, 9);
+  EXPECT_EQ(config.seed, 6);
+}
+
+TEST_F(SessionOptionsTest, APresetStandsInThePlaceOfAFile) {
+  command_.parse("--preset benchmark --set seed=6 --trials 9", false);
+  EXPECT_TRUE(options_.HasAny());
+  EXPECT_EQ(options_.name(), "benchmark");
+  SessionConfig expected;
+  expected.seed = 6;
+  expected.trials = 9;
+  EXPECT_EQ(ToJson(options_.MakeConfig()), ToJson(expected));
+}
+
+TEST_F(SessionOptionsTest, AFileAndAPresetAreRefused) {
+  command_.parse(file_.string() + " --preset benchmark", false);
+  try {
+    options_.MakeConfig();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    EXPECT_NE(std::string(error.what()).find("preset: benchmark"), std::string::npos);
+  }
+}
+
+TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
+  command_.parse("--set sim.step_s=0.001 --set trials=8 --trials 9", false);
+  try {
+    options_.MakeConfig();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "--set trials=8 and --trials say the same setting; give one of them");
+  }
+}
+
+TEST_F(SessionOptionsTest, ListsReplaceTheirDefaults) {
+  command_.parse("--hand shadow --object can,cup --grasp g1", false);
+  const SessionConfig config = options_.MakeConfig();
+  EXPECT_EQ(config.hands, std::vector<std::string>{"shadow"});
+  EXPECT_EQ(config.objects, (std::vector<std::string>{"can", "cup"}));
+  EXPECT_EQ(config.grasps, std::vector<std::string>{"g1"});
+}
+
+}  // namespace
+}  // namespace graspbench

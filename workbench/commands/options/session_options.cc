@@ -1,0 +1,107 @@
+#include "workbench/commands/options/session_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "datasets/plan/presets.h"
+#include "datasets/plan/scene_names.h"
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+namespace {
+
+/** An option for one setting. */
+struct SettingOption {
+  const char* option;
+  const char* setting;
+  void (*copy)(const SessionConfig& given, SessionConfig& config);
+};
+constexpr SettingOption kOptions[] = {
+    {"--hand", "hands",
+     [](const SessionConfig& given, SessionConfig& c) { c.hands = given.hands; }},
+    {"--object", "objects",
+     [](const SessionConfig& given, SessionConfig& c) { c.objects = given.objects; }},
+    {"--grasp", "grasps",
+     [](const SessionConfig& given, SessionConfig& c) { c.grasps = given.grasps; }},
+    {"--approach", "approach",
+     [](const SessionConfig& given, SessionConfig& c) { c.approach = given.approach; }},
+    {"--trials", "trials",
+     [](const SessionConfig& given, SessionConfig& c) { c.trials = given.trials; }},
+    {"--seed", "seed", [](const SessionConfig& given, SessionConfig& c) { c.seed = given.seed; }}};
+
+}  // namespace
+
+void SessionOptions::AddTo(CLI::App& command) {
+  command
+      .add_option("session", session_file_,
+                  "session file: YAML, or session.json of a session; absent: the benchmark")
+      ->option_text("SESSION");
+  std::string names;
+  for (const Preset& preset : ListPresets()) names += (names.empty() ? "" : ",") + preset.name;
+  command.add_option("--preset", preset_, "named settings instead of a session file: " + names)
+      ->type_name("{" + names + "}")
+      ->option_text("NAME");
+  AddSceneOptions(command, given_);
+  AddListOption(command, "--grasp", given_.grasps, "best, all, ids or grasp files: g1,my.yaml",
+                "G,..");
+  command
+      .add_option("--approach", given_.approach, "above or side, whatever objects and grasps say")
+      ->option_text("FROM")
+      ->capture_default_str();
+  command.add_option("--trials", given_.trials, "trials of each hand, object, grasp")
+      ->option_text("N")
+      ->capture_default_str();
+  command.add_option("--seed", given_.seed, "another seed gives other variations")
+      ->option_text("N")
+      ->capture_default_str();
+  AddSettingsOption(command, settings_, "sim.step_s=0.001");
+  command_ = &command;
+}
+
+bool SessionOptions::IsGiven(const char* option) const { return command_->count(option) > 0; }
+
+bool SessionOptions::HasAny() const {
+  return IsGiven("session") || IsGiven("--preset") || IsGiven("--set") ||
+         std::any_of(std::begin(kOptions), std::end(kOptions),
+                     [this](const SettingOption& row) { return IsGiven(row.option); });
+}
+
+/** What an option and --set both say would silently be that of the option. */
+void SessionOptions::RefuseTwice(const std::string& setting) const {
+  const std::string key = setting.substr(0, setting.find('='));
+  for (const SettingOption& row : kOptions) {
+    if (key != row.setting || !IsGiven(row.option)) continue;
+    throw Error(ErrorKind::kUsage, "--set " + setting + " and " + row.option +
+                                       " say the same setting; give one of them");
+  }
+}
+
+SessionConfig SessionOptions::MakeConfig() const {
+  if (!session_file_.empty() && !preset_.empty()) {
+    throw Error(ErrorKind::kUsage,
+                "a session file and --preset are both given; leave out --preset "
+                "and write into " +
+                    session_file_ + ": preset: " + preset_);
+  }
+  SessionConfig config;
+  if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
+  if (!preset_.empty()) config = LoadPreset(preset_);
+  for (const std::string& setting : settings_) {
+    RefuseTwice(setting);
+    ApplySetting(setting, config);
+  }
+  ReplaceNames(config);  // those of options are ids already
+  for (const SettingOption& row : kOptions) {
+    if (IsGiven(row.option)) row.copy(given_, config);
+  }
+  return config;
+}
+
+std::string SessionOptions::name() const {
+  if (!preset_.empty()) return preset_;
+  return session_file_.empty() ? "benchmark" : std::filesystem::path(session_file_).stem().string();
+}
+
+}  // namespace graspbench

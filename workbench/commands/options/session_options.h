@@ -1,0 +1,38 @@
+#pragma once
+/** @file
+The options by which a command names what to run: a session file or a preset, and what overrides
+it. */
+
+#include <string>
+#include <vector>
+
+#include "datasets/plan/session_config.h"
+
+namespace CLI {
+class App;
+}
+
+namespace graspbench {
+
+class SessionOptions {
+ public:
+  void AddTo(CLI::App& command);
+  /** Whether any of them was given. */
+  bool HasAny() const;
+  /** The session file or the preset, then --set, then the options. @throws Error(kUsage) for a
+  setting given by both, or a file and a preset; as LoadSessionConfig, LoadPreset, ApplySetting. */
+  SessionConfig MakeConfig() const;
+  /** That of the preset, or of the session file without folder and extension; else "benchmark". */
+  std::string name() const;
+
+ private:
+  bool IsGiven(const char* option) const;
+  void RefuseTwice(const std::string& setting) const;
+
+  std::string session_file_, preset_;
+  SessionConfig given_;  ///< the values of the options that were given, else defaults
+  std::vector<std::string> settings_;
+  const CLI::App* command_ = nullptr;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/text/text.h"
+#include "datasets/plan/presets.h"
+#include "workbench/commands/command.h"
+#include "workbench/text/file_formats.h"
+
+namespace graspbench {
+namespace {
+
+Json MakeFormatJson(const FileFormat& format) {
+  Json keys = Json::array();
+  for (const FileKey& key : format.keys) {
+    keys.push_back({{"key", key.key},
+                    {"unit", FindUnit(key.key)},
+                    {"range", FormatRange(key)},
+                    {"required", key.fallback == kRequired},
+                    {"default", key.fallback == kRequired ? "" : key.fallback},
+                    {"meaning", key.meaning}});
+  }
+  return {{"file", format.name}, {"about", format.about}, {"keys", keys}};
+}
+
+void PrintFormat(const std::string& name, bool json) {
+  for (const FileFormat& format : ListFileFormats()) {
+    if (format.name != name) continue;
+    json ? PrintJson(MakeFormatJson(format))
+         : PrintResult(format.name + ": " + format.about + "\n\n" + FormatFileKeys(format.keys));
+  }
+}
+
+/** What "graspbench --help" prints, and what else has a name: presets and files. */
+std::string FormatOverview(const CLI::App& program, const std::vector<std::string>& files) {
+  std::string presets;
+  for (const Preset& preset : ListPresets()) {
+    presets += fmt::format("  {:<27} {}\n", preset.name, preset.about);
+  }
+  return program.help() +
+         "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
+         presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) + "\n";
+}
+
+/** What "graspbench WORDS --help" prints. @throws Error(kUsage) when there is no such command. */
+std::string FindCommandHelp(const CLI::App& program, const std::vector<std::string>& words) {
+  const CLI::App* command = &program;
+  std::string above;
+  for (const std::string& word : words) {
+    std::vector<std::string> names;
+    if (command == &program) {
+      for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
+    }
+    const CLI::App* next = nullptr;
+    for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(each->get_name());
+      if (each->get_name() == word) next = each;
+    }
+    if (!next) {
+      throw Error(ErrorKind::kUsage,
+                  "\"" + word + "\" is no file and no command" + SuggestNames(word, names));
+    }
+    above += (above.empty() ? "" : " ") + command->get_name();
+    command = next;
+  }
+  return command->help(above);
+}
+
+/** Completion takes it from the option's type. */
+std::string JoinForCompletion(const std::vector<std::string>& files, const CLI::App& program) {
+  std::string names;
+  for (const std::string& file : files) names += (names.empty() ? "" : ",") + file;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names += "," + command->get_name();
+  }
+  return names;
+}
+
+}  // namespace
+
+void AddHelpCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command = AddSubcommand(
+      program, "help", "Explain a command, or every key of a file: unit, range and default.",
+      "  graspbench help                       commands, presets and files\n"
+      "  graspbench help object.yaml\n"
+      "  graspbench help session.yaml --json\n"
+      "  graspbench help hand develop          as graspbench hand develop --help");
+  std::vector<std::string> files;
+  for (const FileFormat& format : ListFileFormats()) files.push_back(format.name);
+  const auto words = std::make_shared<std::vector<std::string>>();
+  const auto json = std::make_shared<bool>(false);
+  command
+      .add_option("topic", *words,
+                  "a command, or one of " + ListNames(files) + "; absent: all there is")
+      ->type_name("{" + JoinForCompletion(files, program) + "}")
+      ->option_text("COMMAND|FILE");
+  command.add_flag("--json", *json, "of a file: print one JSON object");
+  command.callback([&program, files, words, json] {
+    if (words->empty()) return PrintResult(FormatOverview(program, files));
+    const bool is_file = std::find(files.begin(), files.end(), words->front()) != files.end();
+    is_file ? PrintFormat(words->front(), *json) : PrintResult(FindCommandHelp(program, *words));
+  });
+}
+
+}  // namespace graspbench

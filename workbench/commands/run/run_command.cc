@@ -1,0 +1,144 @@
+#include <errno.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/base/text/text.h"
+#include "datasets/analysis/session_summary.h"
+#include "reports/session_report.h"
+#include "workbench/commands/command.h"
+#include "workbench/commands/options/session_options.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/pool/worker_pool.h"
+#include "workbench/experiments/run_record.h"
+#include "workbench/experiments/run_session.h"
+#include "workbench/tables/summary_table.h"
+#include "workbench/terminal/terminal_observer.h"
+#include "workbench/trace_session.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RunOptions {
+  SessionOptions session;
+  int num_workers = 1;
+  std::string out;
+  bool resume = false;
+  bool plan_only = false;
+  OnDamage on_damage = OnDamage::kRefuse;
+  double trial_time_limit = kTrialTimeLimit;
+  bool json = false;
+};
+
+std::string FormatResumeCommand(const RunOptions& options, const fs::path& folder) {
+  return QuoteForShell(program_invocation_name) + " run --resume --out " +
+         QuoteForShell(folder.string()) + " --jobs " + std::to_string(options.num_workers);
+}
+
+void PrintStart(const PreparedSession& work, int num_unfinished, int num_workers) {
+  const int num_finished = static_cast<int>(work.session.records.size());
+  if (!work.session.findings.entries().empty()) PrintMessage(work.session.findings.Format());
+  if (num_finished > 0 && HasRunOfAnotherBuild(work.folder)) {
+    PrintMessage(
+        "note: trials in this session were finished by another build of graspbench; --out DIR "
+        "starts afresh");
+  }
+  std::string text =
+      work.folder.string() + ": " + FormatCount(num_finished + num_unfinished, "trial");
+  if (num_unfinished == 0) {
+    text += ", all finished before";
+  } else {
+    text += ", " + std::to_string(num_finished) + " finished before, " +
+            std::to_string(num_unfinished) + " to run on " + FormatCount(num_workers, "worker");
+  }
+  PrintMessage(text);
+}
+
+/** Nothing of the work is needed any more but its folder. */
+ExitCode Finish(PreparedSession& work, const RunOptions& options) {
+  const fs::path& folder = work.folder;
+  const std::vector<Damage> damage = work.session.damage;
+  work.session = {};  // before it is loaded again: two large ones would not fit
+  work.inputs = {};
+  Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
+  session.damage = damage;  // what was found before the run sealed what is there
+  ExportSession(folder, session);
+  const SessionSummary summary = SummariseSession(session);
+  const TrialTracer trace = MakeKeptTracer(session);
+  const fs::path report = WriteSessionReport(folder, std::move(session), trace);
+  if (options.json) {
+    PrintJson(MakeSummaryJson(summary, folder, report));
+  } else {
+    PrintResult("\n" + FormatSummaryTable(summary) + "\nreport   " + report.string() +
+                "\ndata     " + (folder / "export" / "trials.csv").string() +
+                "\nnext     xdg-open " + QuoteForShell(report.string()) + "\n");
+  }
+  return summary.total.CountOf(Outcome::kNumericalFailure) > 0 ? kExitNumericalFailures : kExitOk;
+}
+
+/** For several machines: nothing runs. */
+ExitCode Plan(const PreparedSession& work, bool as_json) {
+  RecordPlanning(work.folder);
+  PrintPlan(work.folder, static_cast<int>(work.session.plan.size()), "trial", as_json);
+  return kExitOk;
+}
+
+ExitCode Run(const RunOptions& options) {
+  SessionRequest request;
+  request.name = options.session.name();
+  request.out = options.out;
+  request.resume = options.resume;
+  request.on_damage = options.on_damage;
+  if (options.session.HasAny()) request.config = options.session.MakeConfig();
+  PreparedSession work = PrepareSession(request);
+  if (options.plan_only) return Plan(work, options.json);
+  const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
+  const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
+  PrintStart(work, num_trials, num_workers);
+  if (num_trials == 0) return Finish(work, options);
+
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer({}, stop);
+  RunRecord record;
+  try {
+    record = RunSession(work, num_workers, observer, stop, options.trial_time_limit);
+    if (record.ending == RunEnding::kFinished) return Finish(work, options);
+  } catch (const Error& error) {
+    throw Error(error.kind(), std::string(error.what()) +
+                                  "\nFinished trials are kept. Continue with\n  " +
+                                  FormatResumeCommand(options, work.folder));
+  }
+  throw Error(ErrorKind::kInterrupted,
+              "stopped; " + std::to_string(num_trials - record.num_trials) +
+                  " trials are left and the finished ones are kept. Continue with\n  " +
+                  FormatResumeCommand(options, work.folder));
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& program, ExitCode& exit_code) {
+  CLI::App& command = AddSubcommand(
+      program, "run", "Run a benchmark session and write its report.",
+      "  graspbench run                       both hands, 21 objects, 10 trials each\n"
+      "  graspbench run --hand shadow --object can,cup --grasp all --trials 3");
+  const auto options = std::make_shared<RunOptions>();
+  options->session.AddTo(command);
+  AddJobsOption(command, options->num_workers);
+  command.add_option("--out", options->out, "folder of the session")
+      ->option_text("DIR")
+      ->default_str("results/NAME-HASH");
+  command.add_flag("--resume", options->resume, "continue the session in the folder of --out");
+  AddPlanOnlyOption(command, options->plan_only);
+  AddAcceptDamageOption(command, options->on_damage);
+  AddTrialTimeoutOption(command, options->trial_time_limit);
+  command.add_flag("--json", options->json, "print the summary as one JSON object");
+  command.callback([options, &exit_code] { exit_code = Run(*options); });
+}
+
+}  // namespace graspbench
