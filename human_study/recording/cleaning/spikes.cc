@@ -54,9 +54,15 @@ size_t RunPass(Trajectory& trajectory) {
     const bool is_peak = distances[at] > limit && !(distances[at] < distances[at - 1]) &&
                          !(distances[at] < distances[at + 1]);
     if (!is_peak) continue;
-    // One that comes back: its neighbours are nearer to each other than to it.
+    // One that comes back: a sample before and one after are nearer to each other than to it.
     const auto place = [&](size_t i) { return trajectory.p.col(static_cast<Column>(valid[i])); };
-    if ((place(at + 1) - place(at - 1)).norm() > distances[at]) continue;
+    double back = std::numeric_limits<double>::infinity();
+    for (const size_t before : {at - 2, at - 1}) {
+      for (const size_t after : {at + 1, at + 2}) {
+        back = std::min(back, (place(after) - place(before)).norm());
+      }
+    }
+    if (back > distances[at]) continue;
     trajectory.states[valid[at]] = SampleState::kInvalid;
     ++count;
   }
