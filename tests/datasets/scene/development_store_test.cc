@@ -58,6 +58,15 @@ TEST_F(DevelopmentStoreTest, IsContinuedWithTheSameBytesFromWhereverItWasCut) {
   }
 }
 
+// As a repair leaves it when one line was damaged: the others are neither lost nor asked again.
+TEST_F(DevelopmentStoreTest, ALineThatIsMissingCostsNoOther) {
+  const std::string whole = Finish();
+  const size_t second = whole.find('\n') + 1, third = whole.find('\n', second) + 1;
+  WriteFileAtomically(path(), whole.substr(0, second) + whole.substr(third));
+  EXPECT_EQ(Finish(),
+            whole.substr(0, second) + whole.substr(third) + whole.substr(second, third - second));
+}
+
 TEST_F(DevelopmentStoreTest, AnotherDevelopmentIsRefusedByName) {
   DevelopmentConfig config;
   config.hand = "tum";
