@@ -397,6 +397,14 @@ StoreState Check(const fs::path& folder, OutputUse outputs) {
   return state;
 }
 
+/** Which commands go on with a damaged store when they are told to. */
+std::string DescribeAcceptance(const StoreKind* kind) {
+  const std::string commands = kind == &kSessionStore ? "report, export, judge and run --resume do"
+                               : kind == &kCampaignStore ? "report does"
+                                                         : "";
+  return commands.empty() ? "" : "; " + commands + " so as it is with --accept-damage";
+}
+
 }  // namespace
 
 StoreState CheckStore(const fs::path& folder) { return Check(folder, OutputUse::kCheck); }
@@ -409,8 +417,8 @@ StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
   throw Error(ErrorKind::kFormat,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
                   FormatDamage(state.damages) + "\ngraspbench verify --repair " + folder.string() +
-                  " sets damaged lines aside and loses no whole one, and any command goes on; "
-                  "report, export, judge and run --resume do so as it is with --accept-damage");
+                  " sets damaged lines aside and loses no whole one, and any command goes on" +
+                  DescribeAcceptance(FindStoreKind(folder)));
 }
 
 void SetJournalAside(const fs::path& folder, const std::string& journal) {
