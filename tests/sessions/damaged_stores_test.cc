@@ -5,6 +5,8 @@ has changed no result, and a repair loses no whole record. */
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/journal/store_kind.h"
 #include "datasets/scene/development_store.h"
@@ -138,7 +140,8 @@ class GRASPBENCH_SUITE : public testing::Test {
     const Files whole = ReadFiles(folder_);
     for (const std::string& store : stores_) {
       EXPECT_EQ(Call({"verify", folder_ / store}), 0) << store;
-      if (store != "study") EXPECT_EQ(Call({"status", folder_ / store}), 0) << store;
+      if (store == "study") continue;
+      EXPECT_EQ(Call({"status", folder_ / store}), 0) << store;
     }
     Mutator mutator(whole, "damaged stores", kNumMutations);
     RandomStream random("damaged stores", "reader");
@@ -148,13 +151,15 @@ class GRASPBENCH_SUITE : public testing::Test {
       if (files == whole) continue;
       ++done;
       std::set<std::string> damaged;
-      for (const auto* side : {&whole, &files}) {
-        for (const auto& [name, content] : *side) {
-          const auto here = files.find(name), there = whole.find(name);
-          if (here == files.end() || there == whole.end() || here->second != there->second) {
-            damaged.insert(FindStoreOf(name, stores_));
-          }
-        }
+      const auto differs = [](const Files& a, const Files& b, const std::string& name) {
+        const auto there = b.find(name);
+        return there == b.end() || there->second != a.at(name);
+      };
+      for (const auto& [name, content] : whole) {
+        if (differs(whole, files, name)) damaged.insert(FindStoreOf(name, stores_));
+      }
+      for (const auto& [name, content] : files) {
+        if (differs(files, whole, name)) damaged.insert(FindStoreOf(name, stores_));
       }
       WriteFiles(folder_, files);
       for (const std::string& store : damaged) Check(store, what, whole, files, random);
@@ -178,7 +183,7 @@ class GRASPBENCH_SUITE : public testing::Test {
     EXPECT_FALSE(IsCrash(status)) << "status " << status << ": " << what;
     num_found_ += verify == 3;
     num_by_status_ += verify == 0 && status != 0 && store != "study";
-    if (verify == 3) EXPECT_NE(status, 0) << "status is content: " << what;
+    EXPECT_FALSE(verify == 3 && status == 0) << "status is content: " << what;
     const bool has_manifest = store != "v3-session";  // an older session says that it has none
     if (verify == 0 && has_manifest) {
       EXPECT_EQ(ListContent(whole, store), ListContent(files, store)) << "undetected: " << what;
