@@ -61,7 +61,7 @@ bool IsNew(const fs::path& results) {
 /** Before anything is made there. @throws Error(kUsage, kFormat). */
 void CheckResults(const Pipeline& pipeline, const fs::path& results) {
   // Whoever removes the lock file asks for every stage anew.
-  const bool was_ours = fs::exists(results / kRunLock) && fs::is_directory(results / kStageInputs);
+  const bool was_ours = fs::exists(results / kRunLock) && fs::is_directory(results / kStageLogs);
   const bool is_ours = IsNew(results) || fs::exists(results / kPipelineLock) || was_ours;
   if (!is_ours || fs::is_symlink(results / kRunLock) || fs::is_symlink(results / kPipelineLock)) {
     throw Error(ErrorKind::kUsage, "\"" + results.string() +
