@@ -79,7 +79,9 @@ std::pair<Files, std::set<std::string>> ListContent(const Files& files, const st
   const std::multiset<std::string> records = ListRecords(own);
   for (const auto& [name, content] : own) {
     const bool is_journal = name.find(".jsonl") != name.npos && !IsIn(name, {"plan.jsonl"});
-    if (!is_journal && !IsIn(name, {"run.json"})) others[name] = content;
+    // Manifests of earlier campaigns do not name their summary.
+    const bool is_older = store[0] == 'v' && IsIn(name, {"summary.csv"});
+    if (!is_journal && !is_older && !IsIn(name, {"run.json"})) others[name] = content;
   }
   return {others, std::set<std::string>(records.begin(), records.end())};
 }

@@ -81,7 +81,7 @@ void MakeCampaign(const fs::path& folder) {
   MakeSession(folder / "benchmark", 2);
   FillJournal(folder / "comparison" / "tum-mug" / "es-1.jsonl", 5);
   FillJournal(folder / "comparison" / "tum-mug" / "de-1.jsonl", 4);
-  SealStore(kCampaignStore, folder);
+  WriteDerived(kCampaignStore, folder, {{"summary.csv", "hand,object\ntum,mug\n"}});
 }
 
 void MakeStudy(const fs::path& folder) {
