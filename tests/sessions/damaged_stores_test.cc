@@ -187,7 +187,9 @@ class GRASPBENCH_SUITE : public testing::Test {
     num_by_status_ += verify == 0 && status != 0 && store != "study";
     EXPECT_FALSE(verify == 3 && status == 0) << "status is content: " << what;
     const bool has_manifest = store != "v3-session";  // an older session says that it has none
-    if (verify == 0 && has_manifest) {
+    // Only a search itself can tell whose answer it is, by the trials that it asks for.
+    const bool is_answer = what.rfind("copy line", 0) == 0 && IsIn(what, {"comparison/"});
+    if (verify == 0 && has_manifest && !is_answer) {
       EXPECT_EQ(ListContent(whole, store), ListContent(files, store)) << "undetected: " << what;
     }
     const std::vector<std::string> reader = ChooseReader(store, random);
