@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -351,6 +353,14 @@ int RunProgram(int argc, const char* const* argv) {
   } catch (const Error& error) {
     PrintFault(error.what());
     return ExitCodeOf(error.kind());
+  } catch (const std::bad_alloc&) {
+    PrintFault(
+        "the machine, or a limit (ulimit -v), gives too little memory; finished trials are "
+        "kept. Use fewer workers (--jobs 1) or a smaller mesh, or allow more");
+    return kExitEnvironment;
+  } catch (const std::system_error& error) {  // of threads and locks
+    PrintFault(std::string("the machine cannot give what is needed: ") + error.what());
+    return kExitEnvironment;
   } catch (const std::exception& error) {
     PrintFault(std::string("failed: ") + error.what());
     return kExitFailed;

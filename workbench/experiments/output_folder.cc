@@ -265,6 +265,9 @@ void CheckOutsideResults(const fs::path& path) {
 
 void CheckOutputFile(const fs::path& file) {
   CheckName(file);
+  if (!file.has_filename()) {
+    Refuse(file, "ends in a slash, as the name of a folder does; name a new file");
+  }
   const fs::file_status status = fs::symlink_status(file);
   if (fs::is_directory(status)) Refuse(file, "is a folder; name a new file");
   if (fs::exists(status)) Refuse(file, "is already there; remove it or name another file");
