@@ -9,11 +9,8 @@
 
 namespace graspbench {
 
-void SessionOptions::AddTo(CLI::App& command) {
-  command
-      .add_option("session", session_file_,
-                  "session file: YAML, or session.json of a session; absent: the benchmark")
-      ->option_text("SESSION");
+void SessionOptions::AddTo(CLI::App& command, const std::string& file_text) {
+  command.add_option("session", session_file_, file_text)->option_text("SESSION");
   AddSceneOptions(command, given_);
   AddListOption(command, "--grasp", given_.grasps, "best, all, ids or grasp files: g1,my.yaml",
                 "G,..");
@@ -58,6 +55,11 @@ void SessionOptions::RefuseTwice(const std::string& setting) const {
 SessionConfig SessionOptions::MakeConfig() const {
   SessionConfig config;
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
+  ApplyTo(config);
+  return config;
+}
+
+void SessionOptions::ApplyTo(SessionConfig& config) const {
   for (const std::string& setting : settings_) {
     RefuseTwice(setting);
     ApplySetting(setting, config);
@@ -69,7 +71,6 @@ SessionConfig SessionOptions::MakeConfig() const {
   if (IsGiven("--approach")) config.approach = given_.approach;
   if (IsGiven("--trials")) config.trials = given_.trials;
   if (IsGiven("--seed")) config.seed = given_.seed;
-  return config;
 }
 
 std::string SessionOptions::name() const {

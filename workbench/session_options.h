@@ -15,12 +15,18 @@ namespace graspbench {
 
 class SessionOptions {
  public:
-  void AddTo(CLI::App& command);
+  /** @param file_text  what the file is that may be named. */
+  void AddTo(CLI::App& command, const std::string& file_text =
+                                    "session file: YAML, or session.json of a session; absent: the "
+                                    "benchmark");
   /** Whether any of them was given. */
   bool HasAny() const;
   /** The session file, then --set, then the options. @throws Error(kUsage) for a setting given by
   both; as LoadSessionConfig, ApplySetting. */
   SessionConfig MakeConfig() const;
+  /** The same over what another kind of file says. */
+  void ApplyTo(SessionConfig& config) const;
+  const std::string& file() const { return session_file_; }
   /** The session file's name without folder and extension; "benchmark" without one. */
   std::string name() const;
 
