@@ -87,13 +87,15 @@ ExitCode Sweep(const SweepOptions& options) {
   SessionRequest request;
   request.name = options.session.file().empty() ? "sweep" : options.session.name();
   request.out = options.out;
-  request.resume = options.resume;
+  request.resume = options.resume && HasSession(options.out);
   request.on_damage = options.on_damage;
   bool with_judge = options.judge;
   if (!options.resume || !options.factors.empty() || options.session.HasAny()) {
     const SweepConfig config = MakeSweepConfig(options);
     with_judge = config.judge;
     request.config = MakeSweep(config);
+  } else if (!request.resume) {
+    throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder of a sweep");
   }
   const PreparedSession sweep = PrepareSession(request);
   const size_t num_left = FindUnfinished(sweep.session).size();
