@@ -24,6 +24,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/machines/machine.h"
 #include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/run_session.h"
 #include "workbench/pictures/scene_view.h"
 
 namespace graspbench {
@@ -237,6 +238,16 @@ void PrintPlan(const std::filesystem::path& folder, int count, const std::string
   } else {
     PrintResult(name + ": " + FormatCount(count, unit) + " planned\nnext     " + next + "\n");
   }
+}
+
+void PrintExperimentPlan(const PreparedSession& experiment) {
+  PrintPlan(experiment.folder, static_cast<int>(experiment.session.plan.size()), "trial");
+}
+
+void DemandFinished(bool is_finished) {
+  if (is_finished) return;
+  throw Error(ErrorKind::kInterrupted,
+              "stopped; what has run is kept. Continue with the same command");
 }
 
 void AddResumeOption(CLI::App& command, bool& resume) {

@@ -34,8 +34,19 @@ fs::path FindCopy(const fs::path& inputs, const char* kind, const std::string& n
   return inputs / kind / FindOriginal(name).filename();
 }
 
-/** Of the store itself or of the campaign that it is part of. */
-fs::path FindInputs(const fs::path& folder) {
+/** The session that an experiment's folder belongs to; else the folder itself. */
+fs::path FindOwner(const fs::path& folder) {
+  if (folder.empty()) return folder;
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  const fs::path above = place.parent_path().parent_path();
+  const bool is_part = FindStoreKind(above) == &kSessionStore &&
+                       IsMatch(place.lexically_relative(above).string(), kSessionStore.stores);
+  return is_part ? above : folder;
+}
+
+/** Of the store itself, of the session or of the campaign that it is part of. */
+fs::path FindInputs(const fs::path& part) {
+  const fs::path folder = FindOwner(part);
   std::error_code status;
   if (fs::exists(folder / kInputs, status)) return folder / kInputs;
   for (const fs::path& above : {folder / "..", folder / ".." / ".."}) {
@@ -171,7 +182,7 @@ std::string FindGraspInput(const std::string& name, size_t number, const fs::pat
 }
 
 std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& folder) {
-  const fs::path campaign = folder / "..";
+  const fs::path campaign = FindOwner(folder) / "..";
   std::vector<std::string> files;
   if (folder.empty() || FindStoreKind(campaign) != &kCampaignStore) return files;
   for (const std::string& name : ListMatches(campaign, {"scenes/*/" + id + ".yaml"})) {

@@ -9,7 +9,8 @@ or a campaign when it is made:
 
 What comes with the program is not copied. The copies are sealed with the store; whoever continues
 or reads it takes them, wherever it was moved to and whatever became of the originals. The scenes
-and the benchmark of a campaign have no copies of their own: theirs are the campaign's. */
+and the benchmark of a campaign have no copies of their own: theirs are the campaign's; nor do the
+experiments in a session's folder. */
 
 #include <filesystem>
 #include <string>
