@@ -5,6 +5,7 @@ to trial. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/grasp/standard_grasp.h"
@@ -37,6 +38,7 @@ struct DriveCommand {
 struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
+  std::string protocol = "table_lift";  ///< id of what happens in the trial (protocols/)
   StandardGrasp grasp;
   StrategyConfig strategy;
   SimConfig sim;
