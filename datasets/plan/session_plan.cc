@@ -425,9 +425,13 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                     planned.hand + ", " + planned.object);
   const Grasp* grasp = FindGrasp(*hand, **object, planned.grasp);
   GRASPBENCH_DEMAND(grasp, planned.grasp);
-  TrialSetup setup{hand->hand, *object,
-                   *grasp,     config.strategy,
-                   config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};
+  TrialSetup setup;
+  setup.hand = hand->hand;
+  setup.object = *object;
+  setup.grasp = *grasp;
+  setup.strategy = config.strategy;
+  setup.sim = config.sim;
+  setup.draw = MakeTrialDraw(config, *hand->hand, **object, planned.trial);
   setup.positioning = FindRow(kPositionings, config.positioning)->value;
   setup.camera = config.camera;
   setup.touch = FindRow(kTouchSenses, config.touch)->value;
