@@ -171,6 +171,7 @@ CLI::App& AddSubcommand(CLI::App& parent, const std::string& name, const std::st
                         const std::string& examples) {
   CLI::App* command = parent.add_subcommand(name, description);
   command->footer(examples);
+  command->group("Subcommands");  // not the heading that the parent stands under
   return *command;
 }
 

@@ -41,8 +41,10 @@ std::string FormatOverview(const CLI::App& program, const std::vector<std::strin
   for (const Preset& preset : ListPresets()) {
     presets += fmt::format("  {:<27} {}\n", preset.name, preset.about);
   }
-  return program.help() +
-         "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
+  // program.help() would be that of the command that was typed, which is this one.
+  const std::string help =
+      program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
+  return help + "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
          presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) + "\n";
 }
 
