@@ -5,7 +5,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/version.h"
-#include "datasets/analysis/basin_summary.h"
+#include "datasets/analysis/conditions/basin_summary.h"
 #include "reports/outcome_words.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_parts.h"

@@ -2,7 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
-#include "datasets/analysis/basin_summary.h"
+#include "datasets/analysis/conditions/basin_summary.h"
 #include "reports/basin_page.h"
 #include "reports/page/layout.h"
 #include "reports/page/write_page.h"

@@ -7,7 +7,7 @@ snapshots. */
 #include <filesystem>
 #include <string>
 
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/session/session_store.h"
 #include "reports/page/models.h"
 #include "reports/scenes/cell_pictures.h"

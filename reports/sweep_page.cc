@@ -7,7 +7,7 @@
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_plot.h"
 

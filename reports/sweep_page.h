@@ -5,7 +5,7 @@ level changes and which levels do not simply add up. */
 
 #include <string>
 
-#include "datasets/analysis/sweep_summary.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
 
 namespace graspbench {
 

@@ -33,7 +33,7 @@ solver starts from, the blocked links, the drives' imperfections, loads and the 
 #include <optional>
 
 #include "core/physics/imperfect_drive.h"
-#include "core/physics/simbody_dynamics.h"
+#include "core/physics/simbody/simbody_dynamics.h"
 #include "core/physics/step_solver.h"
 #include "core/physics/world.h"
 

@@ -1,6 +1,6 @@
 #include "core/trial/compliant_trial.h"
 
-#include "core/physics/compliant_world.h"
+#include "core/physics/simbody/compliant_world.h"
 #include "core/trial/protocols/table_lift.h"
 
 namespace graspbench {

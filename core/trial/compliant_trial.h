@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A trial in the second world (core/physics/compliant_world.h): there to be compared with. */
+A trial in the second world (core/physics/simbody/compliant_world.h): there to be compared with. */
 
 #include "core/trial/trial_result.h"
 #include "core/trial/trial_setup.h"

@@ -8,9 +8,9 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "core/physics/compare_with_simbody.h"
 #include "core/physics/implicit_world.h"
-#include "core/physics/simbody_model.h"
+#include "core/physics/simbody/compare_with_simbody.h"
+#include "core/physics/simbody/simbody_model.h"
 #include "core/trial/compliant_trial.h"
 #include "core/trial/delayed_digit.h"
 #include "core/trial/judge/disturbance.h"

@@ -1,8 +1,8 @@
 #include "datasets/analysis/export_result.h"
 
 #include "core/base/files/files.h"
-#include "datasets/analysis/basin_summary.h"
-#include "datasets/analysis/sweep_summary.h"
+#include "datasets/analysis/conditions/basin_summary.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
 
 namespace graspbench {
 

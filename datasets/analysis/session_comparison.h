@@ -7,7 +7,7 @@ one hand, or one grasp of it on that object: then these are what is compared. */
 #include <string>
 #include <vector>
 
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 
 namespace graspbench {
 

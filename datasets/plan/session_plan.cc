@@ -11,7 +11,7 @@
 #include "core/base/text/text.h"
 #include "core/grasp/placement.h"
 #include "core/hand/tactile.h"
-#include "core/physics/compliant_world.h"
+#include "core/physics/simbody/compliant_world.h"
 #include "core/trial/basin.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/conditions.h"

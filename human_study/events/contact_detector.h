@@ -14,10 +14,10 @@ starts from there and looks back, so that touching and letting go before the gra
 #include <string_view>
 #include <vector>
 
+#include "human_study/events/doubts/regrasp.h"
 #include "human_study/events/event_time.h"
 #include "human_study/events/filtered_trial.h"
 #include "human_study/events/hold.h"
-#include "human_study/events/regrasp.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {

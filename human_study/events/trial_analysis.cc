@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "human_study/events/recording_doubts.h"
+#include "human_study/events/doubts/recording_doubts.h"
 
 namespace graspbench {
 namespace {

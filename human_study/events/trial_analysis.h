@@ -13,12 +13,12 @@ measures. */
 
 #include "core/grasp/contact_order.h"
 #include "human_study/events/contact_detector.h"
+#include "human_study/events/doubts/plausibility.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/events/hold.h"
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
 #include "human_study/events/peak_opening.h"
-#include "human_study/events/plausibility.h"
 #include "human_study/events/reach_trial.h"
 
 namespace graspbench {

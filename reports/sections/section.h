@@ -5,7 +5,7 @@ line in section_list.inc, which fixes the order of the page. */
 
 #include <vector>
 
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/page/models.h"
 #include "reports/page/sectioned_page.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/text/range_text.h"
 #include "core/base/units.h"
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "reports/page/assets.h"
 #include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"

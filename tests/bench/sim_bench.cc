@@ -17,7 +17,7 @@
 #include "core/hand/load_hand.h"
 #include "core/physics/hand_dynamics.h"
 #include "core/physics/implicit_world.h"
-#include "core/physics/simbody_model.h"
+#include "core/physics/simbody/simbody_model.h"
 #include "core/statistics/summary.h"
 #include "core/trial/protocols/table_lift.h"
 #include "core/trial/trial_runner.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 
 namespace graspbench {
 

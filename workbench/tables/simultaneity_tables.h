@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/analysis/delay_summary.h"
+#include "datasets/analysis/conditions/delay_summary.h"
 #include "datasets/analysis/simultaneity_summary.h"
 
 namespace graspbench {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "datasets/analysis/sweep_summary.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
 
 namespace graspbench {
 

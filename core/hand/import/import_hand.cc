@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/hand/import/find_implausible.h"
+#include "core/hand/import/checks/find_implausible.h"
 #include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
 #include "core/hand/import/import_record.h"

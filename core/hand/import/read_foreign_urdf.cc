@@ -11,8 +11,8 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/hand/import/checks/joint_limits.h"
 #include "core/hand/import/foreign_xml.h"
-#include "core/hand/import/joint_limits.h"
 
 namespace graspbench {
 namespace {

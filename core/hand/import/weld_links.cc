@@ -6,7 +6,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "core/hand/import/find_hand.h"
+#include "core/hand/import/checks/find_hand.h"
 #include "core/hand/import/fix_joint.h"
 #include "core/hand/import/shapes/shape_distance.h"
 

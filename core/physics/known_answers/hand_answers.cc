@@ -8,7 +8,7 @@
 #include "core/hand/load_hand.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "core/physics/known_answers/small_scenes.h"
-#include "core/physics/simbody_model.h"
+#include "core/physics/simbody/simbody_model.h"
 
 namespace graspbench {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
-#include "core/physics/compare_with_simbody.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/known_answers/small_scenes.h"
-#include "core/physics/simbody_model.h"
+#include "core/physics/simbody/compare_with_simbody.h"
+#include "core/physics/simbody/simbody_model.h"
 
 namespace graspbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hand/load_hand.h"
-#include "core/physics/compliant_world.h"
+#include "core/physics/simbody/compliant_world.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 

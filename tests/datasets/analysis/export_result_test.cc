@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/files/files.h"
-#include "datasets/analysis/basin_summary.h"
+#include "datasets/analysis/conditions/basin_summary.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/text/text.h"
-#include "datasets/analysis/sensitivity_summary.h"
+#include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"

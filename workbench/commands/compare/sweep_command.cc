@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/text/text.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/export_result.h"
-#include "datasets/analysis/sweep_summary.h"
 #include "datasets/plan/sweep_design.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"

@@ -5,7 +5,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
-#include "datasets/analysis/basin_summary.h"
+#include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/export_result.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"

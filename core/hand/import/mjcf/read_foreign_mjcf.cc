@@ -10,8 +10,8 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/hand/import/checks/joint_limits.h"
 #include "core/hand/import/foreign_xml.h"
-#include "core/hand/import/joint_limits.h"
 #include "core/hand/import/mjcf/mjcf_couplings.h"
 #include "core/hand/import/mjcf/mjcf_document.h"
 #include "core/hand/import/mjcf/mjcf_geoms.h"

@@ -1,0 +1,209 @@
+#include "core/physics/simbody/simbody_model.h"
+
+#include "core/physics/simbody/simtk_conversions.h"
+
+namespace graspbench {
+namespace {
+
+/** A rotation that takes `own` (of Simbody's joint: z of a pin, x of a slider) to `axis`. */
+SimTK::Rotation MakeAxisFrame(const Eigen::Vector3d& axis, SimTK::CoordinateAxis own) {
+  return SimTK::Rotation(SimTK::UnitVec3(ToSimTK(axis)), own);
+}
+
+}  // namespace
+
+struct SimbodyModel::Impl {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  std::vector<SimTK::MobilizedBody> links;
+  SimTK::MobilizedBody::Free root;
+  SimTK::MobilizedBody::Free object;
+  std::vector<int> link_of_joint;
+  Pose X_HR = Pose::Identity();                      ///< root link in H
+  Eigen::Vector3d p_HR_W = Eigen::Vector3d::Zero();  ///< its origin from H's, in W
+  Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();
+  SimTK::State state;
+};
+
+SimbodyModel::SimbodyModel(const Hand& hand, const MassProperties& object,
+                           std::optional<DistalMode> coupled)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& model = *impl_;
+  for (const HandLink& link : hand.links) {
+    const SimTK::Body::Rigid body(MakeMassProperties(link.mass, link.p_LLcm, link.I_LLcm));
+    if (link.parent < 0) {
+      model.X_HR = link.X_PJ;
+      model.root = SimTK::MobilizedBody::Free(model.matter.updGround(), SimTK::Transform(), body,
+                                              SimTK::Transform());
+      model.links.push_back(model.root);
+    } else if (link.joint < 0) {
+      model.links.push_back(SimTK::MobilizedBody::Weld(model.links[link.parent], ToSimTK(link.X_PJ),
+                                                       body, SimTK::Transform()));
+    } else if (hand.joints[link.joint].is_prismatic) {
+      const SimTK::Transform X_LM(MakeAxisFrame(link.axis, SimTK::XAxis));
+      model.links.push_back(SimTK::MobilizedBody::Slider(model.links[link.parent],
+                                                         ToSimTK(link.X_PJ) * X_LM, body, X_LM));
+    } else {
+      const SimTK::Transform X_LM(MakeAxisFrame(link.axis, SimTK::ZAxis));
+      model.links.push_back(SimTK::MobilizedBody::Pin(model.links[link.parent],
+                                                      ToSimTK(link.X_PJ) * X_LM, body, X_LM));
+    }
+  }
+  for (const HandJoint& joint : hand.joints) model.link_of_joint.push_back(joint.link);
+  model.object = SimTK::MobilizedBody::Free(
+      model.matter.updGround(), SimTK::Transform(),
+      SimTK::Body::Rigid(MakeMassProperties(object.mass, Eigen::Vector3d::Zero(), object.I_OOcm)),
+      SimTK::Transform());
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to < 0 || !coupled) continue;
+    // The joints' rates keep their ratio: rate_distal q_middle - rate_middle q_distal = constant.
+    const DistalRates rates =
+        joint.is_mimic ? DistalRates{1.0, joint.mimic_ratio}
+                       : CalcDistalRates(hand.coupling, hand.fixed_coupling_ratio, *coupled);
+    const SimTK::Vector coefficients(SimTK::Vec3(rates.distal, -rates.middle, 0.0));
+    const int middle_link = hand.joints[joint.coupled_to].link;
+    SimTK::Array_<SimTK::MobilizedBodyIndex> bodies;
+    bodies.push_back(model.links[middle_link].getMobilizedBodyIndex());
+    bodies.push_back(model.links[joint.link].getMobilizedBodyIndex());
+    SimTK::Constraint::CoordinateCoupler(model.matter, new SimTK::Function::Linear(coefficients),
+                                         bodies, {2, SimTK::MobilizerQIndex(0)});
+  }
+  model.state = model.system.realizeTopology();
+  model.system.realizeModel(model.state);
+  model.root.lock(model.state, SimTK::Motion::Acceleration);
+}
+
+SimbodyModel::~SimbodyModel() = default;
+
+int SimbodyModel::num_speeds() const { return static_cast<int>(impl_->link_of_joint.size()) + 12; }
+
+void SimbodyModel::SetPositions(const Pose& X_WH, const Eigen::VectorXd& q, const Pose& X_WOcm) {
+  Impl& model = *impl_;
+  model.root.setQToFitTransform(model.state, ToSimTK(X_WH * model.X_HR));
+  model.p_HR_W = X_WH.linear() * model.X_HR.translation();
+  for (size_t j = 0; j < model.link_of_joint.size(); ++j) {
+    model.links[model.link_of_joint[j]].setOneQ(model.state, 0, q[static_cast<Eigen::Index>(j)]);
+  }
+  model.object.setQToFitTransform(model.state, ToSimTK(X_WOcm));
+}
+
+void SimbodyModel::SetSpeeds(const Eigen::VectorXd& u) {
+  Impl& model = *impl_;
+  const auto num_joints = static_cast<Eigen::Index>(model.link_of_joint.size());
+  model.w_WH = u.segment<3>(num_joints);
+  const Eigen::Vector3d v_WR = u.segment<3>(num_joints + 3) + model.w_WH.cross(model.p_HR_W);
+  model.root.setUToFitVelocity(model.state, SimTK::SpatialVec(ToSimTK(model.w_WH), ToSimTK(v_WR)));
+  for (Eigen::Index j = 0; j < num_joints; ++j) {
+    model.links[model.link_of_joint[static_cast<size_t>(j)]].setOneU(model.state, 0, u[j]);
+  }
+  model.object.setUToFitVelocity(
+      model.state, SimTK::SpatialVec(ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints + 6))),
+                                     ToSimTK(Eigen::Vector3d(u.segment<3>(num_joints + 9)))));
+}
+
+void SimbodyModel::CalcLinkPoses(std::vector<Pose>& X_WL) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Position);
+  X_WL.resize(model.links.size());
+  for (size_t i = 0; i < model.links.size(); ++i) {
+    X_WL[i] = FromSimTK(model.links[i].getBodyTransform(model.state));
+  }
+}
+
+namespace {
+
+/** Simbody's index of each of our speeds. */
+template <class Model>
+std::vector<int> FindSpeedIndices(const Model& model) {
+  std::vector<int> indices;
+  for (int link : model.link_of_joint) {
+    indices.push_back(model.links[link].getFirstUIndex(model.state));
+  }
+  for (int i = 0; i < 6; ++i) indices.push_back(model.root.getFirstUIndex(model.state) + i);
+  for (int i = 0; i < 6; ++i) indices.push_back(model.object.getFirstUIndex(model.state) + i);
+  return indices;
+}
+
+/** Simbody's speeds, in our order, of ours: its root's origin is not H's. */
+template <class Model>
+Eigen::MatrixXd MakeSpeedMap(const Model& model) {
+  const auto num_joints = static_cast<Eigen::Index>(model.link_of_joint.size());
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(num_joints + 12, num_joints + 12);
+  for (int k = 0; k < 3; ++k) {
+    T.block<3, 1>(num_joints + 3, num_joints + k) =
+        Eigen::Vector3d(Eigen::Vector3d::Unit(k)).cross(model.p_HR_W);
+  }
+  return T;
+}
+
+/** Weight of every body. */
+template <class Model>
+SimTK::Vector_<SimTK::SpatialVec> MakeWeights(const Model& model,
+                                              const Eigen::Vector3d& gravity_W) {
+  SimTK::Vector_<SimTK::SpatialVec> forces(model.matter.getNumBodies(),
+                                           SimTK::SpatialVec(SimTK::Vec3(0)));
+  for (SimTK::MobilizedBodyIndex b(1); b < model.matter.getNumBodies(); ++b) {
+    const SimTK::MobilizedBody& body = model.matter.getMobilizedBody(b);
+    const SimTK::MassProperties& mass = body.getBodyMassProperties(model.state);
+    body.applyForceToBodyPoint(model.state, mass.getMassCenter(),
+                               ToSimTK(Eigen::Vector3d(mass.getMass() * gravity_W)), forces);
+  }
+  return forces;
+}
+
+}  // namespace
+
+Eigen::MatrixXd SimbodyModel::CalcMassMatrix() {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Position);
+  SimTK::Matrix M;
+  model.matter.calcM(model.state, M);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  Eigen::MatrixXd result(num_speeds(), num_speeds());
+  for (int i = 0; i < num_speeds(); ++i) {
+    for (int j = 0; j < num_speeds(); ++j) result(i, j) = M(indices[i], indices[j]);
+  }
+  const Eigen::MatrixXd T = MakeSpeedMap(model);
+  return T.transpose() * result * T;
+}
+
+Eigen::VectorXd SimbodyModel::CalcBias(const Eigen::Vector3d& gravity_W) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Velocity);
+  const SimTK::Vector_<SimTK::SpatialVec> forces = MakeWeights(model, gravity_W);
+  const SimTK::Vector no_mobility_forces(model.state.getNU(), 0.0);
+  SimTK::Vector accelerations(model.state.getNU(), 0.0);
+  // With H at constant velocity the root's own origin goes in a circle.
+  const Eigen::Vector3d a_WR = model.w_WH.cross(model.w_WH.cross(model.p_HR_W));
+  for (int k = 0; k < 3; ++k)
+    accelerations[model.root.getFirstUIndex(model.state) + 3 + k] = a_WR[k];
+  SimTK::Vector residual;
+  model.matter.calcResidualForceIgnoringConstraints(model.state, no_mobility_forces, forces,
+                                                    accelerations, residual);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  Eigen::VectorXd result(num_speeds());
+  for (int i = 0; i < num_speeds(); ++i) result[i] = residual[indices[i]];
+  return MakeSpeedMap(model).transpose() * result;
+}
+
+Eigen::VectorXd SimbodyModel::CalcJointAccelerations(const Eigen::VectorXd& torques,
+                                                     const Eigen::Vector3d& gravity_W) {
+  Impl& model = *impl_;
+  model.system.realize(model.state, SimTK::Stage::Dynamics);
+  const std::vector<int> indices = FindSpeedIndices(model);
+  SimTK::Vector mobility_forces(model.state.getNU(), 0.0);
+  for (Eigen::Index j = 0; j < torques.size(); ++j) {
+    mobility_forces[indices[static_cast<size_t>(j)]] = torques[j];
+  }
+  SimTK::Vector udot;
+  SimTK::Vector_<SimTK::SpatialVec> body_accelerations;
+  model.matter.calcAcceleration(model.state, mobility_forces, MakeWeights(model, gravity_W), udot,
+                                body_accelerations);
+  Eigen::VectorXd result(torques.size());
+  for (Eigen::Index j = 0; j < result.size(); ++j) {
+    result[j] = udot[indices[static_cast<size_t>(j)]];
+  }
+  return result;
+}
+
+}  // namespace graspbench

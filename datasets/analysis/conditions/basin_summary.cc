@@ -1,0 +1,62 @@
+#include "datasets/analysis/conditions/basin_summary.h"
+
+#include <cmath>
+
+#include "core/base/text/csv.h"
+#include "core/statistics/proportion.h"
+
+namespace graspbench {
+
+BasinSummary SummariseBasin(const std::vector<BasinSample>& samples) {
+  BasinSummary summary;
+  summary.num_samples = static_cast<int>(samples.size());
+  for (const BasinSample& sample : samples) {
+    summary.num_successes += sample.outcome == Outcome::kSuccess;
+    summary.most_sigma = std::fmax(summary.most_sigma, sample.sigma);
+  }
+  summary.radius = CalcBasinRadius(samples);
+  summary.radius_offset = summary.radius * kBasinOffset;
+  summary.radius_yaw = summary.radius * kBasinYaw;
+  summary.rate = FormatRate(summary.num_successes, summary.num_samples);
+  return summary;
+}
+
+bool IsBasin(const Session& session) { return session.config.draws == "halton"; }
+
+std::vector<BasinSample> ListBasinSamples(const Session& session) {
+  const VariationConfig& box = session.config.variation;
+  std::vector<BasinSample> samples;
+  for (const TrialRecord& record : session.records) {
+    BasinSample sample = MakeBasinSample(record.plan.trial, box.offset, box.yaw);
+    sample.outcome = record.result.outcome;
+    sample.sigma = record.result.stability.sigma;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+std::string NameBasin(const SessionInputs& inputs, const PlannedTrial& planned) {
+  return inputs.hands.front().hand->name + ", " + inputs.objects.front()->name + ", " +
+         planned.grasp;
+}
+
+std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
+  const auto number = [](auto take) {
+    return [take](const BasinSample& sample) { return JsonNumber(take(sample)); };
+  };
+  const std::vector<CsvColumn<BasinSample>> columns = {
+      {"offset_x_m", "number", "m", "of the object",
+       number([](const BasinSample& sample) { return sample.offset_x; })},
+      {"offset_y_m", "number", "m", "of the object",
+       number([](const BasinSample& sample) { return sample.offset_y; })},
+      {"yaw_rad", "number", "rad", "of the object",
+       number([](const BasinSample& sample) { return sample.yaw; })},
+      {"distance", "number", "", "1 at the edge of the range", number(CalcBasinDistance)},
+      {"outcome", "string", "", "how the trial ended",
+       [](const BasinSample& sample) { return Json(NameOf(sample.outcome)); }},
+      {"sigma", "number", "N", "stability",
+       number([](const BasinSample& sample) { return sample.sigma; })}};
+  return FormatCsv(columns, samples);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,171 @@
+#include "datasets/analysis/conditions/delay_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "core/base/units.h"
+#include "core/statistics/summary.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kNumDelayResamples = 1999;
+
+struct DelayResponse {
+  ShownQuantity shown;
+  std::function<double(const DelayedTrial&)> value;
+};
+
+std::vector<DelayResponse> ListDelayResponses() {
+  std::vector<DelayResponse> responses = {
+      {{"gft_s", "GFT [ms]", MsFromS(1.0), 0},
+       [](const DelayedTrial& trial) {
+         const ContactTiming& timing = trial.record.result.timing;
+         return timing.contact_before_start ? kUnset : timing.gft;
+       }},
+      {{"closing_shift_m", "push until all touch [mm]", MmFromM(1.0), 2},
+       [](const DelayedTrial& trial) { return trial.closing.shift; }},
+      {{"closing_turn_rad", "turn until all touch [deg]", DegFromRad(1.0), 2},
+       [](const DelayedTrial& trial) { return trial.closing.turn; }}};
+  for (const GraspResponse& response : ListGraspResponses()) {
+    responses.push_back({response.shown, [value = response.value](const DelayedTrial& trial) {
+                           return value(trial.record);
+                         }});
+  }
+  return responses;
+}
+
+/** One trial at every delay; null where it is not there. */
+using Course = std::vector<const DelayedTrial*>;
+/** By object and grasp, then by the trial's number. */
+using CellCourses = std::map<std::pair<std::string, std::string>, std::map<int, Course>>;
+
+struct Block {
+  std::string condition, digit, hand;
+  CellCourses cells;
+};
+
+std::vector<Block> GroupBlocks(const std::vector<DelayedTrial>& trials) {
+  const std::vector<double>& delays = ListDelays();
+  std::vector<Block> blocks;
+  for (const DelayedTrial& trial : trials) {
+    const PlannedTrial& plan = trial.record.plan;
+    const auto key = std::tie(trial.condition, trial.digit, plan.hand);
+    auto block = std::find_if(blocks.begin(), blocks.end(), [&key](const Block& candidate) {
+      return key == std::tie(candidate.condition, candidate.digit, candidate.hand);
+    });
+    if (block == blocks.end()) {
+      block = blocks.insert(blocks.end(), {trial.condition, trial.digit, plan.hand, {}});
+    }
+    const auto delay = std::find(delays.begin(), delays.end(), trial.delay);
+    GRASPBENCH_DEMAND(delay != delays.end(), std::to_string(trial.delay));
+    Course& course = block->cells[{plan.object, plan.grasp}][plan.trial];
+    course.resize(delays.size(), nullptr);
+    course[static_cast<size_t>(delay - delays.begin())] = &trial;
+  }
+  return blocks;
+}
+
+/** Of the least squares line through the values. */
+double CalcSlope(const std::vector<double>& values) {
+  const std::vector<double>& delays = ListDelays();
+  const double centre = CalcMean(delays);
+  double products = 0.0, squares = 0.0;
+  for (size_t i = 0; i < delays.size(); ++i) {
+    products += (delays[i] - centre) * values[i];
+    squares += (delays[i] - centre) * (delays[i] - centre);
+  }
+  return products / squares;
+}
+
+/** Empty when the response is missing at some delay. */
+std::vector<double> TakeValues(const Course& course, const DelayResponse& response) {
+  std::vector<double> values;
+  for (const DelayedTrial* trial : course) {
+    const double value = trial ? response.value(*trial) : kUnset;
+    if (!std::isfinite(value)) return {};
+    values.push_back(value);
+  }
+  return values;
+}
+
+DoseResponse CalcDoseResponse(const Block& block, const DelayResponse& response) {
+  DoseResponse row;
+  row.condition = block.condition;
+  row.digit = block.digit;
+  row.hand = block.hand;
+  row.response = response.shown;
+  row.means.assign(ListDelays().size(), 0.0);
+  std::vector<std::vector<double>> slopes;  // by cell
+  for (const auto& [name, courses] : block.cells) {
+    std::vector<double> cell;
+    for (const auto& [number, course] : courses) {
+      const std::vector<double> values = TakeValues(course, response);
+      if (values.empty()) continue;
+      for (size_t i = 0; i < values.size(); ++i) row.means[i] += values[i];
+      cell.push_back(kDelayDose * CalcSlope(values));
+    }
+    row.num_trials += static_cast<int>(cell.size());
+    if (!cell.empty()) slopes.push_back(cell);
+  }
+  row.num_cells = static_cast<int>(slopes.size());
+  for (double& mean : row.means) mean /= row.num_trials;
+  const std::string id =
+      block.condition + " " + block.digit + " " + block.hand + " " + response.shown.id;
+  const auto calc_mean = [&slopes](const std::vector<size_t>& cells) {
+    double sum = 0.0, count = 0.0;
+    for (const size_t cell : cells) {
+      for (const double slope : slopes[cell]) sum += slope;
+      count += static_cast<double>(slopes[cell].size());
+    }
+    return sum / count;
+  };
+  std::vector<size_t> all(slopes.size());
+  std::iota(all.begin(), all.end(), size_t{0});
+  row.change = calc_mean(all);
+  const Answer<BootstrapInterval> drawn =
+      CalcBootstrap(slopes.size(), calc_mean, id, kNumDelayResamples);
+  row.interval = drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
+  return row;
+}
+
+}  // namespace
+
+const std::vector<double>& ListDelays() {
+  static const std::vector<double> delays = {0.0, 0.05, 0.1, 0.2, 0.3};
+  return delays;
+}
+
+std::vector<DoseResponse> SummariseDelays(const std::vector<DelayedTrial>& trials) {
+  const std::vector<DelayResponse> responses = ListDelayResponses();
+  std::vector<DoseResponse> rows;
+  for (const Block& block : GroupBlocks(trials)) {
+    for (const DelayResponse& response : responses) {
+      DoseResponse row = CalcDoseResponse(block, response);
+      if (row.num_trials > 0) rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+Json ToJson(const DoseResponse& row) {
+  Json json = {{"condition", row.condition},
+               {"late_digit", row.digit},
+               {"hand", row.hand},
+               {"response", row.response.id},
+               {"trials", row.num_trials},
+               {"cells", row.num_cells},
+               {"delays_s", ListDelays()},
+               {"means", row.means},
+               {"change_for_100_ms", JsonNumber(row.change)},
+               {"low", row.interval ? JsonNumber(row.interval->low) : Json()},
+               {"high", row.interval ? JsonNumber(row.interval->high) : Json()}};
+  if (!row.interval) json["no_interval"] = row.interval.reason();
+  return json;
+}
+
+}  // namespace graspbench

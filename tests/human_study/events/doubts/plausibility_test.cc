@@ -1,0 +1,236 @@
+#include "human_study/events/doubts/plausibility.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/human_study/events/trajectories.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+/** Two tips 60 mm apart that close by 20 mm until 1 s and then move `way` along z until 2 s. */
+std::vector<SmoothPath> MakeTips(double way) {
+  const std::vector<double> times = MakeTimes(0, 2, 100);
+  std::vector<SmoothPath> tips;
+  for (const double side : {-1.0, 1.0}) {
+    SmoothPath tip;
+    tip.path = SamplePath(times, [&](double t) {
+      const double open = 0.02 * std::max(0.0, 1.0 - t);
+      return Vector3d(side * (0.03 + open / 2), 0, way * std::max(0.0, t - 1.0));
+    });
+    tips.push_back(tip);
+  }
+  return tips;
+}
+
+TEST(CalcJointTravel, IsTheWayOfDigitsThatKeepTheirDistance) {
+  const Hold hold = {2.0, 1.9, 2.0, ""};
+  EXPECT_NEAR(CalcJointTravel(MakeTips(0.1), hold), 0.1, 1e-9);
+  EXPECT_NEAR(CalcJointTravel(MakeTips(0.0), hold), 0.0, 1e-9);
+}
+
+TEST(FindUnseenCarrying, NamesALongWayOnly) {
+  const Hold hold = {2.0, 1.9, 2.0, ""};
+  const auto doubts = FindUnseenCarrying(MakeTips(0.1), hold, {});
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "carried_unseen");
+  EXPECT_TRUE(FindUnseenCarrying(MakeTips(0.03), hold, {}).empty());
+}
+
+TEST(FindWrongUnit, NamesTheUnitThatWouldExplainTheHand) {
+  const auto doubts = [](double factor) {
+    std::vector<DigitTrack> digits(2);
+    for (size_t d = 0; d < 2; ++d) {
+      digits[d].tip = MakeTips(0.0)[d].path;
+      digits[d].tip.p *= factor;
+    }
+    return FindWrongUnit(digits);
+  };
+  EXPECT_TRUE(doubts(1.0).empty());
+  EXPECT_TRUE(doubts(0.2).empty());  // a small hand that pinches
+  EXPECT_TRUE(doubts(3.0).empty());
+  ASSERT_EQ(doubts(10.0).size(), 1u);
+  EXPECT_NE(doubts(10.0)[0].text.find("millimetres read as centimetres"), std::string::npos);
+  EXPECT_NE(doubts(0.1)[0].text.find("centimetres read as millimetres"), std::string::npos);
+  EXPECT_NE(doubts(30.0)[0].text.find("millimetres read as inches"), std::string::npos);
+  ASSERT_EQ(doubts(1000.0).size(), 1u);
+  EXPECT_EQ(doubts(1000.0)[0].code, "wrong_unit");
+  EXPECT_NE(doubts(1000.0)[0].text.find("millimetres read as metres"), std::string::npos);
+  EXPECT_NE(doubts(100.0)[0].text.find("centimetres read as metres"), std::string::npos);
+  EXPECT_NE(doubts(1e-3)[0].text.find("metres read as millimetres"), std::string::npos);
+}
+
+TEST(FindWrongUnit, NoReachIsFasterThanFiveMetresASecond) {
+  const auto doubts = [](double speed) {
+    std::vector<DigitTrack> digits(3);
+    for (size_t d = 0; d < 3; ++d) {
+      digits[d].tip = SamplePath(MakeTimes(0, 1, 200), [&](double t) {
+        return Vector3d(speed * t, 0.05 * static_cast<double>(d), 0);
+      });
+    }
+    digits[0].tip.p.col(50).x() += 1.0;  // one marker's outlier is no speed of the hand
+    return FindWrongUnit(digits);
+  };
+  EXPECT_TRUE(doubts(4.9).empty());
+  ASSERT_EQ(doubts(5.1).size(), 1u);
+  EXPECT_EQ(doubts(5.1)[0].code, "wrong_unit");
+}
+
+TEST(FindWrongUnit, OneDigitLeftOnTheTableIsNamed) {
+  std::vector<DigitTrack> digits(4);
+  const char* const names[] = {"TH", "FF", "MF", "RF"};
+  for (size_t d = 0; d < 4; ++d) {
+    digits[d].digit = names[d];
+    const double away = d == 3 ? 0.6 : 0.0;
+    digits[d].tip = SamplePath(MakeTimes(0, 1, 100), [&](double) {
+      return Vector3d(away, 0.03 * static_cast<double>(d), 0);
+    });
+  }
+  const std::vector<Doubt> doubts = FindWrongUnit(digits);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "far_digit");
+  EXPECT_NE(doubts[0].text.find("digit RF"), std::string::npos) << doubts[0].text;
+}
+
+// Ten times a hand whose thumb is 90 mm from fingers 25 mm apart: without the thumb the span is
+// still no hand's.
+TEST(FindWrongUnit, AThumbFarFromFingersIsNoDigitLeftOnTheTable) {
+  std::vector<DigitTrack> digits(3);
+  const double places[] = {-0.9, 0.0, 0.25};
+  for (size_t d = 0; d < 3; ++d) {
+    digits[d].tip =
+        SamplePath(MakeTimes(0, 1, 100), [&](double) { return Vector3d(places[d], 0, 0); });
+  }
+  const std::vector<Doubt> doubts = FindWrongUnit(digits);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "wrong_unit");
+}
+
+/** Three digits 40 mm apart that reach 0.4 m in 1 s with a peak speed of 0.75 m/s. */
+std::vector<DigitTrack> MakeReach(double rate) {
+  std::vector<DigitTrack> digits(3);
+  const char* const names[] = {"TH", "FF", "MF"};
+  for (size_t d = 0; d < 3; ++d) {
+    digits[d].digit = names[d];
+    digits[d].tip = SamplePath(MakeTimes(0, 1, rate), [&](double t) {
+      const double way = t * t * t * (10 - 15 * t + 6 * t * t);
+      return Vector3d(0.4 * way, 0.04 * static_cast<double>(d), 0);
+    });
+  }
+  return digits;
+}
+
+TEST(FindLabelJump, ExchangedLabelsAreNamedAndOutliersAreNot) {
+  for (const double rate : {100.0, 200.0, 500.0}) {
+    const std::vector<DigitTrack> good = MakeReach(rate);
+    EXPECT_TRUE(FindLabelJump(good).empty());
+    const auto half = static_cast<Eigen::Index>(rate / 2);
+    std::vector<DigitTrack> spike = good;
+    spike[1].tip.p.col(half).y() += 0.1;
+    EXPECT_TRUE(FindLabelJump(spike).empty());
+    spike[1].tip.p.middleCols(half, 3).colwise() += Vector3d(0, 0.1, 0);
+    EXPECT_TRUE(FindLabelJump(spike).empty());
+    std::vector<DigitTrack> exchanged = good;
+    const Eigen::Index rest = good[0].tip.p.cols() - half;
+    exchanged[0].tip.p.rightCols(rest) = good[1].tip.p.rightCols(rest);
+    exchanged[1].tip.p.rightCols(rest) = good[0].tip.p.rightCols(rest);
+    const std::vector<Doubt> doubts = FindLabelJump(exchanged);
+    ASSERT_EQ(doubts.size(), 1u) << rate;
+    EXPECT_EQ(doubts[0].code, "label_jump");
+    EXPECT_NE(doubts[0].text.find("at 0.500 s"), std::string::npos) << doubts[0].text;
+  }
+}
+
+TEST(FindNoMovement, ARestingHandIsNoReach) {
+  std::vector<DigitTrack> digits = MakeReach(100.0);
+  EXPECT_TRUE(FindNoMovement(digits).empty());
+  for (DigitTrack& digit : digits) digit.tip.p *= 0.04;  // 16 mm
+  ASSERT_EQ(FindNoMovement(digits).size(), 1u);
+  EXPECT_NE(FindNoMovement(digits)[0].text.find("farther than 16.0 mm in 1.00 s"),
+            std::string::npos)
+      << FindNoMovement(digits)[0].text;
+}
+
+TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
+  const std::vector<double> times = MakeTimes(0, 1, 100);
+  const auto doubts = [&](double reach, const Vector3d& place) {
+    std::vector<DigitTrack> digits(2);
+    for (size_t d = 0; d < 2; ++d) {
+      const double side = d == 0 ? -1.0 : 1.0;
+      digits[d].tip = SamplePath(times, [&](double t) {
+        return Vector3d(place + Vector3d(side * (0.03 + 0.02 * std::sin(3.0 * t)), reach * t, 0));
+      });
+    }
+    HideSamples(digits[1].tip, 0.2, 0.3);
+    return FindHandCentred(digits);
+  };
+  ASSERT_EQ(doubts(0.01, Vector3d(0, 0.05, 0)).size(), 1u);
+  EXPECT_EQ(doubts(0.01, Vector3d(0, 0.05, 0))[0].code, "hand_centred");
+  EXPECT_NE(
+      doubts(0.01, Vector3d(0, 0.05, 0))[0].text.find("within 60 mm of the origin and moves 10"),
+      std::string::npos);
+  EXPECT_TRUE(doubts(0.3, Vector3d(0, 0, 0)).empty());     // reaches through the origin
+  EXPECT_TRUE(doubts(0.01, Vector3d(0.4, 0, 0)).empty());  // rests elsewhere: no landmark's frame
+}
+
+TEST(FindWrongShape, MarkersInsideTheSolidAndFarFromItAreNamed) {
+  bool is_lifted = true;
+  const auto text = [&](double first, double second, bool has_pad_offset) -> std::string {
+    std::vector<DigitContactEvents> contacts(2);
+    contacts[0].hold_distance = first;
+    contacts[1].hold_distance = second;
+    contacts[0].has_pad_offset = contacts[1].has_pad_offset = has_pad_offset;
+    const auto doubts = FindWrongShape(contacts, is_lifted, {});
+    return doubts.empty() ? "" : doubts.front().text;
+  };
+  EXPECT_EQ(text(0.008, 0.014, false), "");
+  EXPECT_NE(text(-0.004, -0.002, false).find("3 mm inside"), std::string::npos);
+  EXPECT_NE(text(-0.004, -0.002, false).find("too large"), std::string::npos);
+  EXPECT_NE(text(0.024, 0.022, false).find("too small"), std::string::npos);
+  EXPECT_EQ(text(0.002, -0.002, true), "");
+  EXPECT_NE(text(-0.007, -0.009, true).find("8 mm nearer to"), std::string::npos);
+  EXPECT_EQ(text(std::nan(""), 0.03, false), "");  // one digit is no majority
+  EXPECT_EQ(text(0.024, 0.022, false).find("recording ends"), std::string::npos);
+  is_lifted = false;
+  EXPECT_NE(text(0.024, 0.022, false).find("or the recording ends before they are at the object"),
+            std::string::npos);
+}
+
+TEST(FindContactDoubts, EachLimitHasItsCode) {
+  DigitContactEvents digit;
+  digit.digit = "FF";
+  digit.contact.time = 1.5;
+  digit.contact.uncertainty = 0.005;
+  digit.by_detector.assign(ContactDetectorList().size(), digit.contact);
+  Movement movement;
+  movement.end.time = 1.4;
+  ObjectEvents object;
+  object.moved = object.lift_off = MissingEvent("none");
+  const auto code = [&](double gct) {
+    const auto doubts = FindContactDoubts({digit}, movement, object, gct, {});
+    return doubts.empty() ? "" : doubts.front().code;
+  };
+  EXPECT_EQ(code(0.5), "");
+  EXPECT_EQ(code(1.6), "closure_too_long");
+  movement.end.time = 1.1;
+  EXPECT_EQ(code(0.5), "contact_after_end");
+  object.lift_off = digit.contact;
+  object.lift_off.time = 1.7;  // the wrist waits while the digits close, then lifts
+  EXPECT_EQ(code(0.5), "");
+  object.lift_off.time = 1.3;
+  EXPECT_EQ(code(0.5), "contact_after_end");
+  object.lift_off = MissingEvent("none");
+  movement.end.time = 1.4;
+  digit.by_detector[FindContactDetector("speed")].time = 1.3;
+  EXPECT_EQ(code(0.5), "");
+  digit.by_detector[FindContactDetector("surface")].time = 1.3;
+  EXPECT_EQ(code(0.5), "detectors_disagree");
+  digit.by_detector.assign(ContactDetectorList().size(), digit.contact);
+  object.moved = digit.contact;
+  object.moved.time = 1.4;
+  EXPECT_EQ(code(0.5), "moved_before_touch");
+}
+
+}  // namespace
+}  // namespace graspbench
