@@ -115,6 +115,7 @@ TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
   null.num_persons = 5;
   null.gft.fill({0.0301, 0.0402, 0.0383, 0.0424, 0.002, 0.07});
   null.gft_ratio.fill({0.151, 0.202, 0.193, 0.214, 0.002, 0.05});
+  null.shared = SharedTiming{0.021, 0.015, 0.006, 40.0};
   result.statistics.independence = null;
   OpeningFamily& family = result.statistics.openings;
   family.num_tests = 1;
@@ -131,7 +132,9 @@ TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
                  "Choices frozen before any recording (SHA-256 abcdef012345): 1 deviation.");
   ExpectContains(SectionText(page, "findings"),
                  "Not as frozen: contact.cutoff_hz: frozen 20.0, used 12.0.");
-  ExpectContains(SectionText(page, "summary"), "more simultaneous than digits that move");
+  ExpectContains(SectionText(page, "summary"),
+                 "Simultaneity of people: more simultaneous than digits that move independently "
+                 "(the digits share 21.0");
   const std::string together = SectionText(page, "simultaneity");
   ExpectContains(together, "40.2 (38.3 to 42.4)");
   ExpectContains(together, "2 trials of those that count lacked the contact");

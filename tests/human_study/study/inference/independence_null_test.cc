@@ -244,20 +244,24 @@ TEST(IndependenceNull, TheSentenceFollowsTheClocks) {
   TimingModel model;
   model.own_sd = 0.01;
   model.shared_sd = 0.04;
-  const std::string text = DescribeIndependence(CalcIndependenceNull(MakeTrials(model, "say"), 5));
+  const auto null = CalcIndependenceNull(MakeTrials(model, "say"), 5);
+  const std::string text = DescribeIndependence(null);
   EXPECT_EQ(text.find("Simultaneity of people: more simultaneous than digits that move "
-                      "independently. GFT is "),
+                      "independently (the digits share "),
             0u)
       << text;
+  EXPECT_NE(text.find(" with 95 %), an error of the clock may be 0.0 ms). GFT is "),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("64 trials of 4 persons"), std::string::npos) << text;
+  EXPECT_NEAR(null->shared->shared_sd, 0.04, 0.01);  // 2.5 deviations with 40 degrees of freedom
   // Digits that share nothing but the length of the movement: two clocks of three are not enough.
   model = TimingModel();
   model.pace_sd = 0.2;
-  EXPECT_EQ(
-      SayIndependence(CalcIndependenceNull(MakeTrials(model, "pace"), 5)),
-      "Simultaneity of people: not shown to be more simultaneous than digits that move "
-      "independently (by clock: onset: more simultaneous, widest: more simultaneous, movement: "
-      "not told).");
+  EXPECT_EQ(SayIndependence(CalcIndependenceNull(MakeTrials(model, "pace"), 5)),
+            "Simultaneity of people: not decided whether more simultaneous than digits that move "
+            "independently (by clock: onset: more simultaneous, widest: more simultaneous, "
+            "movement: no difference).");
 }
 
 }  // namespace
