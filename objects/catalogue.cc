@@ -66,7 +66,7 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
   auto object = std::make_shared<GraspObject>();
   object->id = id;
   object->name = file.name;
-  UsableMesh usable = MakeUsable(LoadMesh(folder / file.mesh, file.mesh_unit));
+  UsableMesh usable = MakeUsable(LoadMesh(folder / file.mesh, file.mesh_unit), PartsApartOf(file));
   if (!usable.report.problems.empty()) {
     throw Error(ErrorKind::kFormat, "the mesh \"" + (folder / file.mesh).string() + "\" (unit " +
                                         NameOf(file.mesh_unit) + ") cannot be used:\n" +

@@ -37,7 +37,8 @@ std::optional<LengthUnit> InferLengthUnit(double largest_extent) {
   return std::nullopt;
 }
 
-CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
+CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit,
+                              PartsApart parts_apart) {
   TriMesh mesh = LoadMesh(path, unit.value_or(LengthUnit::kM));
   CheckedMeshFile file;
   if (!unit) {
@@ -48,7 +49,7 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<L
     for (Eigen::Vector3d& p : mesh.vertices) p *= MetresPer(unit.value_or(LengthUnit::kM));
   }
   file.unit = unit.value_or(LengthUnit::kM);
-  UsableMesh usable = MakeUsable(mesh);
+  UsableMesh usable = MakeUsable(mesh, parts_apart);
   file.mesh = std::move(usable.mesh);
   file.actions = std::move(usable.actions);
   file.report = std::move(usable.report);

@@ -29,7 +29,8 @@ struct CheckedMeshFile {
 /** Without a unit it is inferred; where the size shows none, a problem of the report asks for it,
 and `unit` means nothing.
 @throws as LoadMesh() when the file cannot be read at all. */
-CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit);
+CheckedMeshFile CheckMeshFile(const std::filesystem::path& path, std::optional<LengthUnit> unit,
+                              PartsApart parts_apart = PartsApart::kRefused);
 
 struct MeshFileRepair {
   std::vector<std::string> actions;  ///< what was done; empty: nothing could be

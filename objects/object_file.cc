@@ -64,6 +64,8 @@ const FileKeys& ListObjectKeys() {
         {"grasp_order", "", "grasps for hands that best_grasp does not name, best first"},
         {"approach", "automatic",
          "from where hands come: automatic, above or side; before what their grasps say"},
+        {"separate_parts", "false",
+         "true: the mesh has bodies that do not touch, and they move as one"},
         {"colour", "[0.8, 0.7, 0.5]", "linear red, green and blue", 0, 1},
     };
     rows.insert(rows.end(), rest.begin(), rest.end());
@@ -103,6 +105,7 @@ ObjectFile ParseObjectFile(const std::string& text, const std::string& path) {
   map.Read("centre_of_mass_m", file.p_OOcm, Needed::kNo);
 
   ReadApproach(map, file.approach);
+  map.Read("separate_parts", file.has_separate_parts, Needed::kNo);
   map.Read("colour", file.colour, Needed::kNo);
   if (map.Has("best_grasp")) {
     const YAML::Node node = map.Child("best_grasp", Needed::kNo);

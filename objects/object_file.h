@@ -17,6 +17,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
     best_grasp: {tum: g3, shadow: g1}     # by hand
     grasp_order: [g1, g3, g2, g5, g4]     # for hands not named above, best first
     approach: side                        # from where hands come: automatic, above, side
+    separate_parts: true                  # the mesh's bodies do not touch, and move as one
     colour: [0.8, 0.2, 0.1]               # linear RGB */
 
 #include <Eigen/Core>
@@ -28,6 +29,7 @@ object.yaml: what is known of a thing to grasp beside its mesh.
 #include "core/base/file_keys.h"
 #include "core/base/units.h"
 #include "core/shape/approach.h"
+#include "core/shape/repair/mesh_check.h"
 #include "core/shape/surface_material.h"
 #include "objects/length_unit.h"
 
@@ -47,8 +49,14 @@ struct ObjectFile {
   std::map<std::string, std::string> best_grasp;                      ///< by hand id
   std::vector<std::string> grasp_order;                               ///< empty: left out
   Approach approach = Approach::kAutomatic;
+  bool has_separate_parts = false;                          ///< bodies that do not touch are meant
   Eigen::Vector3d colour = Eigen::Vector3d(0.8, 0.7, 0.5);  ///< linear RGB
 };
+
+/** What its mesh may be made of. */
+inline PartsApart PartsApartOf(const ObjectFile& file) {
+  return file.has_separate_parts ? PartsApart::kMeant : PartsApart::kRefused;
+}
 
 /** @throws Error(kNotFound, kIo); Error(kFormat) listing every problem with its line. */
 ObjectFile LoadObjectFile(const std::filesystem::path& path);

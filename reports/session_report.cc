@@ -2,9 +2,12 @@
 
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
+#include "datasets/analysis/basin_summary.h"
+#include "reports/basin_page.h"
 #include "reports/page/layout.h"
 #include "reports/page/write_page.h"
 #include "reports/sections/section.h"
+#include "reports/sweep_page.h"
 
 namespace graspbench {
 
@@ -46,15 +49,31 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
                          MakeSessionReport(session, summary, models, pictures, sensitivity, views));
 }
 
+/** The page of a session that is more than its trials; empty: it is not. */
+std::string MakeKindPage(const Session& session) {
+  if (!session.config.conditions.empty()) return MakeSweepPage(session, SummariseSweep(session));
+  if (!IsBasin(session)) return "";
+  const SessionModels models = LoadSessionModels(session);
+  const PlannedTrial& planned = session.plan.front();
+  return MakeBasinPage({models.NameOfHand(planned.hand) + ", " +
+                            models.NameOfObject(planned.object) + ", " + planned.grasp,
+                        "graspbench run DIR/session.json --out ANOTHER",
+                        ListBasinSamples(session)});
+}
+
 }  // namespace
 
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder,
                                          const Session& session, const TrialTracer& trace) {
+  const std::string page = MakeKindPage(session);
+  if (!page.empty()) return WriteReportPage(folder, page);
   return WriteReport(folder, session, SummariseSession(session), LoadSessionModels(session), trace);
 }
 
 std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Session&& session,
                                          const TrialTracer& trace) {
+  const std::string page = MakeKindPage(session);
+  if (!page.empty()) return WriteReportPage(folder, page);
   const SessionSummary summary = SummariseSession(session);
   const SessionModels models = LoadSessionModels(session);
   std::vector<PlannedTrial>().swap(session.plan);  // nobody asks for it any more

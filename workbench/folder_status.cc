@@ -1,10 +1,13 @@
 #include "workbench/folder_status.h"
 
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_progress.h"
-#include "datasets/journal/store_kind.h"
+#include "datasets/journal/sealed_store.h"
+#include "datasets/session/check_records.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/progress_tables.h"
@@ -31,6 +34,36 @@ void AddDamage(const fs::path& folder, const std::vector<Damage>& damages, int n
           : "\"" + folder.string() + "\" is damaged";
   status.damage =
       lines + "; see graspbench verify " + QuoteForShell(folder.string()) + FormatDamage(damages);
+}
+
+/** What `verify` calls damage. */
+std::vector<Damage> FindAllDamage(const fs::path& folder) {
+  StoreState state = CheckStore(folder);
+  CheckRecords(folder, state);
+  return state.damages;
+}
+
+/** A store may be written meanwhile: a manifest and a file that are read one after the other need not
+belong together then. Real damage is there a moment later, too. */
+std::vector<Damage> FindLastingDamage(const fs::path& folder) {
+  constexpr std::chrono::milliseconds kMoment(100);
+  std::vector<Damage> damages = FindAllDamage(folder);
+  if (damages.empty()) return damages;
+  std::this_thread::sleep_for(kMoment);
+  return FindAllDamage(folder);
+}
+
+/** Of all regular files in it [bytes]. */
+uintmax_t CalcSize(const fs::path& folder) {
+  uintmax_t size = 0;
+  std::error_code status;
+  fs::recursive_directory_iterator entry(folder, status), end;
+  for (; !status && entry != end; entry.increment(status)) {
+    std::error_code gone;  // while a result is written, files come and go
+    const uintmax_t bytes = entry->is_regular_file(gone) ? entry->file_size(gone) : 0;
+    if (!gone) size += bytes;
+  }
+  return size;
 }
 
 void AddSession(const fs::path& folder, const SessionProgress& progress, FolderStatus& status) {
@@ -74,7 +107,7 @@ void AddCampaign(const fs::path& folder, const CampaignProgress& progress, Folde
   status.is_finished &= progress.num_finished >= progress.num_scenes;
 }
 
-void AddScene(const fs::path& folder, const SceneProgress& progress, FolderStatus& status) {
+void AddSearch(const fs::path& folder, const SearchProgress& progress, FolderStatus& status) {
   status.text = folder.string() + ": " + (progress.is_finished ? "" : "not ") + "finished, " +
                 FormatCount(progress.num_answers, "evaluation") + " kept" +
                 (progress.age ? ", the last " + FormatFixed(*progress.age, 0) + " s ago" : "") +
@@ -83,25 +116,39 @@ void AddScene(const fs::path& folder, const SceneProgress& progress, FolderStatu
                  {"finished", progress.is_finished},
                  {"age_s", progress.age ? Json(*progress.age) : Json(nullptr)}};
   status.is_finished = progress.is_finished;
+  AddDamage(folder, progress.damages, progress.num_bad_lines, status);
 }
 
 }  // namespace
 
-FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after) {
+FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, StatusLook look) {
   FolderStatus status;
+  status.is_checked = look == StatusLook::kChecked && CalcSize(folder) <= kMostChecked;
+  const IndexUse index_use = status.is_checked ? IndexUse::kIgnore : IndexUse::kBelieve;
   const StoreKind* kind = FindStoreKind(folder);
   if (kind == &kCampaignStore) {
-    const CampaignProgress progress = ReadCampaignProgress(folder, stale_after);
+    const CampaignProgress progress = ReadCampaignProgress(folder, stale_after, index_use);
     status.json = MakeStatusJson(progress);
     AddCampaign(folder, progress, status);
-  } else if (kind == &kSceneStore) {
-    AddScene(folder, ReadSceneProgress(folder), status);
+  } else if (kind == &kSceneStore || kind == &kDevelopmentStore) {
+    AddSearch(folder, ReadSearchProgress(folder), status);
   } else {
-    const SessionProgress progress = ReadProgress(folder, stale_after);
+    const SessionProgress progress = ReadProgress(folder, stale_after, index_use);
     status.json = MakeStatusJson(progress);
     AddSession(folder, progress, status);
   }
+  if (status.is_checked) {
+    status.damage.clear();  // of counting; it is among these
+    AddDamage(folder, FindLastingDamage(folder), 0, status);
+  }
+  status.json["checked"] = status.is_checked;
+  status.json["damaged"] = !status.damage.empty();
   return status;
+}
+
+std::string DescribeUncheckedStatus(const fs::path& folder) {
+  return "counted, not checked: graspbench verify " + QuoteForShell(folder.string()) +
+         " looks at every byte";
 }
 
 }  // namespace graspbench

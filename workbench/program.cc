@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/machines/machine.h"
 #include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/run_session.h"
 #include "workbench/pictures/scene_view.h"
 
 namespace graspbench {
@@ -238,6 +241,16 @@ void PrintPlan(const std::filesystem::path& folder, int count, const std::string
   }
 }
 
+void PrintExperimentPlan(const PreparedSession& experiment) {
+  PrintPlan(experiment.folder, static_cast<int>(experiment.session.plan.size()), "trial");
+}
+
+void DemandFinished(bool is_finished) {
+  if (is_finished) return;
+  throw Error(ErrorKind::kInterrupted,
+              "stopped; what has run is kept. Continue with the same command");
+}
+
 void AddResumeOption(CLI::App& command, bool& resume) {
   command.add_flag("--resume", resume,
                    "continue what is in the folder of --out, with its own settings");
@@ -352,6 +365,14 @@ int RunProgram(int argc, const char* const* argv) {
   } catch (const Error& error) {
     PrintFault(error.what());
     return ExitCodeOf(error.kind());
+  } catch (const std::bad_alloc&) {
+    PrintFault(
+        "the machine, or a limit (ulimit -v), gives too little memory; finished trials are "
+        "kept. Use fewer workers (--jobs 1) or a smaller mesh, or allow more");
+    return kExitEnvironment;
+  } catch (const std::system_error& error) {  // of threads and locks
+    PrintFault(std::string("the machine cannot give what is needed: ") + error.what());
+    return kExitEnvironment;
   } catch (const std::exception& error) {
     PrintFault(std::string("failed: ") + error.what());
     return kExitFailed;

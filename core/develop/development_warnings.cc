@@ -20,6 +20,12 @@ std::vector<std::string> ListDevelopmentWarnings(const DevelopedGrasp& developed
         "--seed may find a better one)",
         num_held, developed.check.size()));
   }
+  if (developed.score < developed.proposed_score) {
+    warnings.push_back(fmt::format(
+        "it scores {:.2f} in the finals, the geometric start {:.2f} in their first part: the "
+        "search found nothing better (another --seed or a larger --budget may)",
+        developed.score, developed.proposed_score));
+  }
   const int num_failed = developed.num_numerical_failures;
   if (num_failed > kMostFailures * developed.num_trials) {
     warnings.push_back(fmt::format(

@@ -11,7 +11,8 @@ namespace graspbench {
 /** Sentences without the grasp's name; empty: nothing. A warning says that
 
     - more than 1 % of the trials failed numerically, which counts as not held;
-    - less than a tenth of the check's shapes was held.
+    - less than a tenth of the check's shapes was held;
+    - the chosen posture scores lower than the geometric start.
 
 The limits are proposed by graspbench. */
 std::vector<std::string> ListDevelopmentWarnings(const DevelopedGrasp& developed);

@@ -126,6 +126,13 @@ struct HandCamera {
   double k1 = 0.0, k2 = 0.0;    ///< radial distortion
 };
 
+/** A frame F of the hand's description that is fixed to a link. */
+struct NamedFrame {
+  std::string name;
+  int link = -1;  ///< index into Hand::links
+  Pose X_LF = Pose::Identity();
+};
+
 struct Hand {
   std::string id;      ///< "shadow"
   std::string name;    ///< "Shadow Hand"
@@ -140,10 +147,14 @@ struct Hand {
   double slide_accuracy = 0.0;  ///< the same of the prismatic joints' drives [m]
   std::vector<ContactSphere> contact_spheres;
   std::vector<LinkCapsule> capsules;
+  /** Links whose capsules never count as contact of the hand with itself: neighbours whose shapes
+  overlap within their joint's limits. */
+  std::vector<std::pair<int, int>> apart;
   std::vector<LinkVisual> visuals;
   Eigen::Vector3d p_HCentre = Eigen::Vector3d::Zero();      ///< middle of the palm's surface [m]
   Eigen::Vector3d palm_normal = -Eigen::Vector3d::UnitY();  ///< out of the palm, in H
-  std::optional<HandCamera> camera;                         ///< moves nothing: see content_hash
+  std::vector<NamedFrame> frames;           ///< for questions only: nothing is computed from them
+  std::optional<HandCamera> camera;         ///< moves nothing: see content_hash
   std::shared_ptr<const TactileSkin> skin;  ///< tactile.h; null: it feels nothing. Moves nothing
   std::string content_hash;                 ///< of hand.urdf and of hand.yaml without its camera
 

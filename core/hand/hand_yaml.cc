@@ -40,6 +40,10 @@ class HandYamlReader {
     if (map.Has("mimic")) ReadMimic(mimic);
     CheckCoupledTo();
     ReadDrives(map.Child("drives"));
+    const YAML::Node apart = map.Child("apart", Needed::kNo);
+    if (map.Has("apart")) ReadApart(apart);
+    const YAML::Node frames = map.Child("frames", Needed::kNo);
+    if (map.Has("frames")) ReadFrames(frames);
     const YAML::Node camera = map.Child("camera", Needed::kNo);
     if (map.Has("camera")) ReadCamera(camera);
     map.Child("grasps", Needed::kNo);
@@ -75,6 +79,8 @@ class HandYamlReader {
   void CheckCoupledTo();
   void ReadDrives(const YAML::Node& node);
   void ReadSurfaces(const YAML::Node& node);
+  void ReadApart(const YAML::Node& node);
+  void ReadFrames(const YAML::Node& node);
   void ReadCamera(const YAML::Node& node);
 
   std::string file_;
@@ -313,6 +319,40 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
   }
 }
 
+void HandYamlReader::ReadApart(const YAML::Node& node) {
+  for (const YAML::Node& item : Items(node, "apart")) {
+    if (!item.IsSequence() || item.size() != 2 || !item[0].IsScalar() || !item[1].IsScalar()) {
+      problems_.Fail(file_, LineOf(item), "apart: expected pairs of links, [palm, proximal]");
+      continue;
+    }
+    const std::string names[2] = {item[0].as<std::string>(""), item[1].as<std::string>("")};
+    const bool knows_first = CheckName(names[0], "link", LineOf(item), "apart");
+    if (!CheckName(names[1], "link", LineOf(item), "apart") || !knows_first) continue;
+    const int links[2] = {hand_.FindLink(names[0]), hand_.FindLink(names[1])};
+    if (links[0] >= 0 && links[1] >= 0) hand_.apart.emplace_back(links[0], links[1]);
+  }
+}
+
+void HandYamlReader::ReadFrames(const YAML::Node& node) {
+  std::set<std::string> taken;
+  for (const YAML::Node& item : Items(node, "frames")) {
+    YamlMap map(item, file_, "frames", problems_, &ListHandKeys(), "frames.");
+    std::string link;
+    NamedFrame frame;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero(), rpy = Eigen::Vector3d::Zero();
+    map.Read("name", frame.name);
+    map.Read("link", link);
+    map.Read("position_m", position);
+    map.Read("rpy_rad", rpy, Needed::kNo);
+    map.FinishKnownKeys();
+    if (!taken.insert(frame.name).second) map.Fail("name", "\"" + frame.name + "\" is taken");
+    if (!CheckName(link, "link", LineOf(item), "frame " + frame.name)) continue;
+    frame.link = std::max(0, hand_.FindLink(link));
+    frame.X_LF = MakePose(MakeRotationRpy(rpy.x(), rpy.y(), rpy.z()), position);
+    hand_.frames.push_back(frame);
+  }
+}
+
 void HandYamlReader::ReadCamera(const YAML::Node& node) {
   YamlMap map(node, file_, "camera", problems_, &ListHandKeys(), "camera.");
   std::string link;
@@ -393,6 +433,12 @@ const FileKeys& ListHandKeys() {
         {"drives.stiffness_n_per_m", kRequired, "of joints that slide", kAboveZero},
         {"drives.damping_ns_per_m", kRequired, "of joints that slide", 0},
         {"drives.force_limit_n", kRequired, "of joints that slide", kAboveZero},
+        {"apart", "", "list of pairs of links that never touch each other; else none"},
+        {"frames", "", "list of further frames of the description, for questions; else none"},
+        {"frames.name", kRequired, "as the description has it"},
+        {"frames.link", kRequired, "link of hand.urdf that carries it"},
+        {"frames.position_m", kRequired, "in that link", -2, 2},
+        {"frames.rpy_rad", "[0, 0, 0]", "its axes in that link, as in a URDF"},
         {"surfaces", "", "list of links whose surface is not as the session has it"},
         {"surfaces.links", kRequired, "links of hand.urdf"},
     };

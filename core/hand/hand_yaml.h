@@ -37,6 +37,13 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
         friction_static: 0.6             # with the object's: core/physics/combine_surfaces.h
         friction_dynamic: 0.5
         torsion_radius_m: 0.002
+    apart:                     # absent: none. Links that never touch each other
+      - [palm, th_base]
+    frames:                    # absent: none. Further frames of the description, for hand fk
+      - name: th_tip
+        link: th_distal
+        position_m: [0, 0, 0.02]     # in the link
+        rpy_rad: [0, 0, 0]           # absent: zero; as in a URDF
     camera:                    # absent: none. No part of the hand's content hash
       link: palm
       position_m: [0, 0.1, 0.03]   # of the lens, in the link

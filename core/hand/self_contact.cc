@@ -34,11 +34,17 @@ ClosestPoints FindClosestPoints(const Vector3d& a0, const Vector3d& a1, const Ve
 std::vector<CapsulePair> FindCapsulePairs(const Hand& hand) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
   const std::vector<LinkCapsule>& capsules = hand.capsules;
+  const auto are_apart = [&](int link, int other) {
+    return std::any_of(hand.apart.begin(), hand.apart.end(), [&](const auto& pair) {
+      return pair == std::pair(link, other) || pair == std::pair(other, link);
+    });
+  };
   std::vector<CapsulePair> pairs;
   for (int a = 0; a < static_cast<int>(capsules.size()); ++a) {
     for (int b = a + 1; b < static_cast<int>(capsules.size()); ++b) {
       const LinkCapsule &ca = capsules[a], &cb = capsules[b];
       if (hand.FindDigitOfLink(ca.link) == hand.FindDigitOfLink(cb.link)) continue;
+      if (are_apart(ca.link, cb.link)) continue;
       const ClosestPoints rest =
           FindClosestPoints(X_HL[ca.link] * ca.p_LA, X_HL[ca.link] * ca.p_LB,
                             X_HL[cb.link] * cb.p_LA, X_HL[cb.link] * cb.p_LB);

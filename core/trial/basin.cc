@@ -18,13 +18,19 @@ double CalcHalton(int index, int base) {
 
 }  // namespace
 
+BasinSample MakeBasinSample(int index, double offset, double yaw) {
+  BasinSample sample;
+  if (index == 0) return sample;
+  sample.offset_x = offset * (2.0 * CalcHalton(index, 2) - 1.0);
+  sample.offset_y = offset * (2.0 * CalcHalton(index, 3) - 1.0);
+  sample.yaw = yaw * (2.0 * CalcHalton(index, 5) - 1.0);
+  return sample;
+}
+
 std::vector<BasinSample> MakeBasinSamples(int count) {
-  std::vector<BasinSample> samples(1);
-  for (int i = 1; i < count; ++i) {
-    BasinSample& sample = samples.emplace_back();
-    sample.offset_x = kBasinOffset * (2.0 * CalcHalton(i, 2) - 1.0);
-    sample.offset_y = kBasinOffset * (2.0 * CalcHalton(i, 3) - 1.0);
-    sample.yaw = kBasinYaw * (2.0 * CalcHalton(i, 5) - 1.0);
+  std::vector<BasinSample> samples;
+  for (int i = 0; i < count; ++i) {
+    samples.push_back(MakeBasinSample(i, kBasinOffset, kBasinYaw));
   }
   return samples;
 }

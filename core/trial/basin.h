@@ -28,6 +28,9 @@ struct BasinSample {
   double sigma = kUnset;  ///< [N]
 };
 
+/** The offset of this number in a box of these half-widths: none for 0, then the sequence. */
+BasinSample MakeBasinSample(int index, double offset, double yaw);
+
 /** The offsets, not yet tried: none first, then the sequence. @param count >= 1 */
 std::vector<BasinSample> MakeBasinSamples(int count);
 

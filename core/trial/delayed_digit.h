@@ -9,9 +9,21 @@ the digit's joints are asked for
 instead of the same without the delay (strategy.h). The phases go on as the strategy decides: a
 digit that is late beyond the strategy's patience still closes during stabilisation. */
 
+#include <string>
+
+#include "core/trial/trial_result.h"
 #include "core/trial/trial_setup.h"
 
 namespace graspbench {
+
+/** The id of the digit that touched first or last in a trial without delay; empty where fewer than
+two touched or closure did not begin: then there is nothing to delay.
+@pre the result has its snapshots. */
+std::string FindLateDigit(const TrialResult& undelayed, LateDigit which);
+
+/** The setup with the drive commands that `setup.late` and `setup.delay` ask for; without any where
+there is nothing to delay. @param undelayed  the result of the same trial without delay. */
+TrialSetup DelayLateDigit(TrialSetup setup, const TrialResult& undelayed);
 
 /** @param closure_start  of the same trial without a delay, since its start [s]
 (TracedTrial::closure_start); a delay changes nothing before it.

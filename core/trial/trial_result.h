@@ -69,6 +69,18 @@ struct PhaseStart {
 @throws Error(kFormat) when several digits oppose the others. */
 void CheckOneThumb(const std::vector<DigitContact>& contacts, const char* where);
 
+/** A motion of the object. */
+struct Displacement {
+  double shift = kUnset;  ///< [m]
+  double turn = kUnset;   ///< [rad], in [0, pi]
+
+  template <class V>
+  static void ListFields(V&& field) {
+    field("shift_m", &Displacement::shift);
+    field("turn_rad", &Displacement::turn);
+  }
+};
+
 struct TrialResult;
 /** Contacts and touches of the grasping digits, one object each. */
 Json DigitsToJson(const TrialResult& result);
@@ -97,8 +109,9 @@ struct TrialResult {
   /** Where the hand took the object to be [m], [rad], as the draw counts; NaN: where it should be.
   How it knew: the session's positioning. */
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
-  std::optional<TouchRecord> touch;  ///< of a trial that goes by sensed touch
-  double energy_residual = 0.0;      ///< unexplained energy of the whole trial [J]
+  std::optional<TouchRecord> touch;     ///< of a trial that goes by sensed touch
+  std::optional<Displacement> closing;  ///< until the last digit touched, where it was asked for
+  double energy_residual = 0.0;         ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
@@ -132,6 +145,7 @@ struct TrialResult {
     field("believed_y_m", &R::believed_y, FieldMayMiss{});
     field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});
     field("touch", &R::touch);
+    field("closing_displacement", &R::closing);
     field("energy_residual_j", &R::energy_residual,
           FieldColumn{"J", "energy of the whole trial that nothing explains"});
     field("num_steps", &R::num_steps, FieldColumn{"", "simulation steps"});

@@ -11,6 +11,9 @@
 #include "core/physics/compare_with_simbody.h"
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
+#include "core/trial/compliant_trial.h"
+#include "core/trial/delayed_digit.h"
+#include "core/trial/judge/disturbance.h"
 #include "core/trial/trial_course.h"
 #include "core/vision/wrist_camera.h"
 
@@ -27,6 +30,19 @@ bool IsSame(const SimConfig& a, const SimConfig& b) {
   return same;
 }
 
+/** Of one hand and object, and without a late digit. */
+bool IsSame(const TrialSetup& a, const TrialSetup& b) {
+  const auto describe = [](const TrialSetup& setup) {
+    return Json{ConfigToJson(setup.strategy), ConfigToJson(setup.camera),
+                ConfigToJson(setup.sensors)};
+  };
+  return a.grasp.id == b.grasp.id && a.grasp.q_pre == b.grasp.q_pre &&
+         a.grasp.q_target == b.grasp.q_target && IsSame(a.sim, b.sim) &&
+         a.draw.offset_x == b.draw.offset_x && a.draw.offset_y == b.draw.offset_y &&
+         a.draw.offset_yaw == b.draw.offset_yaw && a.draw.joint_error == b.draw.joint_error &&
+         a.positioning == b.positioning && a.touch == b.touch && describe(a) == describe(b);
+}
+
 }  // namespace
 
 struct TrialRunner::Impl {
@@ -37,6 +53,11 @@ struct TrialRunner::Impl {
   SimConfig sim;
   std::unique_ptr<WristCamera> camera;  // for `camera_config`; null: nothing looked yet
   CameraConfig camera_config;
+  struct Undelayed {
+    TrialSetup setup;
+    TrialResult result;
+  };
+  std::optional<Undelayed> undelayed;  // the last trial that one with a late digit asked for
 
   Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
       : hand(std::move(the_hand)),
@@ -46,6 +67,8 @@ struct TrialRunner::Impl {
   JudgedTrial Run(const TrialSetup& setup, bool is_judged,
                   const std::function<void(TrialCourse&)>& observe = {});
   std::unique_ptr<World> MakeWorld(const SimConfig& config);
+  /** The setup with the commands of its late digit. */
+  TrialSetup Delay(const TrialSetup& setup);
   /** Null where none is needed. */
   WristCamera* FindCamera(const TrialSetup& setup);
 };
@@ -106,15 +129,35 @@ TrialResult TrialRunner::Run(const TrialSetup& setup,
 
 JudgedTrial TrialRunner::Judge(const TrialSetup& setup) { return impl_->Run(setup, true); }
 
+TrialSetup TrialRunner::Impl::Delay(const TrialSetup& setup) {
+  TrialSetup plain = setup;
+  plain.late = LateDigit::kNone;
+  if (!undelayed || !IsSame(undelayed->setup, plain)) {
+    undelayed = Undelayed{plain, Run(plain, false).result};
+  }
+  return DelayLateDigit(setup, undelayed->result);
+}
+
 JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
                                    const std::function<void(TrialCourse&)>& observe) {
   GRASPBENCH_DEMAND(setup.hand == hand && setup.object == object,
                     "a runner serves one hand and one object");
+  if (setup.late != LateDigit::kNone) return Run(Delay(setup), is_judged, observe);
   JudgedTrial trial;
   TrialResult& result = trial.result;
+  if (setup.is_compliant) {
+    result = RunCompliantTrial(setup);
+    return trial;
+  }
+  ClosingMeter closing;
+  const auto observe_closing = [&](TrialCourse& course) {
+    closing.Observe(course.notes().phase, course.world().CalcObjectPose());
+    if (observe) observe(course);
+  };
   try {
     TrialCourse course(MakeWorld(setup.sim), setup, FindCamera(setup));
-    result = course.Run(observe);
+    result = setup.keeps_closing ? course.Run(observe_closing) : course.Run(observe);
+    if (setup.keeps_closing) result.closing = closing.Calc();
     if (result.outcome == Outcome::kNumericalFailure) return trial;
     if (const double difference = CompareWithSimbody(course.world(), simbody);
         !(difference < kSimbodyTolerance)) {

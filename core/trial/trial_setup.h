@@ -34,6 +34,9 @@ struct DriveCommand {
   double position = 0.0;  ///< [rad], of a prismatic joint [m]
 };
 
+/** Which digit closes late, by first contact in the same trial without delay. */
+enum class LateDigit { kNone, kFirst, kLast };
+
 struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
@@ -46,6 +49,10 @@ struct TrialSetup {
   TouchSense touch = TouchSense::kExact;
   SensorConfig sensors = {};
   std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session
+  LateDigit late = LateDigit::kNone;      ///< see delayed_digit.h, which is
+  double delay = 0.0;                     ///< so much later [s]
+  bool keeps_closing = false;             ///< the result says how far closing moved the object
+  bool is_compliant = false;              ///< in the second world (compliant_trial.h)
 };
 
 }  // namespace graspbench

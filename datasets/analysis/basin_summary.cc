@@ -21,6 +21,25 @@ BasinSummary SummariseBasin(const std::vector<BasinSample>& samples) {
   return summary;
 }
 
+bool IsBasin(const Session& session) { return session.config.draws == "halton"; }
+
+std::vector<BasinSample> ListBasinSamples(const Session& session) {
+  const VariationConfig& box = session.config.variation;
+  std::vector<BasinSample> samples;
+  for (const TrialRecord& record : session.records) {
+    BasinSample sample = MakeBasinSample(record.plan.trial, box.offset, box.yaw);
+    sample.outcome = record.result.outcome;
+    sample.sigma = record.result.stability.sigma;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+std::string NameBasin(const SessionInputs& inputs, const PlannedTrial& planned) {
+  return inputs.hands.front().hand->name + ", " + inputs.objects.front()->name + ", " +
+         planned.grasp;
+}
+
 std::string FormatBasinCsv(const std::vector<BasinSample>& samples) {
   const auto number = [](auto take) {
     return [take](const BasinSample& sample) { return JsonNumber(take(sample)); };

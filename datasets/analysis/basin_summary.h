@@ -6,6 +6,7 @@ What the samples of one grasp's robustness basin say; see core/trial/basin.h for
 #include <vector>
 
 #include "core/trial/basin.h"
+#include "datasets/session/session.h"
 
 namespace graspbench {
 
@@ -19,6 +20,13 @@ struct BasinSummary {
   std::string rate;            ///< of success in the whole box, with its interval
 };
 BasinSummary SummariseBasin(const std::vector<BasinSample>& samples);
+
+/** Whether a session's draws are those of a basin. */
+bool IsBasin(const Session& session);
+/** Its finished trials. @pre IsBasin(session). */
+std::vector<BasinSample> ListBasinSamples(const Session& session);
+/** "TUM Hand, tennis ball, g3". */
+std::string NameBasin(const SessionInputs& inputs, const PlannedTrial& planned);
 
 /** One row per sample: offset_x_m, offset_y_m, yaw_rad, distance, outcome, sigma. */
 std::string FormatBasinCsv(const std::vector<BasinSample>& samples);

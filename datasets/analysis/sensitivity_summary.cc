@@ -8,11 +8,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/statistics/bootstrap.h"
 #include "core/statistics/summary.h"
-#include "datasets/plan/session_config.h"
+#include "datasets/plan/conditions.h"
 
 namespace graspbench {
 namespace {
@@ -139,20 +138,6 @@ std::vector<std::pair<std::string, std::vector<CellPairs>>> ListPairs(const Sess
   return hands;
 }
 
-/** What the session has for the key of a setting. */
-std::string FindSessionValue(const std::string& setting, const Json& config) {
-  const Json* value = &config;
-  const std::string key = setting.substr(0, setting.find('='));
-  for (size_t start = 0; start <= key.size();) {
-    const size_t dot = std::min(key.find('.', start), key.size());
-    const auto child = value->find(key.substr(start, dot - start));
-    if (child == value->end()) return "";
-    value = &*child;
-    start = dot + 1;
-  }
-  return value->is_string() ? value->get<std::string>() : FormatJson(*value);
-}
-
 }  // namespace
 
 const MeasureChange& SettingChange::Find(const std::string& measure) const {
@@ -185,10 +170,9 @@ std::vector<SettingChange> ListChanges(const Session& session, const std::string
 
 SensitivitySummary SummariseSensitivity(const Session& session, const SensitivityData& data) {
   SensitivitySummary summary;
-  const Json config = ConfigToJson(session.config);
   for (const auto& [setting, trials] : data) {
     for (SettingChange& change : ListChanges(session, setting, trials)) {
-      change.value = FindSessionValue(setting, config);
+      change.value = FindBaseLevel(session.config, setting.substr(0, setting.find('=')));
       summary.changes.push_back(std::move(change));
     }
   }

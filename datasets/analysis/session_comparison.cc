@@ -11,7 +11,7 @@ namespace graspbench {
 namespace {
 
 /** What must be the same; an empty hand or grasp is any. */
-using PairKey = std::tuple<std::string, std::string, std::string, int>;
+using PairKey = std::tuple<std::string, std::string, std::string, int, std::string>;
 
 std::set<std::string> ListHands(const Session& session) {
   std::set<std::string> hands;
@@ -61,7 +61,8 @@ SessionComparison CompareSessions(const Session& before, const Session& after) {
   const bool is_any_grasp = HasOneGraspEach(before) && HasOneGraspEach(after);
   const auto make_key = [&](const PlannedTrial& planned) {
     return PairKey(is_any_hand ? "" : planned.hand, planned.object,
-                   is_any_grasp ? "" : planned.grasp, planned.trial);
+                   is_any_grasp ? "" : planned.grasp, planned.trial,
+                   planned.condition.value_or(""));
   };
   std::map<PairKey, const TrialRecord*> others;
   for (const TrialRecord& record : after.records) others[make_key(record.plan)] = &record;

@@ -144,6 +144,7 @@ Tally SessionSummary::TallyOf(const std::string& hand, const std::string& grasp)
 SessionSummary SummariseSession(const Session& session) {
   SessionSummary summary;
   for (const PlannedTrial& trial : session.plan) {
+    if (trial.condition) continue;
     const auto [place, is_new] =
         summary.places.insert({{trial.hand, trial.object, trial.grasp}, summary.cells.size()});
     if (is_new) {
@@ -162,6 +163,7 @@ SessionSummary SummariseSession(const Session& session) {
   }
   std::sort(summary.grasps.begin(), summary.grasps.end());
   for (const TrialRecord& record : session.records) {
+    if (record.plan.condition) continue;
     const auto found =
         summary.places.find({record.plan.hand, record.plan.object, record.plan.grasp});
     GRASPBENCH_DEMAND(found != summary.places.end(),

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "datasets/campaign/campaign_store.h"
+#include "datasets/journal/checked_line.h"
 #include "datasets/shards/worker_log.h"
 
 namespace graspbench {
@@ -37,7 +38,8 @@ void AddShards(const std::vector<fs::path>& scenes, int num_shards,
 
 }  // namespace
 
-CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after) {
+CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after,
+                                      IndexUse index_use) {
   LoadCampaignConfig(folder);
   const std::vector<fs::path> scenes = ListScenes(folder);
   CampaignProgress progress;
@@ -60,18 +62,25 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
     AddShards(scenes, num_shards, of_deal, workers.at_rest, stale_after, progress.shards);
   }
   if (HasSession(folder / "benchmark")) {
-    progress.benchmark = ReadProgress(folder / "benchmark", stale_after);
+    progress.benchmark = ReadProgress(folder / "benchmark", stale_after, index_use);
   }
   return progress;
 }
 
-SceneProgress ReadSceneProgress(const fs::path& folder) {
-  SceneProgress progress;
+SearchProgress ReadSearchProgress(const fs::path& folder) {
+  SearchProgress progress;
   const fs::path journal = folder / "journal.jsonl";
-  Diagnostics ignored;  // verify reports them
-  progress.num_answers = static_cast<int>(LoadEvaluations(journal, ignored).size());
-  if (fs::exists(journal)) progress.age = CalcAge(journal);
-  progress.is_finished = HasSceneResult(folder);
+  progress.damages = FindLostBytes(folder);
+  const std::vector<ManifestFile> files = FindManifest(folder).value_or(Manifest()).files;
+  progress.is_finished =  // a result counts when it is sealed
+      std::any_of(files.begin(), files.end(),
+                  [](const ManifestFile& file) { return file.path == "result.json"; });
+  if (!fs::exists(journal)) return progress;
+  progress.age = CalcAge(journal);
+  ForEachLineOfFile(journal, [&](const FileLine& line) {
+    if (!line.is_whole || line.text.empty()) return;
+    ++(IsCheckedLine(line.text) ? progress.num_answers : progress.num_bad_lines);
+  });
   return progress;
 }
 

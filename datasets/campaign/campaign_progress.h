@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-How far a campaign or an optimisation is, from its folders and journals alone; no hand or object is
-loaded. */
+How far a campaign, an optimisation or a development is, from its folders and journals alone; no
+hand or object is loaded. */
 
 #include <filesystem>
 #include <optional>
@@ -24,14 +24,18 @@ struct CampaignProgress {
 };
 
 /** @param stale_after  as in ReadProgress. @throws as LoadCampaignConfig; Error(kIo). */
-CampaignProgress ReadCampaignProgress(const std::filesystem::path& folder, double stale_after);
+CampaignProgress ReadCampaignProgress(const std::filesystem::path& folder, double stale_after,
+                                      IndexUse index_use = IndexUse::kBelieve);
 
-/** An optimisation: one scene, one shard; its number of answers. */
-struct SceneProgress {
+/** A search that keeps one journal, of an optimisation or of a hand's development: its number of
+answers. */
+struct SearchProgress {
   bool is_finished = false;
   int num_answers = 0;
-  std::optional<double> age;  ///< since its journal was written [s]; none: nobody has begun
+  int num_bad_lines = 0;
+  std::vector<Damage> damages;  ///< see SessionProgress
+  std::optional<double> age;    ///< since its journal was written [s]; none: nobody has begun
 };
-SceneProgress ReadSceneProgress(const std::filesystem::path& folder);
+SearchProgress ReadSearchProgress(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -10,6 +10,7 @@
 #include "core/base/text/text.h"
 #include "datasets/journal/append_file.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/foreign_lines.h"
 #include "datasets/journal/json_fault.h"
 #include "datasets/journal/store_sources.h"
 
@@ -129,23 +130,32 @@ StoreState CheckOwnFiles(const StoreKind& kind, const fs::path& folder,
       state.damages.push_back({file, 0, "is not in the manifest"});
     }
   }
+  const auto add = [&](const std::vector<Damage>& damages) {
+    state.damages.insert(state.damages.end(), damages.begin(), damages.end());
+  };
   for (const std::string& journal : ListMatches(folder, kind.journals)) {
-    if (FindFile(manifest, journal) || !is_asked_for(journal)) continue;
-    const std::vector<Damage> bad = FindBadLines(folder, journal, 0);
-    state.damages.insert(state.damages.end(), bad.begin(), bad.end());
+    if (!is_asked_for(journal)) continue;
+    if (!FindFile(manifest, journal)) add(FindBadLines(folder, journal, 0));
+    add(FindForeignLines(kind, folder, journal, manifest));
   }
   return state;
 }
 
-/** Moves the lines that are no records into a file beside. @returns how many. */
-int SetLinesAside(const fs::path& journal) {
+/** Moves the lines that are no records of this journal into a file beside. @returns how many. */
+int SetLinesAside(const StoreKind& kind, const fs::path& folder, const std::string& name,
+                  const Manifest& manifest) {
+  const fs::path journal = folder / name;
   const AppendFile lock(journal);
+  std::set<int> foreign;
+  for (const Damage& damage : FindForeignLines(kind, folder, name, manifest))
+    foreign.insert(damage.line);
   std::string good, bad;
   int num_bad = 0;
   ForEachLineOfFile(journal, [&](const FileLine& line) {
     try {
       if (line.text.empty()) return;
       ParseCheckedLine(line.text);
+      if (foreign.count(line.number) > 0) throw Error(ErrorKind::kFormat, "of another kind");
       good.append(line.text) += '\n';
     } catch (const Error&) {
       bad.append(line.text) += '\n';
@@ -170,15 +180,15 @@ void SetFileAside(const fs::path& path, const char* ending) {
   }
 }
 
-void RepairJournals(const StoreKind& kind, const fs::path& folder, const StoreState& state,
-                    StoreRepair& repair) {
+void RepairJournals(const StoreKind& kind, const fs::path& folder, const Manifest& manifest,
+                    const StoreState& state, StoreRepair& repair) {
   for (const std::string& journal : ListMatches(folder, kind.journals)) {
     const bool is_damaged =
         std::any_of(state.damages.begin(), state.damages.end(), [&](const Damage& damage) {
           return damage.path == journal || damage.path == kManifestFile;
         });
     if (!is_damaged) continue;
-    const int count = SetLinesAside(folder / journal);
+    const int count = SetLinesAside(kind, folder, journal, manifest);
     if (count == 0) continue;
     repair.actions.push_back(journal + ": " + FormatCount(count, "damaged line") +
                              " set aside in " + journal + kDamaged);
@@ -212,7 +222,7 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
     repair.actions.push_back(std::string(kManifestFile) +
                              ": made anew from the files as they are now");
   }
-  RepairJournals(kind, folder, state, repair);
+  RepairJournals(kind, folder, before, state, repair);
   const bool are_derived_damaged = RepairDerived(kind, folder, state, repair);
   Manifest after = MakeManifest(kind, folder);
   after.versions = before.versions;
@@ -280,6 +290,23 @@ void SealNewStore(const StoreKind& kind, const fs::path& folder, const std::stri
   SortByPath(manifest.files);
   manifest.versions = ParseVersions(kind, frozen);
   WriteManifest(folder, manifest);
+}
+
+void WriteDerived(const StoreKind& kind, const fs::path& folder,
+                  const std::map<std::string, std::string>& contents) {
+  std::optional<Manifest> manifest = FindManifest(folder);
+  std::vector<std::string> names;
+  for (const auto& [name, content] : contents) {
+    const ManifestFile* seal = manifest ? FindFile(*manifest, name) : nullptr;
+    if (!seal || seal->sha256 != CalcSha256(content)) names.push_back(name);
+  }
+  if (names.empty()) return;
+  if (manifest) {  // a program that is killed between the two leaves no file with a wrong seal
+    Remove(manifest->files, names);
+    WriteManifest(folder, *manifest);
+  }
+  for (const auto& [name, content] : contents) WriteFileAtomically(folder / name, content);
+  SealStore(kind, folder);
 }
 
 void SealStore(const StoreKind& kind, const fs::path& folder, const std::string& inputs) {
@@ -370,6 +397,14 @@ StoreState Check(const fs::path& folder, OutputUse outputs) {
   return state;
 }
 
+/** Which commands go on with a damaged store when they are told to. */
+std::string DescribeAcceptance(const StoreKind* kind) {
+  const std::string commands = kind == &kSessionStore ? "report, export, judge and run --resume do"
+                               : kind == &kCampaignStore ? "report does"
+                                                         : "";
+  return commands.empty() ? "" : "; " + commands + " so as it is with --accept-damage";
+}
+
 }  // namespace
 
 StoreState CheckStore(const fs::path& folder) { return Check(folder, OutputUse::kCheck); }
@@ -382,8 +417,8 @@ StoreState VerifyStore(const fs::path& folder, OnDamage on_damage,
   throw Error(ErrorKind::kFormat,
               "the " + state.kind + " in \"" + folder.string() + "\" is damaged" +
                   FormatDamage(state.damages) + "\ngraspbench verify --repair " + folder.string() +
-                  " sets damaged lines aside and loses no whole one, and any command goes on; "
-                  "report, export, judge and run --resume do so as it is with --accept-damage");
+                  " sets damaged lines aside and loses no whole one, and any command goes on" +
+                  DescribeAcceptance(FindStoreKind(folder)));
 }
 
 void SetJournalAside(const fs::path& folder, const std::string& journal) {

@@ -11,6 +11,7 @@ Nothing is read from them again, so that they stop no reader; CheckStore reports
 was written. */
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,12 @@ changes keeps the seal it has.
 @throws Error(kNotFound) when the folder is no store; kFormat; kIo. */
 void SealStore(const StoreKind& kind, const std::filesystem::path& folder,
                const std::string& inputs = "");
+
+/** Writes files that are made from the rest of the store (StoreKind::derived) and seals it, unless
+it is sealed with just these.
+@param contents  by their names from the folder. @throws as SealStore. */
+void WriteDerived(const StoreKind& kind, const std::filesystem::path& folder,
+                  const std::map<std::string, std::string>& contents);
 
 /** Before outputs are written into their folder: from now on nothing vouches for what is there.
 Files that somebody has changed since they were written are renamed to <file>.set-aside.

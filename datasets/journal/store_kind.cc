@@ -39,23 +39,35 @@ void AddMatches(const fs::path& folder, const fs::path& inside, const std::strin
   }
 }
 
+/** The questions and answers of a search: evaluation_journal.h. */
+LineKind MakeEvaluationLines(const char* journals, const char* result) {
+  return {{journals}, {"stage", "trials"}, "id", "request", result};
+}
+
+const LineKind kWorkerLines = {{"workers/*.jsonl"}, {"shard"}};
+
 }  // namespace
 
 const StoreKind kSessionStore = {
     /*name=*/"session",
     /*file=*/"session.json",
-    /*schema=*/4,
+    /*schema=*/5,
     /*oldest_schema=*/3,
     /*sealed_schema=*/4,
     /*command=*/"graspbench run",
     /*remedy=*/"run the session anew into another folder",
     /*files=*/{"session.json", "plan.jsonl", "inputs/grasps/*", "inputs/*/*/*", "inputs/*/*/*/*"},
-    /*derived=*/{},
+    /*derived=*/{"basin.csv"},
     /*journals=*/{"journal/*.jsonl", "judge/*.jsonl", "sensitivity/*.jsonl", "workers/*.jsonl"},
-    /*stores=*/{},
+    /*stores=*/{"sensitivity/*", "numerics/*", "delays/*"},
     /*keeps_torn_lines=*/true,
     /*shared_journals=*/{"journal/*-*.jsonl", "judge/*-*.jsonl", "workers/*-*.jsonl"},
-    /*outputs=*/{"export", "report"}};
+    /*outputs=*/{"export", "report"},
+    /*lines=*/
+    {{{"journal/*.jsonl"}, {"trial_id", "hand", "result"}},
+     {{"judge/*.jsonl"}, {"trial_id", "judge_version", "judgement"}},
+     {{"sensitivity/*.jsonl"}, {"setting", "trial_id", "measures"}},
+     kWorkerLines}};
 const StoreKind kSceneStore = {
     /*name=*/"optimisation",
     /*file=*/"scene.json",
@@ -68,7 +80,10 @@ const StoreKind kSceneStore = {
     /*derived=*/{"result.json", "new-*.yaml", "individuals.csv"},
     /*journals=*/{"journal.jsonl"},
     /*stores=*/{},
-    /*keeps_torn_lines=*/false};
+    /*keeps_torn_lines=*/false,
+    /*shared_journals=*/{},
+    /*outputs=*/{},
+    /*lines=*/{MakeEvaluationLines("journal.jsonl", "result.json")}};
 const StoreKind kCampaignStore = {
     /*name=*/"campaign",
     /*file=*/"campaign.json",
@@ -80,12 +95,13 @@ const StoreKind kCampaignStore = {
     /*files=*/
     {"campaign.json", "scenes/*/scene.json", "benchmark/session.json", "inputs/*/*/*",
      "inputs/*/*/*/*"},
-    /*derived=*/{},
+    /*derived=*/{"summary.csv", "comparison.csv"},
     /*journals=*/{"comparison/*/*.jsonl", "workers/*.jsonl"},
     /*stores=*/{"scenes/*", "benchmark"},
     /*keeps_torn_lines=*/false,
     /*shared_journals=*/{"workers/*-*.jsonl"},
-    /*outputs=*/{"real", "report"}};
+    /*outputs=*/{"real", "report"},
+    /*lines=*/{MakeEvaluationLines("comparison/*/*.jsonl", ""), kWorkerLines}};
 const StoreKind kDevelopmentStore = {
     /*name=*/"development",
     /*file=*/"development.json",
@@ -98,7 +114,11 @@ const StoreKind kDevelopmentStore = {
     /*derived=*/{"result.json"},
     /*journals=*/{"journal.jsonl"},
     /*stores=*/{},
-    /*keeps_torn_lines=*/false};
+    /*keeps_torn_lines=*/false,
+    /*shared_journals=*/{},
+    /*outputs=*/{},
+    /*lines=*/
+    {{{"journal.jsonl"}, {"request", "stage", "id", "trials"}, "", "request", "result.json"}}};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
   for (const StoreKind* kind :

@@ -10,6 +10,15 @@ its schema here. */
 
 namespace graspbench {
 
+/** What the lines of a journal are, by the keys of their objects. */
+struct LineKind {
+  std::vector<std::string> journals;  ///< patterns
+  std::vector<std::string> keys;      ///< that every line has
+  const char* other_key = "";         ///< that lines of a similar kind have, and these do not
+  const char* question_key = "";      ///< whose value a journal answers once; empty: none
+  const char* result = "";            ///< derived file that says that no line follows; empty: none
+};
+
 struct StoreKind {
   const char* name;     ///< "session"
   const char* file;     ///< of the frozen configuration: its presence makes the folder one
@@ -35,6 +44,9 @@ struct StoreKind {
 
   /** Folders of what is made from the store and can be made anew at any time: see SealOutput. */
   std::vector<std::string> outputs = {};
+
+  /** Of the journals; in one that is named by none of them any checked line may stand. */
+  std::vector<LineKind> lines = {};
 };
 
 extern const StoreKind kSessionStore;

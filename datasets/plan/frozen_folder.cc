@@ -91,8 +91,8 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
   return frozen;
 }
 
-void WriteFrozen(const StoreKind& kind, const fs::path& folder, const Json& config) {
-  const Json frozen = {{"schema", kind.schema},
+void WriteFrozen(const StoreKind& kind, const fs::path& folder, const Json& config, int schema) {
+  const Json frozen = {{"schema", schema > 0 ? schema : kind.schema},
                        {"program_version", program_version()},
                        {"physics_version", kPhysicsVersion},
                        {"config", config}};

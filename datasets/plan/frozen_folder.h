@@ -28,8 +28,9 @@ Frozen LoadFrozen(const StoreKind& kind, const std::filesystem::path& folder,
                   const std::vector<std::string>& only = {});
 
 /** Writes the manifest of what is there already, and then the file, whose presence makes the folder
-a store; the folder exists. @throws Error(kIo). */
-void WriteFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& config);
+a store; the folder exists. @param schema  0: the kind's. @throws Error(kIo). */
+void WriteFrozen(const StoreKind& kind, const std::filesystem::path& folder, const Json& config,
+                 int schema = 0);
 
 /** Every difference on a line of its own, indented; empty: none. */
 std::string ListDifferences(const std::vector<std::string>& differences);

@@ -34,8 +34,19 @@ fs::path FindCopy(const fs::path& inputs, const char* kind, const std::string& n
   return inputs / kind / FindOriginal(name).filename();
 }
 
-/** Of the store itself or of the campaign that it is part of. */
-fs::path FindInputs(const fs::path& folder) {
+/** The session that an experiment's folder belongs to; else the folder itself. */
+fs::path FindOwner(const fs::path& folder) {
+  if (folder.empty()) return folder;
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  const fs::path above = place.parent_path().parent_path();
+  const bool is_part = FindStoreKind(above) == &kSessionStore &&
+                       IsMatch(place.lexically_relative(above).string(), kSessionStore.stores);
+  return is_part ? above : folder;
+}
+
+/** Of the store itself, of the session or of the campaign that it is part of. */
+fs::path FindInputs(const fs::path& part) {
+  const fs::path folder = FindOwner(part);
   std::error_code status;
   if (fs::exists(folder / kInputs, status)) return folder / kInputs;
   for (const fs::path& above : {folder / "..", folder / ".." / ".."}) {
@@ -73,6 +84,12 @@ std::vector<std::string> ListNamed(const fs::path& path, const std::regex& patte
   return names;
 }
 
+/** Of the meshes that a hand.urdf names. */
+const std::regex& MeshPattern() {
+  static const std::regex pattern("filename\\s*=\\s*[\"']([^\"']+)[\"']");
+  return pattern;
+}
+
 void CopyObject(const fs::path& from, const fs::path& to) {
   std::vector<std::string> files = {"object.yaml", LoadObjectFile(from / "object.yaml").mesh};
   if (fs::path(files[1]).extension() == ".gltf") {
@@ -87,6 +104,32 @@ void CopyObject(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
+void GatherHand(const fs::path& from, const fs::path& to) {
+  std::string urdf = ReadFile(from / "hand.urdf");
+  const std::vector<std::string> meshes = ListNamed(from / "hand.urdf", MeshPattern());
+  std::vector<std::string> files = {"hand.yaml"}, taken = meshes;
+  if (fs::is_regular_file(from / "tactile.yaml")) files.push_back("tactile.yaml");
+  for (const std::string& mesh : meshes) {
+    if (!fs::is_regular_file(from / mesh)) continue;
+    const fs::path name = fs::path(mesh).lexically_normal();
+    if (!name.is_absolute() && *name.begin() != "..") {
+      files.push_back(mesh);
+      continue;
+    }
+    std::string own = "meshes/" + name.filename().string();
+    while (IsOneOf(own, taken)) own.insert(own.find('/') + 1, "other_");
+    taken.push_back(own);
+    MakeFolder(to / "meshes");
+    WriteFile(to / own, ReadFile(from / mesh));
+    for (size_t at = 0; (at = urdf.find(mesh, at)) != std::string::npos; at += own.size()) {
+      urdf.replace(at, mesh.size(), own);
+    }
+  }
+  MakeFolder(to);
+  WriteFile(to / "hand.urdf", urdf);
+  CopyFiles(from, to, files);
+}
+
 bool IsGraspFile(const std::string& name) {
   constexpr std::string_view kEnding = ".yaml";
   return name.size() > kEnding.size() &&
@@ -94,10 +137,9 @@ bool IsGraspFile(const std::string& name) {
 }
 
 void CopyHand(const fs::path& from, const fs::path& to) {
-  static const std::regex kMesh("filename\\s*=\\s*[\"']([^\"']+)[\"']");
   std::vector<std::string> files = {"hand.urdf", "hand.yaml"};
   if (fs::is_regular_file(from / "tactile.yaml")) files.push_back("tactile.yaml");
-  for (const std::string& mesh : ListNamed(from / "hand.urdf", kMesh)) {
+  for (const std::string& mesh : ListNamed(from / "hand.urdf", MeshPattern())) {
     // A name in a comment may stand for nothing.
     if (fs::is_regular_file(from / mesh)) files.push_back(mesh);
   }
@@ -140,7 +182,7 @@ std::string FindGraspInput(const std::string& name, size_t number, const fs::pat
 }
 
 std::vector<std::string> ListSceneGrasps(const std::string& id, const fs::path& folder) {
-  const fs::path campaign = folder / "..";
+  const fs::path campaign = FindOwner(folder) / "..";
   std::vector<std::string> files;
   if (folder.empty() || FindStoreKind(campaign) != &kCampaignStore) return files;
   for (const std::string& name : ListMatches(campaign, {"scenes/*/" + id + ".yaml"})) {

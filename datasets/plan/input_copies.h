@@ -9,7 +9,8 @@ or a campaign when it is made:
 
 What comes with the program is not copied. The copies are sealed with the store; whoever continues
 or reads it takes them, wherever it was moved to and whatever became of the originals. The scenes
-and the benchmark of a campaign have no copies of their own: theirs are the campaign's. */
+and the benchmark of a campaign have no copies of their own: theirs are the campaign's; nor do the
+experiments in a session's folder. */
 
 #include <filesystem>
 #include <string>
@@ -29,6 +30,10 @@ void CopyInputs(const SessionConfig& config, const std::filesystem::path& folder
 /** hand.urdf, hand.yaml and the meshes that hand.urdf names, into the folder `to`.
 @throws Error(kUsage) for a file that is named from outside the folder; Error(kIo). */
 void CopyHand(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/** As CopyHand, but meshes named from outside the folder are put into `meshes` and hand.urdf names
+them there: a hand of its own, not a copy to the byte. @throws Error(kIo). */
+void GatherHand(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /** Where to load an input from: its copy in the store's folder, else the name itself.
 @param folder  empty: there is no store yet. */

@@ -108,6 +108,9 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
                                                    "\" is no colour; expected one as \"#b4509b\""});
   }
   CheckSensors(config, problems);
+  if (config.draws != "random" && config.draws != "halton") {
+    problems.push_back({"draws", "no draws \"" + config.draws + "\"; expected random or halton"});
+  }
   const std::vector<std::string> couplings = ListModelCouplings();
   const std::string& coupling = config.model.coupling_rule;
   if (std::find(couplings.begin(), couplings.end(), coupling) == couplings.end()) {
@@ -205,8 +208,24 @@ Json ToJson(const SessionConfig& config) {
     json.erase("sensors");
   }
   if (config.imperfections == defaults.imperfections) json.erase("imperfections");
+  if (config.draws != defaults.draws) json["draws"] = config.draws;
+  for (const Condition& condition : config.conditions) {
+    json["conditions"].push_back({{"name", condition.name}, {"settings", condition.settings}});
+  }
   return json;
 }
+
+namespace {
+
+/** Null: it is not there. */
+Json TakeKey(const char* key, Json& json) {
+  if (!json.is_object() || !json.contains(key)) return Json();
+  Json value = json.at(key);
+  json.erase(key);
+  return value;
+}
+
+}  // namespace
 
 SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
   Diagnostics problems;
@@ -216,7 +235,17 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
        {"approach", "positioning", "camera", "touch", "sensors", "imperfections"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
-  const auto config = ConfigFromJson<SessionConfig>(complete, file, problems);
+  const Json draws = TakeKey("draws", complete), conditions = TakeKey("conditions", complete);
+  auto config = ConfigFromJson<SessionConfig>(complete, file, problems);
+  try {
+    if (!draws.is_null()) config.draws = draws.get<std::string>();
+    for (const Json& condition : conditions) {
+      config.conditions.push_back({condition.at("name").get<std::string>(),
+                                   condition.at("settings").get<std::vector<std::string>>()});
+    }
+  } catch (const Json::exception& e) {
+    problems.Fail(file, 0, std::string("draws, conditions: ") + e.what());
+  }
   problems.ThrowIfErrors(ErrorKind::kFormat, "the frozen configuration cannot be read");
   return config;
 }

@@ -45,6 +45,12 @@ struct TrialConditions {
   }
 };
 
+/** What differs from the session as it is configured: conditions.h. */
+struct Condition {
+  std::string name;                   ///< unique in its session
+  std::vector<std::string> settings;  ///< "model.mass_scale=0.5", as NormaliseSetting writes them
+};
+
 struct SessionConfig : TrialConditions {
   std::vector<std::string> hands = {"tum", "shadow"};
   std::vector<std::string> objects = {"all"};
@@ -57,6 +63,10 @@ struct SessionConfig : TrialConditions {
   ImperfectionConfig imperfections;            ///< of the hands; none by default
   int trials = 10;                             ///< per hand, object and grasp
   int seed = 1;
+  /** Where draws come from: "random", or "halton" (core/trial/basin.h); no key of session files. */
+  std::string draws = "random";
+  /** Under which every draw is tried again, beside the base, which is the rest of this. */
+  std::vector<Condition> conditions;
 
   template <class V>
   void Visit(V&& v) {
@@ -116,8 +126,8 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out, but for an automatic approach, nominal
-positioning, exact touch, no imperfections, and for camera and sensors of a session without them:
-sessions without a choice are what they were before there was one. */
+positioning, exact touch, no imperfections, random draws, no conditions, and for camera and sensors
+of a session without them: sessions without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.
 @throws Error(kFormat) listing every missing, unknown or wrong key or value. */

@@ -1,7 +1,9 @@
 #include "datasets/plan/session_inputs.h"
 
+#include "core/base/config.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/plan/input_copies.h"
 
 namespace graspbench {
@@ -40,8 +42,15 @@ void ApplyApproach(const std::string& name, SessionInputs& inputs) {
 
 }  // namespace
 
-SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
-                                const std::filesystem::path& folder) {
+namespace {
+
+/** All that decides what hands and objects are. */
+Json DescribeInputs(const SessionConfig& config) {
+  return Json{ConfigToJson(config.model), ConfigToJson(config.imperfections), config.approach};
+}
+
+SessionInputs LoadBaseInputs(const SessionConfig& config, FieldUse field_use,
+                             const std::filesystem::path& folder) {
   SessionInputs inputs;
   for (const std::string& name : config.hands == kAll ? ListHands() : config.hands) {
     auto hand = std::make_shared<Hand>(LoadHand(FindHandInput(name, folder)));
@@ -64,6 +73,25 @@ SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
     for (const std::string& path : ListSceneGrasps(name, folder)) AddGraspFile(path, inputs);
   }
   ApplyApproach(config.approach, inputs);
+  return inputs;
+}
+
+}  // namespace
+
+SessionInputs LoadSessionInputs(const SessionConfig& config, FieldUse field_use,
+                                const std::filesystem::path& folder) {
+  SessionInputs inputs = LoadBaseInputs(config, field_use, folder);
+  std::map<Json, std::shared_ptr<const SessionInputs>> known;
+  known[DescribeInputs(config)] = std::make_shared<SessionInputs>(inputs);
+  for (const Condition& condition : config.conditions) {
+    ConditionInputs made = ApplyCondition(condition, config);
+    std::shared_ptr<const SessionInputs>& shared = known[DescribeInputs(made.config)];
+    if (!shared) {
+      shared = std::make_shared<SessionInputs>(LoadBaseInputs(made.config, field_use, folder));
+    }
+    made.inputs = shared;
+    inputs.conditions.emplace(condition.name, std::move(made));
+  }
   return inputs;
 }
 

@@ -11,6 +11,7 @@ The hands and objects of a session, loaded once and shared between threads. */
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
+#include "core/trial/trial_setup.h"
 #include "datasets/plan/session_config.h"
 #include "objects/catalogue.h"
 
@@ -21,10 +22,24 @@ struct SessionHand {
   std::vector<Grasp> grasps;  ///< all it can do, then those of grasp files
 };
 
+struct SessionInputs;
+
+/** A condition as its trials need it. */
+struct ConditionInputs {
+  SessionConfig config;  ///< with its settings and without conditions
+  LateDigit late = LateDigit::kNone;
+  double delay = 0.0;  ///< [s]
+  bool is_compliant = false;
+  std::shared_ptr<const SessionInputs>
+      inputs;  ///< with the base's hands and objects where they are
+               ///< no others, so that a world serves both
+};
+
 struct SessionInputs {
   std::vector<SessionHand> hands;                           ///< in the order of the configuration
   std::vector<std::shared_ptr<const GraspObject>> objects;  ///< in the order of the configuration
   std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
+  std::map<std::string, ConditionInputs> conditions;  ///< by name
 };
 
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that

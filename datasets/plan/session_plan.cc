@@ -1,6 +1,7 @@
 #include "datasets/plan/session_plan.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/base/config.h"
@@ -10,7 +11,10 @@
 #include "core/base/text/text.h"
 #include "core/grasp/placement.h"
 #include "core/hand/tactile.h"
+#include "core/physics/compliant_world.h"
+#include "core/trial/basin.h"
 #include "core/trial/positioning.h"
+#include "datasets/plan/conditions.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -48,6 +52,7 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
     content["sensors"] = ConfigToJson(config.sensors);
     content["skin"] = hand.skin->content_hash;
   }
+  if (config.draws != SessionConfig().draws) content["draws"] = config.draws;
   if (!(config.imperfections == SessionConfig().imperfections)) {
     content["imperfections"] = ConfigToJson(config.imperfections);
   }
@@ -208,12 +213,17 @@ std::string JoinNames(const Json& parts) { return FormatJson(parts); }
 
 bool operator==(const PlannedTrial& a, const PlannedTrial& b) {
   return a.id == b.id && a.hand == b.hand && a.object == b.object && a.grasp == b.grasp &&
-         a.trial == b.trial;
+         a.trial == b.trial && a.condition == b.condition;
 }
 
 std::string DescribeTrial(const PlannedTrial& planned) {
   return planned.hand + ", " + planned.object + ", " + planned.grasp + ", number " +
-         std::to_string(planned.trial);
+         std::to_string(planned.trial) + (planned.condition ? ", under " + *planned.condition : "");
+}
+
+std::string NameDraw(PlannedTrial planned) {
+  planned.condition.reset();
+  return DescribeTrial(planned);
 }
 
 Json ToJson(const Grasp& grasp) {
@@ -238,6 +248,72 @@ Json ToJson(const Grasp& grasp) {
   return json;
 }
 
+namespace {
+
+/** Conditions that differ in what happens to one set-up only: tried trial by trial. */
+struct ConditionBlock {
+  const SessionConfig* config;
+  const SessionInputs* inputs;
+  std::vector<std::pair<std::optional<std::string>, const ConditionInputs*>> members;
+};
+
+std::vector<ConditionBlock> ListBlocks(const SessionConfig& config, const SessionInputs& inputs) {
+  std::vector<ConditionBlock> blocks = {{&config, &inputs, {{std::nullopt, nullptr}}}};
+  std::map<Json, size_t> places;
+  SessionConfig base = config;
+  base.conditions.clear();
+  places.emplace(ToJson(base), 0);
+  for (const Condition& condition : config.conditions) {
+    const ConditionInputs& made = inputs.conditions.at(condition.name);
+    const auto [place, is_new] = places.emplace(ToJson(made.config), blocks.size());
+    if (is_new) blocks.push_back({&made.config, made.inputs.get(), {}});
+    blocks[place->second].members.emplace_back(condition.name, &made);
+  }
+  return blocks;
+}
+
+/** Of a trial under a condition that is more than settings of a session. */
+std::string CalcConditionedId(const std::string& id, const ConditionInputs& condition) {
+  Json content = {{"trial", id}};
+  if (condition.late != LateDigit::kNone) {
+    content["late"] = condition.late == LateDigit::kLast ? "last" : "first";
+    content["delay_s"] = condition.delay;
+  }
+  if (condition.is_compliant) content["backend"] = "compliant";
+  return content.size() == 1 ? id : CalcHashHex(FormatJson(content));
+}
+
+void PlanPair(const ConditionBlock& block, size_t hand_index, size_t object_index,
+              std::vector<PlannedTrial>& plan) {
+  const SessionHand& hand = block.inputs->hands[hand_index];
+  const std::shared_ptr<const GraspObject>& object = block.inputs->objects[object_index];
+  const bool can_be_compliant = CanMoveCompliantly(*hand.hand) && CanMoveCompliantly(*object);
+  for (const Grasp* grasp : FindGrasps(*block.config, *block.inputs, hand, object)) {
+    for (int trial = 0; trial < block.config->trials; ++trial) {
+      const std::string id = CalcTrialId(*block.config, *hand.hand, *object, *grasp, trial);
+      for (const auto& [name, condition] : block.members) {
+        if (condition && condition->is_compliant && !can_be_compliant) continue;
+        plan.push_back({condition ? CalcConditionedId(id, *condition) : id, hand.hand->id,
+                        object->id, grasp->id, trial, name});
+      }
+    }
+  }
+}
+
+/** Two conditions of one grasp may come to one trial: best and g2. */
+void CheckIdsDiffer(const std::vector<PlannedTrial>& plan) {
+  std::map<std::string, const PlannedTrial*> known;
+  for (const PlannedTrial& planned : plan) {
+    const auto [first, is_new] = known.emplace(planned.id, &planned);
+    if (is_new) continue;
+    throw Error(ErrorKind::kUsage,
+                "two conditions come to the same trial: " + DescribeTrial(*first->second) +
+                    " and " + DescribeTrial(planned) + "; leave out a level that changes nothing");
+  }
+}
+
+}  // namespace
+
 std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInputs& inputs) {
   CheckSessionConfig(config);
   std::vector<std::string> hand_names, object_names;
@@ -256,20 +332,17 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   CheckSkinsExist(config, inputs);
 
   std::vector<PlannedTrial> plan;
-  for (const SessionHand& hand : inputs.hands) {
-    for (const auto& object : inputs.objects) {
-      for (const Grasp* grasp : FindGrasps(config, inputs, hand, object)) {
-        for (int trial = 0; trial < config.trials; ++trial) {
-          plan.push_back({CalcTrialId(config, *hand.hand, *object, *grasp, trial), hand.hand->id,
-                          object->id, grasp->id, trial});
-        }
-      }
+  const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
+  for (size_t hand = 0; hand < inputs.hands.size(); ++hand) {
+    for (size_t object = 0; object < inputs.objects.size(); ++object) {
+      for (const ConditionBlock& block : blocks) PlanPair(block, hand, object, plan);
     }
   }
   if (plan.empty()) {
     throw Error(ErrorKind::kUsage,
                 "the session has no trial: none of its grasps is for its hands and objects");
   }
+  if (!config.conditions.empty()) CheckIdsDiffer(plan);
   return plan;
 }
 
@@ -304,12 +377,24 @@ TrialDraw DrawVariation(const VariationConfig& variation, const Hand& hand, Rand
 
 TrialDraw MakeTrialDraw(const SessionConfig& config, const Hand& hand, const GraspObject& object,
                         int trial) {
-  return DrawVariation(
+  TrialDraw draw = DrawVariation(
       config.variation, hand, MakePoseStream(config, object.id, trial),
       RandomStream(JoinNames({config.seed, hand.id, object.id, trial}), "joint error"));
+  if (config.draws != SessionConfig().draws) {
+    const BasinSample point = MakeBasinSample(trial, config.variation.offset, config.variation.yaw);
+    draw.offset_x = point.offset_x;
+    draw.offset_y = point.offset_y;
+    draw.offset_yaw = point.yaw;
+    draw.joint_error.setZero();
+  }
+  return draw;
 }
 
 TrialDraw MakeObjectDraw(const SessionConfig& config, const std::string& object, int trial) {
+  if (config.draws != SessionConfig().draws) {
+    const BasinSample point = MakeBasinSample(trial, config.variation.offset, config.variation.yaw);
+    return {point.offset_x, point.offset_y, point.yaw, {}};
+  }
   return DrawObject(config.variation, MakePoseStream(config, object, trial));
 }
 
@@ -320,6 +405,17 @@ double CalcDrawDistance(const TrialDraw& a, const TrialDraw& b, double radius) {
 
 TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inputs,
                           const PlannedTrial& planned) {
+  if (planned.condition) {
+    const ConditionInputs& condition = inputs.conditions.at(*planned.condition);
+    PlannedTrial plain = planned;
+    plain.condition.reset();
+    TrialSetup setup = MakeTrialSetup(condition.config, *condition.inputs, plain);
+    setup.late = condition.late;
+    setup.delay = condition.delay;
+    setup.is_compliant = condition.is_compliant;
+    setup.keeps_closing = HasDelays(config);
+    return setup;
+  }
   const auto hand = std::find_if(inputs.hands.begin(), inputs.hands.end(),
                                  [&](const SessionHand& h) { return h.hand->id == planned.hand; });
   const auto object =
@@ -336,6 +432,7 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
   setup.camera = config.camera;
   setup.touch = FindRow(kTouchSenses, config.touch)->value;
   setup.sensors = config.sensors;
+  setup.keeps_closing = HasDelays(config);
   return setup;
 }
 

@@ -3,6 +3,7 @@
 The plan of a session: one line per trial, a pure function of the configuration and of the content
 of hands and objects. */
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct PlannedTrial {
   std::string object;
   std::string grasp;
   int trial = 0;  ///< zero-based number within the cell
+  /** Name of one of the session's conditions; none: as the session is configured. */
+  std::optional<std::string> condition = {};
 
   template <class V>
   static void ListFields(V&& field) {
@@ -34,6 +37,7 @@ struct PlannedTrial {
           FieldColumn{"", "id of the standard grasp, g1 to g5, or of an optimised one"});
     field("trial", &P::trial,
           FieldColumn{"", "number of the trial within its hand, object and grasp, from 0"});
+    field("condition", &P::condition);
   }
 };
 bool operator==(const PlannedTrial& a, const PlannedTrial& b);
@@ -41,7 +45,13 @@ bool operator==(const PlannedTrial& a, const PlannedTrial& b);
 /** "tum, golf_ball, g1, number 3", for a person. */
 std::string DescribeTrial(const PlannedTrial& planned);
 
-/** Cells in the order hand, object, grasp. With the grasps
+/** The same without the condition: what the trials of one draw share. */
+std::string NameDraw(PlannedTrial planned);
+
+/** Cells in the order hand, object, grasp. Under several conditions: hand, object, settings, grasp,
+trial, condition, so that a world serves as many trials in a row as it can and the same trial with
+several delays is undelayed once; what a condition's backend cannot move has no trial there. With
+the grasps
 
 - "best": the object's best grasp for that hand; where it names none (a user's hand) or one that the
   hand cannot do, the first of the object's grasp_order that the hand can do, that opens 10 mm wider

@@ -80,9 +80,9 @@ std::string_view FindTrialId(std::string_view line) {
                                                             : std::string_view();
 }
 
-int ForEachTrialOf(const fs::path& journal,
+int ForEachTrialOf(const fs::path& journal, IndexUse index_use,
                    const std::function<void(std::string_view trial_id)>& take) {
-  const Index index = LoadIndex(journal);
+  const Index index = index_use == IndexUse::kBelieve ? LoadIndex(journal) : Index();
   for (const std::string_view id : index.ids) take(id);
   int num_bad = 0;
   ForEachLineOfFile(

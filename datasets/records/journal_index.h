@@ -23,9 +23,11 @@ namespace graspbench {
 begins otherwise. */
 std::string_view FindTrialId(std::string_view line);
 
+enum class IndexUse { kBelieve, kIgnore };
+
 /** Calls `take` with the id of each whole record. @returns how many lines were none, among those
 that the index does not know. @throws Error(kNotFound, kIo). */
-int ForEachTrialOf(const std::filesystem::path& journal,
+int ForEachTrialOf(const std::filesystem::path& journal, IndexUse index_use,
                    const std::function<void(std::string_view trial_id)>& take);
 
 class JournalIndex {

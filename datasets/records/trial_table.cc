@@ -5,6 +5,7 @@
 
 #include "core/trial/judge/verdicts.h"
 #include "core/trial/measures/palm_contact.h"
+#include "datasets/plan/conditions.h"
 
 namespace graspbench {
 namespace {
@@ -184,6 +185,22 @@ struct ResultColumns : FieldColumnCollector<TrialRecord, TrialResult, decltype(&
   }
 };
 
+/** Of a session with conditions: its name and a column for each factor. */
+void AddConditionColumns(const SessionConfig& config, std::vector<TrialColumn>& columns) {
+  if (config.conditions.empty()) return;
+  columns.push_back(
+      {"condition", "string", "", "name of the condition; empty: the base",
+       [](const TrialRecord& record) { return Json(record.plan.condition.value_or("")); }});
+  for (const Factor& factor : ListFactors(config)) {
+    std::string name = factor.key == "grasp" ? "grasp_factor" : factor.key;
+    std::replace(name.begin(), name.end(), '.', '_');
+    columns.push_back({name, "string", "", "level of the factor " + factor.key,
+                       [config, key = factor.key](const TrialRecord& record) {
+                         return Json(FindLevel(config, record.plan.condition, key));
+                       }});
+  }
+}
+
 }  // namespace
 
 std::string NameEpsilonColumn(const QualityConvention& convention) {
@@ -200,6 +217,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   std::vector<TrialColumn> columns;
   AddFieldColumns<PlannedTrial>(
       [](const TrialRecord& record) -> const PlannedTrial& { return record.plan; }, columns);
+  AddConditionColumns(config, columns);
   const std::vector<TrialColumn> outcome_columns = {
       {"outcome", "string", "", "how the trial ended",
        [](const TrialRecord& record) { return Json(NameOf(record.result.outcome)); }},

@@ -81,23 +81,22 @@ DevelopmentRecord ParseDevelopmentLine(std::string_view line) {
 }
 
 DevelopmentJournal::DevelopmentJournal(const fs::path& path) : file_(path) {
-  uintmax_t good_end = 0;
+  uintmax_t end = 0;
   ForEachLineOfFile(path, [&](const FileLine& line) {
-    if (!line.is_whole || line.start != good_end) return;  // behind one that is not good
+    if (!line.is_whole) return;
+    end = line.start + line.text.size() + 1;
     try {
       DevelopmentRecord record = ParseDevelopmentLine(line.text);
-      if (record.request != static_cast<int>(stored_.size())) return;
-      stored_.push_back(std::move(record));
-      good_end = line.start + line.text.size() + 1;
+      stored_.emplace(record.request, std::move(record));
     } catch (const Error&) {  // asked again
     }
   });
-  file_.Truncate(good_end);
+  file_.Truncate(end);
 }
 
 const DevelopmentRecord* DevelopmentJournal::Find(int request) const {
-  return request < static_cast<int>(stored_.size()) ? &stored_[static_cast<size_t>(request)]
-                                                    : nullptr;
+  const auto found = stored_.find(request);
+  return found == stored_.end() ? nullptr : &found->second;
 }
 
 void DevelopmentJournal::Append(const std::vector<DevelopmentRecord>& records) {

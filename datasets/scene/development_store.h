@@ -17,6 +17,7 @@ asking again from the start, and answering from the journal what is there. `id` 
 question: an answer to another one is never taken. */
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -73,8 +74,8 @@ DevelopmentRecord ParseDevelopmentLine(std::string_view line);
 
 class DevelopmentJournal {
  public:
-  /** Reads what is there up to the first line that is not good, and cuts off the rest.
-  @throws Error(kIo), also when another process writes it. */
+  /** A line is good when its checksum is right, whatever the lines before it are; what a crash has
+  left of a line at the end is cut off. @throws Error(kIo), also when another process writes it. */
   explicit DevelopmentJournal(const std::filesystem::path& path);
 
   /** The stored answer to a question; null: not there. */
@@ -84,7 +85,7 @@ class DevelopmentJournal {
 
  private:
   AppendFile file_;
-  std::vector<DevelopmentRecord> stored_;
+  std::map<int, DevelopmentRecord> stored_;  // by request
 };
 
 }  // namespace graspbench

@@ -30,12 +30,16 @@ Diagnostics CheckSession(const fs::path& folder, const std::string& name, StoreS
 Diagnostics CheckRecords(const fs::path& folder, StoreState& state) {
   const StoreKind* kind = FindStoreKind(folder);
   if (!kind || !state.damages.empty()) return {};
-  if (kind == &kSessionStore) return CheckSession(folder, "", state);
-  for (const std::string& store : ListMatches(folder, kind->stores)) {  // one of them a session
+  Diagnostics findings;
+  if (kind == &kSessionStore) findings = CheckSession(folder, "", state);
+  for (const std::string& store : ListMatches(folder, kind->stores)) {
     if (FindStoreKind(folder / store) != &kSessionStore) continue;
-    return CheckSession(folder, store + "/", state);
+    const Diagnostics inner = CheckSession(folder, store + "/", state);
+    for (const Diagnostic& one : inner.entries()) {
+      findings.Warn(store + "/" + one.file, one.line, one.text);
+    }
   }
-  return {};
+  return findings;
 }
 
 }  // namespace graspbench

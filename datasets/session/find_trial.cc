@@ -108,6 +108,12 @@ NearestSuccess FindNearestSuccess(const Session& session, const PlannedTrial& pl
 
 SessionInputs LoadTrialInputs(const Session& session, const PlannedTrial& planned) {
   SessionConfig config = session.config;
+  const auto is_other = [&](const Condition& condition) {
+    return planned.condition != condition.name;
+  };
+  config.conditions.erase(
+      std::remove_if(config.conditions.begin(), config.conditions.end(), is_other),
+      config.conditions.end());
   // A name may also be a path, whose hand or object is known only once it is loaded; and every grasp
   // file needs its hand.
   const auto narrow = [](std::vector<std::string>& names, const std::string& id) {

@@ -1,28 +1,16 @@
 #include "datasets/session/sensitivity_store.h"
 
-#include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
 
-#include "core/base/config.h"
-#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {
 namespace {
 
 constexpr char kSensitivityFolder[] = "sensitivity";
-
-/** What leaves the draws of a trial, as key or as group of keys. */
-const std::vector<std::string> kComparable = {"variation", "strategy",      "sim",
-                                              "model",     "imperfections", "positioning",
-                                              "camera",    "touch",         "sensors"};
-
-std::filesystem::path MakePath(const std::filesystem::path& folder, int worker) {
-  MakeFolder(folder / kSensitivityFolder);
-  return FindJournal(folder / kSensitivityFolder, worker, "");
-}
 
 /** False: the line's trial has other measures already. @throws Json::exception, Error(kFormat). */
 bool AddLine(std::string_view line, const std::set<std::string>& known_ids, SensitivityData& data) {
@@ -54,38 +42,40 @@ TrialMeasures MakeTrialMeasures(const TrialResult& result) {
   return measures;
 }
 
-std::string NormaliseSetting(const std::string& assignment, const SessionConfig& config) {
-  SessionConfig changed = config;
-  ApplySetting(assignment, changed);
-  const size_t first = assignment.find_first_not_of(" \t");
-  const std::string key = assignment.substr(first, assignment.find_first_of(" \t=", first) - first);
-  const std::string group = key.substr(0, key.find('.'));
-  if (std::find(kComparable.begin(), kComparable.end(), group) == kComparable.end()) {
-    throw Error(ErrorKind::kUsage, "\"" + key +
-                                       "\" decides which trials there are; only what leaves their "
-                                       "draws can be compared pair by pair: variation.*, "
-                                       "strategy.*, sim.*, model.*, imperfections.*, "
-                                       "positioning, camera.*, touch, sensors.*");
+namespace {
+
+/** @returns whether all trials that are known have the same measures. */
+void AddConditions(const Session& session, const std::filesystem::path& folder,
+                   SensitivityData& data, Diagnostics& conflicts) {
+  std::map<std::string, std::string> ids;
+  for (const TrialRecord& record : session.records) {
+    ids.emplace(NameDraw(record.plan), record.plan.id);
   }
-  if ((group == "camera" || group == "sensors") && !ToJson(changed).contains(group)) {
-    throw Error(ErrorKind::kUsage,
-                "\"" + key + "\" changes nothing here: the session has " +
-                    (group == "camera" ? "positioning: " + config.positioning + ", not camera"
-                                       : "touch: " + config.touch + ", not sensed"));
+  const Session varied = LoadSession(folder, OnDamage::kAccept, RecordParts::kBrief);
+  std::map<std::string, std::string> settings;
+  for (const Condition& condition : varied.config.conditions) {
+    settings.emplace(condition.name, condition.settings.at(0));
   }
-  // A session that looks, varied to one that does not, leaves the settings of the camera behind.
-  CheckSessionConfig(SessionConfigFromJson(ToJson(changed), assignment));
-  const Json part = ConfigToJson(changed).at(group);
-  const Json value = key == group ? part : part.at(key.substr(group.size() + 1));
-  return key + "=" + (value.is_string() ? value.get<std::string>() : FormatJson(value));
+  for (const TrialRecord& record : varied.records) {
+    const auto id = ids.find(NameDraw(record.plan));
+    if (!record.plan.condition || id == ids.end()) continue;
+    const TrialMeasures measures = MakeTrialMeasures(record.result);
+    const auto [known, is_new] =
+        data[settings.at(*record.plan.condition)].emplace(id->second, measures);
+    if (is_new || RecordToJson(known->second) == RecordToJson(measures)) continue;
+    conflicts.Fail(
+        folder.filename().string(), 0,
+        "trial " + id->second + " has two different results under " + *record.plan.condition);
+  }
 }
+
+}  // namespace
 
 SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings) {
   SensitivityData data;
   const std::vector<std::filesystem::path> journals =
       session.folder.empty() ? std::vector<std::filesystem::path>()
                              : ListJournals(session.folder, kSensitivityFolder);
-  if (journals.empty()) return data;
   std::set<std::string> ids;
   for (const TrialRecord& record : session.records) ids.insert(record.plan.id);
   Diagnostics conflicts;
@@ -108,22 +98,16 @@ SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings) {
       }
     });
   }
+  for (const std::string& store : ListMatches(session.folder, {"sensitivity/*"})) {
+    if (HasSession(session.folder / store)) {
+      AddConditions(session, session.folder / store, data, conflicts);
+    }
+  }
   conflicts.ThrowIfErrors(ErrorKind::kFormat,
                           "two versions of the program have run the session's sensitivity or a "
                           "file was edited; move the folder \"sensitivity\" elsewhere and run "
                           "graspbench sensitivity again");
   return data;
-}
-
-SensitivityWriter::SensitivityWriter(const std::filesystem::path& folder, int worker)
-    : file_(MakePath(folder, worker)) {}
-
-void SensitivityWriter::Append(const std::string& setting, const std::string& trial_id,
-                               const TrialMeasures& measures) {
-  file_.Append(
-      FormatCheckedLine(
-          {{"setting", setting}, {"trial_id", trial_id}, {"measures", RecordToJson(measures)}}) +
-      "\n");
 }
 
 }  // namespace graspbench

@@ -26,23 +26,27 @@ Json MakeResource(const std::filesystem::path& exports, const std::string& name)
 }
 
 /** A Frictionless Data Package of the tables, which names the records they were made from. */
-std::string FormatDataPackage(const std::filesystem::path& exports, const ManifestOrigin& origin) {
+std::string FormatDataPackage(const std::filesystem::path& exports, const ManifestOrigin& origin,
+                              const std::vector<ExportTable>& more) {
   Json sources = Json::array();
   for (const ManifestSource& source : origin.inputs) {
     sources.push_back({{"title", source.path}, {"path", source.path}, {"sha256", source.sha256}});
   }
+  Json resources = {MakeResource(exports, "trials"), MakeResource(exports, "events")};
+  for (const ExportTable& table : more) resources.push_back(MakeResource(exports, table.name));
   const Json package = {
       {"profile", "tabular-data-package"},
       {"name", "graspbench-session"},
       {"description", "Trials of simulated grasps, one row each, and their contact events"},
-      {"resources", {MakeResource(exports, "trials"), MakeResource(exports, "events")}},
+      {"resources", resources},
       {"sources", sources}};
   return FormatJson(package, 2) + "\n";
 }
 
 }  // namespace
 
-void ExportSession(const std::filesystem::path& folder, const Session& session, bool with_records) {
+void ExportSession(const std::filesystem::path& folder, const Session& session, bool with_records,
+                   const std::vector<ExportTable>& more) {
   const std::filesystem::path exports = folder / "export";
   MakeFolder(exports);
   // Records that were asked for once do not get old.
@@ -70,16 +74,24 @@ void ExportSession(const std::filesystem::path& folder, const Session& session, 
                       FormatJson(MakeTableSchema(columns, "trial_id"), 2) + "\n");
   WriteFileAtomically(exports / "events.schema.json",
                       FormatJson(MakeTableSchema(event_columns, ""), 2) + "\n");
+  for (const ExportTable& table : more) {
+    WriteFileAtomically(exports / (table.name + ".csv"), table.csv);
+    WriteFileAtomically(exports / (table.name + ".schema.json"),
+                        FormatJson(table.schema, 2) + "\n");
+  }
   index.Write(session, folder / "index.sqlite");
   const ManifestOrigin origin =
       session.folder.empty()
           ? MakeOrigin("graspbench export .")
           : MakeOutputOrigin(session.folder, "graspbench export .",
                              {"session.json", "plan.jsonl", "journal/*.jsonl", "judge/*.jsonl"});
-  WriteFileAtomically(exports / "datapackage.json", FormatDataPackage(exports, origin));
+  WriteFileAtomically(exports / "datapackage.json", FormatDataPackage(exports, origin, more));
   std::vector<std::string> files = {"../index.sqlite",    "datapackage.json", "events.csv",
                                     "events.schema.json", "trials.csv",       "trials.schema.json"};
   if (with_records) files.push_back("records.jsonl");
+  for (const ExportTable& table : more) {
+    files.insert(files.end(), {table.name + ".csv", table.name + ".schema.json"});
+  }
   SealOutput(exports, files, origin);
 }
 

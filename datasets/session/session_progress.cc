@@ -14,7 +14,6 @@
 #include "core/base/hash.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/plan/frozen_folder.h"
-#include "datasets/records/journal_index.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/session_store.h"
 #include "datasets/shards/worker_log.h"
@@ -174,7 +173,7 @@ std::set<int> FindShardCounts(const fs::path& folder) {
   return counts;
 }
 
-SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
+SessionProgress ReadProgress(const fs::path& folder, double stale_after, IndexUse index_use) {
   LoadFrozen(kSessionStore, folder, OnDamage::kRefuse, {kSessionStore.file});
   const Outline outline = LoadOutline(folder / "plan.jsonl");
   const size_t num_trials = outline.hashes.size();
@@ -183,7 +182,7 @@ SessionProgress ReadProgress(const fs::path& folder, double stale_after) {
   progress.num_trials = static_cast<int>(num_trials);
   for (const fs::path& path : ListJournals(folder)) {
     int place = -1;
-    progress.num_bad_lines += ForEachTrialOf(path, [&](std::string_view id) {
+    progress.num_bad_lines += ForEachTrialOf(path, index_use, [&](std::string_view id) {
       place = outline.FindPlace(id, place + 1);
       if (place < 0) {
         ++progress.num_foreign_lines;

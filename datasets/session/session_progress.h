@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-How far the shards of a session are, from plan and journals alone: no machine is asked, and no
-record is read whose trial an index names (journal_index.h), so that it takes a moment for a million
-trials, unless they are being judged. */
+How far the shards of a session are, from plan and journals alone: no machine is asked. With the
+indices no record is read whose trial one of them names (journal_index.h), so that it takes a moment
+for a million trials, unless they are being judged; without them every line is looked at. */
 
 #include <filesystem>
 #include <map>
@@ -13,6 +13,7 @@ trials, unless they are being judged. */
 
 #include "core/base/enum_table.h"
 #include "datasets/journal/manifest.h"
+#include "datasets/records/journal_index.h"
 #include "datasets/shards/shard.h"
 
 namespace graspbench {
@@ -48,7 +49,7 @@ struct JudgeProgress {
 struct SessionProgress {
   int num_trials = 0;
   int num_finished = 0;
-  int num_bad_lines = 0;              ///< behind what the indices name; see `verify`
+  int num_bad_lines = 0;              ///< among those that were looked at; see `verify`
   int num_foreign_lines = 0;          ///< good ones of trials that the plan does not have
   std::vector<Damage> damages;        ///< files that are gone or have lost bytes
   std::vector<ShardProgress> shards;  ///< of every number of shards that has a journal
@@ -71,6 +72,7 @@ std::set<int> FindShardCounts(const std::filesystem::path& folder);
 is stale. Of a judge the records are read, too, because they say what was held.
 @param stale_after  an unfinished shard whose files are older is stale [s].
 @throws as LoadFrozen, without a look at other files; Error(kIo). */
-SessionProgress ReadProgress(const std::filesystem::path& folder, double stale_after);
+SessionProgress ReadProgress(const std::filesystem::path& folder, double stale_after,
+                             IndexUse index_use = IndexUse::kBelieve);
 
 }  // namespace graspbench

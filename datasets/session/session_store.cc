@@ -188,7 +188,11 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
   for (const PlannedTrial& planned : plan) lines += FormatJson(ToJson(planned)) + "\n";
   MakeFolder(folder / "journal");
   WriteFileAtomically(folder / "plan.jsonl", lines);
-  WriteFrozen(kSessionStore, folder, ToJson(config));
+  // What sessions without conditions write has not changed; earlier programs read it.
+  constexpr int kPlainSchema = 4;
+  const bool is_plain = config.conditions.empty() && config.draws == SessionConfig().draws;
+  WriteFrozen(kSessionStore, folder, ToJson(config),
+              is_plain ? kPlainSchema : kSessionStore.schema);
 }
 
 namespace {

@@ -9,7 +9,10 @@ A session's folder:
     inputs/               the user's own hands, objects and grasps, see input_copies.h
     journal/<n>.jsonl     append-only, one file per worker; a line = record + checksum, synced
     judge/<n>.jsonl       what `graspbench judge` found, see judgement_store.h
-    sensitivity/<n>.jsonl trials under changed settings, see sensitivity_store.h
+    sensitivity/<hash>/   sessions of the same draws under conditions (datasets/plan/conditions.h),
+    numerics/<hash>/      each a store of its own, without inputs
+    delays/<hash>/
+    sensitivity/<n>.jsonl what earlier programs kept of the first
     progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h
     index.sqlite          made from plan and journals, may be deleted at any time
@@ -88,10 +91,17 @@ class JournalWriter {
   std::optional<JournalIndex> index_;
 };
 
+/** A table beside those of trials and events. */
+struct ExportTable {
+  std::string name;  ///< of its file, without ending
+  std::string csv;
+  Json schema;  ///< its dictionary
+};
+
 /** Writes index.sqlite and export/ from what LoadSession gives, record by record. Same records, same
 bytes. @param with_records  also records.jsonl; where it is, it is always written anew.
 @throws Error(kIo). */
 void ExportSession(const std::filesystem::path& folder, const Session& session,
-                   bool with_records = false);
+                   bool with_records = false, const std::vector<ExportTable>& more = {});
 
 }  // namespace graspbench

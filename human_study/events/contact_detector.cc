@@ -250,6 +250,10 @@ std::vector<DigitContactEvents> FindContacts(const ContactEvidence& evidence,
     events.contact = events.by_detector[believed];
     events.own_uncertainty = CalcOwnOf(digit, options, events.contact);
     events.fit = digit.fits.surface.missing.empty() ? digit.fits.surface : digit.fits.path;
+    if (events.contact.IsFound()) {
+      events.regrasp = FindRegrasp(digit.departure, evidence.begin, events.contact.time);
+    }
+    events.stands_off = digit.hold_distance - evidence.typical_hold_distance;
     if (num_found >= 2) events.disagreement = latest - earliest;
     contacts.push_back(std::move(events));
   }

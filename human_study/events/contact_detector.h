@@ -17,6 +17,7 @@ starts from there and looks back, so that touching and letting go before the gra
 #include "human_study/events/event_time.h"
 #include "human_study/events/filtered_trial.h"
 #include "human_study/events/hold.h"
+#include "human_study/events/regrasp.h"
 #include "human_study/events/scalar_curve.h"
 
 namespace graspbench {
@@ -135,8 +136,12 @@ struct DigitContactEvents {
   /** Of `contact`, without what all digits share (CalcOwnUncertainty, of the fit that is believed)
   [s]; its uncertainty where nothing is fitted. */
   double own_uncertainty = std::numeric_limits<double>::quiet_NaN();
-  EventTime contact;  ///< of the detector believed
-  TouchFit fit;       ///< to the clearance from the surface, else to the path
+  EventTime contact;  ///< of the detector believed: the touch that leads to the hold
+  Regrasp regrasp;    ///< it touched and left before
+  /** Farther from the surface than the other digits' in the hold, by less than
+  ContactOptions::max_pad_difference [m]; NaN: not known. */
+  double stands_off = std::numeric_limits<double>::quiet_NaN();
+  TouchFit fit;  ///< to the clearance from the surface, else to the path
   double noise_O = std::numeric_limits<double>::quiet_NaN();  ///< DigitEvidence::noise_O [m]
   /** How much farther from the surface its marker is in the hold than the pad offset that was given;
   the distance itself when none was [m]. NaN: shape not known, or hidden. */

@@ -117,6 +117,111 @@ EventTime FindMultiplied(const ScalarCurve& speed, size_t peak, const MovementOp
   return FindProductPeak(product);
 }
 
+struct FlankFit {
+  double start = std::nan("");     // [s], counted from the first sample of the flank
+  double variance = std::nan("");  // of the start, for residuals of SD one
+  double squares = 0.0;            // of what it leaves of the speed
+};
+
+/** The n-th root of speed as a parabola; its root on the way up. */
+FlankFit FitFlank(const ScalarCurve& speed, size_t first, size_t last, double exponent) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const auto at = [&](size_t i) { return speed.times[i] - speed.times[first]; };
+  const auto value = [&](size_t i) { return speed.values[static_cast<Column>(i)]; };
+  for (size_t i = first; i <= last; ++i) {
+    if (!speed.IsValid(i) || !(value(i) > 0.0)) continue;
+    const double y = std::pow(value(i), 1.0 / exponent);
+    // An error of the speed is one of the root by this much, so that all samples weigh alike.
+    const double weight = exponent * value(i) / y;
+    const Eigen::Vector3d row = weight * Eigen::Vector3d(1.0, at(i), at(i) * at(i));
+    normal += row * row.transpose();
+    right += row * weight * y;
+  }
+  const Eigen::Matrix3d inverse = normal.inverse();
+  const Eigen::Vector3d c = inverse * right;
+  FlankFit fit;
+  const double discriminant = c[1] * c[1] - 4.0 * c[2] * c[0];
+  if (!(discriminant > 0.0)) return fit;
+  const double slope = std::sqrt(discriminant);
+  fit.start = -2.0 * c[0] / (c[1] + slope);
+  if (!(fit.start < at(first) + speed.Interval())) return FlankFit();
+  const Eigen::Vector3d change = Eigen::Vector3d(1.0, fit.start, fit.start * fit.start) / slope;
+  fit.variance = change.dot(inverse * change);
+  for (size_t i = first; i <= last; ++i) {
+    if (!speed.IsValid(i) || !(value(i) > 0.0)) continue;
+    const double root = c[0] + c[1] * at(i) + c[2] * at(i) * at(i);
+    const double error = std::pow(std::max(0.0, root), exponent) - value(i);
+    fit.squares += error * error;
+  }
+  return fit;
+}
+
+/** @param peak  its sample. */
+EventTime FindStart(const ScalarCurve& speed, size_t peak) {
+  const double top = speed.values[static_cast<Column>(peak)];
+  const double low = std::max(0.04 * top, 4.0 * speed.noise);
+  size_t last = peak;
+  while (last > 0 && !(speed.values[static_cast<Column>(last)] <= 0.6 * top)) --last;
+  size_t first = last;
+  while (first > 0 && speed.values[static_cast<Column>(first - 1)] > low) --first;
+  const double count = static_cast<double>(last + 1 - first);
+  if (count < 8.0) return MissingEvent("fewer than eight samples on the rising flank");
+  std::vector<FlankFit> fits;
+  double least = std::numeric_limits<double>::infinity();
+  for (int step = 0; step <= 13; ++step) {
+    const FlankFit fit = FitFlank(speed, first, last, 1.0 + 0.2 * step);
+    if (std::isnan(fit.start)) continue;
+    least = std::min(least, fit.squares);
+    fits.push_back(fit);
+  }
+  if (fits.empty()) return MissingEvent("the rising flank does not lead to zero");
+  // A filter makes neighbours alike: samples as far apart as its reach are independent.
+  const double samples = std::max(1.0, 2.0 * speed.reach / speed.Interval());
+  const double variance =
+      samples * std::max(least / (count - 4.0), speed.noise * speed.noise / samples);
+  double sum = 0.0, weights = 0.0;
+  for (const FlankFit& fit : fits) {
+    const double weight = std::exp(-0.5 * (fit.squares - least) / variance);
+    sum += weight * fit.start;
+    weights += weight;
+  }
+  EventTime event;
+  const double mean = sum / weights;
+  double spread = 0.0;
+  for (const FlankFit& fit : fits) {
+    const double weight = std::exp(-0.5 * (fit.squares - least) / variance) / weights;
+    spread += weight * (std::pow(fit.start - mean, 2) + variance * fit.variance);
+  }
+  event.time = speed.times[first] + mean;
+  event.uncertainty = std::hypot(std::sqrt(spread), speed.Interval() / std::sqrt(12.0));
+  event.is_filled = HasFilledNear(speed, event.time);
+  return event;
+}
+
+/** Shape and length of the movement, for what goes with them (study/inference/shared_timing.h). */
+void DescribeRise(const ScalarCurve& speed, size_t peak, Movement& movement) {
+  for (size_t i = 0; i < kRiseShares.size(); ++i) {
+    const EventTime event =
+        TraceBack(speed, peak, 0, kRiseShares[i] * movement.peak_speed, Side::kAbove);
+    if (event.IsFound()) movement.rise[i] = event.time;
+  }
+  // Noise of the speed over its slope there.
+  const double climb = (kRiseShares[1] - kRiseShares[0]) * movement.peak_speed;
+  movement.rise_noise = std::hypot(speed.noise * (movement.rise[1] - movement.rise[0]) / climb,
+                                   speed.Interval() / std::sqrt(12.0));
+  movement.distance = 0.0;
+  for (const int side : {-1, 1}) {
+    for (size_t i = peak; i < speed.size(); i += static_cast<size_t>(side)) {
+      const double value = speed.values[static_cast<Column>(i)];
+      if (value < kRiseShares[0] * movement.peak_speed) break;
+      if (speed.IsValid(i) && (side > 0 || i != peak))
+        movement.distance += value * speed.Interval();
+      if (i == 0) break;
+    }
+  }
+}
+
 }  // namespace
 
 const std::vector<MovementRule>& MovementRuleList() {
@@ -158,12 +263,15 @@ Movement FindMovement(const ScalarCurve& whole, double begin, double end,
   const ScalarCurve speed = Cut(whole, FindSamples(whole.times, begin, end));
   const int peak = FindPeak(speed, {0, speed.size()});
   if (peak < 0 || peak == 0 || peak + 1 == static_cast<int>(speed.size())) {
-    movement.onset = movement.end = MissingEvent("no peak of speed between the start and the hold");
+    movement.onset = movement.end = movement.start =
+        MissingEvent("no peak of speed between the start and the hold");
     return movement;
   }
   movement.peak_speed = speed.values[peak];
   movement.peak_time = speed.times[static_cast<size_t>(peak)];
   movement.onset = rule.find_onset(speed, static_cast<size_t>(peak), options);
+  movement.start = FindStart(speed, static_cast<size_t>(peak));
+  DescribeRise(speed, static_cast<size_t>(peak), movement);
   movement.end =
       rule.find_onset(Reverse(speed), speed.size() - 1 - static_cast<size_t>(peak), options);
   movement.end.time = -movement.end.time;

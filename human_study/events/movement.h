@@ -5,6 +5,7 @@ Onset and end of a reach from the speed of the wrist, by published rules.
 Every rule looks for the onset before the peak of speed. The end is the onset of the curve run
 backwards, so both ends are treated alike and turning time round swaps them. */
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,27 @@ const std::vector<MovementRule>& MovementRuleList();
 /** @throws Error(kNotFound) with a suggestion. */
 const MovementRule& FindMovementRule(const std::string& id);
 
+/** Shares of the peak speed at which Movement::rise is read. */
+inline constexpr std::array<double, 3> kRiseShares = {0.1, 0.3, 0.6};
+
 struct Movement {
   EventTime onset;
   EventTime end;
+  /** Where the hand left rest: speed = c (t - start)^n (1 + b (t - start)), carried back to zero from
+  the rising flank (4 to 60 % of the peak) for each n from 1 to 3.6, the n weighed by how well they
+  explain the flank. A threshold finds the movement later, by more the slower it starts. */
+  EventTime start;
+  std::array<double, 3> rise = MakeNoRise();  ///< speed last rose through kRiseShares [s]; NaN
+  double rise_noise = std::numeric_limits<double>::quiet_NaN();  ///< SD of the first by noise [s]
+  double distance =
+      std::numeric_limits<double>::quiet_NaN();  ///< of the hand, above 10 % speed [m]
   double peak_speed = std::numeric_limits<double>::quiet_NaN();  ///< [m/s]
   double peak_time = std::numeric_limits<double>::quiet_NaN();   ///< [s]
+
+  static constexpr std::array<double, 3> MakeNoRise() {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {kNone, kNone, kNone};
+  }
 };
 
 /** @param speed  of the wrist, filtered.

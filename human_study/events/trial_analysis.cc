@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "human_study/events/recording_doubts.h"
 
 namespace graspbench {
 namespace {
@@ -300,6 +301,16 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   analysis.speed = CalcSpeed(Smooth(transport, options.movement.cutoff));
   analysis.movement =
       FindMovement(analysis.speed, trial.times.front(), FindReachEnd(analysis), options.movement);
+  const std::vector<SmoothPath>& tips = filtered.FilterTips(options.hold.cutoff);
+  if (trial.object.IsRecorded() && !lift_off.IsFound()) {
+    for (Doubt& doubt :
+         FindLeftBehind(tips, travel, analysis.hold, options.lift_off, options.plausibility)) {
+      analysis.trial_doubts.push_back(std::move(doubt));
+    }
+  }
+  for (Doubt& doubt : FindSwappedThumb(trial.digits, tips, analysis.hold)) {
+    analysis.trial_doubts.push_back(std::move(doubt));
+  }
   FindTrialContacts(filtered, travel, options, analysis);
   CalcMeasures(options, analysis);
   return analysis;

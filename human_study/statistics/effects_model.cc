@@ -144,9 +144,42 @@ std::string FindEmpty(const ModelData& data) {
 /** The parts that a rung of the ladder has. */
 struct Rung {
   bool is_correlated = false;
-  std::vector<size_t> own;  // columns of the persons' own effects, 0 their level
+  std::vector<size_t> own;  // correlated: columns of OwnColumns; else parts of OwnParts
   bool has_sessions = false;
 };
+
+/** What varies between persons where nothing correlates: their level, then every variable within
+persons. */
+struct OwnParts {
+  std::vector<std::string> names = {"level of persons"};
+  std::vector<size_t> variables = {0};  // the level has none
+};
+
+OwnParts ListOwnParts(const ModelData& data) {
+  OwnParts parts;
+  for (size_t i = 0; i < data.variables.size(); ++i) {
+    if (!data.variables[i].is_within) continue;
+    const std::string& name = data.variables[i].factor.name;
+    parts.names.push_back(data.is_quantity ? "slope over " + name : "persons x " + name);
+    parts.variables.push_back(i);
+  }
+  return parts;
+}
+
+/** Columns of Z of one part: the level, a quantity, or one column for each level of a factor. */
+int CountColumns(const ModelData& data, const OwnParts& parts, size_t part) {
+  if (part == 0 || data.is_quantity) return 1;
+  return static_cast<int>(data.variables[parts.variables[part]].factor.levels.size());
+}
+
+double FindOfPart(const ModelData& data, const OwnParts& parts, size_t part, int column,
+                  const CodedTrial& trial) {
+  if (part == 0) return 1.0;
+  const size_t variable = parts.variables[part];
+  const size_t level = trial.levels[variable];
+  if (data.is_quantity) return data.variables[variable].coding(static_cast<Index>(level), 0);
+  return level == static_cast<size_t>(column) ? 1.0 : 0.0;
+}
 
 /** The persons' own columns: their level, then every column of every variable within persons. */
 struct OwnColumns {
@@ -177,7 +210,24 @@ double FindOwn(const ModelData& data, const OwnColumns& own, size_t column,
   return data.variables[variable].coding(static_cast<Index>(trial.levels[variable]), coded);
 }
 
-std::vector<RemlGroup> MakeGroups(const ModelData& data, const OwnColumns& own, const Rung& rung) {
+/** The person's own columns of Z for one trial. */
+std::vector<double> MakeOwnRow(const ModelData& data, const Rung& rung, const CodedTrial& trial) {
+  std::vector<double> row;
+  const OwnColumns columns = ListOwnColumns(data);
+  const OwnParts parts = ListOwnParts(data);
+  for (const size_t i : rung.own) {
+    if (rung.is_correlated) {
+      row.push_back(FindOwn(data, columns, i, trial));
+      continue;
+    }
+    for (int column = 0; column < CountColumns(data, parts, i); ++column) {
+      row.push_back(FindOfPart(data, parts, i, column, trial));
+    }
+  }
+  return row;
+}
+
+std::vector<RemlGroup> MakeGroups(const ModelData& data, const Rung& rung) {
   std::map<std::string, std::vector<const CodedTrial*>> by_person;
   for (const CodedTrial& trial : data.trials) by_person[trial.person].push_back(&trial);
   std::vector<RemlGroup> groups;
@@ -189,7 +239,7 @@ std::vector<RemlGroup> MakeGroups(const ModelData& data, const OwnColumns& own, 
         sessions.push_back(trial->session);
       }
     }
-    const auto num_own = static_cast<Index>(rung.own.size());
+    const auto num_own = static_cast<Index>(MakeOwnRow(data, rung, *trials.front()).size());
     const auto num_rows = static_cast<Index>(trials.size());
     RemlGroup group;
     group.y.resize(num_rows);
@@ -202,9 +252,8 @@ std::vector<RemlGroup> MakeGroups(const ModelData& data, const OwnColumns& own, 
       if (row == 0) group.x.resize(num_rows, x.size());
       group.x.row(row) = x;
       group.y(row) = trial.value;
-      for (Index i = 0; i < num_own; ++i) {
-        group.z(row, i) = FindOwn(data, own, rung.own[static_cast<size_t>(i)], trial);
-      }
+      const std::vector<double> own = MakeOwnRow(data, rung, trial);
+      for (Index i = 0; i < num_own; ++i) group.z(row, i) = own[static_cast<size_t>(i)];
       if (!rung.has_sessions) continue;
       const auto session = std::find(sessions.begin(), sessions.end(), trial.session);
       group.z(row, num_own + (session - sessions.begin())) = 1.0;
@@ -219,12 +268,16 @@ struct RungFit {
   RemlFit fit;
 };
 
-Answer<RemlFit> FitRung(const ModelData& data, const OwnColumns& own, const Rung& rung) {
+Answer<RemlFit> FitRung(const ModelData& data, const Rung& rung) {
   RemlStructure structure;
-  const int num_own = static_cast<int>(rung.own.size());
-  (rung.is_correlated ? structure.num_correlated : structure.num_separate) = num_own;
+  if (rung.is_correlated) {
+    structure.num_correlated = static_cast<int>(rung.own.size());
+  } else {
+    const OwnParts parts = ListOwnParts(data);
+    for (const size_t part : rung.own) structure.blocks.push_back(CountColumns(data, parts, part));
+  }
   structure.has_shared = rung.has_sessions;
-  return FitReml(MakeGroups(data, own, rung), structure);
+  return FitReml(MakeGroups(data, rung), structure);
 }
 
 /** A person with two sessions, so that sessions are not persons by another name. */
@@ -236,7 +289,7 @@ bool HasSessions(const ModelData& data) {
 }
 
 /** Takes the parts without variance off the rung and says so. */
-void DropZeros(const OwnColumns& own, const RemlFit& fit, Rung& rung,
+void DropZeros(const OwnParts& parts, const RemlFit& fit, Rung& rung,
                std::vector<std::string>& fallbacks) {
   std::string dropped;
   const auto drop = [&](const std::string& name) {
@@ -245,7 +298,7 @@ void DropZeros(const OwnColumns& own, const RemlFit& fit, Rung& rung,
   std::vector<size_t> kept;
   for (size_t i = 0; i < rung.own.size(); ++i) {
     if (std::abs(fit.theta(static_cast<Index>(i))) < kZeroTheta) {
-      drop(own.names[rung.own[i]]);
+      drop(parts.names[rung.own[i]]);
     } else {
       kept.push_back(rung.own[i]);
     }
@@ -273,18 +326,21 @@ Answer<RungFit> Descend(const ModelData& data, const OwnColumns& own,
       fallbacks.push_back("correlations left out: more than " + std::to_string(kMaxCorrelated) +
                           " effects of each person");
     } else {
-      const Answer<RemlFit> fit = FitRung(data, own, rung);
+      const Answer<RemlFit> fit = FitRung(data, rung);
       if (fit && !fit->is_singular) return RungFit{rung, *fit};
       fallbacks.push_back("correlations left out: " +
                           (fit ? std::string("with them the fit is singular") : fit.reason()));
     }
     rung.is_correlated = false;
   }
+  const OwnParts parts = ListOwnParts(data);
+  rung.own.resize(parts.names.size());
+  std::iota(rung.own.begin(), rung.own.end(), size_t{0});
   while (!rung.own.empty() || rung.has_sessions) {
-    const Answer<RemlFit> fit = FitRung(data, own, rung);
+    const Answer<RemlFit> fit = FitRung(data, rung);
     if (fit && !fit->is_singular) return RungFit{rung, *fit};
     if (fit) {
-      DropZeros(own, *fit, rung, fallbacks);
+      DropZeros(parts, *fit, rung, fallbacks);
     } else if (rung.own.size() > 1) {
       fallbacks.push_back("persons' own effects left out: " + fit.reason());
       rung.own = {0};
@@ -300,21 +356,46 @@ Answer<RungFit> Descend(const ModelData& data, const OwnColumns& own,
       "zero): trials of one person cannot be told from those of another"};
 }
 
-std::vector<RandomPart> ListRandom(const OwnColumns& own, const RungFit& rung, double scale) {
+std::vector<RandomPart> ListRandom(const ModelData& data, const RungFit& rung) {
   std::vector<RandomPart> parts;
+  const std::vector<std::string> names =
+      rung.rung.is_correlated ? ListOwnColumns(data).names : ListOwnParts(data).names;
   const auto num_own = static_cast<int>(rung.rung.own.size());
   const MatrixXd psi = rung.fit.CalcCovariance(rung.rung.is_correlated ? num_own : 0);
   for (Index i = 0; i < num_own; ++i) {
     const double sd = rung.rung.is_correlated ? std::sqrt(psi(i, i))
                                               : rung.fit.sigma * std::abs(rung.fit.theta(i));
-    const size_t column = rung.rung.own[static_cast<size_t>(i)];
-    parts.push_back({own.names[column], column > 0 ? sd / scale : sd});
+    const size_t own = rung.rung.own[static_cast<size_t>(i)];
+    parts.push_back({names[own], own > 0 ? sd / data.scale : sd});
   }
   if (rung.rung.has_sessions) {
     parts.push_back({"level of sessions",
                      rung.fit.sigma * std::abs(rung.fit.theta(rung.fit.theta.size() - 1))});
   }
   return parts;
+}
+
+Answer<CoefficientTest> TestCoefficient(const RemlFit& fit, const Eigen::VectorXd& contrast,
+                                        double estimate, double standard_error, double reference) {
+  const Answer<double> df = fit.CalcDf(contrast);
+  if (!df) return df.none();
+  const double half = CalcStudentQuantile(0.975, *df) * standard_error;
+  return CoefficientTest{*df,
+                         CalcStudentTwoSidedP((estimate - reference) / standard_error, *df),
+                         {estimate - half, estimate + half}};
+}
+
+/** Of the first variable, at the mean of the groups. */
+SlopeEstimate EstimateSlope(const ModelData& data, const RemlFit& fit, double reference) {
+  Eigen::VectorXd contrast = Eigen::VectorXd::Zero(fit.beta.size());
+  contrast(1) = 1.0 / data.scale;
+  SlopeEstimate slope;
+  slope.estimate = contrast.dot(fit.beta);
+  slope.standard_error = std::sqrt(contrast.dot(fit.covariance * contrast));
+  slope.reference = reference;
+  slope.t = (slope.estimate - reference) / slope.standard_error;
+  slope.test = TestCoefficient(fit, contrast, slope.estimate, slope.standard_error, reference);
+  return slope;
 }
 
 std::vector<EffectTest> TestEffects(const ModelData& data, const RemlFit& fit) {
@@ -355,22 +436,13 @@ std::vector<CellEstimate> EstimateCells(const ModelData& data, const RemlFit& fi
     estimate.cell = names[cell];
     estimate.estimate = contrast.dot(fit.beta);
     estimate.standard_error = std::sqrt(contrast.dot(fit.covariance * contrast));
-    const Answer<double> df = fit.CalcDf(contrast);
-    if (df) {
-      const double half = CalcStudentQuantile(0.975, *df) * estimate.standard_error;
-      estimate.test =
-          CoefficientTest{*df,
-                          CalcStudentTwoSidedP(estimate.estimate / estimate.standard_error, *df),
-                          {estimate.estimate - half, estimate.estimate + half}};
-    } else {
-      estimate.test = df.none();
-    }
+    estimate.test = TestCoefficient(fit, contrast, estimate.estimate, estimate.standard_error, 0.0);
     cells.push_back(estimate);
   }
   return cells;
 }
 
-Answer<EffectsModel> FitData(const ModelData& data) {
+Answer<EffectsModel> FitData(const ModelData& data, double reference) {
   const std::string fault = FindFault(data);
   if (!fault.empty()) return NoAnswer{fault};
   const std::string empty = FindEmpty(data);
@@ -384,9 +456,13 @@ Answer<EffectsModel> FitData(const ModelData& data) {
   model.is_correlated = rung->rung.is_correlated;
   model.residual_sd = rung->fit.sigma;
   model.reml_criterion = rung->fit.criterion;
-  model.random = ListRandom(own, *rung, data.scale);
+  model.random = ListRandom(data, *rung);
   model.effects = TestEffects(data, rung->fit);
-  if (!data.is_quantity) model.cells = EstimateCells(data, rung->fit);
+  if (data.is_quantity) {
+    model.slope = EstimateSlope(data, rung->fit, reference);
+  } else {
+    model.cells = EstimateCells(data, rung->fit);
+  }
   return model;
 }
 
@@ -398,8 +474,9 @@ Answer<ModelData> CollectTrials(const MeasureTable& table, const std::vector<siz
   std::map<std::string, std::vector<size_t>> groups;
   for (const Observation& row : table.rows) {
     if (std::isnan(row.value)) continue;
-    if (std::isinf(row.value))
-      return NoAnswer{"person \"" + row.person + "\": a value is infinite"};
+    if (const std::string fault = FindUnusable(row.value); !fault.empty()) {
+      return NoAnswer{"person \"" + row.person + "\": " + fault};
+    }
     CodedTrial trial = {row.person, row.session, {}, row.value};
     for (const size_t i : factors) {
       Observation own = row;
@@ -432,10 +509,10 @@ Answer<EffectsModel> FitEffectsModel(const MeasureTable& table) {
   std::vector<size_t> factors(table.factors.size());
   std::iota(factors.begin(), factors.end(), size_t{0});
   const Answer<ModelData> data = CollectTrials(table, factors);
-  return data ? FitData(*data) : Answer<EffectsModel>(data.none());
+  return data ? FitData(*data, 0.0) : Answer<EffectsModel>(data.none());
 }
 
-Answer<EffectsModel> FitQuantityModel(const MeasureTable& table, size_t factor) {
+Answer<EffectsModel> FitQuantityModel(const MeasureTable& table, size_t factor, double reference) {
   const Factor& quantity = table.factors[factor];
   if (quantity.numbers.empty())
     return NoAnswer{"the levels of " + quantity.name + " are no numbers"};
@@ -454,7 +531,7 @@ Answer<EffectsModel> FitQuantityModel(const MeasureTable& table, size_t factor) 
         (quantity.numbers[i] - moments.mean) / data.scale;
   }
   data.is_quantity = true;
-  return FitData(data);
+  return FitData(data, reference);
 }
 
 std::string DescribeRandom(const EffectsModel& model) {

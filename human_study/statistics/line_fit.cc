@@ -55,7 +55,7 @@ Answer<std::vector<PersonPoint>> ListPoints(const MeasureTable& table, size_t fa
   for (const Observation& row : table.rows) {
     const Answer<size_t> cell = FindCell(table.factors, row);
     if (!cell) return cell.none();
-    if (std::isinf(row.value)) return NoAnswer{"a value is infinite"};
+    if (std::string fault = FindUnusable(row.value); !fault.empty()) return NoAnswer{fault};
     if (std::isnan(row.value)) continue;
     size_t stride = 1;
     for (size_t i = factor_index + 1; i < table.factors.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "human_study/statistics/measure_table.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -86,6 +88,14 @@ std::vector<std::string> ListCells(const std::vector<Factor>& factors) {
   return cells;
 }
 
+std::string FindUnusable(double value) {
+  constexpr double kLargest = 1e100;  // sums of squares and of their squares stay finite
+  if (std::isinf(value)) return "a value is infinite";
+  if (std::abs(value) <= kLargest || std::isnan(value)) return "";
+  return fmt::format("a value is {:g}; no measurement is larger than {:g}, so correct it", value,
+                     kLargest);
+}
+
 Answer<CellMeans> CalcCellMeans(const MeasureTable& table) {
   std::vector<Factor> all = table.factors;
   all.insert(all.end(), table.groups.begin(), table.groups.end());
@@ -103,7 +113,9 @@ Answer<CellMeans> CalcCellMeans(const MeasureTable& table) {
   for (const Observation& row : table.rows) {
     const Answer<size_t> cell = FindCell(table.factors, row);
     if (!cell) return cell.none();
-    if (std::isinf(row.value)) return NoAnswer{DescribeRow(row) + ": the value is infinite"};
+    if (const std::string unusable = FindUnusable(row.value); !unusable.empty()) {
+      return NoAnswer{DescribeRow(row) + ": " + unusable};
+    }
     auto [entry, is_new] = sums.try_emplace(
         row.person, Sums{std::vector<double>(num_cells, 0.0), std::vector<int>(num_cells, 0)});
     if (is_new) persons.push_back(row.person);

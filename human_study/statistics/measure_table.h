@@ -65,6 +65,9 @@ is not a complete design (an unknown level, two factors of the same name, a pers
 ..) or a value is infinite. */
 Answer<CellMeans> CalcCellMeans(const MeasureTable& table);
 
+/** Why a value cannot be analysed: it is infinite, or so large that its square is. Empty: it can. */
+std::string FindUnusable(double value);
+
 /** Index of a row's cell. No answer unless its levels are known. */
 Answer<size_t> FindCell(const std::vector<Factor>& factors, const Observation& row);
 

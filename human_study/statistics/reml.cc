@@ -32,8 +32,9 @@ std::vector<Entry> ListEntries(const RemlStructure& structure, Index num_columns
     }
   }
   Index next = structure.num_correlated;
-  for (int i = 0; i < structure.num_separate; ++i, ++next) {
-    entries.push_back({next, next, parameter++});
+  for (const int block : structure.blocks) {
+    for (int i = 0; i < block; ++i, ++next) entries.push_back({next, next, parameter});
+    ++parameter;
   }
   for (; next < num_columns; ++next) entries.push_back({next, next, parameter});
   return entries;
@@ -292,7 +293,8 @@ double CombineDf(const std::vector<double>& dfs) {
 }  // namespace
 
 int RemlStructure::num_parameters() const {
-  return num_correlated * (num_correlated + 1) / 2 + num_separate + (has_shared ? 1 : 0);
+  return num_correlated * (num_correlated + 1) / 2 + static_cast<int>(blocks.size()) +
+         (has_shared ? 1 : 0);
 }
 
 MatrixXd RemlFit::CalcCovariance(int num_correlated) const {

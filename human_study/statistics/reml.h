@@ -32,11 +32,11 @@ struct RemlGroup {
   Eigen::VectorXd y;
 };
 
-/** What Lambda looks like: the first columns of Z correlate freely, the next have a variance each,
-all others (as many as that person needs) share one. */
+/** What Lambda looks like: the first columns of Z correlate freely, the next come in blocks with one
+variance each, all others (as many as that person needs) share one. */
 struct RemlStructure {
   int num_correlated = 0;
-  int num_separate = 0;
+  std::vector<int> blocks;  ///< columns of each
   bool has_shared = false;
 
   int num_parameters() const;
@@ -52,7 +52,7 @@ struct RemlFit {
   Eigen::VectorXd beta;
   Eigen::MatrixXd covariance;           ///< of beta
   double sigma = 0.0;                   ///< residual standard deviation
-  Eigen::VectorXd theta;                ///< lower triangle by columns, separate, shared
+  Eigen::VectorXd theta;                ///< lower triangle by columns, blocks, shared
   double criterion = 0.0;               ///< -2 log L at the optimum
   bool is_singular = false;             ///< an entry of Lambda's diagonal is 0
   std::vector<Eigen::VectorXd> random;  ///< predicted b_p, in the order of the groups

@@ -6,6 +6,7 @@
 #include "core/base/text/text.h"
 #include "core/statistics/distributions.h"
 #include "core/statistics/summary.h"
+#include "human_study/statistics/measure_table.h"
 
 namespace graspbench {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 Answer<TTest> CalcTest(const std::vector<double>& all_values, double reference, double scale) {
   std::vector<double> values;
   for (double value : all_values) {
-    if (std::isinf(value)) return NoAnswer{"a value is infinite"};
+    if (std::string fault = FindUnusable(value); !fault.empty()) return NoAnswer{fault};
     if (!std::isnan(value)) values.push_back(value);
   }
   if (values.size() < 2) {

@@ -4,6 +4,7 @@ started again it ends with the bytes of one that was left alone, and nothing cou
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/base/random.h"
@@ -32,10 +33,14 @@ class GRASPBENCH_SUITE : public testing::TestWithParam<Command> {
   void TearDown() override {
     if (!HasFailure()) fs::remove_all(top_);
   }
+  /** Whether the command makes its folder, and does not work in that of a session. */
+  static bool IsNew() {
+    const std::string& name = GetParam().name;
+    return name == "optimise" || name == "sweep" || name == "basin";
+  }
   std::vector<std::string> MakeLine(const fs::path& folder) const {
     std::vector<std::string> line = {GetParam().name};
-    const bool has_out = GetParam().name == "optimise";
-    if (has_out) line.push_back("--out");
+    if (IsNew()) line.push_back("--out");
     line.push_back(folder.string());
     line.insert(line.end(), GetParam().arguments.begin(), GetParam().arguments.end());
     return line;
@@ -50,7 +55,7 @@ TEST_P(GRASPBENCH_SUITE, EndsWithTheSameBytesWheneverItIsKilled) {
     fs::remove_all(folder);
     if (fs::exists(begun)) fs::copy(begun, folder, fs::copy_options::recursive);
   };
-  if (GetParam().name != "optimise") {
+  if (!IsNew()) {
     ASSERT_EQ(WaitFor(Start({"run", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials",
                              "2", "--out", begun.string()})),
               0);
@@ -98,6 +103,16 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"sensitivity",
                 {"--set", "model.mass_scale=2", "--set", "model.joint_error_scale=0"},
                 {"report/index.html"}},
+        Command{"check-numerics", {}, {"check/numerics.csv"}},
+        Command{"simultaneity", {"--delay"}, {}},
+        Command{"basin",
+                {"--hand", "tum", "--object", "golf_ball", "--samples", "8"},
+                {"basin.csv", "report/index.html", "session.json", "plan.jsonl"}},
+        Command{"sweep",
+                {"--hand", "tum", "--object", "golf_ball,tea_light", "--trials", "2", "--factor",
+                 "model.mass_scale=1,2", "--factor", "delay.last=0,0.1", "--resume"},
+                {"export/trials.csv", "export/effects.csv", "export/conditions.csv",
+                 "report/index.html", "session.json", "plan.jsonl", "index.sqlite"}},
         Command{"export",
                 {"--records"},
                 {"export/trials.csv", "export/events.csv", "export/records.jsonl",
@@ -108,7 +123,11 @@ INSTANTIATE_TEST_SUITE_P(
             {"--hand", "tum", "--object", "golf_ball", "--evaluations", "4", "--fitness-trials",
              "1"},
             {"scene.json", "journal.jsonl", "result.json", "individuals.csv", "new-target.yaml"}}),
-    [](const auto& instance) { return instance.param.name; });
+    [](const auto& instance) {
+      std::string name = instance.param.name;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 }  // namespace
 }  // namespace graspbench

@@ -15,6 +15,10 @@ Results go to stdout, messages and progress to stderr. `--json` prints one objec
 #include "datasets/plan/session_config.h"
 #include "workbench/terminal/terminal.h"
 
+namespace graspbench {
+struct PreparedSession;
+}
+
 namespace CLI {
 class App;
 class Option;
@@ -22,7 +26,8 @@ class Option;
 
 namespace graspbench {
 
-#define GRASPBENCH_COMMAND(Name, room) void Add##Name##Command(CLI::App& program, ExitCode& exit_code);
+#define GRASPBENCH_COMMAND(Name, room) \
+  void Add##Name##Command(CLI::App& program, ExitCode& exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
 
@@ -49,6 +54,10 @@ void AddPlanOnlyOption(CLI::App& command, bool& plan_only);
 /** Says what was planned and how to go on. */
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
                bool as_json = false);
+/** The same of an experiment: how several machines work on it. */
+void PrintExperimentPlan(const PreparedSession& experiment);
+/** @throws Error(kInterrupted) saying how to go on, unless it is. */
+void DemandFinished(bool is_finished);
 /** "--resume": with the settings and the copies of the inputs that are in the folder of --out. */
 void AddResumeOption(CLI::App& command, bool& resume);
 /** When it was given. @throws Error(kUsage) when one of `settings` was too, or no folder. */

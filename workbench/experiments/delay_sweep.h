@@ -6,34 +6,21 @@ where the hand expects it. Late is the digit that touched last without delay, wh
 contacts less simultaneous by the delay, or the one that touched first, which makes them more so
 until it is the last. */
 
-#include <atomic>
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "datasets/analysis/delay_summary.h"
-#include "workbench/experiments/observer.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 
-struct SweepCondition {
-  std::string name;
-  std::vector<std::string> settings;  ///< "model.mass_scale=0.25"
-};
-/** Settings that a session allows; the first condition has none. */
-std::vector<SweepCondition> ListSweepConditions(const SessionConfig& config);
+/** The object's other states and, under each of them and as run, every delay of either digit. */
+std::vector<Condition> ListDelayConditions(const SessionConfig& config);
 
-struct DelaySweepRequest {
-  std::filesystem::path folder;  ///< of the session
-  int trials_per_cell = 1;
-  bool with_judge = false;  ///< breaking forces, too; some five times the cost
-};
+/** Its folder, in which RunExperiment runs it. @throws as PrepareExperiment. */
+PreparedSession PrepareDelays(const ExperimentRequest& request);
 
-/** Two stages a condition: without delay, with. Trials without two digits that touch have no
-delayed ones. @returns the same for any number of workers. @throws Error(kUsage) when hands, objects
-or physics have changed since the session; Error(kNotFound, kFormat, kVersion) for its files;
-Error(kInterrupted). */
-std::vector<DelayedTrial> SweepDelays(const DelaySweepRequest& request, int num_workers,
-                                      Observer& observer, const std::atomic<bool>& stop);
+/** Of what is finished. Trials without two digits that touch have no delayed ones.
+@pre the records are whole. */
+std::vector<DelayedTrial> ListDelayedTrials(const Session& experiment);
 
 }  // namespace graspbench

@@ -196,7 +196,7 @@ void PrepareFolder(const DevelopHandRequest& request, const Hand& hand,
     return;
   }
   StagedFolder staged({request.out, "", false, {hand.folder}});
-  CopyHand(hand.folder, staged.path());
+  GatherHand(hand.folder, staged.path());
   MakeFolder(staged.path() / kDevelopment);
   CreateDevelopment(staged.path() / kDevelopment, config);
   staged.Commit();

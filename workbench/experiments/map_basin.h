@@ -1,10 +1,11 @@
 #pragma once
 /** @file
-The robustness basin of one grasp, sampled (core/trial/basin.h). */
+The robustness basin of one grasp, sampled (core/trial/basin.h): a session of one cell whose draws
+are the points of a Halton sequence, and what it says as basin.csv and a page. */
 
 #include <atomic>
+#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "core/trial/basin.h"
 #include "workbench/experiments/run_session.h"
@@ -15,17 +16,13 @@ struct BasinRequest {
   std::string hand, object;
   std::string grasp = "best";
   int num_samples = 200;
-  double trial_time_limit = kTrialTimeLimit;  ///< later a sample is a numerical failure [s]
+  std::filesystem::path out;
+  bool replace = false;  ///< another basin there, unchanged since it was written
 };
 
-struct BasinMap {
-  std::string title;  ///< names of hand and object, id of the grasp
-  std::vector<BasinSample> samples;
-};
-
-/** Tries every sample. @throws Error(kUsage) when the request names more than one grasp;
-Error(kInterrupted); Error(kNotFound, kFormat) for the hand, the object or the grasp. */
-BasinMap MapBasin(const BasinRequest& request, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop);
+/** Makes the session in `out`, or finds it there. @throws Error(kUsage) when the request names more
+than one grasp, or for a folder that holds something else; Error(kNotFound, kFormat) for the hand,
+the object or the grasp; as PrepareSession. */
+PreparedSession PrepareBasin(const BasinRequest& request);
 
 }  // namespace graspbench

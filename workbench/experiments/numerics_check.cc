@@ -2,21 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
-#include <memory>
-#include <set>
-#include <tuple>
 
-#include "core/base/error.h"
 #include "core/base/text/csv.h"
 #include "core/base/units.h"
-#include "core/physics/compliant_world.h"
-#include "core/physics/sim_config.h"
-#include "core/trial/compliant_trial.h"
-#include "core/trial/trial_result.h"
-#include "workbench/experiments/pool/batch_runner.h"
-#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace {
@@ -63,88 +51,26 @@ Json MakeChangeJson(const ChangeSummary& change) {
 
 }  // namespace
 
-std::vector<NumericsVariant> ListNumericsVariants(const SimConfig& sim) {
-  std::vector<NumericsVariant> variants;
-  const auto add = [&](const char* id, double step_factor, double stiffness_factor) {
-    SimConfig changed = sim;
-    changed.step *= step_factor;
-    changed.contact_stiffness *= stiffness_factor;
-    changed.tangential_stiffness *= stiffness_factor;
-    variants.push_back({id, changed, false});
+std::vector<Condition> ListNumericsVariants(const SessionConfig& config) {
+  std::vector<Condition> variants;
+  const auto add = [&](const char* name, double step_factor, double stiffness_factor) {
+    Condition variant = {name, {}};
+    const auto set = [&](const char* key, double value, double factor) {
+      if (factor != 1.0) variant.settings.push_back(key + ("=" + FormatJson(factor * value)));
+    };
+    set("sim.step_s", config.sim.step, step_factor);
+    set("sim.contact_stiffness_n_per_m", config.sim.contact_stiffness, stiffness_factor);
+    set("sim.tangential_stiffness_n_per_m", config.sim.tangential_stiffness, stiffness_factor);
+    SessionConfig changed = config;
+    for (const std::string& setting : variant.settings) ApplySetting(setting, changed);
+    if (Validate(changed).empty()) variants.push_back(variant);
   };
   add("half step", 0.5, 1.0);
   add("double step", 2.0, 1.0);
   add("half stiffness", 1.0, 0.5);
   add("double stiffness", 1.0, 2.0);
-  variants.push_back({"compliant", sim, true});
+  variants.push_back({"compliant", {"backend=compliant"}});
   return variants;
-}
-
-std::vector<TrialRecord> ChooseTrials(const std::vector<TrialRecord>& records,
-                                      int trials_per_cell) {
-  std::map<std::tuple<std::string, std::string, std::string>, int> num_chosen;
-  std::vector<TrialRecord> chosen;
-  for (const TrialRecord& record : records) {
-    const PlannedTrial& plan = record.plan;
-    if (++num_chosen[{plan.hand, plan.object, plan.grasp}] <= trials_per_cell) {
-      chosen.push_back(record);
-    }
-  }
-  return chosen;
-}
-
-std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
-                                     const NumericsVariant& variant, const SessionInputs& inputs) {
-  if (!variant.is_compliant) return trials;
-  std::set<std::string> hands, objects;
-  for (const SessionHand& hand : inputs.hands) {
-    if (CanMoveCompliantly(*hand.hand)) hands.insert(hand.hand->id);
-  }
-  for (const auto& object : inputs.objects) {
-    if (CanMoveCompliantly(*object)) objects.insert(object->id);
-  }
-  std::vector<TrialRecord> covered;
-  for (const TrialRecord& trial : trials) {
-    if (hands.count(trial.plan.hand) && objects.count(trial.plan.object)) covered.push_back(trial);
-  }
-  return covered;
-}
-
-std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
-                                     const NumericsVariant& variant, const SessionConfig& config,
-                                     const SessionInputs& inputs, int num_workers,
-                                     Observer& observer, const std::atomic<bool>& stop) {
-  SessionConfig changed = config;
-  changed.sim = variant.sim;
-  std::vector<PlannedTrial> plan;
-  std::map<std::string, size_t> position;
-  for (const TrialRecord& trial : trials) {
-    position[trial.plan.id] = plan.size();
-    plan.push_back(trial.plan);
-  }
-  // Each trial writes to its own place, so the workers need no lock.
-  std::vector<TrialResult> results(plan.size());
-  const MakeBatchWorker make_worker = [&](int) {
-    const auto runner = std::make_shared<PlannedTrialRunner>(changed, inputs);
-    return BatchWorker{[&, runner](const PlannedTrial& planned) {
-                         return variant.is_compliant
-                                    ? RunCompliantTrial(MakeTrialSetup(changed, inputs, planned))
-                                    : runner->Run(planned);
-                       },
-                       [&results, &position](const TrialRecord& record) {
-                         results[position.at(record.plan.id)] = record.result;
-                       },
-                       {},
-                       [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
-  };
-  Stage stage;
-  stage.kind = StageKind::kVariant;
-  stage.variant = variant.id;
-  stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(plan.size());
-  if (!RunBatchStage(stage, plan, num_workers, make_worker, observer, stop, kTrialTimeLimit)) {
-    throw Error(ErrorKind::kInterrupted, "stopped; nothing was written");
-  }
-  return results;
 }
 
 NumericsSummary SummariseNumerics(const std::string& variant,
@@ -166,26 +92,18 @@ NumericsSummary SummariseNumerics(const std::string& variant,
   return summary;
 }
 
-NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& session,
-                            int trials_per_cell, int num_workers, Observer& observer,
-                            const std::atomic<bool>& stop) {
-  const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kNow, session.folder);
-  CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  const std::vector<TrialRecord> trials = ChooseTrials(session.records, trials_per_cell);
-  if (trials.empty()) {
-    throw Error(ErrorKind::kUsage, "the session in \"" + folder.string() +
-                                       "\" has no finished trial; graspbench run --resume --out " +
-                                       folder.string() + " runs them");
-  }
+PreparedSession PrepareNumerics(const ExperimentRequest& request) {
+  const Session session = LoadSession(request.folder, request.on_damage, RecordParts::kBrief);
+  return PrepareExperiment(session, "numerics", ListNumericsVariants(session.config), request);
+}
+
+NumericsCheck CompareNumerics(const Session& experiment) {
   NumericsCheck check;
-  for (const NumericsVariant& variant : ListNumericsVariants(session.config.sim)) {
-    const std::vector<TrialRecord> covered = FindCovered(trials, variant, inputs);
-    const std::vector<TrialResult> results =
-        RerunTrials(covered, variant, session.config, inputs, num_workers, observer, stop);
-    for (size_t i = 0; i < covered.size(); ++i) {
-      check.comparisons.push_back({variant.id, covered[i], results[i]});
+  for (const Condition& variant : experiment.config.conditions) {
+    for (const ConditionPair& pair : ListConditionPairs(experiment, variant.name)) {
+      check.comparisons.push_back({variant.name, *pair.base, pair.varied->result});
     }
-    check.summaries.push_back(SummariseNumerics(variant.id, check.comparisons));
+    check.summaries.push_back(SummariseNumerics(variant.name, check.comparisons));
   }
   return check;
 }

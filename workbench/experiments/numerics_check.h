@@ -6,43 +6,19 @@ contact stiffnesses and another backend, compared one by one with the stored res
 A verdict flips when a success becomes a failure or the other way round; one failure that becomes
 another is no flip. Times of contacts are compared where both trials have them. */
 
-#include <atomic>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/text/json.h"
-#include "datasets/plan/session_config.h"
-#include "datasets/plan/session_inputs.h"
 #include "datasets/records/trial_record.h"
-#include "datasets/session/session_store.h"
-#include "workbench/experiments/observer.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 
-struct NumericsVariant {
-  std::string id;  ///< "half step"
-  SimConfig sim;
-  bool is_compliant = false;  ///< core/physics/compliant_world.h instead of our own world
-};
 /** Half and double step, half and double contact stiffness (normal and tangential), and Simbody's
-compliant contact ("compliant"). */
-std::vector<NumericsVariant> ListNumericsVariants(const SimConfig& sim);
-
-/** The first `trials_per_cell` finished trials of each hand, object and grasp; in the records'
-order. */
-std::vector<TrialRecord> ChooseTrials(const std::vector<TrialRecord>& records, int trials_per_cell);
-
-/** The trials that the variant can do: for "compliant" those whose object it has a geometry for. */
-std::vector<TrialRecord> FindCovered(const std::vector<TrialRecord>& trials,
-                                     const NumericsVariant& variant, const SessionInputs& inputs);
-
-/** Simulates the trials again. @returns their results in the same order; the same for any number of
-workers. @param config  of the session. @throws Error(kInterrupted). */
-std::vector<TrialResult> RerunTrials(const std::vector<TrialRecord>& trials,
-                                     const NumericsVariant& variant, const SessionConfig& config,
-                                     const SessionInputs& inputs, int num_workers,
-                                     Observer& observer, const std::atomic<bool>& stop);
+compliant contact ("compliant") where it has a geometry for hand and object; what is out of a
+session's range is left out. */
+std::vector<Condition> ListNumericsVariants(const SessionConfig& config);
 
 /** One variant of one trial beside its stored result. */
 struct NumericsComparison {
@@ -78,12 +54,10 @@ struct NumericsCheck {
   std::vector<NumericsComparison> comparisons;
   std::vector<NumericsSummary> summaries;
 };
-/** Runs the first `trials_per_cell` finished trials of each cell with every variant; each variant
-is a stage. @throws Error(kUsage) without a finished trial, and when hands, objects or physics have
-changed since; Error(kInterrupted). */
-NumericsCheck CheckNumerics(const std::filesystem::path& folder, const Session& session,
-                            int trials_per_cell, int num_workers, Observer& observer,
-                            const std::atomic<bool>& stop);
+/** Its folder, in which RunExperiment runs it. @throws as PrepareExperiment. */
+PreparedSession PrepareNumerics(const ExperimentRequest& request);
+/** Of what is finished, variant by variant. */
+NumericsCheck CompareNumerics(const Session& experiment);
 
 /** One row per comparison; missing = empty. */
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons);

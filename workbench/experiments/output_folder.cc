@@ -265,6 +265,9 @@ void CheckOutsideResults(const fs::path& path) {
 
 void CheckOutputFile(const fs::path& file) {
   CheckName(file);
+  if (!file.has_filename()) {
+    Refuse(file, "ends in a slash, as the name of a folder does; name a new file");
+  }
   const fs::file_status status = fs::symlink_status(file);
   if (fs::is_directory(status)) Refuse(file, "is a folder; name a new file");
   if (fs::exists(status)) Refuse(file, "is already there; remove it or name another file");
@@ -286,7 +289,22 @@ void WriteOutputFile(const fs::path& file, const std::string& content) {
   WriteFileAtomically(file, content);
 }
 
-StagedFolder::StagedFolder(OutputRequest request) : request_(std::move(request)) {
+std::vector<std::string> ListStoreFiles(const fs::path& folder) {
+  const StoreKind* kind = FindStoreKind(folder);
+  if (!kind) return {};
+  std::vector<std::string> files = ListMatches(folder, kind->journals);
+  files.insert(files.end(), {"run.json", "index.sqlite"});
+  for (const std::string& output : kind->outputs) {
+    const std::optional<Manifest> manifest = FindManifest(folder / output);
+    if (!manifest || !FindDamage(folder / output, *manifest).empty()) continue;
+    files.push_back(output + "/" + kManifestFile);
+    for (const ManifestFile& file : manifest->files) files.push_back(output + "/" + file.path);
+  }
+  return files;
+}
+
+StagedFolder::StagedFolder(OutputRequest request, Mark mark)
+    : request_(std::move(request)), mark_(mark) {
   CheckOutputFolder(request_);
   target_ = FindPlace(request_.folder);
   MakeFolder(target_.parent_path());
@@ -302,7 +320,7 @@ StagedFolder::~StagedFolder() {
 }
 
 void StagedFolder::Commit() {
-  if (!request_.kind.empty()) {
+  if (!request_.kind.empty() && mark_ == Mark::kWhole) {
     Manifest manifest;
     manifest.kind = request_.kind;
     manifest.versions = {{"program", program_version()}};

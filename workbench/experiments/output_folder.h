@@ -45,10 +45,16 @@ void CheckOutputFile(const std::filesystem::path& file);
 /** Writes it, and the folders that it needs. @throws as CheckOutputFile; Error(kIo). */
 void WriteOutputFile(const std::filesystem::path& file, const std::string& content);
 
+/** What a store, and whoever made outputs of it, has written into its folder. */
+std::vector<std::string> ListStoreFiles(const std::filesystem::path& folder);
+
 class StagedFolder {
  public:
+  /** Who writes the manifest of a result with a kind: this, or what fills the folder. */
+  enum class Mark { kWhole, kOwn };
+
   /** Checks the request and creates the folder beside the target. @throws Error(kUsage, kIo). */
-  explicit StagedFolder(OutputRequest request);
+  explicit StagedFolder(OutputRequest request, Mark mark = Mark::kWhole);
   /** Removes the folder unless it was committed. */
   ~StagedFolder();
   StagedFolder(const StagedFolder&) = delete;
@@ -63,6 +69,7 @@ class StagedFolder {
 
  private:
   OutputRequest request_;
+  Mark mark_;
   std::filesystem::path target_;  // without links
   std::filesystem::path staged_;
   int lock_ = -1;  // held as long as the program lives

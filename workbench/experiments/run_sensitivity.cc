@@ -1,15 +1,10 @@
 #include "workbench/experiments/run_sensitivity.h"
 
 #include <algorithm>
-#include <map>
-#include <memory>
 
 #include "core/base/config.h"
 #include "core/base/error.h"
-#include "datasets/session/sensitivity_store.h"
-#include "workbench/experiments/machines/shell_quote.h"
-#include "workbench/experiments/numerics_check.h"
-#include "workbench/experiments/pool/session_worker.h"
+#include "datasets/plan/conditions.h"
 
 namespace graspbench {
 namespace {
@@ -46,47 +41,6 @@ std::vector<std::string> FindSettings(const SensitivityRequest& request,
   return settings;
 }
 
-/** The trials of one setting. */
-class Variation {
- public:
-  Variation(const Session& session, const std::string& setting) : setting_(setting) {
-    config_ = session.config;
-    ApplySetting(setting, config_);
-    config_ = SessionConfigFromJson(ToJson(config_), setting);  // without what is not used now
-    CheckSessionConfig(config_);
-    inputs_ = LoadSessionInputs(config_, FieldUse::kLater, session.folder);
-    const std::vector<PlannedTrial> plan = MakePlan(config_, inputs_);
-    GRASPBENCH_DEMAND(plan.size() == session.plan.size(), setting);
-    for (size_t i = 0; i < plan.size(); ++i) {
-      varied_.emplace(session.plan[i].id, plan[i]);
-      original_.emplace(plan[i].id, session.plan[i].id);
-    }
-  }
-
-  const PlannedTrial& Vary(const PlannedTrial& planned) const { return varied_.at(planned.id); }
-
-  MakeBatchWorker MakeWorkers(const std::filesystem::path& folder) const {
-    return [this, folder](int worker) {
-      const auto runner = std::make_shared<PlannedTrialRunner>(config_, inputs_);
-      const auto writer = std::make_shared<SensitivityWriter>(folder, worker);
-      return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
-                         [this, writer](const TrialRecord& record) {
-                           writer->Append(setting_, original_.at(record.plan.id),
-                                          MakeTrialMeasures(record.result));
-                         },
-                         {},
-                         [runner](const PlannedTrial& planned) { runner->Prepare(planned); }};
-    };
-  }
-
- private:
-  std::string setting_;
-  SessionConfig config_;
-  SessionInputs inputs_;
-  std::map<std::string, PlannedTrial> varied_;   // by the id in the session
-  std::map<std::string, std::string> original_;  // the other way round
-};
-
 }  // namespace
 
 std::vector<std::string> ListDefaultVariations(const SessionConfig& config) {
@@ -108,41 +62,18 @@ std::vector<std::string> ListDefaultVariations(const SessionConfig& config) {
   return settings;
 }
 
+PreparedSession PrepareSensitivity(const SensitivityRequest& request) {
+  const Session session = LoadSession(request.folder, request.on_damage, RecordParts::kBrief);
+  std::vector<Condition> conditions;
+  for (const std::string& setting : FindSettings(request, session.config)) {
+    conditions.push_back({setting, {setting}});
+  }
+  return PrepareExperiment(session, "sensitivity", conditions, request);
+}
+
 bool RunSensitivity(const SensitivityRequest& request, int num_workers, Observer& observer,
                     const std::atomic<bool>& stop) {
-  Session session = LoadSession(request.folder, request.on_damage, RecordParts::kBrief);
-  const std::vector<std::string> settings = FindSettings(request, session.config);
-  CheckSameSession(session, session.config,
-                   MakePlan(session.config,
-                            LoadSessionInputs(session.config, FieldUse::kLater, request.folder)));
-  std::vector<TrialRecord> trials = session.records;
-  if (request.trials_per_cell > 0) trials = ChooseTrials(trials, request.trials_per_cell);
-  if (trials.empty()) {
-    throw Error(ErrorKind::kUsage, "the session in \"" + request.folder.string() +
-                                       "\" has no finished trial; graspbench run --resume --out " +
-                                       QuoteForShell(request.folder.string()) + " runs them");
-  }
-  SensitivityData data = LoadSensitivity(session, session.findings);
-  SealStore(kSessionStore, request.folder);
-  bool is_complete = true;
-  for (const std::string& setting : settings) {
-    const Variation variation(session, setting);
-    std::vector<PlannedTrial> unfinished;
-    for (const TrialRecord& trial : trials) {
-      if (data[setting].count(trial.plan.id) == 0) unfinished.push_back(variation.Vary(trial.plan));
-    }
-    if (unfinished.empty()) continue;
-    Stage stage;
-    stage.kind = StageKind::kVariant;
-    stage.variant = setting;
-    stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(unfinished.size());
-    is_complete =
-        RunBatchStage(stage, unfinished, num_workers, variation.MakeWorkers(request.folder),
-                      observer, stop, request.trial_time_limit);
-    if (!is_complete) break;
-  }
-  SealStore(kSessionStore, request.folder);
-  return is_complete;
+  return RunExperiment(PrepareSensitivity(request), request, num_workers, observer, stop);
 }
 
 }  // namespace graspbench

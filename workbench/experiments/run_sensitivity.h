@@ -8,9 +8,7 @@ other (datasets/session/sensitivity_store.h). */
 #include <string>
 #include <vector>
 
-#include "datasets/session/session_store.h"
-#include "workbench/experiments/observer.h"
-#include "workbench/experiments/run_session.h"
+#include "workbench/experiments/session_experiment.h"
 
 namespace graspbench {
 
@@ -19,19 +17,16 @@ twice, less for friction, and none at all of the variation; every other coupling
 of range or as the session has it is left out. */
 std::vector<std::string> ListDefaultVariations(const SessionConfig& config);
 
-struct SensitivityRequest {
-  std::filesystem::path folder;       ///< of the session
+struct SensitivityRequest : ExperimentRequest {
   std::vector<std::string> settings;  ///< "sim.step_s=0.001"; empty: ListDefaultVariations
-  int trials_per_cell = 0;            ///< the first finished ones; 0: all
-  OnDamage on_damage = OnDamage::kRefuse;
-  double trial_time_limit = kTrialTimeLimit;  ///< later a trial is a numerical failure [s]
 };
 
-/** Runs what is left; each setting is a stage. @returns whether nothing is left.
+/** Runs what is left. @returns whether nothing is left.
 @throws Error(kUsage, kRange) for a setting that cannot be used or is named twice, before anything
-runs; Error(kUsage) without a finished trial, or when hands, objects or physics have changed since.
-*/
+runs; as PrepareExperiment. */
 bool RunSensitivity(const SensitivityRequest& request, int num_workers, Observer& observer,
                     const std::atomic<bool>& stop);
+/** Its folder alone. @throws as RunSensitivity. */
+PreparedSession PrepareSensitivity(const SensitivityRequest& request);
 
 }  // namespace graspbench

@@ -29,6 +29,17 @@ std::vector<std::string> ListGrasps(const Hand& hand) {
   return ids;
 }
 
+/** True when the hand's coupling rule moves a joint. */
+bool HasCoupling(const Hand& hand) {
+  return std::any_of(hand.joints.begin(), hand.joints.end(), [](const HandJoint& joint) {
+    return joint.coupled_to >= 0 && !joint.is_mimic;
+  });
+}
+
+std::string FormatCoupling(const Hand& hand) {
+  return HasCoupling(hand) ? "\ncoupling        " + NameOf(hand.coupling) : "";
+}
+
 std::string JoinWords(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -92,7 +103,7 @@ Json MakeHandJson(const Hand& hand) {
           {"mass_kg", mass},
           {"digits", ListDigits(hand)},
           {"grasps", ListGrasps(hand)},
-          {"coupling", NameOf(hand.coupling)},
+          {"coupling", HasCoupling(hand) ? Json(NameOf(hand.coupling)) : Json(nullptr)},
           {"joint_accuracy_deg", DegFromRad(hand.joint_accuracy)},
           {"joints", joints}};
 }
@@ -102,8 +113,7 @@ std::string FormatHand(const Hand& hand) {
   std::string text = hand.name + " (" + hand.id + ")\n\nmass            " +
                      FormatSignificant(description["mass_kg"].get<double>(), 3) +
                      " kg\ndigits          " + JoinWords(ListDigits(hand)) + "\ngrasps          " +
-                     JoinWords(ListGrasps(hand)) + "\ncoupling        " + NameOf(hand.coupling) +
-                     "\njoint accuracy  +-" +
+                     JoinWords(ListGrasps(hand)) + FormatCoupling(hand) + "\njoint accuracy  +-" +
                      FormatSignificant(DegFromRad(hand.joint_accuracy), 3) + " deg\n\n";
   TextTable table({"joint", "lower [deg]", "upper [deg]", "stiffness [N m/rad]",
                    "torque limit [N m]", "follows"});

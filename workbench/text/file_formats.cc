@@ -5,6 +5,7 @@
 #include "core/hand/tactile_yaml.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "datasets/plan/session_keys.h"
+#include "datasets/plan/sweep_design.h"
 #include "human_study/study/design/study_keys.h"
 #include "objects/object_file.h"
 
@@ -23,6 +24,7 @@ const std::vector<FileFormat>& ListFileFormats() {
          "what graspbench run simulates; its session.json has all keys and is read, "
          "too",
          ListSessionKeys()},
+        {"sweep.yaml", "a session under many conditions, for graspbench sweep", ListSweepKeys()},
         {"study.yaml", "a study of people's grasps, for graspbench study run", ListStudyKeys()},
         {"grasp.yaml", "a grasp of its own file, for graspbench run --grasp FILE",
          ListGraspFileKeys()},

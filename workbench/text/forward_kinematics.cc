@@ -48,10 +48,24 @@ void SetJoint(const std::string& assignment, const Hand& hand, Eigen::VectorXd& 
   }
 }
 
+/** In H. Frames first: a link of an imported hand lies at its joint. */
+Pose FindFrame(const Hand& hand, const std::vector<Pose>& X_HL, const std::string& name) {
+  std::vector<std::string> known;
+  for (const NamedFrame& frame : hand.frames) {
+    if (frame.name == name) return X_HL[frame.link] * frame.X_LF;
+    known.push_back(frame.name);
+  }
+  for (const HandLink& link : hand.links) known.push_back(link.name);
+  const int link = hand.FindLink(name);
+  if (link >= 0) return X_HL[link];
+  throw Error(ErrorKind::kUsage,
+              "the " + hand.name + " has no link \"" + name + "\"" + SuggestNames(name, known));
+}
+
 }  // namespace
 
 void PrintForwardKinematics(const std::string& id, const std::vector<std::string>& joints,
-                            bool json) {
+                            const std::string& link, bool json) {
   const Hand hand = LoadHand(id);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(hand.num_joints());
   for (const std::string& assignment : joints) SetJoint(assignment, hand, q);
@@ -65,20 +79,27 @@ void PrintForwardKinematics(const std::string& id, const std::vector<std::string
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
   const Pose X_PalmH = X_HL[hand.palm_link].inverse();
   Json frames = Json::object();
-  TextTable table({"digit", "x [mm]", "y [mm]", "z [mm]"});
+  TextTable table({link.empty() ? "digit" : "link", "x [mm]", "y [mm]", "z [mm]"});
+  std::vector<std::pair<std::string, Pose>> rows;  // X_H of each frame
   for (const Digit& digit : hand.digits) {
-    const Pose X_PalmL = X_PalmH * X_HL[digit.distal_link];
+    if (link.empty()) rows.emplace_back(digit.id, X_HL[digit.distal_link]);
+  }
+  if (!link.empty()) rows.emplace_back(link, FindFrame(hand, X_HL, link));
+  for (const auto& [name, X_HF] : rows) {
+    const Pose X_PalmL = X_PalmH * X_HF;
     const Eigen::Vector3d p = X_PalmL.translation();
-    Json rows = Json::array();
-    for (int row = 0; row < 3; ++row) rows.push_back(JsonVector(X_PalmL.linear().row(row)));
-    frames[digit.id] = {{"p_m", JsonVector(p)}, {"R", rows}};
-    table.AddRow({digit.id, FormatFixed(MmFromM(p.x()), 2), FormatFixed(MmFromM(p.y()), 2),
+    Json R = Json::array();
+    for (int row = 0; row < 3; ++row) R.push_back(JsonVector(X_PalmL.linear().row(row)));
+    frames[name] = {{"p_m", JsonVector(p)}, {"R", R}};
+    table.AddRow({name, FormatFixed(MmFromM(p.x()), 2), FormatFixed(MmFromM(p.y()), 2),
                   FormatFixed(MmFromM(p.z()), 2)});
   }
   if (json) {
     PrintJson(frames);
   } else {
-    PrintResult("origin of each digit's last link, in the palm's frame\n" + table.Format());
+    PrintResult((link.empty() ? "origin of each digit's last link, in the palm's frame\n"
+                              : "origin of the link, in the palm's frame\n") +
+                table.Format());
   }
 }
 

@@ -14,6 +14,7 @@
 #include "datasets/campaign/real_trials.h"
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_keys.h"
+#include "datasets/plan/sweep_design.h"
 #include "human_study/study/design/study_config.h"
 #include "human_study/study/design/study_keys.h"
 #include "objects/catalogue.h"
@@ -51,6 +52,15 @@ std::string FormatConfig(const Json& config, const FileKeys& keys, const std::st
 std::string MakeSession() {
   return "# What `graspbench run session.yaml --out DIR` simulates; every key may be left out.\n" +
          FormatConfig(ConfigToJson(SessionConfig()), ListSessionKeys(), "", "");
+}
+
+std::string MakeSweepFile() {
+  SweepConfig config;
+  config.factors = {"model.mass_scale=1,0.5,2", "model.friction_scale=1,0.8"};
+  config.trials = 4;
+  return "# What `graspbench sweep sweep.yaml --out DIR` simulates; all but `factors` may be left "
+         "out.\n" +
+         FormatConfig(ConfigToJson(config), ListSweepKeys(), "", "");
 }
 
 std::string MakeStudy() {
@@ -207,10 +217,13 @@ std::string MakeRealTrials(int num_trials, bool is_made_up) {
 
 }  // namespace
 
-std::vector<std::string> ListNewKinds() { return {"session", "object", "hand", "study", "trials"}; }
+std::vector<std::string> ListNewKinds() {
+  return {"session", "sweep", "object", "hand", "study", "trials"};
+}
 
 std::vector<NewFile> MakeNewFiles(const std::string& kind) {
   if (kind == "session") return {{"session.yaml", MakeSession()}};
+  if (kind == "sweep") return {{"sweep.yaml", MakeSweepFile()}};
   if (kind == "hand") return {{"hand.urdf", MakeHandUrdf()}, {"hand.yaml", MakeHandYaml()}};
   if (kind == "study") {
     return {{"study.yaml", MakeStudy()},
@@ -227,6 +240,7 @@ std::vector<NewFile> MakeNewFiles(const std::string& kind) {
 
 void CheckNewFiles(const std::string& kind, const std::string& folder) {
   if (kind == "session") LoadSessionConfig(folder + "/session.yaml");
+  if (kind == "sweep") MakeSweep(LoadSweepConfig(folder + "/sweep.yaml"));
   if (kind == "object") LoadObject(folder, FieldUse::kLater);
   if (kind == "hand") LoadStandardGrasps(LoadHand(folder));
   if (kind == "study") LoadStudy(folder + "/study.yaml");

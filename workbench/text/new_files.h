@@ -10,7 +10,7 @@ namespace graspbench {
 /** A file's name and content. */
 using NewFile = std::pair<std::string, std::string>;
 
-/** "session", "object", "hand", "study", "trials": of real hands, for a campaign. */
+/** "session", "sweep", "object", "hand", "study", "trials": of real hands, for a campaign. */
 std::vector<std::string> ListNewKinds();
 
 /** The files of one kind, each key with what it is. @pre one of ListNewKinds(). */

@@ -73,6 +73,8 @@ struct ForeignJoint {
   Pose X_PJ = Pose::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit, in J
   double lower = 0.0, upper = 0.0;                  ///< [rad], [m]
+  /** Why nobody knows how far it moves, "has no <limit>"; empty: its limits are stated. */
+  std::string no_limits;
   ForeignDrive drive;
   double spring_stiffness = 0.0;  ///< [N m/rad], [N/m]; 0: none
   double spring_rest = 0.0;       ///< position where it is slack [rad], [m]
@@ -86,6 +88,7 @@ struct ForeignHand {
   std::string name;
   std::vector<ForeignLink> links;
   std::vector<ForeignJoint> joints;
+  int world = -1;  ///< link that stands for the world of a scene; -1: the format has none
 };
 
 }  // namespace graspbench

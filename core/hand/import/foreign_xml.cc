@@ -1,5 +1,6 @@
 #include "core/hand/import/foreign_xml.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -27,6 +28,16 @@ std::optional<std::vector<double>> ParseNumbers(const char* text) {
     numbers.push_back(number);
     at = next;
   }
+}
+
+std::string JoinSome(const std::vector<std::string>& names) {
+  constexpr size_t kMost = 3;
+  std::string text;
+  for (size_t i = 0; i < std::min(kMost, names.size()); ++i) {
+    text += (i > 0 ? ", \"" : "\"") + names[i] + "\"";
+  }
+  if (names.size() > kMost) text += " and " + std::to_string(names.size() - kMost) + " more";
+  return text;
 }
 
 std::string NameList::Add(const char* text, std::vector<std::string>& changes) {

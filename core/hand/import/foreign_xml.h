@@ -15,6 +15,9 @@ namespace graspbench {
 there. */
 std::optional<std::vector<double>> ParseNumbers(const char* text);
 
+/** The first three in quotes, "a", "b", "c" and 4 more. */
+std::string JoinSome(const std::vector<std::string>& names);
+
 /** Names of one kind of thing ("link"), each given once. */
 class NameList {
  public:

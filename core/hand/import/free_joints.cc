@@ -3,111 +3,83 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/units.h"
+#include "core/hand/coupling.h"
 #include "core/hand/self_contact.h"
 
 namespace graspbench {
 namespace {
 
-constexpr double kBlocks = 0.0005;  // [m]
-constexpr int kSteps = 24;          // of a joint's range
-constexpr int kPieces = 8;          // of a shape that is cut
+constexpr double kBlocks = 0.0005;      // [m]
+constexpr double kRootOfDigit = 0.025;  // [m] of a joint from the digit's first one
+constexpr int kPostures = 400;
 
-/** How deep `shape` gets into the palm while the joint of its link moves through its range [m]. */
-double CalcDepth(const ImportedHand& imported, const CollisionShape& shape) {
+/** Postures that fill the joints' ranges evenly (Kronecker sequence), the ends of each first. */
+std::vector<Eigen::VectorXd> ListPostures(const Hand& hand, const std::vector<int>& joints) {
+  std::vector<Eigen::VectorXd> postures;
+  const auto add = [&](auto&& choose) {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(hand.num_joints());
+    for (size_t i = 0; i < joints.size(); ++i) {
+      const HandJoint& joint = hand.joints[static_cast<size_t>(joints[i])];
+      q[joints[i]] = joint.lower + (joint.upper - joint.lower) * choose(i);
+    }
+    ApplyCoupling(hand, q);
+    postures.push_back(q);
+  };
+  for (size_t corner = 0; corner < (size_t{1} << std::min<size_t>(joints.size(), 4)); ++corner) {
+    add([&](size_t i) { return i < 4 ? static_cast<double>(corner >> i & 1) : 0.5; });
+  }
+  for (int k = 1; k <= kPostures; ++k) {
+    add([&](size_t i) {
+      const double step = std::sqrt(static_cast<double>(i == 0 ? 2 : i == 1 ? 3 : 2 * i + 1));
+      return k * step - std::floor(k * step);
+    });
+  }
+  return postures;
+}
+
+/** How deep the link's shapes get into the palm's while the joints that lead to it move [m]. */
+double CalcDepth(const ImportedHand& imported, int link, const std::vector<int>& joints) {
   Hand pair = imported.hand;  // with these two links' capsules alone
   pair.capsules.clear();
   pair.contact_spheres.clear();
-  for (const CollisionShape& other : imported.shapes) {
-    if (other.link == pair.palm_link) AddContact(other, false, pair);
+  for (const CollisionShape& shape : imported.shapes) {
+    if (shape.link == pair.palm_link || shape.link == link) AddContact(shape, false, pair);
   }
-  AddContact(shape, false, pair);
   const std::vector<CapsulePair> meeting = FindCapsulePairs(pair);
-  const int j = pair.links[shape.link].joint;
-  const HandJoint& joint = pair.joints[j];
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(pair.num_joints());
   double depth = 0.0;
-  for (int k = 0; k <= kSteps; ++k) {
-    q[j] = joint.lower + (joint.upper - joint.lower) * k / kSteps;
+  for (const Eigen::VectorXd& q : ListPostures(pair, joints)) {
     const std::vector<Pose> X_HL = CalcLinkPoses(pair, q);
     for (const CapsulePair& capsules : meeting) {
-      if (pair.capsules[capsules.a].link == pair.capsules[capsules.b].link) continue;
       depth = std::max(depth, -CalcCapsuleGap(pair, capsules, X_HL));
     }
   }
   return depth;
 }
 
-/** Pieces along the longest axis that cover the shape as contact has it; a ball, a disc: itself. */
-std::vector<CollisionShape> Slice(const CollisionShape& shape) {
-  int axis = 2;
-  double ends = 0.0;  // that every piece has: a capsule's balls
-  if (shape.kind == CollisionShape::Kind::kBox) {
-    shape.size.maxCoeff(&axis);
-  } else {
-    ends = std::min(shape.size.x(), shape.size.z());
-  }
-  const double length = shape.size[axis] - ends;
-  if (shape.kind == CollisionShape::Kind::kSphere || length <= 0.0) return {shape};
-  std::vector<CollisionShape> pieces;
-  for (int k = 0; k < kPieces; ++k) {
-    CollisionShape& piece = pieces.emplace_back(shape);
-    piece.size[axis] = ends + length / kPieces;
-    piece.X_LS.translate(((k + 0.5) / kPieces - 0.5) * length * Eigen::Vector3d::Unit(axis));
-  }
-  return pieces;
-}
-
 }  // namespace
 
 void FreeJoints(const std::string& file, ImportedHand& imported, Diagnostics& problems) {
-  const Hand& hand = imported.hand;
-  for (int index = 0; index < static_cast<int>(hand.links.size()); ++index) {
-    const HandLink& link = hand.links[index];
-    const int digit = hand.FindDigitOfLink(index);
-    if (link.parent != hand.palm_link || link.joint < 0 || digit < 0) continue;
-    if (hand.digits[static_cast<size_t>(digit)].distal_link == index) continue;  // it grasps
-    double deepest = 0.0;
-    const auto blocks = [&](const CollisionShape& shape) {
-      if (shape.link != index) return false;
-      const double depth = CalcDepth(imported, shape);
-      deepest = std::max(deepest, depth);
-      return depth > kBlocks;
-    };
-    std::vector<CollisionShape> kept;
-    int num_kept = 0, num_own = 0;  // of this link
-    for (const CollisionShape& shape : imported.shapes) {
-      num_own += shape.link == index;
-      if (blocks(shape)) continue;
-      kept.push_back(shape);
-      num_kept += shape.link == index;
+  Hand& hand = imported.hand;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const Digit& digit : hand.digits) {
+    std::vector<int> joints;
+    for (const int link : digit.links) {
+      if (hand.links[link].joint >= 0) joints.push_back(hand.links[link].joint);
+      const double from_root =
+          (X_HL[link].translation() - X_HL[digit.links.front()].translation()).norm();
+      if (from_root > kRootOfDigit || joints.empty()) break;
+      const double depth = CalcDepth(imported, link, joints);
+      if (depth <= kBlocks) continue;
+      hand.apart.emplace_back(hand.palm_link, link);
+      problems.Warn(file, 0,
+                    fmt::format("link \"{}\" would enter the palm by up to {:.1f} mm within the "
+                                "limits of joint \"{}\"; the two never touch each other",
+                                hand.links[link].name, MmFromM(depth),
+                                hand.joints[hand.links[link].joint].name));
     }
-    if (num_kept == num_own) continue;
-    const int num_left_out = num_own - num_kept;
-    const double whole_depth = deepest;
-    std::string taken = "left out of contact";
-    if (num_kept == 0) {
-      for (const CollisionShape& shape : imported.shapes) {
-        if (shape.link != index) continue;
-        for (const CollisionShape& piece : Slice(shape)) {
-          if (blocks(piece)) continue;
-          kept.push_back(piece);
-          ++num_kept;
-        }
-      }
-      taken += num_kept > 0 ? fmt::format("; cut along their length, {} pieces stay", num_kept)
-                            : "; nothing of the link will touch";
-      imported.notes[static_cast<size_t>(index)] +=
-          num_kept > 0 ? "; guess: contact cut where it would meet the palm" : "; without contact";
-    }
-    problems.Warn(
-        file, 0,
-        fmt::format("link \"{}\": {} of its balls and capsules would meet the palm within "
-                    "the limits of joint \"{}\", by up to {:.1f} mm; {}",
-                    link.name, num_left_out, hand.joints[link.joint].name, MmFromM(whole_depth),
-                    taken));
-    imported.shapes = std::move(kept);
   }
 }
 

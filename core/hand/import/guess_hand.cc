@@ -8,6 +8,8 @@
 #include "core/base/units.h"
 #include "core/hand/closing.h"
 #include "core/hand/import/digit_names.h"
+#include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/palm_frame.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
 namespace graspbench {
@@ -17,10 +19,14 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestHand = 0.015, kLargestHand = 2.0;  // [m] across
 constexpr double kLongestDigit = 0.4;                        // [m]
-constexpr double kPadPlace = 0.6;     // of the way from the last joint to the tip
-constexpr double kAgreement = 0.5;    // of the pads' directions, mean length
-constexpr double kMostEffort = 3.0;   // [N m] of a finger's drive
-constexpr double kMostForce = 200.0;  // [N] of a slide's drive
+constexpr double kPadPlace = 0.6;       // of the way from the last joint to the tip
+constexpr double kAgreement = 0.5;      // of the pads' directions, mean length
+constexpr double kSameSide = 0.5;       // cosine
+constexpr double kSameDirection = 0.8;  // cosine
+constexpr double kNearlyAxis = 0.985;   // cosine
+constexpr double kLeastHeight = 0.01;   // [m] behind the palm's surface
+constexpr double kMostEffort = 3.0;     // [N m] of a finger's drive
+constexpr double kMostForce = 200.0;    // [N] of a slide's drive
 /** Published stiffness within these holds a finger; [N m/rad], [N/m], of the stiffest. */
 constexpr double kStiffest = 50.0, kStiffestSlide = 50000.0, kSoftest = 0.005;
 /** Damping over stiffness [s]: no less, or the finger swings; no more, or it crawls. */
@@ -56,8 +62,13 @@ Vector3d FindSurface(const std::vector<CollisionShape>& shapes, int link, const 
 
 class Guesser {
  public:
-  Guesser(const std::string& file, ImportedHand& imported, Diagnostics& problems)
-      : file_(file), imported_(imported), hand_(imported.hand), problems_(problems) {}
+  Guesser(const std::string& file, const std::optional<Vector3d>& palm_normal,
+          ImportedHand& imported, Diagnostics& problems)
+      : file_(file),
+        palm_normal_(palm_normal),
+        imported_(imported),
+        hand_(imported.hand),
+        problems_(problems) {}
 
   void Guess();
 
@@ -71,15 +82,27 @@ class Guesser {
   void PlaceTips();
   void PlacePads();
   void FindThumb();
+  Vector3d GuessNormal(const DigitMeeting& meeting) const;
+  void PlacePalm();
   void FindPalm();
+  double GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
+                    double otherwise) const;
+  void TellEfforts();
   void SetDrives();
   bool CheckSize();
+  int FindThumbTip() const {
+    for (const Digit& digit : hand_.digits) {
+      if (digit.is_thumb) return digit.distal_link;
+    }
+    return hand_.palm_link;
+  }
   /** How the point of the digit's last link moves in H while all joints close at one rate. */
   Vector3d CalcClosingMotion(const Digit& digit, const Eigen::VectorXd& q, const Vector3d& p_L);
   void Warn(const std::string& text) { problems_.Warn(file_, 0, text); }
   void Fail(const std::string& text) { problems_.Fail(file_, 0, text); }
 
   const std::string& file_;
+  const std::optional<Vector3d>& palm_normal_;
   ImportedHand& imported_;
   Hand& hand_;
   Diagnostics& problems_;
@@ -283,7 +306,15 @@ void Guesser::FindThumb() {
   hand_.digits[static_cast<size_t>(thumb)].id = "TH";
 }
 
-void Guesser::FindPalm() {
+/** The axis that is nearly met is meant. */
+Vector3d SnapToAxis(const Vector3d& direction, double least_cosine) {
+  int longest = 0;
+  direction.cwiseAbs().maxCoeff(&longest);
+  if (std::abs(direction[longest]) < least_cosine) return direction;
+  return std::copysign(1.0, direction[longest]) * Vector3d::Unit(longest);
+}
+
+Vector3d Guesser::GuessNormal(const DigitMeeting& meeting) const {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
   Vector3d all_facing = Vector3d::Zero(), facing = Vector3d::Zero(), along = Vector3d::Zero();
   Vector3d thumb_facing = Vector3d::Zero(), thumb_along = Vector3d::Zero();
@@ -300,23 +331,47 @@ void Guesser::FindPalm() {
   // Digits that point away from each other when open, all around the palm, face what it faces.
   const bool is_star = thumb_along.dot(along) < -kAgreement;
   Vector3d normal = facing;
-  if (all_facing.norm() < kAgreement) {
-    normal = along + thumb_along;  // a gripper: the pads face each other
-  } else if (is_star) {
+  if (is_star) {
     normal = facing + thumb_facing;
   } else if (std::abs(normal.dot(along)) < 0.8) {
     normal -= normal.dot(along) * along;
   }
-  if (normal.norm() < 1e-6) {
-    normal = Vector3d::UnitZ();
-    Warn("no direction in which the palm faces could be found: z is taken; look at palm: normal");
+  normal.stableNormalize();
+  // The pads of a gripper face each other.
+  const bool is_gripper = all_facing.norm() < kAgreement;
+  if (is_gripper || normal.dot(meeting.direction) < kSameSide) {
+    return SnapToAxis(meeting.direction, kSameDirection);
   }
-  hand_.palm_normal = normal.normalized();
-  // An axis that is nearly met is meant.
-  for (int k = 0; k < 3; ++k) {
-    if (std::abs(hand_.palm_normal[k]) < 0.985) continue;
-    hand_.palm_normal = std::copysign(1.0, hand_.palm_normal[k]) * Vector3d::Unit(k);
+  return SnapToAxis(normal, kNearlyAxis);
+}
+
+void Guesser::FindPalm() {
+  if (palm_normal_) {
+    hand_.palm_normal = palm_normal_->normalized();
+    PlacePalm();
+    return;
   }
+  const std::string ask =
+      "; is an axis or a limit reversed? If all of it is meant, say which way the palm faces with "
+      "--palm-normal X,Y,Z, in the frame of \"" +
+      hand_.links[hand_.palm_link].name + "\"";
+  const auto meeting = FindMeeting(hand_);
+  if (!meeting || meeting->direction.norm() < 0.5) {
+    Fail("no digit approaches the thumb, \"" + hand_.links[FindThumbTip()].name +
+         "\", however they close" + ask);
+    return;
+  }
+  hand_.palm_normal = GuessNormal(*meeting);
+  PlacePalm();
+  const double height = hand_.palm_normal.dot(meeting->p_H - hand_.p_HCentre);
+  if (height > -kLeastHeight) return;
+  Fail("the digits meet " + FormatFixed(MmFromM(-height), 0) + " mm behind the palm's surface" +
+       ask);
+}
+
+/** The middle of the palm's surface. */
+void Guesser::PlacePalm() {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosedPosture(hand_, {}, 0.0));
   const auto shapes = ShapesOf(imported_, hand_.palm_link);
   Vector3d middle = Vector3d::Zero();
   if (shapes.empty()) {
@@ -330,19 +385,54 @@ void Guesser::FindPalm() {
       FindSurface(shapes, hand_.palm_link, CalcBounds(shapes).center(), hand_.palm_normal);
 }
 
+/** What a joint without a published value gets: no more than the weakest of its digit has. */
+double Guesser::GuessDrive(int joint, double ForeignDrive::*value, double least, double most,
+                           double otherwise) const {
+  const HandJoint& own = hand_.joints[joint];
+  for (int k = 0; k < hand_.num_joints(); ++k) {
+    const HandJoint& other = hand_.joints[k];
+    const double published = imported_.drives[static_cast<size_t>(k)].*value;
+    const bool is_neighbour = other.coupled_to < 0 && other.is_prismatic == own.is_prismatic &&
+                              hand_.FindDigitOfLink(other.link) == hand_.FindDigitOfLink(own.link);
+    if (!is_neighbour || published <= least || published > most) continue;
+    otherwise = std::min(otherwise, published);
+  }
+  return otherwise;
+}
+
+void Guesser::TellEfforts() {
+  std::vector<std::string> joints;
+  double largest = 0.0;
+  for (int j = 0; j < hand_.num_joints(); ++j) {
+    const HandJoint& joint = hand_.joints[j];
+    const double effort = imported_.drives[static_cast<size_t>(j)].effort;
+    if (joint.coupled_to >= 0 || effort <= (joint.is_prismatic ? kMostForce : kMostEffort))
+      continue;
+    joints.push_back(joint.name);
+    largest = std::max(largest, effort);
+  }
+  if (joints.empty()) return;
+  Warn("the effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") + " (" +
+       JoinSome(joints) + "), up to " + FormatSignificant(largest, 3) +
+       ", is not that of a finger's drive, 3 N m or 200 N at most; guessed instead");
+}
+
 void Guesser::SetDrives() {
   hand_.joint_accuracy = RadFromDeg(1.0);
   for (int j = 0; j < hand_.num_joints(); ++j) {
     HandJoint& joint = hand_.joints[j];
     const ForeignDrive& drive = imported_.drives[static_cast<size_t>(j)];
-    const auto pick = [](double published, double most, double guess) {
-      return published > 0.0 && published <= most ? published : guess;
-    };
-    joint.drive.torque_limit = joint.is_prismatic ? pick(drive.effort, kMostForce, 40.0)
-                                                  : pick(drive.effort, kMostEffort, 1.0);
+    const double most = joint.is_prismatic ? kMostForce : kMostEffort;
+    const bool has_effort = drive.effort > 0.0 && drive.effort <= most;
+    joint.drive.torque_limit = has_effort ? drive.effort
+                                          : GuessDrive(j, &ForeignDrive::effort, 0.0, most,
+                                                       joint.is_prismatic ? 40.0 : 1.0);
     const double stiffest = joint.is_prismatic ? kStiffestSlide : kStiffest;
     const bool is_published = drive.stiffness >= kSoftest * stiffest && drive.stiffness <= stiffest;
-    joint.drive.stiffness = is_published ? drive.stiffness : joint.is_prismatic ? 3000.0 : 3.0;
+    joint.drive.stiffness = is_published
+                                ? drive.stiffness
+                                : GuessDrive(j, &ForeignDrive::stiffness, kSoftest * stiffest,
+                                             stiffest, joint.is_prismatic ? 3000.0 : 3.0);
     const double damping = kDampingTime * joint.drive.stiffness;
     joint.drive.damping =
         is_published ? std::clamp(drive.damping, damping, kMostDampingTime * joint.drive.stiffness)
@@ -424,12 +514,14 @@ void Guesser::Guess() {
   PlacePads();  // in the digits' order
   FindPalm();
   SetDrives();
+  TellEfforts();
 }
 
 }  // namespace
 
-void GuessHand(const std::string& file, ImportedHand& imported, Diagnostics& problems) {
-  Guesser(file, imported, problems).Guess();
+void GuessHand(const std::string& file, const std::optional<Vector3d>& palm_normal,
+               ImportedHand& imported, Diagnostics& problems) {
+  Guesser(file, palm_normal, imported, problems).Guess();
 }
 
 }  // namespace graspbench

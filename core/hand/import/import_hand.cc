@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "core/hand/import/find_implausible.h"
 #include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
+#include "core/hand/import/import_record.h"
 #include "core/hand/import/mjcf/read_foreign_mjcf.h"
 #include "core/hand/import/read_foreign_urdf.h"
 #include "core/hand/import/shapes/length_unit_guess.h"
@@ -23,6 +25,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   SetLengthUnit(source.unit, source.file, problems, foreign);
   if (has_failed()) return {};
   ShapeLoader loader(source, problems);
+  if (!loader.CheckMeshes(foreign)) return {};
   loader.InferMeshUnit(foreign);
   std::vector<LoadedShapes> shapes;
   for (ForeignLink& link : foreign.links) {
@@ -33,9 +36,10 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   ImportedHand imported = WeldLinks(foreign, shapes, palm, source.file, problems);
   if (has_failed()) return {};
   imported.hand.name = foreign.name;
-  GuessHand(source.file, imported, problems);
+  GuessHand(source.file, source.palm_normal, imported, problems);
   if (has_failed()) return {};
   FreeJoints(source.file, imported, problems);
+  FindImplausible(source.file, imported, problems);
 
   ImportedFiles result;
   const Hand& hand = imported.hand;
@@ -46,6 +50,8 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
                                      [](const HandJoint& joint) { return joint.coupled_to < 0; }));
   const std::string name = std::filesystem::path(source.file).filename().string();
   result.files = FormatHandFiles(imported, name, problems);
+  result.files["import.json"] =
+      FormatImportRecord(text, source, palm, hand, problems, result.files);
   return result;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 A hand from a foreign description, in the project's own form: `hand.urdf` with balls, cylinders and
-boxes to touch with and OBJ pictures, `hand.yaml` whose guesses are marked, `README.md`.
+boxes to touch with and OBJ pictures, `hand.yaml` whose guesses are marked, `README.md`, and
+`import.json` with all of it as data (import_record.h).
 
 What can be repaired is repaired and told as a warning; an error is what nobody can know: what
 touches where a mesh is missing, which link is the palm of an arm, how a ring of joints moves, which

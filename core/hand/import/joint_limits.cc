@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/text/text.h"
+#include "core/hand/import/fix_joint.h"
 
 namespace graspbench {
 namespace {
@@ -22,16 +23,46 @@ std::string SetLimits(const StatedLimits& stated, ForeignJoint& joint) {
   const double most = slides ? std::numeric_limits<double>::infinity() : kMostTurn;
   joint.lower = slides ? 0.0 : -kPi;
   joint.upper = slides ? 0.0 : kPi;
-  const std::string given = slides ? "0 to 50 mm" : "half a turn each way";
-  if (!stated.missing.empty() || stated.lower == stated.upper) {
-    return " has no " + (stated.missing.empty() ? "range" : stated.missing) + "; taken as " + given;
+  if (!stated.missing.empty()) {
+    joint.no_limits = "has no " + stated.missing;
+    return "";
   }
-  if (std::max(std::abs(stated.lower), std::abs(stated.upper)) > most * kRounding) {
-    return ": a limit exceeds one turn; taken as " + given;
+  const double largest = std::max(std::abs(stated.lower), std::abs(stated.upper));
+  if (largest > most * kRounding) {
+    joint.no_limits = "has a limit of " + FormatSignificant(largest, 3) + ", more than one turn";
+    return "";
+  }
+  if (stated.lower == stated.upper) {
+    joint.no_limits = "has equal limits";
+    joint.lower = joint.upper = stated.lower;
+    return "";
   }
   joint.lower = std::clamp(std::min(stated.lower, stated.upper), -most, most);
   joint.upper = std::clamp(std::max(stated.lower, stated.upper), -most, most);
   return stated.lower > stated.upper ? ": the limits are reversed; exchanged" : "";
+}
+
+void FixUnlimited(const std::string& file, Diagnostics& problems, ForeignHand& hand) {
+  for (size_t j = 0; j < hand.joints.size(); ++j) {
+    ForeignJoint& joint = hand.joints[j];
+    if (joint.no_limits.empty() || joint.kind == ForeignJoint::Kind::kFixed) continue;
+    const auto warn = [&](const std::string& text) {
+      problems.Warn(file, joint.line, "joint \"" + joint.name + "\" " + joint.no_limits + text);
+    };
+    const ForeignJoint* leader =
+        joint.mimic ? &hand.joints[static_cast<size_t>(joint.mimic->joint)] : nullptr;
+    if (leader && leader->no_limits.empty() && !joint.mimic->is_distal) {
+      const double ends[] = {joint.mimic->offset + joint.mimic->ratio * leader->lower,
+                             joint.mimic->offset + joint.mimic->ratio * leader->upper};
+      joint.lower = std::min(ends[0], ends[1]);
+      joint.upper = std::max(ends[0], ends[1]);
+      warn("; as far as \"" + leader->name + "\" takes it");
+    } else if (!leader) {
+      const double at = joint.lower == joint.upper ? joint.lower : 0.0;
+      warn("; fixed: give it a lower and an upper limit if it moves");
+      FixJoint(hand, static_cast<int>(j), at);
+    }
+  }
 }
 
 void StatedAngles::Add(double lower, double upper, double unit, int line) {

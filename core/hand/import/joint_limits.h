@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/diagnostics.h"
 #include "core/base/units.h"
 #include "core/hand/import/foreign_hand.h"
 
@@ -16,10 +17,15 @@ struct StatedLimits {
   double lower = 0.0, upper = 0.0;  ///< [rad], [m]
 };
 
-/** Fills a joint's limits: missing or equal ones and those beyond one turn are taken as half a turn
-each way, of a slide as nothing yet; reversed ones are exchanged.
+/** Fills a joint's limits; reversed ones are exchanged. Missing or equal ones and those beyond one
+turn set `no_limits`, and half a turn each way for the time being, of a slide nothing.
 @returns what was repaired, to stand behind the joint's name; empty: nothing. */
 std::string SetLimits(const StatedLimits& stated, ForeignJoint& joint);
+
+/** Joints without limits: one that follows another gets what the other's limits say, the rest are
+fixed where they are, or at the one position that their limits allow. Each is reported. Call when
+all couplings are known. */
+void FixUnlimited(const std::string& file, Diagnostics& problems, ForeignHand& hand);
 
 /** The ranges of a description's hinges, as they stand in it. */
 struct StatedAngles {

@@ -61,6 +61,7 @@ class ForeignUrdfReader {
                   ForeignJoint& joint);
   void JudgeAngles(XMLElement& robot);
   void CheckTree();
+  void TellEfforts();
 
   std::string file_;
   std::optional<bool> in_degrees_;  // limits of joints; nothing: each by itself
@@ -70,6 +71,7 @@ class ForeignUrdfReader {
   std::map<std::string, int> link_index_;
   std::map<std::string, Vector3d> colours_;
   std::vector<NamedMimic> mimics_;
+  std::vector<std::string> without_effort_, with_great_effort_;  // joints
 };
 
 /** True for the <origin> of a <joint>, false for those of shapes and masses: these can be guessed.
@@ -105,7 +107,13 @@ std::array<double, kCount> ForeignUrdfReader::Numbers(XMLElement* element, const
 Pose ForeignUrdfReader::ReadOrigin(XMLElement& parent, const std::string& where) {
   XMLElement* origin = parent.FirstChildElement("origin");
   const Vector3d xyz = Vector(origin, "xyz", Vector3d::Zero(), where);
-  const Vector3d rpy = Vector(origin, "rpy", Vector3d::Zero(), where);
+  Vector3d rpy = Vector(origin, "rpy", Vector3d::Zero(), where);
+  if (const double largest = rpy.cwiseAbs().maxCoeff(); largest > kWholeTurn) {
+    Warn(*origin, where + ": an angle of " + FormatSignificant(largest, 3) +
+                      " in rpy is more than one turn; this rpy is taken as degrees, though URDF "
+                      "has radians: look at the others of the file");
+    rpy *= RadFromDeg(1.0);
+  }
   return MakePose(MakeRotationRpy(rpy.x(), rpy.y(), rpy.z()), xyz);
 }
 
@@ -161,8 +169,8 @@ std::optional<ForeignShape> ForeignUrdfReader::ReadShape(XMLElement& element,
     shape.mesh = address ? address : "";
     shape.scale = Vector(solid, "scale", Vector3d::Ones(), where);
     if (!shape.mesh.empty() && shape.scale.cwiseAbs().minCoeff() > 0.0) return shape;
-    Warn(*solid,
-         where + ": a mesh without " + (shape.mesh.empty() ? "filename" : "extent") + "; left out");
+    Warn(*solid, where + ": a mesh with" + (shape.mesh.empty() ? "out filename" : " a scale of 0") +
+                     "; left out");
     return {};
   } else {
     Warn(*solid, where + ": <" + kind + "> is no shape of URDF; left out");
@@ -208,9 +216,20 @@ void ForeignUrdfReader::ReadLink(XMLElement& element) {
 void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
                                    const std::string& where, ForeignJoint& joint) {
   XMLElement* limit = element.FirstChildElement("limit");
-  joint.drive.effort = std::max(0.0, Number(limit, "effort", 0.0, where));
+  const double effort = Number(limit, "effort", 0.0, where);
+  joint.drive.effort = std::max(0.0, effort);
+  const bool is_driven = !element.FirstChildElement("mimic");
+  if (limit && limit->Attribute("effort") && is_driven && effort <= 0.0)
+    without_effort_.push_back(joint.name);
+  const double most_effort = joint.kind == ForeignJoint::Kind::kRevolute ? 200.0 : 5000.0;
+  if (effort > most_effort) with_great_effort_.push_back(joint.name);
   StatedLimits stated;
   if (!limit || type == "continuous") stated.missing = "<limit>";
+  for (const char* end : {"lower", "upper"}) {
+    const char* text = limit ? limit->Attribute(end) : nullptr;
+    const auto numbers = text ? ParseNumbers(text) : std::vector<double>{0.0};
+    if (!numbers || numbers->size() != 1) stated.missing = std::string(end) + " limit to be read";
+  }
   // A limit that is left out is zero in URDF.
   stated.lower = Number(limit, "lower", 0.0, where);
   stated.upper = Number(limit, "upper", 0.0, where);
@@ -229,7 +248,10 @@ void ForeignUrdfReader::ReadLimits(XMLElement& element, const std::string& type,
   }
   const std::string repaired = SetLimits(stated, joint);
   if (type == "continuous") {
-    Warn(element, where + " turns without end; its limits are taken as half a turn each way");
+    joint.no_limits.clear();
+    Warn(element, where +
+                      " is continuous, it turns without end; its limits are taken as half a "
+                      "turn each way");
   } else if (!repaired.empty()) {
     Warn(limit ? *limit : element, where + repaired);
   }
@@ -289,6 +311,10 @@ void ForeignUrdfReader::ReadJoint(XMLElement& element) {
     joint.kind = ForeignJoint::Kind::kRevolute;
   } else if (type == "prismatic") {
     joint.kind = ForeignJoint::Kind::kPrismatic;
+  } else if (type != "fixed" && type != "floating" && type != "planar") {
+    Fail(element, where + ": type \"" + type +
+                      "\" is not one of URDF: revolute, continuous, prismatic, fixed, floating, "
+                      "planar");
   } else if (type != "fixed") {
     Warn(element, where + ": type \"" + type + "\" is no joint of a hand; taken as fixed");
   }
@@ -353,18 +379,37 @@ void ForeignUrdfReader::CheckTree() {
   }
 }
 
+void ForeignUrdfReader::TellEfforts() {
+  const auto tell = [&](const std::vector<std::string>& joints, const std::string& what) {
+    if (joints.empty()) return;
+    problems_.Warn(file_, 0,
+                   "effort of " + FormatCount(static_cast<int64_t>(joints.size()), "joint") + " (" +
+                       JoinSome(joints) + ") " + what + "; their drives are guessed");
+  };
+  tell(without_effort_, "is 0 or less: a drive without torque moves nothing");
+  tell(with_great_effort_, "is above 200 N m or 5000 N, more than a finger bears");
+}
+
 ForeignHand ForeignUrdfReader::Read(const std::string& text) {
   tinyxml2::XMLDocument document;
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    problems_.Fail(file_, 0, "the file is empty");
+    return {};
+  }
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     problems_.Fail(file_, document.ErrorLineNum(),
-                   std::string("not valid XML (") + document.ErrorName() + ")");
+                   "not valid XML in line " + std::to_string(document.ErrorLineNum()) + " (" +
+                       document.ErrorName() + "); is the file whole?");
     return {};
   }
   XMLElement* robot = document.RootElement();
   if (!robot || std::strcmp(robot->Name(), "robot") != 0) {
     problems_.Fail(file_, robot ? robot->GetLineNum() : 0,
                    "neither URDF nor MJCF: the outermost element must be <robot> or <mujoco>" +
-                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : ""));
+                       std::string(robot ? ", found <" + std::string(robot->Name()) + ">" : "") +
+                       (robot && std::strcmp(robot->Name(), "sdf") == 0
+                            ? ", an SDF world: give the URDF that it was made of"
+                            : ""));
     return {};
   }
   for (XMLElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
@@ -393,6 +438,8 @@ ForeignHand ForeignUrdfReader::Read(const std::string& text) {
   if (problems_.num_errors() > 0) return {};
   CheckTree();
   ResolveMimics(mimics_, "<mimic>", file_, problems_, hand_);
+  FixUnlimited(file_, problems_, hand_);
+  TellEfforts();
   return std::move(hand_);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/hand/import/find_hand.h"
 #include "core/hand/import/fix_joint.h"
 #include "core/hand/import/shapes/shape_distance.h"
 
@@ -22,30 +23,8 @@ constexpr double kHeaviestFrame = 20.0;  // [kg] of a link without extent
 constexpr double kBallRadius = 0.005;    // [m] of a link between two axes
 constexpr double kBallMass = 0.004;      // [kg]
 constexpr int kMostWristJoints = 2;
-
-/** A foreign hand's tree, from the root down. */
-struct Tree {
-  std::vector<int> joint_of;             // by link; -1: the root
-  std::vector<std::vector<int>> joints;  // by link: those that hang on it
-  std::vector<int> order;                // links, parents first
-};
-
-Tree MakeTree(const ForeignHand& foreign) {
-  Tree tree;
-  tree.joint_of.assign(foreign.links.size(), -1);
-  tree.joints.resize(foreign.links.size());
-  for (size_t j = 0; j < foreign.joints.size(); ++j) {
-    tree.joint_of[foreign.joints[j].child] = static_cast<int>(j);
-    tree.joints[foreign.joints[j].parent].push_back(static_cast<int>(j));
-  }
-  for (size_t link = 0; link < foreign.links.size(); ++link) {
-    if (tree.joint_of[link] < 0) tree.order.push_back(static_cast<int>(link));
-  }
-  for (size_t i = 0; i < tree.order.size(); ++i) {
-    for (int joint : tree.joints[tree.order[i]]) tree.order.push_back(foreign.joints[joint].child);
-  }
-  return tree;
-}
+constexpr double kHeaviestHand = 10.0;  // [kg]
+constexpr double kFarthestFrame = 2.0;  // [m] along an axis, as hand.yaml has it
 
 bool Moves(const ForeignJoint& joint) { return joint.kind != ForeignJoint::Kind::kFixed; }
 
@@ -57,11 +36,14 @@ class Welder {
         shapes_(shapes),
         file_(file),
         problems_(problems),
-        tree_(MakeTree(foreign)) {}
+        tree_(MakeForeignTree(foreign)) {}
 
   void FixEmptyEnds();
-  int FindPalm(const std::string& name);
-  void LeaveOutArm(int palm);
+  HandPlace FindHandPlace(const std::string& palm) const {
+    return FindHand(foreign_, tree_, has_body_, palm, file_, problems_);
+  }
+  void LeaveOutArm(const HandPlace& place);
+  bool CheckMass();
   ImportedHand Weld(int palm);
 
  private:
@@ -84,7 +66,7 @@ class Welder {
   const std::vector<LoadedShapes>& shapes_;
   std::string file_;
   Diagnostics& problems_;
-  Tree tree_;
+  ForeignTree tree_;
   std::vector<bool> has_body_;  // by link: it or what hangs on it has a shape
   int root_ = -1;               // -1: the tree's
 };
@@ -111,61 +93,40 @@ void Welder::FixEmptyEnds() {
   }
 }
 
-/** The lowest link that all chains of moving links with a body have in common. */
-int Welder::FindPalm(const std::string& name) {
-  if (!name.empty()) {
-    std::vector<std::string> known;
-    for (size_t link = 0; link < foreign_.links.size(); ++link) {
-      if (foreign_.links[link].name == name) return static_cast<int>(link);
-      known.push_back(foreign_.links[link].name);
-    }
-    problems_.Fail(file_, 0, "no link \"" + name + "\" for the palm" + SuggestNames(name, known));
-    return -1;
+/** False, with an error: no hand is as heavy as what is left. */
+bool Welder::CheckMass() {
+  double mass = 0.0, most = 0.0;
+  int heaviest = -1;
+  for (const int link : tree_.order) {
+    if (root_ >= 0 && !IsBelow(link, root_)) continue;
+    const auto& inertia = foreign_.links[link].inertia;
+    if (!inertia) continue;
+    mass += std::max(0.0, inertia->mass);
+    if (inertia->mass <= most) continue;
+    most = inertia->mass;
+    heaviest = link;
   }
-  // The number of chain ends at or below each link.
-  std::vector<int> num_ends(foreign_.links.size(), 0);
-  for (size_t i = tree_.order.size(); i-- > 0;) {
-    const int link = tree_.order[i], joint = tree_.joint_of[link];
-    if (joint < 0) continue;
-    const bool is_end = Moves(foreign_.joints[joint]) && has_body_[link];
-    const int ends = std::max(num_ends[link], is_end ? 1 : 0);
-    num_ends[foreign_.joints[joint].parent] += ends;
-  }
-  int palm = tree_.order.front();
-  if (num_ends[palm] == 0) {
-    problems_.Fail(file_, 0, "no joint moves anything that could touch: this is no hand");
-    return -1;
-  }
-  for (bool goes_on = true; goes_on;) {
-    goes_on = false;
-    for (int joint : tree_.joints[palm]) {
-      const int child = foreign_.joints[joint].child;
-      if (num_ends[child] == num_ends[palm] && num_ends[child] > 1) {
-        palm = child;
-        goes_on = true;
-        break;
-      }
-    }
-  }
-  if (num_ends[palm] < 2) {
-    problems_.Fail(
-        file_, 0,
-        "the joints form one chain without digits: an arm, or one finger. A hand has two "
-        "digits at least that part from a palm");
-    return -1;
-  }
-  return palm;
+  if (mass <= kHeaviestHand) return true;
+  problems_.Fail(file_, foreign_.links[heaviest].inertia->line,
+                 "its links weigh " + FormatSignificant(mass, 3) + " kg in all, \"" +
+                     foreign_.links[heaviest].name + "\" alone " + FormatSignificant(most, 3) +
+                     " kg; a hand weighs 10 kg at most. Are these grams, or parts of a scene? "
+                     "Give kilograms, or name the palm with --palm");
+  return false;
 }
 
-void Welder::LeaveOutArm(int palm) {
-  int num_joints = 0, below = palm;
-  for (int link = palm; tree_.joint_of[link] >= 0;) {
+void Welder::LeaveOutArm(const HandPlace& place) {
+  int num_joints = 0, below = place.palm;
+  for (int link = place.palm; link != place.top && tree_.joint_of[link] >= 0;) {
     const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
     num_joints += Moves(joint);
     if (!Moves(joint) && num_joints == 0) below = joint.parent;
     link = joint.parent;
   }
-  if (num_joints <= kMostWristJoints) return;
+  if (num_joints <= kMostWristJoints) {
+    if (place.top != tree_.order.front()) root_ = place.top;
+    return;
+  }
   root_ = below;
   WarnAt(foreign_.links[below].line,
          "the " + std::to_string(num_joints) + " joints above \"" + foreign_.links[below].name +
@@ -355,6 +316,18 @@ void Welder::NarrowForFollowers(Hand& hand) {
       follower.upper = std::max({follower.upper, a, b});
       continue;
     }
+    const double kept = upper - lower, narrowed = range - kept;
+    if (narrowed > 1e-3 * range) {
+      const auto format = [](const HandJoint& joint, double from, double to) {
+        return FormatFixed(ToDisplayUnits(joint, from), 1) + " to " +
+               FormatFixed(ToDisplayUnits(joint, to), 1) + " " + DisplayUnitOf(joint);
+      };
+      WarnAt(0, "joint \"" + driver.name + "\": its limits of " +
+                    format(driver, driver.lower, driver.upper) + " are narrowed to " +
+                    format(driver, lower, upper) + "; the limit of \"" + follower.name +
+                    "\", which follows it, holds: " +
+                    format(follower, follower.lower, follower.upper));
+    }
     driver.lower = lower;
     driver.upper = upper;
   }
@@ -366,7 +339,7 @@ ImportedHand Welder::Weld(int palm) {
   std::vector<int> link_of(foreign_.links.size(), -1);              // foreign -> welded
   std::vector<Pose> X_LM(foreign_.links.size(), Pose::Identity());  // member in its welded link
   std::vector<int> joint_of(foreign_.joints.size(), -1);
-  std::vector<bool> is_named;
+  bool is_root_named = false;
   Pose X_RootNamed = Pose::Identity();  // the frame of the part that names the root
   for (const int member : tree_.order) {
     if (root_ >= 0 && !IsBelow(member, root_)) continue;
@@ -379,7 +352,6 @@ ImportedHand Welder::Weld(int palm) {
       link_of[member] = static_cast<int>(hand.links.size());
       HandLink& link = hand.links.emplace_back();
       link.name = foreign_.links[member].name;
-      is_named.push_back(false);
       imported.notes.emplace_back();
       if (j >= 0) {
         const ForeignJoint& joint = foreign_.joints[j];
@@ -399,10 +371,10 @@ ImportedHand Welder::Weld(int palm) {
     const int index = link_of[member];
     HandLink& link = hand.links[index];
     const LoadedShapes& shapes = shapes_[member];
-    if (!is_named[index] && !shapes.collisions.empty()) {
+    if (index == 0 && !is_root_named && !shapes.collisions.empty()) {
       link.name = foreign_.links[member].name;  // not that of a mere frame, "world"
-      is_named[index] = true;
-      if (index == 0) X_RootNamed = X_LM[member];
+      is_root_named = true;
+      X_RootNamed = X_LM[member];
     }
     for (CollisionShape shape : shapes.collisions) {
       shape.link = index;
@@ -428,6 +400,13 @@ ImportedHand Welder::Weld(int palm) {
   TieFollowers(joint_of, hand);
   FillWeightless(imported);
   MoveRootFrame(X_RootNamed.inverse(), imported);
+  for (const int member : tree_.order) {
+    const int index = link_of[member];
+    if (index < 0 || foreign_.links[member].name == hand.links[index].name) continue;
+    const Pose X_LF = index == 0 ? Pose(X_RootNamed.inverse() * X_LM[member]) : X_LM[member];
+    if (X_LF.translation().cwiseAbs().maxCoeff() > kFarthestFrame) continue;  // of a scene
+    hand.frames.push_back({foreign_.links[member].name, index, X_LF});
+  }
   NarrowForFollowers(hand);
   hand.palm_link = link_of[palm];
   return imported;
@@ -439,10 +418,11 @@ ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& sha
                        const std::string& palm, const std::string& file, Diagnostics& problems) {
   Welder welder(foreign, shapes, file, problems);
   welder.FixEmptyEnds();
-  const int palm_link = welder.FindPalm(palm);
-  if (palm_link < 0) return {};
-  welder.LeaveOutArm(palm_link);
-  return welder.Weld(palm_link);
+  const HandPlace place = welder.FindHandPlace(palm);
+  if (place.palm < 0) return {};
+  welder.LeaveOutArm(place);
+  if (!welder.CheckMass()) return {};
+  return welder.Weld(place.palm);
 }
 
 }  // namespace graspbench

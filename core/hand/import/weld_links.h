@@ -32,9 +32,11 @@ struct ImportedHand {
   std::vector<ForeignDrive> drives;  ///< by joint, as published
 };
 
-/** Kept of a link's shapes, by foreign link. @param palm  name of the palm's link; empty: guessed
-from the tree: where the digits part. Links above it are left out when more than two joints, an arm,
-lead to them. */
+/** Kept of a link's shapes, by foreign link. Every link of the description whose frame is not that
+of a link of the hand becomes one of Hand::frames.
+@param palm  name of the palm's link; empty: guessed from the tree: where the digits part. Of a
+scene the one part that has two digits is taken (find_hand.h); links above the palm are left out
+when more than two joints, an arm, lead to them. Errors: no hand or several; more than 10 kg. */
 ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& shapes,
                        const std::string& palm, const std::string& file, Diagnostics& problems);
 

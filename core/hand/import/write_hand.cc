@@ -21,6 +21,12 @@ using Eigen::Vector3d;
 /** Nine digits, a negative zero without its sign. */
 std::string FormatNumber(double value) { return fmt::format("{:.9g}", value + 0.0); }
 
+/** Of a place or an angle: exact to 1e-12, so that a chain of them keeps a nanometre. */
+std::string FormatExactly(const Vector3d& v, const char* separator = " ") {
+  return fmt::format("{:.12g}{}{:.12g}{}{:.12g}", v.x() + 0.0, separator, v.y() + 0.0, separator,
+                     v.z() + 0.0);
+}
+
 std::string FormatVector(const Vector3d& v, const char* separator = " ") {
   return FormatNumber(v.x()) + separator + FormatNumber(v.y()) + separator + FormatNumber(v.z());
 }
@@ -32,9 +38,11 @@ std::string FormatPlace(const Vector3d& p) {
   return "[" + text + "]";
 }
 
+/** One angle after the other is taken out, so that they stay exact where the pitch is 90 degrees. */
 Vector3d CalcRpy(const Eigen::Matrix3d& R) {
-  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
-          std::atan2(R(1, 0), R(0, 0))};
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(-yaw, Vector3d::UnitZ()) * R;
+  return {std::atan2(-tilted(1, 2), tilted(1, 1)), std::atan2(-tilted(2, 0), tilted(0, 0)), yaw};
 }
 
 class UrdfWriter {
@@ -59,8 +67,8 @@ class UrdfWriter {
   void Set(const char* name, const std::string& value) { xml_.PushAttribute(name, value.c_str()); }
   void WriteOrigin(const Pose& X) {
     Open("origin");
-    Set("xyz", FormatVector(X.translation()));
-    Set("rpy", FormatVector(CalcRpy(X.linear())));
+    Set("xyz", FormatExactly(X.translation()));
+    Set("rpy", FormatExactly(CalcRpy(X.linear())));
     xml_.CloseElement();
   }
   void WriteSolid(const CollisionShape& shape) {
@@ -153,7 +161,7 @@ class UrdfWriter {
     Set("link", link.name);
     xml_.CloseElement();
     Open("axis");
-    Set("xyz", FormatVector(link.axis));
+    Set("xyz", FormatExactly(link.axis));
     xml_.CloseElement();
     Open("limit");
     Set("lower", FormatNumber(joint.lower));
@@ -222,8 +230,8 @@ std::string FormatDrives(const Hand& hand) {
       "can\n"
       "# hold a finger, else guesses (3 N m/rad or 3000 N/m, over 50 times the damping). The limit "
       "is\n"
-      "# its effort where that is one of a finger (3 N m, 200 N at most), else 1 N m or 40 "
-      "N.\ndrives:\n";
+      "# its effort where that is one of a finger (3 N m, 200 N at most), else 1 N m or 40 N, "
+      "and no\n# more than the weakest published one of its digit.\ndrives:\n";
   std::set<int> done;
   for (int j = 0; j < hand.num_joints(); ++j) {
     const HandJoint& joint = hand.joints[j];
@@ -275,6 +283,21 @@ std::string FormatYaml(const Hand& hand, const std::string& source) {
   text += FormatDigits(hand) + "\n";
   const std::string followers = FormatFollowers(hand);
   text += followers + (followers.empty() ? "" : "\n") + FormatDrives(hand);
+  if (!hand.apart.empty()) {
+    text += "\napart:                       # guess: their shapes overlap where a joint may go\n";
+  }
+  for (const auto& [a, b] : hand.apart) {
+    text += "  - " + JoinQuoted({hand.links[a].name, hand.links[b].name}) + "\n";
+  }
+  if (!hand.frames.empty()) {
+    text += "\nframes:                      # of the description, fixed to links: hand fk --link\n";
+  }
+  for (const NamedFrame& frame : hand.frames) {
+    text += "  - name: " + QuoteYaml(frame.name) +
+            "\n    link: " + QuoteYaml(hand.links[frame.link].name) + "\n    position_m: [" +
+            FormatExactly(frame.X_LF.translation(), ", ") + "]\n    rpy_rad: [" +
+            FormatExactly(CalcRpy(frame.X_LF.linear()), ", ") + "]\n";
+  }
   return text + "\n# grasps: none yet; graspbench hand develop FOLDER --out DIR finds them.\n";
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/shape/mass_properties.h"
+#include "core/shape/repair/mesh_bodies.h"
 #include "core/shape/repair/mesh_edges.h"
 #include "core/shape/repair/mesh_shells.h"
 #include "core/shape/triangle_tree.h"
@@ -128,8 +129,11 @@ bool IsEven(const Eigen::Vector3i& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (
 
 class Checker {
  public:
-  explicit Checker(const TriMesh& mesh)
-      : mesh_(mesh), edges_(ListEdges(mesh)), is_whole_(IsWhole(edges_)) {}
+  Checker(const TriMesh& mesh, PartsApart parts_apart)
+      : mesh_(mesh),
+        parts_apart_(parts_apart),
+        edges_(ListEdges(mesh)),
+        is_whole_(IsWhole(edges_)) {}
 
   MeshReport Check() {
     report_.num_triangles = mesh_.num_triangles();
@@ -146,6 +150,7 @@ class Checker {
     if (shells_.count <= kMaxShells) parts_ = SplitShells(mesh_, shells_);
     CheckVolume();
     CheckCrossings();
+    CheckBodies();
     return report_;
   }
 
@@ -349,6 +354,43 @@ class Checker {
     }
   }
 
+  void CheckBodies() {
+    if (!report_.problems.empty() || shells_.count == 1 || shells_.count > kMaxShells) return;
+    const Bodies bodies = FindBodies(mesh_, shells_, kTouchingShare * report_.extent.maxCoeff());
+    const auto format = [&](const BodyCount& parts) {
+      return FormatCount(parts.count, "part", "parts") +
+             fmt::format(" with {:.3g} % of the volume, the first at ",
+                         100.0 * parts.volume / report_.volume) +
+             FormatPoint(parts.place) + " [mm], ";
+    };
+    const auto is_small = [&](const BodyCount& parts) {
+      return parts.volume < kMaxStrayShare * report_.volume;
+    };
+    if (bodies.apart.count > 0) {
+      const std::string text = format(bodies.apart) +
+                               "apart from the rest, with which one rigid "
+                               "object would carry them along";
+      if (is_small(bodies.apart) || parts_apart_ == PartsApart::kMeant) {
+        Warn(text);
+      } else {
+        Add(MeshFault::kApart, text +
+                                   "; delete them, join them in a modelling program, or say "
+                                   "separate_parts: true in object.yaml if it is meant");
+      }
+    }
+    if (bodies.nested.count > 0) {
+      const std::string text =
+          format(bodies.nested) + "inside others and facing outwards as these do";
+      if (is_small(bodies.nested)) {
+        Warn(text);
+      } else {
+        Add(MeshFault::kNested, text +
+                                    ": that space counts twice; flip their faces if they are "
+                                    "cavities, delete them if the body is solid");
+      }
+    }
+  }
+
   // Does no part that cuts through itself count much of its volume wrongly?
   bool AreFoldsSmall(const Crossings& crossings) const {
     if (!is_whole_ || shells_.count > kMaxShells) return false;
@@ -375,6 +417,7 @@ class Checker {
   }
 
   const TriMesh& mesh_;
+  const PartsApart parts_apart_;
   const std::vector<MeshEdge> edges_;
   const bool is_whole_;            // as many triangles one way as the other at every edge
   bool are_parts_joined_ = false;  // at edges
@@ -385,7 +428,9 @@ class Checker {
 
 }  // namespace
 
-MeshReport CheckMesh(const TriMesh& mesh) { return Checker(mesh).Check(); }
+MeshReport CheckMesh(const TriMesh& mesh, PartsApart parts_apart) {
+  return Checker(mesh, parts_apart).Check();
+}
 
 std::string FormatProblems(const MeshReport& report) {
   std::string text;

@@ -3,9 +3,9 @@
 Is a mesh the surface of one or more solids? Everything that simulation and mass properties rely on
 is checked, and each problem is reported: how many, where the first ones are, what to do.
 
-A point belongs to the solid where the surface winds around it at least once. So parts that overlap,
-lie in each other or touch are one body, a shell that faces inwards within one that faces outwards
-is a cavity, and small folds of a surface through itself are tolerated: warnings, not problems.
+A point belongs to the solid where the surface winds around it at least once. So parts that overlap
+or touch are one body, a shell that faces inwards within one that faces outwards is a cavity, parts
+apart from the rest are told, and refused unless they are small or meant, and small folds of a surface through itself are tolerated: warnings, not problems.
 
 Positions in the messages are millimetres in the mesh's own frame. */
 
@@ -28,6 +28,8 @@ enum class MeshFault {
   kInconsistent,  ///< neighbours that face opposite ways
   kInverted,      ///< inside out, or without volume
   kSelfCrossing,  ///< a part that cuts through itself, changing the volume by 0.1 % or more
+  kApart,         ///< parts that do not touch the rest, of 1 % of the volume or more
+  kNested,        ///< parts inside others that are no cavities, of 1 % of the volume or more
 };
 
 struct MeshProblem {
@@ -59,9 +61,20 @@ inline constexpr double kMaxMeshExtent = 1.0;
 wrongly. */
 inline constexpr double kMaxFoldedShare = 1e-3;
 
+/** Parts that lie apart, or inside others without being cavities, are tolerated up to this share of
+the volume. */
+inline constexpr double kMaxStrayShare = 0.01;
+/** Parts that are nearer to each other touch: a share of the mesh's largest extent. */
+inline constexpr double kTouchingShare = 1e-3;
+
+enum class PartsApart {
+  kRefused,
+  kMeant  ///< somebody has said that the object is of several bodies, which move as one
+};
+
 /** @pre valid indices. Costs about 20 ms for 5,000 triangles, half a second more for each part that
 crosses others or itself. */
-MeshReport CheckMesh(const TriMesh& mesh);
+MeshReport CheckMesh(const TriMesh& mesh, PartsApart parts_apart = PartsApart::kRefused);
 
 /** The problems one per line; empty when there are none. */
 std::string FormatProblems(const MeshReport& report);

@@ -149,12 +149,12 @@ MeshRepair RepairMesh(const TriMesh& mesh) {
   return repair;
 }
 
-UsableMesh MakeUsable(const TriMesh& mesh) {
-  UsableMesh usable = {mesh, {}, CheckMesh(mesh)};
+UsableMesh MakeUsable(const TriMesh& mesh, PartsApart parts_apart) {
+  UsableMesh usable = {mesh, {}, CheckMesh(mesh, parts_apart)};
   if (usable.report.problems.empty()) return usable;
   MeshRepair mended = MendMesh(mesh);
   if (mended.actions.empty()) return usable;
-  MeshReport report = CheckMesh(mended.mesh);
+  MeshReport report = CheckMesh(mended.mesh, parts_apart);
   if (!report.problems.empty()) return usable;
   return {std::move(mended.mesh), std::move(mended.actions), std::move(report)};
 }

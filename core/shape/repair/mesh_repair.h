@@ -45,6 +45,6 @@ struct UsableMesh {
 };
 /** Checks the mesh, mends it if it has problems, and keeps what was mended if then it has none.
 @pre valid indices. */
-UsableMesh MakeUsable(const TriMesh& mesh);
+UsableMesh MakeUsable(const TriMesh& mesh, PartsApart parts_apart = PartsApart::kRefused);
 
 }  // namespace graspbench

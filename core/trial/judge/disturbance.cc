@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <iterator>
 
 namespace graspbench {
 namespace {
@@ -34,14 +33,14 @@ Disturbance CalcDisturbance(const TrialResult& result) {
   return disturbance;
 }
 
-Displacement CalcClosingDisplacement(const std::vector<TraceInstant>& trace) {
-  const auto find_first = [&trace](Phase phase) {
-    return std::find_if(trace.begin(), trace.end(),
-                        [phase](const TraceInstant& instant) { return instant.phase >= phase; });
-  };
-  const auto start = find_first(Phase::kClosure), end = find_first(Phase::kStabilisation);
-  if (start == trace.end()) return {};
-  return CalcDisplacement(start->X_WO, std::prev(end)->X_WO);
+void ClosingMeter::Observe(Phase phase, const Pose& X_WO) {
+  if (!start_ && phase >= Phase::kClosure) start_ = X_WO;
+  has_ended_ = has_ended_ || phase >= Phase::kStabilisation;
+  if (!has_ended_) last_ = X_WO;
+}
+
+Displacement ClosingMeter::Calc() const {
+  return start_ ? CalcDisplacement(*start_, last_) : Displacement();
 }
 
 }  // namespace graspbench

@@ -10,18 +10,13 @@ How far a hand moves an object while it grasps it, from the postures that a reco
 A shift is that of O, the centre of the object's bounding box; a turn is the angle about any axis. A
 round object's turn means little. */
 
-#include <vector>
+#include <optional>
 
 #include "core/base/units.h"
+#include "core/grasp/strategy.h"
 #include "core/trial/trial_result.h"
-#include "core/trial/trial_trace.h"
 
 namespace graspbench {
-
-struct Displacement {
-  double shift = kUnset;  ///< [m]
-  double turn = kUnset;   ///< [rad], in [0, pi]
-};
 
 struct Disturbance {
   Displacement before_lift;
@@ -32,7 +27,17 @@ struct Disturbance {
 Disturbance CalcDisturbance(const TrialResult& result);
 
 /** In the world, from the start of closure to the last digit's touch or to where the strategy waits
-no longer for it. NaN without closure. */
-Displacement CalcClosingDisplacement(const std::vector<TraceInstant>& trace);
+no longer for it; told of every step of a trial. */
+class ClosingMeter {
+ public:
+  void Observe(Phase phase, const Pose& X_WO);
+  /** NaN without closure. */
+  Displacement Calc() const;
+
+ private:
+  std::optional<Pose> start_;
+  Pose last_ = Pose::Identity();
+  bool has_ended_ = false;
+};
 
 }  // namespace graspbench

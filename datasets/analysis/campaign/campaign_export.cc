@@ -1,10 +1,11 @@
 #include "datasets/analysis/campaign/campaign_export.h"
 
 #include <algorithm>
+#include <map>
 
-#include "core/base/files/files.h"
 #include "core/base/text/csv.h"
 #include "datasets/analysis/campaign/campaign_summary.h"
+#include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -77,11 +78,12 @@ void ExportCampaign(const fs::path& folder, const Campaign& campaign) {
   std::vector<CsvColumn<VariantSummary>> columns;
   AddFieldColumns<VariantSummary>(
       [](const VariantSummary& summary) -> const VariantSummary& { return summary; }, columns);
-  WriteFileAtomically(folder / "summary.csv",
-                      FormatCsv(columns, SummariseVariants(campaign.benchmark)));
+  std::map<std::string, std::string> tables = {
+      {"summary.csv", FormatCsv(columns, SummariseVariants(campaign.benchmark))}};
   if (!campaign.comparison.empty()) {
-    WriteFileAtomically(folder / "comparison.csv", FormatComparison(campaign.comparison));
+    tables["comparison.csv"] = FormatComparison(campaign.comparison);
   }
+  WriteDerived(kCampaignStore, folder, tables);
 }
 
 }  // namespace graspbench

@@ -162,27 +162,28 @@ spreads <- function(model) {
   v <- as.data.frame(lme4::VarCorr(model))
   v <- v[v$grp != "Residual" & is.na(v$var2), ]
   v$is_session <- grepl("^person[:.]own_session", v$grp)  # a point where there are several terms
-  v$key <- ifelse(v$var1 == "(Intercept)", "1", v$var1)
+  of_factor <- grepl("^person[:.]v", v$grp)
+  v$key <- ifelse(of_factor, sub("^person[:.]", "", v$grp),
+                  ifelse(v$var1 == "(Intercept)", "1", v$var1))
   v
 }
 
-# The fullest random part that is not singular: with correlations, without, without zeros.
-descend <- function(fixed, data, own, with_sessions) {
+# The fullest random part that is not singular: with correlations, one variance for each factor,
+# without zeros. own: columns that correlate; parts: terms that do not, by key.
+descend <- function(fixed, data, own, parts, with_sessions) {
   sessions_part <- if (with_sessions) "(1 | person:own_session)"
   if (length(own) > 1 && length(own) <= 6 && length(unique(data$person)) > length(own)) {
     model <- fit(paste(fixed, "+", paste(c(paste0("(", paste(own, collapse = " + "), " | person)"),
                                            sessions_part), collapse = " + ")), data)
     if (!is.null(model) && !lme4::isSingular(model, 1e-4)) return(model)
   }
-  while (length(own) + length(sessions_part) > 0) {
-    parts <- vapply(own, function(column) if (column == "1") "(1 | person)" else
-      paste0("(0 + ", column, " | person)"), "")
+  while (length(parts) + length(sessions_part) > 0) {
     model <- fit(paste(fixed, "+", paste(c(parts, sessions_part), collapse = " + ")), data)
-    if (is.null(model)) { if (length(own) < 2) return(NULL); own <- "1"; next }
+    if (is.null(model)) { if (length(parts) < 2) return(NULL); parts <- parts["1"]; next }
     if (!lme4::isSingular(model, 1e-4)) return(model)
     v <- spreads(model); zero <- v$sdcor < 1e-4 * sigma(model)
     if (any(zero & v$is_session)) sessions_part <- NULL
-    own <- setdiff(own, v$key[zero & !v$is_session])
+    parts <- parts[setdiff(names(parts), v$key[zero & !v$is_session])]
   }
   NULL
 }
@@ -196,6 +197,7 @@ fit_effects <- function(m, trials, within, quantity = NULL) {
   data <- data.frame(person = trials$person, value = trials$value)
   if (length(sessions)) data$own_session <- trials$own_session
   own <- "1"; names_of <- c("1" = "level of persons"); scale <- 1
+  parts <- c("1" = "(1 | person)")
   for (i in seq_along(variables)) {
     f <- variables[i]; column <- paste0("v", i)
     if (identical(f, quantity)) {
@@ -203,8 +205,13 @@ fit_effects <- function(m, trials, within, quantity = NULL) {
       scale <- sqrt(mean((x - mean(x))^2))
       data[[column]] <- (x - mean(x)) / scale
       own <- c(own, column); names_of[column] <- paste("slope over", f)
+      parts[column] <- paste0("(0 + ", column, " | person)")
     } else {
       data[[column]] <- trials[[f]]
+      if (f %in% within) {
+        parts[column] <- paste0("(1 | person:", column, ")")
+        names_of[column] <- paste("persons x", f)
+      }
       if (f %in% within) for (k in seq_len(nlevels(trials[[f]]) - 1)) {
         coded <- paste0("own", i, "_", k)
         data[[coded]] <- contr.sum(nlevels(trials[[f]]))[as.integer(trials[[f]]), k]
@@ -215,9 +222,18 @@ fit_effects <- function(m, trials, within, quantity = NULL) {
   with_sessions <- length(sessions) > 0 &&
     any(rowSums(table(data$person, data$own_session) > 0) > 1)
   fixed <- paste("value ~", paste0("v", seq_along(variables), collapse = " * "))
-  model <- descend(fixed, data, own, with_sessions)
+  model <- descend(fixed, data, own, parts, with_sessions)
   if (is.null(model)) return()
   x <- lme4::getME(model, "X")
+  if (!is.null(quantity)) {
+    test <- lmerTest::contest1D(model, replace(numeric(ncol(x)), 2, 1 / scale))
+    half <- qt(0.975, test[["df"]]) * test[["Std. Error"]]
+    t <- (test[["Estimate"]] - if (is.na(slope_of[m])) 0 else slope_of[m]) / test[["Std. Error"]]
+    add(m, "mixed model (REML)", paste("slope over", quantity), test[["Estimate"]],
+        test[["Std. Error"]], test[["Estimate"]] - half, test[["Estimate"]] + half, t, test[["df"]],
+        p = 2 * pt(-abs(t), test[["df"]]))
+    if (!length(groups)) return()
+  }
   assign <- attr(model.matrix(terms(model), model.frame(model)), "assign")
   labels <- attr(terms(model), "term.labels")
   for (k in seq_along(labels)) {
@@ -260,32 +276,7 @@ fit_line <- function(m, trials, f) {
     add(m, "persons' slopes, BCa bootstrap", effect, mean(slopes), low = interval[1],
         high = interval[2])
   }
-  if (!(has("lme4") && has("lmerTest"))) return()
-  scale <- sqrt(mean((trials$x - mean(trials$x))^2))
-  trials$s <- (trials$x - mean(trials$x)) / scale
-  trials$own_session <- NULL
-  model <- descend("value ~ s", trials, c("1", "s"), FALSE)
-  if (is.null(model)) return()
-  analysis <- "mixed model (REML)"
-  put <- function(effect, contrast) {
-    test <- lmerTest::contest1D(model, contrast)
-    half <- qt(0.975, test[["df"]]) * test[["Std. Error"]]
-    add(m, analysis, effect, test[["Estimate"]], test[["Std. Error"]], test[["Estimate"]] - half,
-        test[["Estimate"]] + half, test[["t value"]], test[["df"]], p = test[["Pr(>|t|)"]])
-  }
-  put(effect, c(0, 1 / scale))
-  put(paste("intercept at", f, "= 0"), c(1, -mean(trials$x) / scale))
-  v <- as.data.frame(lme4::VarCorr(model)); psi <- matrix(0, 2, 2)
-  at <- function(name) if (name == "(Intercept)") 1 else 2
-  for (i in which(v$grp != "Residual")) {
-    a <- at(v$var1[i]); b <- if (is.na(v$var2[i])) a else at(v$var2[i])
-    psi[a, b] <- psi[b, a] <- v$vcov[i]
-  }
-  back <- matrix(c(1, 0, -mean(trials$x) / scale, 1 / scale), 2)
-  psi <- back %*% psi %*% t(back)
-  add(m, analysis, "SD of slopes between persons", sqrt(max(0, psi[2, 2])))
-  add(m, analysis, "SD of intercepts between persons", sqrt(max(0, psi[1, 1])))
-  add(m, analysis, "SD of trials about a person's line", sigma(model))
+  if (has("lme4") && has("lmerTest")) fit_effects(m, trials, f, f)
 }
 
 # Intraclass correlations after Shrout and Fleiss, intervals after McGraw and Wong.
@@ -418,7 +409,6 @@ for (m in if (is.null(stored)) unique(d$measure) else intersect(unique(d$measure
   if (nrow(y) > 1 && length(groups)) test_groups(m, y, who)
   if (has("lme4") && has("lmerTest")) {
     if (many) fit_effects(m, trials, factors)
-    if (length(groups)) for (f in quantities) fit_effects(m, trials, f, f)
   }
   if (nrow(y) > 1 && ncol(y) > 1) {
     test <- friedman.test(y)

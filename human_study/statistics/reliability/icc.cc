@@ -167,7 +167,7 @@ Answer<std::vector<PersonTrials>> ListTrials(const MeasureTable& table, size_t c
   for (const Observation& row : table.rows) {
     const Answer<size_t> own_cell = FindCell(table.factors, row);
     if (!own_cell) return own_cell.none();
-    if (std::isinf(row.value)) return NoAnswer{"a value is infinite"};
+    if (std::string fault = FindUnusable(row.value); !fault.empty()) return NoAnswer{fault};
     if (*own_cell != cell) continue;
     const auto [entry, is_new] = index_of.try_emplace(row.person, persons.size());
     if (is_new) persons.push_back({row.person, {}});

@@ -56,8 +56,9 @@ Answer<Reliability> CalcReliability(const std::vector<PersonTrials>& persons, do
     result.num_missing += static_cast<int>(person.values.size() - values.size());
     if (values.empty()) continue;
     for (double value : values) {
-      if (std::isinf(value))
-        return NoAnswer{"person \"" + person.person + "\": a value is infinite"};
+      if (const std::string fault = FindUnusable(value); !fault.empty()) {
+        return NoAnswer{"person \"" + person.person + "\": " + fault};
+      }
     }
     means.push_back(CalcMoments(values).mean);
     groups.push_back(std::move(values));

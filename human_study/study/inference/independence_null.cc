@@ -19,12 +19,14 @@ constexpr size_t kMinTrials = 3;       // of a person in a condition
 constexpr size_t kMinNullPersons = 5;  // for an interval over persons
 constexpr double kSignificant = 0.05;
 constexpr double kRounding = 1e-9;
+constexpr double kSteepestPace = 1.5;  // of a touch over the movement's length
 
 struct TimedTrial {
   size_t person = 0;
   std::vector<double> contacts;  // in the order of the study's digits [s]
   double shared_variance = 0.0;  // of the errors that all contacts share [s^2]
   EventTime onset, end, widest;
+  const Movement* movement = nullptr;
 };
 using Stratum = std::vector<TimedTrial>;
 
@@ -53,9 +55,10 @@ double CalcPaceSlope(const std::vector<const Stratum*>& of_person, size_t digit)
       squares += Square(CalcLength(trial) - length);
     }
   }
-  // Lengths that differ by rounding alone say nothing.
+  // A touch comes at a share of the movement; where lengths hardly differ a slope is mostly noise.
   const double length = CalcLength(of_person.front()->front());
-  return squares > Square(1e-6 * length) ? products / squares : 0.0;
+  const bool has_slope = squares > Square(1e-6 * length);
+  return has_slope ? std::clamp(products / squares, 0.0, kSteepestPace) : 0.0;
 }
 
 /** @param of_person  all strata of the same person, for clock 2. */
@@ -293,12 +296,49 @@ void CalcClock(const std::vector<Stratum>& strata, size_t clock, const std::stri
   SetTest(means.ratio, std::move(ratios), diluted, null.gft_ratio[clock]);
 }
 
+/** Whether the wrist's rise was seen. */
+bool HasRise(const Movement& movement) {
+  const std::array<double, 3>& rise = movement.rise;
+  return std::isfinite(rise[0] + rise[1] + rise[2] + movement.distance);
+}
+
+SharedTimingTrial MakeShared(const TimedTrial& timed, bool by_rise) {
+  SharedTimingTrial shared;
+  shared.contacts = timed.contacts;
+  shared.shared_variance = timed.shared_variance;
+  shared.clock = timed.onset.time;
+  shared.clock_noise = timed.onset.uncertainty;
+  if (!by_rise) return shared;
+  const Movement& movement = *timed.movement;
+  shared.clock = movement.rise[0];
+  shared.clock_noise = movement.rise_noise;
+  shared.start = movement.start.time;
+  shared.transport = {movement.rise[1] - movement.rise[0], movement.rise[2] - movement.rise[1],
+                      movement.distance};
+  return shared;
+}
+
+/** Where a trial's rise was not seen the onset is the clock of all, its uncertainty what bounds it. */
+std::vector<SharedTimingRun> ListRuns(const std::vector<Stratum>& strata) {
+  bool by_rise = true;
+  for (const Stratum& stratum : strata) {
+    for (const TimedTrial& trial : stratum) by_rise &= HasRise(*trial.movement);
+  }
+  std::vector<SharedTimingRun> runs;
+  for (const Stratum& stratum : strata) {
+    SharedTimingRun& run = runs.emplace_back();
+    for (const TimedTrial& trial : stratum) run.push_back(MakeShared(trial, by_rise));
+  }
+  return runs;
+}
+
 /** None when a digit, a clock or the start of closure is missing. */
 std::optional<TimedTrial> MakeTimedTrial(const TrialAnalysis& analysis, size_t num_digits) {
   TimedTrial timed;
   timed.onset = analysis.movement.onset;
   timed.end = analysis.movement.end;
   timed.widest = analysis.closure_start;
+  timed.movement = &analysis.movement;
   for (const DigitContactEvents& digit : analysis.contacts) {
     if (!digit.contact.IsFound()) return std::nullopt;
     timed.contacts.push_back(digit.contact.time);
@@ -325,6 +365,13 @@ double CountDealings(const std::vector<Stratum>& strata, size_t num_digits) {
   return log_count;
 }
 
+bool IsMore(const IndependenceTest& test) {
+  return test.p < kSignificant && test.observed < test.expected;
+}
+bool IsLess(const IndependenceTest& test) {
+  return test.p < kSignificant && test.observed >= test.expected;
+}
+
 std::string FormatTest(const char* name, const IndependenceTest& test, double factor,
                        const std::string& unit) {
   return std::string(name) + " " + FormatFixed(factor * test.observed, 1) + unit +
@@ -334,25 +381,41 @@ std::string FormatTest(const char* name, const IndependenceTest& test, double fa
          (test.p < 0.005 ? FormatFixed(test.p, 3) : FormatFixed(test.p, 2)) + ")";
 }
 
-std::string FormatVerdict(const std::array<IndependenceTest, kNumClocks>& tests) {
-  constexpr const char* kThan = " than digits that move independently";
-  std::string by_clock;
-  int num_smaller = 0, num_larger = 0;
+std::string FormatClocks(const std::array<IndependenceTest, kNumClocks>& tests) {
+  std::string text;
   for (size_t i = 0; i < kNumClocks; ++i) {
-    const bool is_told = tests[i].p < kSignificant;
-    const bool is_smaller = tests[i].observed < tests[i].expected;
-    num_smaller += is_told && is_smaller ? 1 : 0;
-    num_larger += is_told && !is_smaller ? 1 : 0;
-    by_clock += (i == 0 ? "" : ", ") + std::string(ListClocks()[i]) + ": " +
-                (!is_told     ? "not told"
-                 : is_smaller ? "more simultaneous"
-                              : "less simultaneous");
+    text += (i == 0 ? "" : ", ") + std::string(ListClocks()[i]) + ": " +
+            (tests[i].p >= kSignificant              ? "no difference"
+             : tests[i].observed < tests[i].expected ? "more simultaneous"
+                                                     : "less simultaneous");
   }
-  constexpr int kAll = static_cast<int>(kNumClocks);
-  if (num_smaller == kAll) return std::string("more simultaneous") + kThan;
-  if (num_larger == kAll) return std::string("less simultaneous") + kThan;
-  if (num_smaller + num_larger == 0) return "not told from digits that move independently";
-  return std::string("not shown to be more simultaneous") + kThan + " (by clock: " + by_clock + ")";
+  return text;
+}
+
+std::string FormatShared(const Answer<SharedTiming>& shared) {
+  if (!shared) return shared.reason();
+  return "the digits share " + FormatFixed(MsFromS(shared->shared_sd), 1) + " ms (SD; at least " +
+         FormatFixed(MsFromS(shared->shared_low_sd), 1) +
+         " with 95 %), an error of the clock may be " + FormatFixed(MsFromS(shared->clock_sd), 1) +
+         " ms";
+}
+
+std::string FormatVerdict(const IndependenceNull& null,
+                          const std::array<IndependenceTest, kNumClocks>& tests) {
+  constexpr const char* kThan = " than digits that move independently";
+  switch (null.Judge(tests)) {
+    case IndependenceVerdict::kMore:
+      return std::string("more simultaneous") + kThan + " (" + FormatShared(null.shared) + ")";
+    case IndependenceVerdict::kLess:
+      return std::string("less simultaneous") + kThan;
+    case IndependenceVerdict::kNoDifference:
+      return "no difference from digits that move independently was found";
+    case IndependenceVerdict::kNotDecided:
+      break;
+  }
+  const bool all_more = std::all_of(tests.begin(), tests.end(), IsMore);
+  return std::string("not decided whether more simultaneous") + kThan + " (" +
+         (all_more ? FormatShared(null.shared) : "by clock: " + FormatClocks(tests)) + ")";
 }
 
 }  // namespace
@@ -375,6 +438,18 @@ size_t IndependenceNull::FindStrictest(const std::array<IndependenceTest, kNumCl
       tests.begin(), tests.end(),
       [&](const auto& one, const auto& other) { return evidence(one) < evidence(other); });
   return static_cast<size_t>(strictest - tests.begin());
+}
+
+IndependenceVerdict IndependenceNull::Judge(
+    const std::array<IndependenceTest, kNumClocks>& tests) const {
+  if (std::all_of(tests.begin(), tests.end(), IsMore)) {
+    return shared && shared->IsShown() ? IndependenceVerdict::kMore
+                                       : IndependenceVerdict::kNotDecided;
+  }
+  if (std::all_of(tests.begin(), tests.end(), IsLess)) return IndependenceVerdict::kLess;
+  const bool is_any = std::any_of(tests.begin(), tests.end(),
+                                  [](const auto& test) { return test.p < kSignificant; });
+  return is_any ? IndependenceVerdict::kNotDecided : IndependenceVerdict::kNoDifference;
 }
 
 Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& trials,
@@ -411,12 +486,13 @@ Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& tri
   }
   null.num_persons = static_cast<int>(persons.size());
   for (size_t clock = 0; clock < kNumClocks; ++clock) CalcClock(strata, clock, id, null);
+  null.shared = CalcSharedTiming(ListRuns(strata));
   return null;
 }
 
 std::string SayIndependence(const Answer<IndependenceNull>& null) {
   if (!null) return "Simultaneity of people: not testable, " + null.reason() + ".";
-  return "Simultaneity of people: " + FormatVerdict(null->gft) + ".";
+  return "Simultaneity of people: " + FormatVerdict(*null, null->gft) + ".";
 }
 
 std::string DescribeIndependence(const Answer<IndependenceNull>& null) {
@@ -425,7 +501,7 @@ std::string DescribeIndependence(const Answer<IndependenceNull>& null) {
   const size_t of_ratio = IndependenceNull::FindStrictest(null->gft_ratio);
   const IndependenceTest& gft = null->gft[of_gft];
   std::string text = SayIndependence(null) + " " + FormatTest("GFT is", gft, MsFromS(1.0), " ms") +
-                     ". By GFT%: " + FormatVerdict(null->gft_ratio) + "; " +
+                     ". By GFT%: " + FormatVerdict(*null, null->gft_ratio) + "; " +
                      FormatTest("it is", null->gft_ratio[of_ratio], 100.0, " %") + ". ";
   if (gft.over_persons) {
     const JackknifeInterval& ratio = *gft.over_persons;

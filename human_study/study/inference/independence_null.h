@@ -24,8 +24,11 @@ digit's times within person and condition reduced by that variance, and with all
 simultaneous is who is so against the first; less, who is so against the second; who lies between is
 told from neither.
 
-Only trials in which all digits of the study touched take part. A slow change over a session that
-all digits follow, but the movement does not, still counts as coordination. */
+Stated uncertainties do not cover how profiles differ between trials, so three agreeing clocks are
+not enough for "more simultaneous": what the digits share must also exceed a bound of the clock's
+error found from the movements themselves (shared_timing.h). Else the verdict is "not decided".
+
+Only trials in which all digits of the study touched take part. */
 
 #include <array>
 #include <cmath>
@@ -33,6 +36,7 @@ all digits follow, but the movement does not, still counts as coordination. */
 #include <vector>
 
 #include "core/statistics/jackknife.h"
+#include "human_study/study/inference/shared_timing.h"
 
 namespace graspbench {
 
@@ -56,12 +60,22 @@ struct IndependenceTest {
   Answer<JackknifeInterval> over_persons = NoAnswer{"not calculated"};
 };
 
+enum class IndependenceVerdict {
+  kMore,  ///< simultaneous than independent digits
+  kLess,
+  kNotDecided,    ///< clocks disagree, or what digits share may be the clock's error
+  kNoDifference,  ///< by no clock
+};
+
 struct IndependenceNull {
   int num_trials = 0;                                  ///< that take part
   int num_incomplete = 0;                              ///< kept, but a digit did not touch
   int num_persons = 0;                                 ///< who take part
   std::array<IndependenceTest, kNumClocks> gft;        ///< [s]
   std::array<IndependenceTest, kNumClocks> gft_ratio;  ///< GFT / GCT
+  Answer<SharedTiming> shared = NoAnswer{"not calculated"};
+
+  IndependenceVerdict Judge(const std::array<IndependenceTest, kNumClocks>& tests) const;
 
   /** The clock that speaks least for a difference: the largest p where all clocks agree in sign,
   else the one that speaks most against "more simultaneous". */

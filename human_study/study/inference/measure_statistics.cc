@@ -72,8 +72,7 @@ TrendStatistics CalcTrend(const MeasureTable& table, size_t factor, double refer
   if (!points) {
     trend.slopes.test = points.none();
     trend.bootstrap = points.none();
-    trend.mixed = points.none();
-    trend.groups = points.none();
+    trend.model = points.none();
     return trend;
   }
   trend.slopes = CalcPersonSlopes(*points, reference);
@@ -82,9 +81,7 @@ TrendStatistics CalcTrend(const MeasureTable& table, size_t factor, double refer
     if (person.line) slopes.push_back(person.line->slope);
   }
   trend.bootstrap = CalcMeanInterval(slopes, table.measure + " over " + trend.factor);
-  trend.mixed = FitMixedModelLadder(*points);
-  trend.groups = table.groups.empty() ? Answer<EffectsModel>(NoAnswer{"the study names no groups"})
-                                      : FitQuantityModel(table, factor);
+  trend.model = FitQuantityModel(table, factor, reference);
   return trend;
 }
 

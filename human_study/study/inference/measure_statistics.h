@@ -11,7 +11,6 @@ over factors whose levels are quantities. */
 #include "human_study/statistics/condition_means.h"
 #include "human_study/statistics/effects_model.h"
 #include "human_study/statistics/line_fit.h"
-#include "human_study/statistics/mixed_model.h"
 #include "human_study/statistics/rank_tests.h"
 #include "human_study/statistics/reliability/retest.h"
 #include "human_study/statistics/within_anova.h"
@@ -33,8 +32,7 @@ struct TrendStatistics {
   std::string factor;
   PersonSlopes slopes;                  ///< tested against the hypothesis' slope
   Answer<BootstrapInterval> bootstrap;  ///< of the mean slope, persons drawn
-  Answer<MixedModel> mixed;
-  Answer<EffectsModel> groups;  ///< do slopes differ between groups? none without groups
+  Answer<EffectsModel> model;           ///< all trials; the slope against the same
 };
 
 /** How far the choices of the analysis move the median over all trials. */

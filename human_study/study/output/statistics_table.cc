@@ -125,58 +125,35 @@ void AddSlopes(const MeasureStatistics& statistics, const TrendStatistics& trend
   for (size_t i = rows.size() - 2; i < rows.size(); ++i) rows[i].unit += " per " + trend.factor;
 }
 
-void AddMixedModel(const MeasureStatistics& statistics, const TrendStatistics& trend,
+/** The slope of the mixed model over all trials. */
+void AddModelSlope(const MeasureStatistics& statistics, const TrendStatistics& trend,
                    std::vector<StatisticRow>& rows) {
-  constexpr const char* kAnalysis = "mixed model (REML)";
-  const std::string slope_unit = std::string(statistics.measure.unit) + " per " + trend.factor;
-  if (!trend.mixed) {
-    rows.push_back(MakeRow(statistics, kAnalysis, "slope over " + trend.factor));
-    rows.back().unit = slope_unit;
-    rows.back().note = "none: " + trend.mixed.reason();
+  rows.push_back(MakeRow(statistics, "mixed model (REML)", "slope over " + trend.factor));
+  StatisticRow& row = rows.back();
+  row.unit = std::string(statistics.measure.unit) + " per " + trend.factor;
+  const Answer<SlopeEstimate> slope =
+      trend.model ? trend.model->slope : Answer<SlopeEstimate>(trend.model.none());
+  if (!slope) {
+    row.note = "none: " + slope.reason();
     return;
   }
-  const MixedModel& model = *trend.mixed;
-  const auto add_fixed = [&](const std::string& effect, const FixedEffect& fixed,
-                             const std::string& unit) {
-    rows.push_back(MakeRow(statistics, kAnalysis, effect));
-    StatisticRow& row = rows.back();
-    row.unit = unit;
-    row.estimate = fixed.estimate;
-    row.standard_error = fixed.standard_error;
-    row.statistic = "t";
-    row.value = fixed.t;
-    row.num_persons = model.num_persons;
-    if (fixed.test) {
-      row.df_1 = fixed.test->df;
-      row.p = fixed.test->p;
-      row.low = fixed.test->interval.low;
-      row.high = fixed.test->interval.high;
-      row.note = std::string("all trials, ") + NameOf(model.structure) +
-                 (model.fallback.empty() ? "" : " (" + model.fallback + ")") +
-                 "; assumes normal persons and residuals; df after Satterthwaite; tested against 0";
-      if (model.structure == LineStructure::kIntercept) {
-        row.note += "; p is too small if persons' slopes do vary";
-      }
-    } else {
-      row.note = "no test: " + fixed.test.reason();
-    }
-  };
-  const auto add_spread = [&](const std::string& effect, double value, const std::string& unit,
-                              const std::string& note) {
-    rows.push_back(MakeRow(statistics, kAnalysis, effect));
-    rows.back().unit = unit;
-    rows.back().estimate = value;
-    rows.back().num_persons = model.num_persons;
-    rows.back().note = note;
-  };
-  add_fixed("slope over " + trend.factor, model.slope, slope_unit);
-  add_fixed("intercept at " + trend.factor + " = 0", model.intercept, statistics.measure.unit);
-  add_spread("SD of slopes between persons", model.slope_sd, slope_unit, "");
-  add_spread("SD of intercepts between persons", model.intercept_sd, statistics.measure.unit,
-             model.correlation ? "correlation with the slopes " + Format(*model.correlation)
-                               : "no correlation: " + model.correlation.reason());
-  add_spread("SD of trials about a person's line", model.residual_sd, statistics.measure.unit,
-             std::to_string(model.num_observations) + " trials");
+  row.estimate = slope->estimate;
+  row.standard_error = slope->standard_error;
+  row.statistic = "t";
+  row.value = slope->t;
+  row.num_persons = trend.model->num_persons;
+  if (!slope->test) {
+    row.note = "no test: " + slope->test.reason();
+    return;
+  }
+  row.df_1 = slope->test->df;
+  row.p = slope->test->p;
+  row.low = slope->test->interval.low;
+  row.high = slope->test->interval.high;
+  row.note = "all " + std::to_string(trend.model->num_observations) + " trials, " +
+             DescribeRandom(*trend.model) +
+             "; assumes normal persons and residuals; df after Satterthwaite; tested against " +
+             Format(slope->reference);
 }
 
 /** F of every effect, the parts that vary and what the conditions' means are. */
@@ -354,10 +331,10 @@ std::vector<StatisticRow> ListTrends(const MeasureStatistics& statistics) {
   std::vector<StatisticRow> rows;
   for (const TrendStatistics& trend : statistics.trends) {
     AddSlopes(statistics, trend, rows);
-    AddMixedModel(statistics, trend, rows);
+    AddModelSlope(statistics, trend, rows);
     if (statistics.table.groups.empty()) continue;
     const std::string analysis = "mixed model (REML), " + trend.factor + " as a quantity";
-    AddEffectsModel(statistics, trend.groups, analysis.c_str(), rows);
+    AddEffectsModel(statistics, trend.model, analysis.c_str(), rows);
   }
   return rows;
 }

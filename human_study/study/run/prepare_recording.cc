@@ -8,6 +8,7 @@
 #include "human_study/events/scalar_curve.h"
 #include "human_study/recording/cleaning/gaps.h"
 #include "human_study/recording/cleaning/resample.h"
+#include "human_study/recording/cleaning/spikes.h"
 
 namespace graspbench {
 namespace {
@@ -47,6 +48,7 @@ class Cleaner {
   Trajectory Clean(const std::string& label, PreparedRecording& prepared) const {
     Trajectory track = MakeTrajectory(*recording_, label);
     prepared.num_samples += track.size();
+    prepared.num_spikes += InvalidateSpikes(track);
     if (config_->drop_frozen) prepared.num_frozen += InvalidateFrozenSamples(track);
     const SamplingReport sampling = FindSampling(track.times);
     if (!(sampling.median_interval > 0.0)) {

@@ -27,6 +27,7 @@ struct PreparedRecording {
   bool was_resampled = false;  ///< the recording's own clock is uneven
   size_t num_samples = 0;      ///< of all tracks
   size_t num_frozen = 0;       ///< samples made invalid because they repeat the one before
+  size_t num_spikes = 0;       ///< .. because no marker gets there and back between two frames
   std::vector<MissingMarker> missing;
 };
 

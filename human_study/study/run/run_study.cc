@@ -128,6 +128,10 @@ class Runner {
     CheckMarkersFound();
     CheckReviews();
     result_.rate = CalcMedian(rates_);
+    if (!rates_.empty()) {
+      result_.lowest_rate = *std::min_element(rates_.begin(), rates_.end());
+      result_.highest_rate = *std::max_element(rates_.begin(), rates_.end());
+    }
     result_.noise = CalcMedian(noises_);
     result_.advised_cutoff = CalcMedian(cutoffs_);
   }
@@ -173,6 +177,7 @@ class Runner {
     }
     if (prepared_.was_resampled) ++result_.num_resampled;
     result_.num_frozen += prepared_.num_frozen;
+    result_.num_spikes += prepared_.num_spikes;
     result_.num_samples += prepared_.num_samples;
     rates_.push_back(prepared_.rate);
   }
@@ -361,8 +366,8 @@ StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
     if (watch.on_row) watch.on_row(i + 1, study.trials.size());
   }
   runner.Finish();
-  for (const auto& warnings :
-       {FindSameRecordings(result.study), FindNeverTouching(result), FindManyFrozen(result)}) {
+  for (const auto& warnings : {FindSameRecordings(result.study), FindNeverTouching(result),
+                               FindManyFrozen(result), FindSpikes(result), FindTwoRates(result)}) {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   }
   CalcStudyStatistics(result);

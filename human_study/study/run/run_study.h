@@ -55,9 +55,11 @@ struct StudyResult {
   std::vector<std::string> digits;  ///< ids of those the marker map names
   std::vector<StudyTrial> trials;   ///< in the order of trials.csv, then of time
   std::vector<FileFinding> findings;
-  int num_resampled = 0;   ///< recordings with an uneven clock
-  size_t num_frozen = 0;   ///< samples, of num_samples
-  size_t num_samples = 0;  ///< of all markers in all recordings
+  int num_resampled = 0;                         ///< recordings with an uneven clock
+  size_t num_frozen = 0;                         ///< samples, of num_samples
+  size_t num_spikes = 0;                         ///< samples
+  double lowest_rate = NAN, highest_rate = NAN;  ///< of the recordings [Hz]
+  size_t num_samples = 0;                        ///< of all markers in all recordings
   std::vector<StudyWarning> warnings;
   double rate = NAN;            ///< median of the recordings [Hz]
   double noise = NAN;           ///< median over trials, SD of one coordinate of the thumb [m]

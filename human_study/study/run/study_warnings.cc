@@ -19,6 +19,8 @@ namespace {
 constexpr double kNearlyAll = 0.8, kManyFrozen = 0.2;
 constexpr int kEnoughTrials = 5;
 constexpr size_t kEnoughSamples = 100;
+constexpr double kManySpikes = 0.001, kSameRate = 1.02;
+constexpr size_t kEnoughSpikes = 20;
 
 /** How often a digit has no contact in the trials that count, of one object or (empty) of all, and
 what is most often said of it. */
@@ -121,6 +123,25 @@ std::vector<StudyWarning> FindNeverTouching(const StudyResult& result) {
     }
   }
   return warnings;
+}
+
+std::vector<StudyWarning> FindSpikes(const StudyResult& result) {
+  const double share =
+      static_cast<double>(result.num_spikes) / static_cast<double>(result.num_samples);
+  if (!(share >= kManySpikes) || result.num_spikes < kEnoughSpikes) return {};
+  return {{"spikes",
+           fmt::format("{} samples ({:.2f} %) are where no marker gets to and back between two "
+                       "frames; they count as missing and are bridged as gaps. Look for "
+                       "reflections and exchanged labels",
+                       result.num_spikes, 100.0 * share)}};
+}
+
+std::vector<StudyWarning> FindTwoRates(const StudyResult& result) {
+  if (!(result.highest_rate > kSameRate * result.lowest_rate)) return {};
+  return {{"two_rates",
+           fmt::format("recordings have {:.6g} to {:.6g} samples a second; contacts of slower ones "
+                       "are known less well. If they should be equal, check the rate of each file",
+                       result.lowest_rate, result.highest_rate)}};
 }
 
 std::vector<StudyWarning> FindManyFrozen(const StudyResult& result) {

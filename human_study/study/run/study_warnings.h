@@ -6,6 +6,8 @@ What a person should know of a whole study before its numbers: none of it remove
   digit_never_touches: a digit has no contact in at least 80 % of the trials that count, of the
     study or of one object (at least 5 trials).
   frozen_samples: a fifth of all samples, and 100, repeated the one before and count as missing.
+  spikes: a thousandth of all samples, and 20, were where no marker gets to and back.
+  two_rates: recordings differ in their sampling rate by more than 2 %.
   review_lapsed: a person confirmed another time of contact than the one found now. */
 
 #include <string>
@@ -27,5 +29,7 @@ std::vector<StudyWarning> FindSameRecordings(const Study& study);
 /** @pre trials and samples of the result are counted. */
 std::vector<StudyWarning> FindNeverTouching(const StudyResult& result);
 std::vector<StudyWarning> FindManyFrozen(const StudyResult& result);
+std::vector<StudyWarning> FindSpikes(const StudyResult& result);
+std::vector<StudyWarning> FindTwoRates(const StudyResult& result);
 
 }  // namespace graspbench

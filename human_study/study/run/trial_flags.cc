@@ -1,5 +1,7 @@
 #include "human_study/study/run/trial_flags.h"
 
+#include <algorithm>
+
 #include "core/statistics/proportion.h"
 #include "human_study/study/run/run_study.h"
 
@@ -23,6 +25,20 @@ const std::vector<TrialFlag>& TrialFlagList() {
       {"digit without touch", "a recorded digit never touched",
        [](const A& a) {
          return a.num_touching + a.num_unresolved < static_cast<int>(a.contacts.size());
+       }},
+      {"regrasp",
+       "a digit touched, left its place and returned: GFT, GOT and GCT are those of its last touch",
+       [](const A& a) {
+         return std::any_of(a.contacts.begin(), a.contacts.end(),
+                            [](const auto& digit) { return digit.regrasp.IsFound(); });
+       }},
+      {"may hover",
+       "a digit stands more than 2 mm farther off the surface than the others in the hold, less "
+       "than contact.max_pad_difference_m: it may not touch",
+       [](const A& a) {
+         return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
+           return digit.contact.IsFound() && !digit.has_pad_offset && digit.stands_off > 0.002;
+         });
        }},
       {"touch not told",
        "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",

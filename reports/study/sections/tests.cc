@@ -163,16 +163,12 @@ Html DrawRetest(const MeasureStatistics& statistics) {
 
 Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
   const Align number = Align::kNumber;
-  const bool has_mixed = trend.mixed.has_value();
-  std::vector<Column> columns = {{"Person"},          {"Slope", number},
-                                 {"SE", number},      {"Intercept", number},
-                                 {"R\u00B2", number}, {"n", number, "trials"}};
-  if (has_mixed) columns.push_back({"Slope, mixed model", number});
-  Table table(
-      "Each person's line over " + NameOfFactor(trend.factor) + ", in SI units (" +
-          FormatSlopeUnit(unit + " per " + trend.factor) + ")" +
-          (has_mixed ? "; the mixed model draws a person's line towards that of all." : "."),
-      columns);
+  const std::vector<Column> columns = {{"Person"},          {"Slope", number},
+                                       {"SE", number},      {"Intercept", number},
+                                       {"R\u00B2", number}, {"n", number, "trials"}};
+  Table table("Each person's line over " + NameOfFactor(trend.factor) + ", in SI units (" +
+                  FormatSlopeUnit(unit + " per " + trend.factor) + ").",
+              columns);
   for (const PersonLine& person : trend.slopes.persons) {
     std::vector<Html> cells;
     if (person.line) {
@@ -184,15 +180,8 @@ Html DrawLines(const TrendStatistics& trend, const std::string& unit) {
                Text(FormatFixed(line.r_squared.value_or(std::nan("")), 3)),
                Text(std::to_string(line.count))};
     } else {
-      cells.assign(columns.size() - (has_mixed ? 1 : 0), Text("n/a"));
+      cells.assign(columns.size(), Text("n/a"));
       cells.front() = Text(person.person + " (" + person.line.reason() + ")");
-    }
-    if (has_mixed) {
-      double mixed = std::nan("");
-      for (const PersonEffect& effect : trend.mixed->persons) {
-        if (effect.person == person.person) mixed = effect.slope;
-      }
-      cells.push_back(Text(FormatSignificant(mixed, 3)));
     }
     table.AddRow(cells);
   }

@@ -30,6 +30,18 @@ TEST(DevelopmentWarnings, NamesWhatHeldLessThanATenth) {
             std::string::npos);
 }
 
+TEST(DevelopmentWarnings, NamesAScoreBelowThatOfTheGeometricStart) {
+  DevelopedGrasp developed = MakeDeveloped(24, 24, 0, 500);
+  developed.proposed_score = 0.625;
+  developed.score = 0.625;
+  EXPECT_TRUE(ListDevelopmentWarnings(developed).empty());
+  developed.score = 0.5;
+  ASSERT_EQ(ListDevelopmentWarnings(developed).size(), 1u);
+  EXPECT_EQ(ListDevelopmentWarnings(developed)[0].find(
+                "it scores 0.50 in the finals, the geometric start 0.62"),
+            0u);
+}
+
 TEST(DevelopmentWarnings, NamesNumericalFailuresAboveOnePercent) {
   EXPECT_EQ(CountWarnings(24, 24, 5, 500), 0u);  // 1 %
   EXPECT_EQ(CountWarnings(24, 24, 6, 500), 1u);

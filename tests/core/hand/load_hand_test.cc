@@ -116,6 +116,33 @@ TEST(LoadHandTest, TheHashFollowsBothFiles) {
   EXPECT_NE(hash(urdf, yaml + "\n"), hash(urdf, yaml));
 }
 
+// A quarter turn about x carries z to -y.
+TEST(LoadHandTest, ReadsFramesAndLinksThatNeverTouch) {
+  const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  const auto parse = [&](const std::string& more, Diagnostics& problems) {
+    return ParseHand(urdf, yaml + more, kGood, problems);
+  };
+  Diagnostics problems;
+  const Hand hand = parse(
+      "apart:\n  - [palm, distal]\nframes:\n  - name: tip\n    link: distal\n"
+      "    position_m: [0, 0.01, 0.02]\n    rpy_rad: [1.5707963267948966, 0, 0]\n",
+      problems);
+  ASSERT_EQ(problems.Format(), "");
+  ASSERT_EQ(hand.frames.size(), 1u);
+  EXPECT_EQ(hand.frames[0].name, "tip");
+  EXPECT_EQ(hand.links[hand.frames[0].link].name, "distal");
+  EXPECT_EQ(hand.frames[0].X_LF.translation(), Eigen::Vector3d(0, 0.01, 0.02));
+  EXPECT_LT((hand.frames[0].X_LF.linear().col(2) - Eigen::Vector3d(0, -1, 0)).norm(), 1e-15);
+  ASSERT_EQ(hand.apart.size(), 1u);
+  for (const char* wrong : {"apart:\n  - [palm]\n", "apart:\n  - [palm, toe]\n", "apart: palm\n",
+                            "frames:\n  - name: tip\n    link: toe\n    position_m: [0, 0, 0]\n",
+                            "frames:\n  - link: palm\n    position_m: [0, 0, 3]\n"}) {
+    Diagnostics found;
+    parse(wrong, found);
+    EXPECT_GT(found.num_errors(), 0) << wrong;
+  }
+}
+
 const char kCamera[] =
     "camera:\n  link: distal\n  position_m: [0.01, 0, 0.02]\n  forward: [0, 0, 2]\n"
     "  right: [1, 0, 1]\n  focal_length_px: 700\n  radial_1: -0.1\n";

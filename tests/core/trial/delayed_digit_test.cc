@@ -10,6 +10,12 @@
 namespace graspbench {
 namespace {
 
+Displacement CalcClosingLate(const std::vector<TraceInstant>& trace) {
+  ClosingMeter meter;
+  for (const TraceInstant& instant : trace) meter.Observe(instant.phase, instant.X_WO);
+  return meter.Calc();
+}
+
 class DelayedDigit : public ::testing::Test {
  protected:
   TracedTrial Trace(const TrialSetup& setup) { return TraceTrial(runner_, setup, 0.0); }
@@ -50,8 +56,8 @@ TEST_F(DelayedDigit, OnlyThisDigitIsAskedLater) {
 // Two jaws and a free cube: the first alone pushes it for as long as the other is late, at its own
 // speed.
 TEST_F(DelayedDigit, TheOtherDigitPushesTheObjectMeanwhile) {
-  const double early = CalcClosingDisplacement(TraceLate(0.1).trace).shift;
-  const double late = CalcClosingDisplacement(TraceLate(0.3).trace).shift;
+  const double early = CalcClosingLate(TraceLate(0.1).trace).shift;
+  const double late = CalcClosingLate(TraceLate(0.3).trace).shift;
   const Hand& hand = *setup_.hand;
   const auto find_pad = [&](double s) {
     const Digit& digit = hand.digits[digit_ == 0 ? 1 : 0];

@@ -70,7 +70,7 @@ int SeeType(const std::shared_ptr<const GraspObject>& object) {
   return -1;
 }
 
-// What is missed stands here by name, so that the figure in the validation rows is one that was measured.
+// What is missed stands here by name, so that the figure in the validation rows was measured.
 TEST(HeldOutTypesTest, OfGeneratedThings) {
   std::set<std::string> missed;
   for (const HeldOutThing& thing : kHeldOutThings) {

@@ -35,14 +35,14 @@ TEST(CampaignProgress, TellsTheScenesOfEachShard) {
   EXPECT_EQ(progress.shards[1].state, ShardState::kStopped);
 }
 
-TEST(SceneProgress, TellsAnswersAndState) {
+TEST(SearchProgress, TellsAnswersAndState) {
   const TemporaryFolder folder;
   WriteScene(folder.path() / "a", "can", {}, false);
   WriteScene(folder.path() / "b", "can", {1.0, 2.0}, false);
   WriteScene(folder.path() / "c", "can", {1.0, 2.0}, true);
-  const SceneProgress a = ReadSceneProgress(folder.path() / "a"),
-                      b = ReadSceneProgress(folder.path() / "b"),
-                      c = ReadSceneProgress(folder.path() / "c");
+  const SearchProgress a = ReadSearchProgress(folder.path() / "a"),
+                       b = ReadSearchProgress(folder.path() / "b"),
+                       c = ReadSearchProgress(folder.path() / "c");
   EXPECT_EQ(a.num_answers, 0);
   EXPECT_FALSE(a.age || a.is_finished);
   EXPECT_EQ(b.num_answers, 2);

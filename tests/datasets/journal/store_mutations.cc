@@ -1,12 +1,9 @@
 #include "tests/datasets/journal/store_mutations.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
-#include "core/base/random.h"
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/session/judgement_store.h"
@@ -16,8 +13,6 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Files = std::map<std::string, std::string>;  // content by name from the folder of all stores
 
 Judgement MakeJudgement(double force) {
   Judgement judgement;
@@ -86,7 +81,7 @@ void MakeCampaign(const fs::path& folder) {
   MakeSession(folder / "benchmark", 2);
   FillJournal(folder / "comparison" / "tum-mug" / "es-1.jsonl", 5);
   FillJournal(folder / "comparison" / "tum-mug" / "de-1.jsonl", 4);
-  SealStore(kCampaignStore, folder);
+  WriteDerived(kCampaignStore, folder, {{"summary.csv", "hand,object\ntum,mug\n"}});
 }
 
 void MakeStudy(const fs::path& folder) {
@@ -99,6 +94,48 @@ void MakeStudy(const fs::path& folder) {
   }
   WriteManifest(folder, manifest);
 }
+
+std::vector<std::string> SplitLines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t start = 0; start < text.size();) {
+    const size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
+    lines.push_back(text.substr(start, end - start));
+    start = end;
+  }
+  return lines;
+}
+
+std::string Join(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+bool IsJournal(const std::string& name) {
+  return name.find(".jsonl") != name.npos && name.find("plan") == name.npos;
+}
+
+bool IsFound(const std::vector<fs::path>& stores) {
+  for (const fs::path& store : stores) {
+    try {
+      if (!CheckStore(store).damages.empty()) return true;
+    } catch (const Error&) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Repair(const std::vector<fs::path>& stores) {
+  for (const fs::path& store : stores) {
+    try {
+      RepairStore(store);
+    } catch (const Error&) {  // beyond repair, and said so
+    }
+  }
+}
+
+}  // namespace
 
 Files ReadFiles(const fs::path& folder) {
   Files files;
@@ -123,27 +160,6 @@ void WriteFiles(const fs::path& folder, const Files& files) {
   }
 }
 
-std::vector<std::string> SplitLines(const std::string& text) {
-  std::vector<std::string> lines;
-  for (size_t start = 0; start < text.size();) {
-    const size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
-    lines.push_back(text.substr(start, end - start));
-    start = end;
-  }
-  return lines;
-}
-
-std::string Join(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line;
-  return text;
-}
-
-bool IsJournal(const std::string& name) {
-  return name.find(".jsonl") != name.npos && name.find("plan") == name.npos;
-}
-
-/** The whole lines of all journals, each as often as it occurs, and of what was set aside. */
 std::multiset<std::string> ListRecords(const Files& files) {
   std::multiset<std::string> records;
   for (const auto& [name, content] : files) {
@@ -161,94 +177,95 @@ std::multiset<std::string> ListRecords(const Files& files) {
   return records;
 }
 
-class Mutator {
- public:
-  Mutator(const Files& files, const std::string& seed) : whole_(files), random_(seed, "mutation") {
-    for (const auto& [name, content] : files) names_.push_back(name);
-  }
-
-  /** What was done, in words, and the files after it. */
-  std::string Mutate(Files& files) {
-    files = whole_;
-    const std::string name = Choose(), other = Choose();
-    std::string& content = files[name];
-    switch (random_.NextIndex(8)) {
-      case 0:
-      case 1: {
-        const int bit = random_.NextIndex(static_cast<int>(8 * content.size()));
-        char& byte = content[static_cast<size_t>(bit / 8)];
-        byte = static_cast<char>(byte ^ (1 << bit % 8));
-        return "flip bit " + std::to_string(bit) + " of " + name;
-      }
-      case 2:
-        content.resize(static_cast<size_t>(random_.NextIndex(static_cast<int>(content.size()))));
-        return "cut " + name + " to " + std::to_string(content.size());
-      case 3:
-        files.erase(name);
-        return "delete " + name;
-      case 4:
-        std::swap(content, files[other]);
-        return "swap " + name + " and " + other;
-      case 5:
-        return MutateLine(files, name, other, "delete");
-      case 6:
-        return MutateLine(files, name, other, "swap");
-      default:
-        return MutateLine(files, name, other, "move");
-    }
-  }
-
- private:
-  const std::string& Choose() {
-    return names_[static_cast<size_t>(random_.NextIndex(static_cast<int>(names_.size())))];
-  }
-
-  std::string MutateLine(Files& files, const std::string& name, const std::string& other,
-                         const std::string& what) {
-    std::vector<std::string> lines = SplitLines(files[name]);
-    const auto choose = [&](size_t count) {
-      return static_cast<size_t>(random_.NextIndex(static_cast<int>(count)));
-    };
-    const size_t line = choose(lines.size());
-    const std::string taken = lines[line];
-    if (what == "swap") {
-      std::swap(lines[line], lines[choose(lines.size())]);
-      files[name] = Join(lines);
-    } else {
-      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line));
-      files[name] = Join(lines);
-      if (what == "move") files[other] += taken;
-    }
-    return what + " line " + std::to_string(line + 1) + " of " + name +
-           (what == "move" ? " to " + other : "");
-  }
-
-  const Files whole_;
-  std::vector<std::string> names_;
-  RandomStream random_;
-};
-
-bool IsFound(const std::vector<fs::path>& stores) {
-  for (const fs::path& store : stores) {
-    try {
-      if (!CheckStore(store).damages.empty()) return true;
-    } catch (const Error&) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void Repair(const std::vector<fs::path>& stores) {
-  for (const fs::path& store : stores) {
-    try {
-      RepairStore(store);
-    } catch (const Error&) {  // beyond repair, and said so
-    }
+Mutator::Mutator(const Files& files, const std::string& seed, int num_kinds)
+    : whole_(files), num_kinds_(num_kinds), random_(seed, "mutation") {
+  for (const auto& [name, content] : files) {
+    names_.push_back(name);
+    if (IsJournal(name) && !content.empty()) journals_.push_back(name);
   }
 }
 
-}  // namespace
+std::string Mutator::Mutate(Files& files) {
+  files = whole_;
+  const std::string name = Choose(names_), other = Choose(names_);
+  std::string& content = files[name];
+  switch (random_.NextIndex(num_kinds_)) {
+    case 0:
+    case 1: {
+      if (content.empty()) return "";
+      const int bit = ChooseIndex(8 * content.size());
+      char& byte = content[static_cast<size_t>(bit / 8)];
+      byte = static_cast<char>(byte ^ (1 << bit % 8));
+      return "flip bit " + std::to_string(bit) + " of " + name;
+    }
+    case 2:
+      if (content.empty()) return "";
+      content.resize(static_cast<size_t>(ChooseIndex(content.size())));
+      return "cut " + name + " to " + std::to_string(content.size());
+    case 3:
+      files.erase(name);
+      return "delete " + name;
+    case 4:
+      std::swap(content, files[other]);
+      return "swap " + name + " and " + other;
+    case 5:
+      return MutateLine(files, name, other, "delete");
+    case 6:
+      return MutateLine(files, name, other, "swap");
+    case 7:
+      return MutateLine(files, name, other, "move");
+    case 8: {
+      const size_t digit =
+          content.find_first_of("0123456789", static_cast<size_t>(ChooseIndex(content.size() + 1)));
+      if (digit == content.npos) return "";
+      content[digit] = content[digit] == '9' ? '0' : static_cast<char>(content[digit] + 1);
+      return "change digit " + std::to_string(digit) + " of " + name;
+    }
+    case 9: {
+      const size_t at =
+          random_.NextIndex(2) ? 0 : static_cast<size_t>(ChooseIndex(content.size() + 1));
+      content.insert(at, 1, " \n{x"[random_.NextIndex(4)]);
+      return "insert a byte at " + std::to_string(at) + " of " + name;
+    }
+    case 10:
+      content += "{\"trial_id\":\"0123456789abcdef\",\"hand\":\"tu";
+      return "begin a line at the end of " + name;
+    default:
+      return AddLine(files);
+  }
+}
+
+int Mutator::ChooseIndex(size_t count) { return random_.NextIndex(static_cast<int>(count)); }
+
+const std::string& Mutator::Choose(const std::vector<std::string>& names) {
+  return names[static_cast<size_t>(ChooseIndex(names.size()))];
+}
+
+std::string Mutator::MutateLine(Files& files, const std::string& name, const std::string& other,
+                                const std::string& what) {
+  std::vector<std::string> lines = SplitLines(files[name]);
+  if (lines.empty()) return "";
+  const auto line = static_cast<size_t>(ChooseIndex(lines.size()));
+  const std::string taken = lines[line];
+  if (what == "swap") {
+    std::swap(lines[line], lines[static_cast<size_t>(ChooseIndex(lines.size()))]);
+    files[name] = Join(lines);
+  } else {
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line));
+    files[name] = Join(lines);
+    if (what == "move") files[other] += taken;
+  }
+  return what + " line " + std::to_string(line + 1) + " of " + name +
+         (what == "move" ? " to " + other : "");
+}
+
+std::string Mutator::AddLine(Files& files) {
+  const std::string &from = Choose(journals_), &to = Choose(journals_);
+  const std::vector<std::string> lines = SplitLines(whole_.at(from));
+  const auto line = static_cast<size_t>(ChooseIndex(lines.size()));
+  files[to] += lines[line];
+  return "copy line " + std::to_string(line + 1) + " of " + from + " to the end of " + to;
+}
 
 std::vector<fs::path> MakeStores(const fs::path& folder) {
   MakeSession(folder / "session", 3);
@@ -263,7 +280,7 @@ std::vector<fs::path> MakeStores(const fs::path& folder) {
 MutationCount MutateStores(const fs::path& folder, const std::string& seed, int count) {
   const std::vector<fs::path> stores = MakeStores(folder);
   const Files whole = ReadFiles(folder);
-  Mutator mutator(whole, seed);
+  Mutator mutator(whole, seed, kNumHashedMutations);
   MutationCount result;
   if (IsFound(stores)) result.examples += "damage is found in whole stores\n";
   while (result.mutations < count) {

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "core/hand/load_hand.h"
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 #include "datasets/plan/session_inputs.h"
@@ -33,6 +34,19 @@ class InputCopies : public testing::Test {
   const fs::path block_ = top_.path() / "mine" / "block", session_ = top_.path() / "session";
   SessionConfig config_;
 };
+
+// tum-original draws two parts of tum's.
+TEST_F(InputCopies, AGatheredHandHasAllItsMeshesAndMovesAsBefore) {
+  const Hand original = LoadHand("tum-original");
+  GatherHand(original.folder, session_ / "gathered");
+  const Hand gathered = LoadHand((session_ / "gathered").string());
+  EXPECT_EQ(ReadFile(session_ / "gathered" / "hand.urdf").find("../"), std::string::npos);
+  ASSERT_EQ(gathered.visuals.size(), original.visuals.size());
+  for (size_t i = 0; i < original.visuals.size(); ++i) {
+    EXPECT_EQ(gathered.visuals[i].mesh.vertices, original.visuals[i].mesh.vertices);
+  }
+  EXPECT_EQ(gathered.num_joints(), original.num_joints());
+}
 
 TEST_F(InputCopies, HoldWhatTheOriginalsAreMadeOfAndNoMore) {
   const std::string hash = LoadSessionInputs(config_).objects[1]->content_hash;

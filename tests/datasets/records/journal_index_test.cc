@@ -18,7 +18,8 @@ class JournalIndexTest : public testing::Test {
   }
   std::vector<std::string> Read(int* num_bad = nullptr) const {
     std::vector<std::string> ids;
-    const int count = ForEachTrialOf(journal_, [&](std::string_view id) { ids.emplace_back(id); });
+    const int count = ForEachTrialOf(journal_, IndexUse::kBelieve,
+                                     [&](std::string_view id) { ids.emplace_back(id); });
     if (num_bad) *num_bad = count;
     return ids;
   }

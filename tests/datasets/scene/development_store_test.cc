@@ -9,7 +9,7 @@
 namespace graspbench {
 namespace {
 
-DevelopmentRecord MakeRecord(int request) {
+DevelopmentRecord MakeDevelopmentRecord(int request) {
   return {request,
           "search",
           "0123456789abcdef",
@@ -17,15 +17,15 @@ DevelopmentRecord MakeRecord(int request) {
 }
 
 TEST(DevelopmentLine, IsReadAsItWasWritten) {
-  const std::string line = FormatDevelopmentLine(MakeRecord(7));
+  const std::string line = FormatDevelopmentLine(MakeDevelopmentRecord(7));
   const DevelopmentRecord read = ParseDevelopmentLine(line);
   EXPECT_EQ(FormatDevelopmentLine(read), line);
-  EXPECT_EQ(read.trials[0].score, MakeRecord(7).trials[0].score);
+  EXPECT_EQ(read.trials[0].score, MakeDevelopmentRecord(7).trials[0].score);
   EXPECT_EQ(read.trials[1].outcome, Outcome::kKnockedOver);
 }
 
 TEST(DevelopmentLine, DamageIsTold) {
-  std::string line = FormatDevelopmentLine(MakeRecord(7));
+  std::string line = FormatDevelopmentLine(MakeDevelopmentRecord(7));
   line[20] ^= 1;
   EXPECT_THROW(ParseDevelopmentLine(line), Error);
 }
@@ -40,7 +40,7 @@ class DevelopmentStoreTest : public testing::Test {
       if (const DevelopmentRecord* stored = journal.Find(request)) {
         EXPECT_EQ(stored->request, request);
       } else {
-        journal.Append({MakeRecord(request)});
+        journal.Append({MakeDevelopmentRecord(request)});
       }
     }
     return ReadFile(path());
@@ -56,6 +56,15 @@ TEST_F(DevelopmentStoreTest, IsContinuedWithTheSameBytesFromWhereverItWasCut) {
     WriteFileAtomically(path(), whole.substr(0, length));
     ASSERT_EQ(Finish(), whole) << length;
   }
+}
+
+// As a repair leaves it when one line was damaged: the others are neither lost nor asked again.
+TEST_F(DevelopmentStoreTest, ALineThatIsMissingCostsNoOther) {
+  const std::string whole = Finish();
+  const size_t second = whole.find('\n') + 1, third = whole.find('\n', second) + 1;
+  WriteFileAtomically(path(), whole.substr(0, second) + whole.substr(third));
+  EXPECT_EQ(Finish(),
+            whole.substr(0, second) + whole.substr(third) + whole.substr(second, third - second));
 }
 
 TEST_F(DevelopmentStoreTest, AnotherDevelopmentIsRefusedByName) {

@@ -313,10 +313,15 @@ TEST_F(SessionStore, LinesOfAnotherSessionAreDamageThatIsNamedAndMayBeAccepted) 
 
 TEST_F(SessionStore, AWholeLineThatIsNoTrialIsDamage) {
   const auto plan = CreateFakeSession(folder(), 1);
-  WriteText(journal(3), FormatCheckedLine({{"elephant", 1}}) + "\n");
-  const auto [kind, text] = FindError([&] { LoadSession(folder()); });
-  EXPECT_EQ(kind, ErrorKind::kFormat);
-  ExpectHas(text, "journal/3.jsonl:1: it is no record of this version");
+  const std::pair<Json, std::string> lines[] = {
+      {{{"elephant", 1}}, "it is a line of another kind of journal"},
+      {{{"trial_id", 1}, {"hand", 2}, {"result", 3}}, "it is no record of this version"}};
+  for (const auto& [line, found] : lines) {
+    WriteText(journal(3), FormatCheckedLine(line) + "\n");
+    const auto [kind, text] = FindError([&] { LoadSession(folder()); });
+    EXPECT_EQ(kind, ErrorKind::kFormat);
+    ExpectHas(text, "journal/3.jsonl:1: " + found);
+  }
 }
 
 TEST_F(SessionStore, RefusesUnequalDuplicates) {

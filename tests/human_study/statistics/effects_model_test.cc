@@ -1,5 +1,6 @@
-// 20 random designs with factors within and between persons, unequal groups and trials, missing
-// conditions and sessions, against R: afex, lme4 and lmerTest (r/make_designs.R).
+// 32 random designs with factors within and between persons, unequal groups and trials, missing
+// conditions and sessions, factors of up to five levels, against R: afex, lme4 and lmerTest
+// (r/make_designs.R).
 #include "human_study/statistics/effects_model.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +12,12 @@
 
 #include "core/base/files/files.h"
 #include "human_study/statistics/within_anova.h"
+#include "tests/human_study/statistics/sleep_study.h"
 
 namespace graspbench {
 namespace {
 
-constexpr int kNumDesigns = 20;
+constexpr int kNumDesigns = 32;
 
 std::vector<std::vector<std::string>> ReadRows(const std::string& name) {
   std::istringstream text(ReadFile(std::string(GRASPBENCH_R_DESIGNS) + "/" + name));
@@ -102,7 +104,7 @@ class Comparison {
   std::string analysis_;
 };
 
-TEST(MixedDesigns, AnovaAgreesWithAfexOnTwentyDesigns) {
+TEST(MixedDesigns, AnovaAgreesWithAfexOnAllDesigns) {
   const std::map<int, MeasureTable> tables = ReadDesigns();
   const std::map<int, Expected> expected = ReadExpected();
   ASSERT_EQ(tables.size(), static_cast<size_t>(kNumDesigns));
@@ -134,7 +136,7 @@ TEST(MixedDesigns, AnovaAgreesWithAfexOnTwentyDesigns) {
   }
 }
 
-TEST(MixedDesigns, ModelAgreesWithLme4OnTwentyDesigns) {
+TEST(MixedDesigns, ModelAgreesWithLme4OnAllDesigns) {
   const std::map<int, Expected> expected = ReadExpected();
   int num_correlated = 0, num_fallen = 0;
   for (const auto& [design, table] : ReadDesigns()) {
@@ -212,6 +214,66 @@ TEST(EffectsModel, AQuantityIsOneSlopeForEachGroup) {
   EXPECT_EQ(model->effects[2].name, "size x group");
   EXPECT_EQ(model->effects[2].test->df_1, 1.0);
   EXPECT_LT(model->effects[2].test->p, 1e-6);
+}
+
+/** A table of points over one quantity. */
+MeasureTable MakeQuantityTable(const std::vector<PersonPoint>& points) {
+  MeasureTable table;
+  table.factors = {{"day", {}, {}, ""}};
+  for (int day = 0; day < 10; ++day) {
+    table.factors[0].levels.push_back(std::to_string(day));
+    table.factors[0].numbers.push_back(day);
+  }
+  for (const PersonPoint& point : points) {
+    table.rows.push_back({point.person, "", {std::to_string(std::lround(point.x))}, point.y});
+  }
+  return table;
+}
+
+// R 4.2, lme4 1.1-31, lmerTest 3.1-3: y ~ x + (x | person), REML, on the sleep study.
+TEST(EffectsModel, TheSlopeIsLme4sAndIsTestedAgainstTheReference) {
+  const MeasureTable table = MakeQuantityTable(MakeSleepStudy());
+  const Answer<EffectsModel> model = FitQuantityModel(table, 0, 10.0);
+  ASSERT_TRUE(model) << model.reason();
+  EXPECT_TRUE(model->is_correlated);
+  ASSERT_TRUE(model->slope) << model->slope.reason();
+  EXPECT_NEAR(model->slope->estimate, 10.4672859596, 1e-9);
+  EXPECT_NEAR(model->slope->standard_error, 1.54578893243, 1e-5);
+  EXPECT_NEAR(model->random[1].sd, 5.9221333, 1e-4);
+  EXPECT_NEAR(model->residual_sd, 25.5918159, 1e-4);
+  ASSERT_TRUE(model->slope->test) << model->slope->test.reason();
+  EXPECT_NEAR(model->slope->test->df, 17.0, 1e-4);
+  EXPECT_NEAR(model->slope->t, (10.4672859596 - 10.0) / 1.54578893243, 1e-5);
+  EXPECT_NEAR(model->slope->test->p, 0.7660936, 1e-5);  // 2 pt(-0.302296, 17)
+  const Answer<EffectsModel> against_zero = FitQuantityModel(table, 0);
+  EXPECT_NEAR(against_zero->slope->t, 6.77148460569, 1e-4);
+  EXPECT_NEAR(against_zero->slope->test->p / 3.26379e-06, 1.0, 1e-3);
+}
+
+TEST(EffectsModel, TheSlopeIsLme4sWhenPersonsHaveDifferentNumbersOfTrials) {
+  std::vector<PersonPoint> kept;
+  const std::vector<PersonPoint> all = MakeSleepStudy();
+  for (size_t i = 0; i < all.size(); ++i) {
+    const size_t person = i / 10 + 1, day = i % 10;
+    if ((person % 3 == 1 && day > 6) || (person % 4 == 2 && day < 4)) continue;
+    kept.push_back(all[i]);
+  }
+  const Answer<EffectsModel> model = FitQuantityModel(MakeQuantityTable(kept), 0);
+  ASSERT_TRUE(model) << model.reason();
+  EXPECT_EQ(model->num_observations, 142);
+  EXPECT_NEAR(model->slope->estimate, 9.45481611, 1e-5);
+  EXPECT_NEAR(model->slope->standard_error, 2.09214435, 1e-5);
+  EXPECT_NEAR(model->slope->test->df, 14.56317, 1e-3);
+}
+
+TEST(EffectsModel, AHugeValueEndsInWords) {
+  MeasureTable table = MakeGroups(4, 4);
+  table.rows[5].value = 1e300;
+  const std::string reason =
+      "a value is 1e+300; no measurement is larger than 1e+100, so correct it";
+  EXPECT_EQ(FitEffectsModel(table).reason(), "person \"P0\": " + reason);
+  EXPECT_EQ(FitQuantityModel(table, 0).reason(), "person \"P0\": " + reason);
+  EXPECT_EQ(CalcCellMeans(table).reason(), "person \"P0\", trial \"\": " + reason);
 }
 
 TEST(EffectsModel, GivesReasons) {

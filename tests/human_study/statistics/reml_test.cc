@@ -33,7 +33,7 @@ TEST(Reml, IsTheAnovaEstimateOfABalancedLayout) {
     between += 3.0 * std::pow(group.y.mean() - grand, 2) / 3.0;
   }
   RemlStructure structure;
-  structure.num_separate = 1;
+  structure.blocks = {1};
   const Answer<RemlFit> fit = FitReml(groups, structure);
   ASSERT_TRUE(fit) << fit.reason();
   EXPECT_NEAR(fit->sigma, std::sqrt(within), 1e-8);
@@ -62,7 +62,7 @@ TEST(Reml, LeavesASaddle) {
     }
   }
   RemlStructure structure;
-  structure.num_separate = 3;
+  structure.blocks = {1, 1, 1};
   const Answer<RemlFit> fit = FitReml(groups, structure);
   ASSERT_TRUE(fit) << fit.reason();
   EXPECT_NEAR(fit->criterion, -126.537377519, 1e-6);
@@ -77,17 +77,17 @@ TEST(Reml, LeavesASaddle) {
 TEST(Reml, GivesReasons) {
   std::vector<RemlGroup> groups = MakeBalanced();
   RemlStructure structure;
-  structure.num_separate = 1;
+  structure.blocks = {1};
   for (RemlGroup& group : groups) group.x = Eigen::MatrixXd::Ones(3, 2);
   EXPECT_EQ(FitReml(groups, structure).reason(), "the fixed effects depend on each other");
   groups = MakeBalanced();
   for (RemlGroup& group : groups) group.z = Eigen::MatrixXd::Identity(3, 3);
-  structure.num_separate = 3;
+  structure.blocks = {1, 1, 1};
   EXPECT_EQ(FitReml(groups, structure).reason(),
             "12 trials are no more than the fixed and random effects: no residual to compare with");
   groups = MakeBalanced();
   for (RemlGroup& group : groups) group.y.setConstant(group.y(0));
-  structure.num_separate = 1;
+  structure.blocks = {1};
   EXPECT_EQ(FitReml(groups, structure).reason(),
             "the effects explain every trial: no residual to compare with");
 }

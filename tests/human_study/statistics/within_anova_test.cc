@@ -212,7 +212,7 @@ TEST(CellMeans, GivesReasons) {
             "person \"P2\", trial \"2\" has 0 levels; expected one for each of 1 factors");
   table = MakeReachTable();
   table.rows[0].value = INFINITY;
-  EXPECT_EQ(CalcCellMeans(table).reason(), "person \"P1\", trial \"1\": the value is infinite");
+  EXPECT_EQ(CalcCellMeans(table).reason(), "person \"P1\", trial \"1\": a value is infinite");
   table.factors[0].levels[1] = "30";
   EXPECT_EQ(CalcCellMeans(table).reason(), "factor \"size\" names the level \"30\" twice");
   table.factors[0].numbers.pop_back();

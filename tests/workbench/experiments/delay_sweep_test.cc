@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/experiments/run_session.h"
 
@@ -19,20 +18,31 @@ class DelaySweepTest : public testing::Test {
     request.config->trials = 2;
     request.out = temporary_.path() / "session";
     RunSession(PrepareSession(request), 1, observer_, stop_);
-    sweep_.folder = request.out;
+    folder_ = request.out;
   }
 
   TemporaryFolder temporary_;
   Observer observer_;
   std::atomic<bool> stop_ = false;
-  DelaySweepRequest sweep_;
+  std::vector<DelayedTrial> Sweep(const std::filesystem::path& folder, int num_workers) {
+    ExperimentRequest request;
+    request.folder = folder;
+    request.trials_per_cell = 1;
+    const PreparedSession experiment = PrepareDelays(request);
+    is_finished_ = RunExperiment(experiment, request, num_workers, observer_, stop_);
+    return ListDelayedTrials(LoadSession(experiment.folder));
+  }
+  std::filesystem::path folder_;
+  bool is_finished_ = false;
 };
 
 TEST_F(DelaySweepTest, WithoutDelayItIsTheSessionsTrial) {
-  const Session session = LoadSession(sweep_.folder);
-  const std::vector<DelayedTrial> trials = SweepDelays(sweep_, 2, observer_, stop_);
+  const Session session = LoadSession(folder_);
+  const std::filesystem::path copy = temporary_.path() / "copy";
+  std::filesystem::copy(folder_, copy, std::filesystem::copy_options::recursive);
+  const std::vector<DelayedTrial> trials = Sweep(folder_, 2);
   const size_t num_delays = ListDelays().size();
-  ASSERT_EQ(trials.size(), ListSweepConditions(session.config).size() * 2 * num_delays);
+  ASSERT_EQ(trials.size(), 4 * 2 * num_delays);
   const double gft = session.records[0].result.timing.gft;
   int num_undelayed = 0;
   for (const DelayedTrial& trial : trials) {
@@ -47,16 +57,21 @@ TEST_F(DelaySweepTest, WithoutDelayItIsTheSessionsTrial) {
       EXPECT_LT(trial.record.result.timing.gft, gft + 0.12);
     }
   }
-  const std::vector<DelayedTrial> alone = SweepDelays(sweep_, 1, observer_, stop_);
+  const std::vector<DelayedTrial> alone = Sweep(copy, 1);
+  ASSERT_EQ(alone.size(), trials.size());
   for (size_t i = 0; i < trials.size(); ++i) {
     EXPECT_EQ(ToJson(trials[i].record), ToJson(alone[i].record)) << "workers matter: " << i;
   }
   EXPECT_EQ(num_undelayed, 2);  // one for each digit that may be late
 }
 
-TEST_F(DelaySweepTest, AStoppedOneSaysSo) {
+TEST_F(DelaySweepTest, AStoppedOneSaysSoAndGoesOn) {
   stop_ = true;
-  EXPECT_THROW(SweepDelays(sweep_, 1, observer_, stop_), Error);
+  Sweep(folder_, 1);
+  EXPECT_FALSE(is_finished_);
+  stop_ = false;
+  EXPECT_EQ(Sweep(folder_, 1).size(), 4 * 2 * ListDelays().size());
+  EXPECT_TRUE(is_finished_);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "datasets/plan/conditions.h"
+#include "workbench/experiments/pool/session_worker.h"
 #include "workbench/tables/numerics_tables.h"
 
 namespace graspbench {
@@ -28,29 +30,21 @@ NumericsComparison Compare(const TrialRecord& before, Outcome outcome, double gc
 }
 
 TEST(NumericsCheck, VariantsChangeOneThingEach) {
-  SimConfig sim;
-  const std::vector<NumericsVariant> variants = ListNumericsVariants(sim);
+  SessionConfig config;
+  const std::vector<Condition> variants = ListNumericsVariants(config);
   ASSERT_EQ(variants.size(), 5u);
-  EXPECT_DOUBLE_EQ(variants[0].sim.step, 0.5 * sim.step);
-  EXPECT_DOUBLE_EQ(variants[0].sim.contact_stiffness, sim.contact_stiffness);
-  EXPECT_DOUBLE_EQ(variants[1].sim.step, 2.0 * sim.step);
-  EXPECT_DOUBLE_EQ(variants[2].sim.contact_stiffness, 0.5 * sim.contact_stiffness);
-  EXPECT_DOUBLE_EQ(variants[2].sim.tangential_stiffness, 0.5 * sim.tangential_stiffness);
-  EXPECT_DOUBLE_EQ(variants[2].sim.step, sim.step);
-  EXPECT_DOUBLE_EQ(variants[3].sim.contact_stiffness, 2.0 * sim.contact_stiffness);
-  EXPECT_TRUE(variants[4].is_compliant);
-}
-
-TEST(NumericsCheck, TakesTheFirstTrialsOfEachCell) {
-  std::vector<TrialRecord> records;
-  for (int trial = 3; trial < 6; ++trial) {
-    records.push_back(MakeRecord("cup", trial, Outcome::kSuccess, 0.5));
-    records.push_back(MakeRecord("can", trial, Outcome::kSuccess, 0.5));
-  }
-  const std::vector<TrialRecord> chosen = ChooseTrials(records, 2);
-  ASSERT_EQ(chosen.size(), 4u);
-  EXPECT_EQ(chosen[0].plan.id, "cup3");
-  EXPECT_EQ(chosen[3].plan.id, "can4");
+  const auto apply = [&](size_t i) { return ApplyCondition(variants[i], config).config.sim; };
+  EXPECT_DOUBLE_EQ(apply(0).step, 0.5 * config.sim.step);
+  EXPECT_DOUBLE_EQ(apply(0).contact_stiffness, config.sim.contact_stiffness);
+  EXPECT_DOUBLE_EQ(apply(1).step, 2.0 * config.sim.step);
+  EXPECT_DOUBLE_EQ(apply(2).contact_stiffness, 0.5 * config.sim.contact_stiffness);
+  EXPECT_DOUBLE_EQ(apply(2).tangential_stiffness, 0.5 * config.sim.tangential_stiffness);
+  EXPECT_DOUBLE_EQ(apply(2).step, config.sim.step);
+  EXPECT_DOUBLE_EQ(apply(3).contact_stiffness, 2.0 * config.sim.contact_stiffness);
+  EXPECT_TRUE(ApplyCondition(variants[4], config).is_compliant);
+  // What a session must not have is left out: half of the shortest step.
+  config.sim.step = 1e-4;
+  EXPECT_EQ(ListNumericsVariants(config).size(), 4u);
 }
 
 TEST(NumericsCheck, AFlipChangesTheVerdictNotTheKindOfFailure) {
@@ -89,16 +83,11 @@ TEST(NumericsCheck, FingertipsDragOnTheTableAlikeAtEveryStep) {
   config.objects = {"pencil"};
   config.trials = 4;
   const SessionInputs inputs = LoadSessionInputs(config);
-  TrialRecord trial;
-  trial.plan = MakePlan(config, inputs).back();
+  const PlannedTrial planned = MakePlan(config, inputs).back();
   std::vector<double> last_contacts;
-  Observer nobody;
-  const std::atomic<bool> never = false;
   for (const double step : {0.002, 0.001, 0.0005}) {
-    NumericsVariant variant{"", config.sim};
-    variant.sim.step = step;
-    const TrialResult result =
-        RerunTrials({trial}, variant, config, inputs, 1, nobody, never).front();
+    config.sim.step = step;
+    const TrialResult result = PlannedTrialRunner(config, inputs).Run(planned);
     EXPECT_EQ(result.outcome, Outcome::kSuccess) << "step " << step;
     last_contacts.push_back(result.timing.gct);
   }

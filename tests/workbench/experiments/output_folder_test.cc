@@ -142,6 +142,7 @@ TEST_F(OutputFolderTest, WhatIsCopiedHoldsNoResultOfItself) {
 TEST_F(OutputFolderTest, AFileIsWrittenOnlyWhereNoneIs) {
   EXPECT_THROW(CheckOutputFile(""), Error);
   EXPECT_THROW(CheckOutputFile(top_), Error);
+  EXPECT_THROW(CheckOutputFile(top_ / "new.csv" / ""), Error) << "a slash makes it a folder's name";
   EXPECT_NO_THROW(CheckOutputFile(top_ / "new.csv"));
   WriteFileAtomically(top_ / "old.csv", "x");
   EXPECT_THROW(CheckOutputFile(top_ / "old.csv"), Error);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/session/sensitivity_store.h"
 #include "tests/datasets/session/fake_session.h"
 
@@ -77,10 +79,14 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   const SensitivityData data = Load(session);
   EXPECT_EQ(data.at("model.mass_scale=2.0").size(), 2u);
   EXPECT_EQ(data.at("model.mass_scale=3.0").size(), 2u);
+  // Of the session and of the experiment with one trial a cell nothing has run again.
+  const PreparedSession experiment = PrepareSensitivity(request);
+  EXPECT_EQ(ReadFile(experiment.folder / "journal" / "0.jsonl").find("\"trial\":0"),
+            std::string::npos);
   // Nothing is left: nothing is written.
-  const auto size = std::filesystem::file_size(session.folder / "sensitivity" / "0.jsonl");
+  const auto size = std::filesystem::file_size(experiment.folder / "journal" / "0.jsonl");
   ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
-  EXPECT_EQ(std::filesystem::file_size(session.folder / "sensitivity" / "0.jsonl"), size);
+  EXPECT_EQ(std::filesystem::file_size(experiment.folder / "journal" / "0.jsonl"), size);
 }
 
 TEST_F(RunSensitivityTest, RefusesASettingNamedTwiceBeforeAnythingRuns) {

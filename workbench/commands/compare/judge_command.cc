@@ -5,6 +5,7 @@
 
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
+#include "datasets/analysis/export_result.h"
 #include "datasets/analysis/judge_evidence.h"
 #include "datasets/session/judgement_store.h"
 #include "reports/session_report.h"
@@ -61,7 +62,7 @@ ExitCode Judge(const JudgeOptions& options) {
                 "stopped; what was judged is kept. Continue with the same command");
   }
   const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
-  ExportSession(folder, session);
+  ExportResult(folder, session);
   const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
   const JudgeEvidence evidence = CalcJudgeEvidence(session.records);
   if (options.json) {

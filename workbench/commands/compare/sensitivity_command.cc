@@ -19,27 +19,23 @@ namespace {
 
 struct SensitivityOptions {
   SensitivityRequest request;
-  std::string folder;
   int num_workers = 1;
   bool json = false;
 };
 
-void Run(SensitivityOptions& options) {
-  options.request.folder = options.folder;
+void Run(const SensitivityOptions& options) {
+  const SensitivityRequest& request = options.request;
+  const std::filesystem::path& folder = request.folder;
+  const PreparedSession experiment = PrepareSensitivity(request);
+  if (request.plan_only) return PrintExperimentPlan(experiment);
   const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(
-      [](const Stage& stage) { return stage.variant + ": " + DescribeTasks(stage); }, stop);
-  if (!RunSensitivity(options.request, options.num_workers, observer, stop)) {
-    throw Error(ErrorKind::kInterrupted,
-                "stopped; what has run is kept. Continue with the same command");
-  }
-  const Session session =
-      LoadSession(options.folder, options.request.on_damage, RecordParts::kBrief);
+  TerminalObserver observer(DescribeTasks, stop);
+  DemandFinished(RunExperiment(experiment, request, options.num_workers, observer, stop));
+  const Session session = LoadSession(folder, request.on_damage, RecordParts::kBrief);
   Diagnostics findings;
   const SensitivityData data = LoadSensitivity(session, findings);
   if (!findings.entries().empty()) PrintMessage(findings.Format());
-  const std::filesystem::path report =
-      WriteSessionReport(options.folder, session, MakeKeptTracer(session));
+  const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
   const SensitivitySummary summary = SummariseSensitivity(session, data);
   if (options.json) {
     PrintJson(RecordToJson(summary));
@@ -58,9 +54,7 @@ void AddSensitivityCommand(CLI::App& program, ExitCode&) {
       "  graspbench sensitivity results/pilot --set model.mass_scale=1.1 --trials 3");
   const auto options = std::make_shared<SensitivityOptions>();
   SensitivityRequest& request = options->request;
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
+  AddStoreFolder(command, request.folder, "folder of the session");
   command
       .add_option("--set", request.settings,
                   "a setting to try instead of the usual ones; again and again")
@@ -73,6 +67,7 @@ void AddSensitivityCommand(CLI::App& program, ExitCode&) {
       ->option_text("N")
       ->default_str("all");
   AddJobsOption(command, options->num_workers);
+  AddPlanOnlyOption(command, request.plan_only);
   AddTrialTimeoutOption(command, request.trial_time_limit);
   AddAcceptDamageOption(command, request.on_damage);
   command.add_flag("--json", options->json, "print the summary as one JSON object");

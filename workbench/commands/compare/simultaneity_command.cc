@@ -12,9 +12,8 @@ namespace graspbench {
 namespace {
 
 struct SimultaneityOptions {
-  std::string folder;
+  ExperimentRequest request;
   bool delays = false;
-  DelaySweepRequest request;
   int num_workers = 1;
   bool json = false;
 };
@@ -26,21 +25,21 @@ Json ListRows(const Rows& rows) {
   return list;
 }
 
-std::vector<DoseResponse> Sweep(SimultaneityOptions& options) {
-  options.request.folder = options.folder;
+void RunDelays(const SimultaneityOptions& options) {
+  const PreparedSession experiment = PrepareDelays(options.request);
+  if (options.request.plan_only) return PrintExperimentPlan(experiment);
   const std::atomic<bool>& stop = CatchInterrupts();
-  TerminalObserver observer(
-      [](const Stage& stage) { return stage.variant + ": " + DescribeTasks(stage); }, stop);
-  return SummariseDelays(SweepDelays(options.request, options.num_workers, observer, stop));
+  TerminalObserver observer(DescribeTasks, stop);
+  DemandFinished(RunExperiment(experiment, options.request, options.num_workers, observer, stop));
+  const std::vector<DoseResponse> rows =
+      SummariseDelays(ListDelayedTrials(LoadSession(experiment.folder, options.request.on_damage)));
+  if (options.json) return PrintJson({{"delays", ListRows(rows)}});
+  PrintResult(FormatDoseResponses(rows));
 }
 
-void Run(SimultaneityOptions& options) {
-  if (options.delays) {
-    const std::vector<DoseResponse> rows = Sweep(options);
-    if (options.json) return PrintJson({{"delays", ListRows(rows)}});
-    return PrintResult(FormatDoseResponses(rows));
-  }
-  const Session session = LoadSession(options.folder);
+void Run(const SimultaneityOptions& options) {
+  if (options.delays) return RunDelays(options);
+  const Session session = LoadSession(options.request.folder);
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   const std::vector<SimultaneityRelation> relations = SummariseSimultaneity(session);
   if (options.json) return PrintJson({{"relations", ListRows(relations)}});
@@ -56,13 +55,12 @@ void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
       "  graspbench simultaneity results/pilot            inside cells, as the trials came\n"
       "  graspbench simultaneity results/pilot --delay    the same trials, one digit delayed");
   const auto options = std::make_shared<SimultaneityOptions>();
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
+  AddStoreFolder(command, options->request.folder, "folder of the session");
   CLI::Option* delay = command.add_flag(
       "--delay", options->delays,
       "run trials again with the digit that touched last, or first, 50 to 300 ms later, the object "
       "as it was, light, slippery and off-centre");
+  options->request.trials_per_cell = 1;
   command
       .add_option("--trials", options->request.trials_per_cell,
                   "trials of each hand, object, grasp to delay")
@@ -70,6 +68,8 @@ void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
       ->check(CLI::Range(1, 100000))
       ->option_text("N")
       ->capture_default_str();
+  AddPlanOnlyOption(command, options->request.plan_only);
+  command.get_option("--plan-only")->needs(delay);
   command
       .add_flag("--judge", options->request.with_judge,
                 "find breaking forces of the delayed, too; some five times as long")

@@ -100,7 +100,11 @@ void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("NAME=DEG,..");
-  fk->callback([id, joints, json] { PrintForwardKinematics(*id, *joints, *json); });
+  const auto link = std::make_shared<std::string>();
+  fk->add_option("--link", *link,
+                 "this link or frame of the description instead of the digits' last links")
+      ->option_text("NAME");
+  fk->callback([id, joints, link, json] { PrintForwardKinematics(*id, *joints, *link, *json); });
 }
 
 }  // namespace graspbench

@@ -17,6 +17,7 @@ namespace {
 
 struct HandImportOptions {
   std::string file, out, palm, unit, mesh_unit, angle;
+  std::vector<double> palm_normal;
   std::vector<std::string> package_path;
   bool replace = false;
 };
@@ -24,6 +25,7 @@ struct HandImportOptions {
 /** [m]; 0: to be inferred. */
 double ParseUnit(const std::string& name) {
   return name == "m"    ? 1.0
+         : name == "dm" ? 0.1
          : name == "cm" ? 0.01
          : name == "mm" ? 0.001
          : name == "in" ? 0.0254
@@ -41,6 +43,12 @@ ExitCode ImportHandCommand(const HandImportOptions& options, bool json) {
   source.load_mesh = &LoadPictureMesh;
   source.unit = ParseUnit(options.unit);
   source.mesh_unit = ParseUnit(options.mesh_unit);
+  if (!options.palm_normal.empty()) {
+    source.palm_normal = Eigen::Vector3d(options.palm_normal.data());
+    if (source.palm_normal->norm() < 1e-6) {
+      throw Error(ErrorKind::kUsage, "--palm-normal 0,0,0 has no direction; expected X,Y,Z");
+    }
+  }
   if (!options.angle.empty()) source.in_degrees = options.angle == "deg";
   Diagnostics problems;
   const ImportedFiles imported = ImportHand(ReadFile(file), source, options.palm, problems);
@@ -95,8 +103,8 @@ void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("DIR");
   const auto add_unit = [&](const char* name, std::string& unit, const char* description) {
     command.add_option(name, unit, description)
-        ->check(CLI::IsMember({"m", "cm", "mm", "in"}))
-        ->option_text("m|cm|mm|in");
+        ->check(CLI::IsMember({"m", "dm", "cm", "mm", "in"}))
+        ->option_text("m|dm|cm|mm|in");
   };
   add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and told");
   add_unit("--mesh-unit", import->mesh_unit,
@@ -104,8 +112,16 @@ void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
   command.add_option("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)")
       ->check(CLI::IsMember({"deg", "rad"}))
       ->option_text("deg|rad");
-  command.add_option("--palm", import->palm, "link of the palm, where it is not found")
+  command
+      .add_option("--palm", import->palm,
+                  "link of the palm, where it is not found, or of the hand of a scene")
       ->option_text("LINK");
+  command
+      .add_option("--palm-normal", import->palm_normal,
+                  "direction out of the palm in its frame, where it is not found")
+      ->expected(3)
+      ->delimiter(',')
+      ->option_text("X,Y,Z");
   AddReplaceOption(command, import->replace);
   command.add_flag("--json", *json, "print one JSON object");
   command.callback([import, json, &exit_code] { exit_code = ImportHandCommand(*import, *json); });

@@ -33,7 +33,7 @@ CheckedMeshFile CheckFileOrFolder(const MeshCheckOptions& options) {
     LoadObject(options.path, FieldUse::kLater);  // its other faults
     const fs::path folder = options.path;
     const ObjectFile file = LoadObjectFile(folder / "object.yaml");
-    return CheckMeshFile(folder / file.mesh, file.mesh_unit);
+    return CheckMeshFile(folder / file.mesh, file.mesh_unit, PartsApartOf(file));
   }
   std::optional<LengthUnit> unit;
   if (!options.unit.empty())

@@ -3,15 +3,14 @@
 #include <memory>
 #include <string>
 
-#include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "datasets/analysis/basin_summary.h"
-#include "reports/basin_page.h"
+#include "datasets/analysis/export_result.h"
+#include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/map_basin.h"
-#include "workbench/experiments/output_folder.h"
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
@@ -19,37 +18,33 @@ namespace {
 
 struct BasinOptions {
   BasinRequest request;
-  std::string out;
-  bool replace = false;
+  bool plan_only = false;
+  double trial_time_limit = kTrialTimeLimit;
   int num_workers = 1;
 };
 
-/** For the page: without where it was written to. */
-std::string FormatCommand(const BasinRequest& request) {
-  return "graspbench basin --hand " + QuoteForShell(request.hand) + " --object " +
-         QuoteForShell(request.object) + " --grasp " + QuoteForShell(request.grasp) +
-         " --samples " + std::to_string(request.num_samples) + " --out DIR";
-}
-
 void Run(const BasinOptions& options) {
-  StagedFolder staged({options.out,
-                       "basin",
-                       options.replace,
-                       {options.request.hand, options.request.object, options.request.grasp}});
+  const PreparedSession basin = PrepareBasin(options.request);
+  if (options.plan_only) {
+    RecordPlanning(basin.folder);
+    return PrintExperimentPlan(basin);
+  }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer({}, stop);
-  const BasinMap map = MapBasin(options.request, options.num_workers, observer, stop);
-  WriteFileAtomically(staged.path() / "basin.csv", FormatBasinCsv(map.samples));
-  const std::filesystem::path page = std::filesystem::path("report") / "index.html";
-  MakeFolder(staged.path() / page.parent_path());
-  WriteFileAtomically(staged.path() / page,
-                      MakeBasinPage({map.title, FormatCommand(options.request), map.samples}));
-  staged.Commit();
-  const BasinSummary summary = SummariseBasin(map.samples);
-  PrintResult(map.title + ": basin radius " + FormatFixed(summary.radius, 2) + " (" +
+  if (!FindUnfinished(basin.session).empty()) {
+    DemandFinished(
+        RunSession(basin, options.num_workers, observer, stop, options.trial_time_limit).ending ==
+        RunEnding::kFinished);
+  }
+  const Session session = LoadSession(basin.folder, OnDamage::kRefuse, RecordParts::kBrief);
+  ExportResult(basin.folder, session);
+  const std::filesystem::path report = WriteSessionReport(basin.folder, session);
+  const BasinSummary summary = SummariseBasin(ListBasinSamples(session));
+  PrintResult(NameBasin(basin.inputs, session.plan.front()) + ": basin radius " +
+              FormatFixed(summary.radius, 2) + " (" +
               FormatFixed(MmFromM(summary.radius_offset), 1) + " mm, " +
               FormatFixed(DegFromRad(summary.radius_yaw), 1) + " deg)\nreport   " +
-              (std::filesystem::path(options.out) / page).string() + "\n");
+              report.string() + "\n");
 }
 
 }  // namespace
@@ -75,11 +70,12 @@ void AddBasinCommand(CLI::App& program, ExitCode&) {
       ->option_text("N")
       ->capture_default_str();
   AddJobsOption(command, options->num_workers);
-  AddTrialTimeoutOption(command, request.trial_time_limit);
-  command.add_option("--out", options->out, "folder for report and basin.csv")
+  AddTrialTimeoutOption(command, options->trial_time_limit);
+  AddPlanOnlyOption(command, options->plan_only);
+  command.add_option("--out", request.out, "folder for report and basin.csv")
       ->required()
       ->option_text("DIR");
-  AddReplaceOption(command, options->replace);
+  AddReplaceOption(command, request.replace);
   command.callback([options] { Run(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/files/files.h"
+#include "datasets/analysis/export_result.h"
 #include "datasets/mjcf/mjcf_export.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/session/find_trial.h"
@@ -61,10 +62,10 @@ void ExportMjcf(const ExportOptions& options, const Session& session) {
 void ExportTables(const ExportOptions& options, const Session& session) {
   const std::filesystem::path folder = options.out.empty() ? options.folder : options.out;
   if (options.out.empty()) {
-    ExportSession(folder, session, options.with_records);
+    ExportResult(folder, session, options.with_records);
   } else {
     StagedFolder staged({folder, "export", options.replace, {options.folder}});
-    ExportSession(staged.path(), session, options.with_records);
+    ExportResult(staged.path(), session, options.with_records);
     staged.Commit();
   }
   if (options.with_ro_crate) {

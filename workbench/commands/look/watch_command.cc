@@ -24,6 +24,7 @@ struct WatchOptions {
   std::filesystem::path folder;
   double stale_after = 600.0;  // [s]
   double interval = 1.0;       // [s]
+  bool quick = false;
 };
 
 constexpr std::chrono::milliseconds kSignalInterval(50);  // Ctrl-C is heard between two
@@ -39,15 +40,42 @@ std::vector<std::string> ListLines(const FolderStatus& status, const Pace& pace)
   return lines;
 }
 
+/** Looks that check everything and take no more than a tenth of the time, and others between. What
+is finished was checked. */
+class Looks {
+ public:
+  using Clock = std::chrono::steady_clock;
+  explicit Looks(const WatchOptions& options) : options_(options) {}
+
+  FolderStatus Look() {
+    if (!options_.quick && Clock::now() >= next_check_) return Check();
+    FolderStatus status =
+        ReadFolderStatus(options_.folder, options_.stale_after, StatusLook::kCounted);
+    return status.is_finished && !options_.quick ? Check() : status;
+  }
+
+ private:
+  FolderStatus Check() {
+    const auto start = Clock::now();
+    FolderStatus status = ReadFolderStatus(options_.folder, options_.stale_after);
+    next_check_ = Clock::now() + 10 * (Clock::now() - start);
+    return status;
+  }
+
+  const WatchOptions& options_;
+  Clock::time_point next_check_ = Clock::time_point::min();
+};
+
 /** On a terminal all lines, redrawn in place; elsewhere the first one whenever it has changed. */
 ExitCode Watch(const WatchOptions& options) {
-  using Clock = std::chrono::steady_clock;
+  using Clock = Looks::Clock;
   const std::atomic<bool>& stop = CatchInterrupts();
   StatusRegion region(stdout);
+  Looks looks(options);
   Pace pace;
   std::string shown;
   for (const auto start = Clock::now();;) {
-    const FolderStatus status = ReadFolderStatus(options.folder, options.stale_after);
+    const FolderStatus status = looks.Look();
     const std::chrono::duration<double> time = Clock::now() - start;
     pace.Add(time.count(), status.num_done);
     const std::vector<std::string> lines = ListLines(status, pace);
@@ -55,7 +83,10 @@ ExitCode Watch(const WatchOptions& options) {
     if (!region.can_redraw() && lines.front() != shown) PrintResult(lines.front() + "\n");
     shown = lines.front();
     if (!status.damage.empty()) throw Error(ErrorKind::kFormat, status.damage);
-    if (status.is_finished) return kExitOk;
+    if (status.is_finished) {
+      if (!status.is_checked) PrintMessage(DescribeUncheckedStatus(options.folder));
+      return status.is_checked || options.quick ? kExitOk : kExitFailed;
+    }
     const auto next = Clock::now() + std::chrono::duration<double>(options.interval);
     while (Clock::now() < next) {
       if (stop) return kExitOk;  // the run itself goes on
@@ -72,10 +103,12 @@ void AddWatchCommand(CLI::App& program, ExitCode& exit_code) {
       "  graspbench watch results/pilot\n"
       "  graspbench watch results/pilot --interval 10 | tee progress.txt");
   const auto options = std::make_shared<WatchOptions>();
-  AddStoreFolder(command, options->folder, "folder of a session, campaign or optimisation");
+  AddStoreFolder(command, options->folder,
+                 "folder of a session, campaign, optimisation or development");
   AddSecondsOption(command, "--interval", options->interval, "seconds between two looks");
   AddSecondsOption(command, "--stale-after", options->stale_after,
                    "seconds without a new line after which an unfinished shard is stale");
+  command.add_flag("--quick", options->quick, "count, do not check; else 1 GB and more end with 1");
   command.callback([options, &exit_code] { exit_code = Watch(*options); });
 }
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -16,35 +17,40 @@ namespace fs = std::filesystem;
 namespace {
 
 struct NumericsOptions {
-  std::string folder;
-  int trials = 1;
+  ExperimentRequest request;
   int num_workers = 1;
   std::string out;
   bool json = false;
 };
 
-/** A line before each variant; its few trials need no more. */
-class VariantLines : public Observer {
- public:
-  void BeginStage(const Stage& stage) override {
-    PrintMessage(stage.variant + ": " + FormatCount(stage.num_all, "trial"));
+/** A line for each variant. */
+void PrintVariants(const Session& experiment) {
+  for (const Condition& variant : experiment.config.conditions) {
+    const auto num_trials = std::count_if(
+        experiment.plan.begin(), experiment.plan.end(),
+        [&](const PlannedTrial& planned) { return planned.condition == variant.name; });
+    PrintMessage(variant.name + ": " + FormatCount(num_trials, "trial"));
   }
-};
+}
 
 void Check(const NumericsOptions& options) {
   if (!options.out.empty()) CheckOutputFile(options.out);
-  const Session session = LoadSession(options.folder);
-  if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
-  VariantLines observer;
-  const NumericsCheck check = CheckNumerics(options.folder, session, options.trials,
-                                            options.num_workers, observer, CatchInterrupts());
-  const fs::path out = options.out.empty() ? fs::path(options.folder) / "check" / "numerics.csv"
-                                           : fs::path(options.out);
+  const fs::path& folder = options.request.folder;
+  const PreparedSession experiment = PrepareNumerics(options.request);
+  if (options.request.plan_only) return PrintExperimentPlan(experiment);
+  PrintVariants(experiment.session);
+  Observer observer;  // its few trials need no more
+  DemandFinished(
+      RunExperiment(experiment, options.request, options.num_workers, observer, CatchInterrupts()));
+  const NumericsCheck check = CompareNumerics(
+      LoadSession(experiment.folder, options.request.on_damage, RecordParts::kBrief));
+  const fs::path out =
+      options.out.empty() ? folder / "check" / "numerics.csv" : fs::path(options.out);
   if (out.has_parent_path()) MakeFolder(out.parent_path());
   WriteFileAtomically(out, FormatNumericsCsv(check.comparisons));
   if (options.json) {
     Json json = MakeNumericsJson(check.summaries, check.comparisons);
-    json["session"] = options.folder;
+    json["session"] = folder.string();
     json["data"] = out.string();
     PrintJson(json);
   } else {
@@ -62,16 +68,16 @@ void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
                     "  graspbench check-numerics results/benchmark-1a2b3c4d\n"
                     "  graspbench check-numerics results/pilot --trials 10 --json");
   const auto options = std::make_shared<NumericsOptions>();
-  command.add_option("folder", options->folder, "folder of the session")
-      ->required()
-      ->option_text("DIR");
+  AddStoreFolder(command, options->request.folder, "folder of the session");
+  options->request.trials_per_cell = 1;
   command
-      .add_option("--trials", options->trials,
+      .add_option("--trials", options->request.trials_per_cell,
                   "finished trials of each hand, object, grasp to take")
       ->check(CLI::Range(1, 100000))
       ->option_text("N")
       ->capture_default_str();
   AddJobsOption(command, options->num_workers);
+  AddPlanOnlyOption(command, options->request.plan_only);
   command.add_option("--out", options->out, "table of all comparisons")
       ->option_text("FILE")
       ->default_str("check/numerics.csv in the session");

@@ -6,6 +6,7 @@
 
 #include "core/base/text/text.h"
 #include "datasets/analysis/campaign/campaign_export.h"
+#include "datasets/analysis/export_result.h"
 #include "datasets/analysis/session_summary.h"
 #include "datasets/campaign/merge_campaigns.h"
 #include "datasets/session/merge_sessions.h"
@@ -101,7 +102,7 @@ ExitCode Merge(const MergeOptions& options) {
   // Damage is found before it is sealed.
   const Session session = LoadSession(options.folder, OnDamage::kRefuse, RecordParts::kBrief);
   SealStore(kSessionStore, options.folder);
-  ExportSession(options.folder, session);
+  ExportResult(options.folder, session);
   const fs::path report = WriteSessionReport(options.folder, session, MakeKeptTracer(session));
   const std::vector<MachineShards> machines = ListMachines(options.folder);
   const SessionSummary summary = SummariseSession(session);

@@ -33,11 +33,8 @@ constexpr SettingOption kOptions[] = {
 
 }  // namespace
 
-void SessionOptions::AddTo(CLI::App& command) {
-  command
-      .add_option("session", session_file_,
-                  "session file: YAML, or session.json of a session; absent: the benchmark")
-      ->option_text("SESSION");
+void SessionOptions::AddTo(CLI::App& command, const std::string& file_text) {
+  command.add_option("session", session_file_, file_text)->option_text("SESSION");
   std::string names;
   for (const Preset& preset : ListPresets()) names += (names.empty() ? "" : ",") + preset.name;
   command.add_option("--preset", preset_, "named settings instead of a session file: " + names)
@@ -79,14 +76,19 @@ void SessionOptions::RefuseTwice(const std::string& setting) const {
 }
 
 SessionConfig SessionOptions::MakeConfig() const {
+  SessionConfig config;
+  if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
+  ApplyTo(config);
+  return config;
+}
+
+void SessionOptions::ApplyTo(SessionConfig& config) const {
   if (!session_file_.empty() && !preset_.empty()) {
     throw Error(ErrorKind::kUsage,
                 "a session file and --preset are both given; leave out --preset "
                 "and write into " +
                     session_file_ + ": preset: " + preset_);
   }
-  SessionConfig config;
-  if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
   if (!preset_.empty()) config = LoadPreset(preset_);
   for (const std::string& setting : settings_) {
     RefuseTwice(setting);
@@ -96,7 +98,6 @@ SessionConfig SessionOptions::MakeConfig() const {
   for (const SettingOption& row : kOptions) {
     if (IsGiven(row.option)) row.copy(given_, config);
   }
-  return config;
 }
 
 std::string SessionOptions::name() const {

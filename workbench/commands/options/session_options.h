@@ -16,12 +16,18 @@ namespace graspbench {
 
 class SessionOptions {
  public:
-  void AddTo(CLI::App& command);
+  /** @param file_text  what the file is that may be named. */
+  void AddTo(CLI::App& command, const std::string& file_text =
+                                    "session file: YAML, or session.json of a session; absent: the "
+                                    "benchmark");
   /** Whether any of them was given. */
   bool HasAny() const;
   /** The session file or the preset, then --set, then the options. @throws Error(kUsage) for a
   setting given by both, or a file and a preset; as LoadSessionConfig, LoadPreset, ApplySetting. */
   SessionConfig MakeConfig() const;
+  /** The same over what another kind of file says. @throws as MakeConfig. */
+  void ApplyTo(SessionConfig& config) const;
+  const std::string& file() const { return session_file_; }
   /** That of the preset, or of the session file without folder and extension; else "benchmark". */
   std::string name() const;
 

@@ -28,9 +28,14 @@ Study LoadForReview(const ReviewOptions& options) {
   return study;
 }
 
+bool IsOfAll(const ReviewOptions& options) {
+  return options.trials.empty() || options.trials == std::vector<std::string>{"all"};
+}
+
 void CheckAllFound(const ReviewOptions& options, const StudyResult& result) {
   std::vector<std::string> ids;
   for (const StudyTrial& trial : result.trials) ids.push_back(trial.id);
+  if (IsOfAll(options)) return;
   for (const std::string& id : options.trials) {
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
       throw Error(ErrorKind::kUsage,
@@ -48,7 +53,7 @@ void RunReview(const ReviewOptions& options) {
   StudyWatch watch;
   watch.on_analysed = [&](const StudyTrial& trial, const ReachTrial& reach) {
     const bool is_wanted =
-        options.trials.empty() ||
+        IsOfAll(options) ||
         std::find(options.trials.begin(), options.trials.end(), trial.id) != options.trials.end();
     if (!is_wanted) return;
     pages.WriteTrial(trial, reach, study.factors, study.config.analysis);

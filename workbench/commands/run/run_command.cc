@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/text/text.h"
+#include "datasets/analysis/export_result.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
@@ -68,7 +69,7 @@ ExitCode Finish(PreparedSession& work, const RunOptions& options) {
   work.inputs = {};
   Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   session.damage = damage;  // what was found before the run sealed what is there
-  ExportSession(folder, session);
+  ExportResult(folder, session);
   const SessionSummary summary = SummariseSession(session);
   const TrialTracer trace = MakeKeptTracer(session);
   const fs::path report = WriteSessionReport(folder, std::move(session), trace);

@@ -49,16 +49,26 @@ bool Contains(const fs::path& outer, const fs::path& inner) {
   return mismatch.first == outer.end();
 }
 
-/** @throws Error(kUsage). */
+/** Nothing, or what a run leaves that was killed at once. */
+bool IsNew(const fs::path& results) {
+  if (!fs::exists(results)) return true;
+  const fs::directory_iterator entries(results);
+  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().filename() == kRunLock && entry.is_regular_file() && entry.file_size() == 0;
+  });
+}
+
+/** Before anything is made there. @throws Error(kUsage, kFormat). */
 void CheckResults(const Pipeline& pipeline, const fs::path& results) {
-  std::error_code status;
-  const bool is_new = !fs::exists(results, status) || fs::is_empty(results, status);
-  if (!is_new && !fs::exists(results / kPipelineLock, status) &&
-      !fs::exists(results / kRunLock, status)) {
+  // Whoever removes the lock file asks for every stage anew.
+  const bool was_ours = fs::exists(results / kRunLock) && fs::is_directory(results / kStageLogs);
+  const bool is_ours = IsNew(results) || fs::exists(results / kPipelineLock) || was_ours;
+  if (!is_ours || fs::is_symlink(results / kRunLock) || fs::is_symlink(results / kPipelineLock)) {
     throw Error(ErrorKind::kUsage, "\"" + results.string() +
                                        "\" holds something else than a pipeline's results; name a "
                                        "new or empty folder");
   }
+  LoadPipelineLock(results);  // a file of that name may be somebody else's
   const fs::path place = fs::weakly_canonical(fs::absolute(results));
   for (const PipelineStage& stage : pipeline.stages) {
     for (const StageInput& input : stage.inputs) {

@@ -13,6 +13,7 @@
 #include "core/hand/import/close_loops.h"
 #include "core/hand/import/fix_joint.h"
 #include "core/hand/import/foreign_xml.h"
+#include "core/hand/import/joint_limits.h"
 
 namespace graspbench {
 namespace {
@@ -32,8 +33,10 @@ class MjcfCouplingReader {
 
  private:
   int FindJoint(const std::string& name) const;
-  Terms ReadTerms(XMLElement& tendon);
+  Terms ReadTerms(XMLElement& tendon, const std::string& where);
   void ReadTendons();
+  void TieByLimits(XMLElement& tendon, const std::string& name, const Terms& terms);
+  void TellUnusedTendons();
   void ReadEqualities();
   void ReadEquality(const MjcfNode& node, const Terms& first, const Terms& second,
                     const std::string& where);
@@ -52,6 +55,7 @@ class MjcfCouplingReader {
   Diagnostics& problems_;
   ForeignHand& hand_;
   std::map<std::string, Terms> tendons_;
+  std::map<std::string, XMLElement*> unused_tendons_;
   std::vector<NamedMimic> mimics_;
   std::vector<LoopPoint> loops_;
   std::set<int> driven_;
@@ -70,12 +74,17 @@ std::string TextOf(const MjcfDocument& document, const MjcfNode& node, const cha
   return text ? text : "";
 }
 
-Terms MjcfCouplingReader::ReadTerms(XMLElement& tendon) {
+Terms MjcfCouplingReader::ReadTerms(XMLElement& tendon, const std::string& where) {
   Terms terms;
   for (XMLElement* element : document_.ListChildren(tendon)) {
     const MjcfNode node = {element, nullptr};
-    const int joint = FindJoint(TextOf(document_, node, "joint"));
-    const double coefficient = document_.FindNumber(node, "coef", 0.0, "tendon");
+    const std::string name = TextOf(document_, node, "joint");
+    const int joint = FindJoint(name);
+    const double coefficient = document_.FindNumber(node, "coef", 0.0, where);
+    if (joint < 0) document_.Warn(*element, where + ": no joint \"" + name + "\" that moves");
+    if (joint >= 0 && coefficient == 0.0) {
+      document_.Warn(*element, where + ": joint \"" + name + "\" counts 0 times; left out of it");
+    }
     if (joint >= 0 && coefficient != 0.0) terms.emplace_back(joint, coefficient);
   }
   return terms;
@@ -87,12 +96,59 @@ void MjcfCouplingReader::ReadTendons() {
       const char* name = element->Attribute("name");
       const std::string kind = element->Name();
       if (kind == "fixed") {
-        if (name) tendons_.emplace(name, ReadTerms(*element));
+        if (!name) continue;
+        const auto [tendon, is_new] =
+            tendons_.emplace(name, ReadTerms(*element, "tendon \"" + std::string(name) + "\""));
+        if (!is_new) continue;
+        unused_tendons_.emplace(name, element);
+        TieByLimits(*element, name, tendon->second);
       } else {
         document_.Warn(*element, "tendon \"" + std::string(name ? name : "") + "\" of kind <" +
                                      kind + "> is not read; its joints get drives of their own");
       }
     }
+  }
+}
+
+/** Limits that leave two joints little play against each other tie them: c0 q0 + c1 q1 = middle. */
+void MjcfCouplingReader::TieByLimits(XMLElement& tendon, const std::string& name,
+                                     const Terms& terms) {
+  constexpr double kNarrow = 0.25;  // of what either joint moves the tendon
+  const MjcfNode node = document_.Resolve(tendon, nullptr);
+  const std::string where = "tendon \"" + name + "\"";
+  const auto range = document_.FindNumbers(node, "range", 2, 2, where);
+  if (terms.size() != 2 || !range || TextOf(document_, node, "limited") == "false") return;
+  const auto& [upper, lower] = std::minmax(terms[0], terms[1]);
+  const ForeignJoint &leader = hand_.joints[upper.first], &follower = hand_.joints[lower.first];
+  const double width = (*range)[1] - (*range)[0];
+  const double moves = std::min(std::abs(upper.second) * (leader.upper - leader.lower),
+                                std::abs(lower.second) * (follower.upper - follower.lower));
+  if (leader.kind != follower.kind || width < 0.0 || width > kNarrow * moves) return;
+  const double play = 0.5 * width / std::abs(lower.second);
+  const bool slides = follower.kind == ForeignJoint::Kind::kPrismatic;
+  const double ratio = -upper.second / lower.second;
+  mimics_.push_back({lower.first, document_.LineOf(tendon), leader.name, ratio,
+                     0.5 * ((*range)[0] + (*range)[1]) / lower.second});
+  unused_tendons_.erase(name);
+  document_.Warn(tendon, where + ": its narrow limits tie joint \"" + follower.name + "\" to " +
+                             FormatSignificant(ratio, 3) + " times \"" + leader.name +
+                             "\"; the play of " +
+                             (slides ? FormatFixed(MmFromM(play), 2) + " mm"
+                                     : FormatFixed(DegFromRad(play), 2) + " deg") +
+                             " each way is left out");
+}
+
+/** Tendons that neither tie nor drive anything here. */
+void MjcfCouplingReader::TellUnusedTendons() {
+  for (const auto& [name, element] : unused_tendons_) {
+    std::vector<std::string> joints;
+    for (const auto& [joint, coefficient] : tendons_[name]) {
+      joints.push_back(hand_.joints[joint].name);
+    }
+    document_.Warn(*element, "tendon \"" + name + "\"" +
+                                 (joints.empty() ? " of no joint" : " of " + JoinSome(joints)) +
+                                 ": no actuator pulls it, no equality holds it, and it is no tie "
+                                 "of two joints by narrow limits; left out");
   }
 }
 
@@ -128,6 +184,7 @@ void MjcfCouplingReader::ReadEqualities() {
       Terms terms[2];
       for (int k = 0; k < 2; ++k) {
         if (kind == "tendon" && tendons_.count(names[k]) != 0) terms[k] = tendons_[names[k]];
+        if (kind == "tendon") unused_tendons_.erase(names[k]);
         if (kind == "joint" && FindJoint(names[k]) >= 0) terms[k] = {{FindJoint(names[k]), 1.0}};
       }
       const std::string where = "equality of \"" + names[0] + "\"";
@@ -195,6 +252,7 @@ Terms MjcfCouplingReader::FindTransmission(const MjcfNode& node, const std::stri
     return {};
   }
   const std::string name = TextOf(document_, node, "tendon");
+  unused_tendons_.erase(name);
   if (const auto found = tendons_.find(name); found != tendons_.end()) return found->second;
   document_.Warn(*node.xml, where + ": acts on no joint and no fixed tendon of the hand; left out");
   return {};
@@ -269,6 +327,12 @@ void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
   if (kind == "position") {
     drive.stiffness = document_.FindNumber(node, "kp", 1.0, where);
     drive.damping = document_.FindNumber(node, "kv", 0.0, where);
+    if (drive.stiffness <= 0.0 || drive.damping < 0.0) {
+      document_.Warn(*node.xml, where + ": a gain kp of " + FormatSignificant(drive.stiffness, 3) +
+                                    " and kv of " + FormatSignificant(drive.damping, 3) +
+                                    " drive away from the goal; guessed instead");
+      drive = {};
+    }
   } else if (kind == "general" && TextOf(document_, node, "biastype") == "affine") {
     const auto bias = document_.FindNumbers(node, "biasprm", 1, 10, where);
     if (bias && bias->size() > 1) drive.stiffness = -(*bias)[1];
@@ -277,6 +341,9 @@ void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
   auto force = document_.FindNumbers(node, "forcerange", 2, 2, where);
   const bool is_torque = kind == "motor" || (kind == "general" && drive.stiffness == 0.0);
   if (!force && is_torque) force = document_.FindNumbers(node, "ctrlrange", 2, 2, where);
+  if (force && (*force)[0] > (*force)[1]) {
+    document_.Warn(*node.xml, where + ": the forcerange or ctrlrange is reversed; exchanged");
+  }
   if (force) drive.effort = std::max(std::abs((*force)[0]), std::abs((*force)[1]));
   // Force times arm is the joint's; its position times arm the actuator's.
   ForeignDrive& of_joint = hand_.joints[leaders[0].first].drive;
@@ -318,6 +385,8 @@ void MjcfCouplingReader::Read() {
   ResolveMimics(mimics_, "<equality>", file_, problems_, hand_);
   ReadActuators();
   CloseLoops(loops_, driven_, file_, problems_, hand_);
+  FixUnlimited(file_, problems_, hand_);
+  TellUnusedTendons();
   WarnOfPassive();
 }
 

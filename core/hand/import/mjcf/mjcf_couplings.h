@@ -5,6 +5,8 @@ What ties and drives the joints of a MuJoCo model.
     equality joint    a line, q = a + b q_other; of a polynomial of higher degree the line nearest
                       over the other's range, its error told; of one joint alone: fixed
     equality tendon   the same, where there are two joints in all
+    limited tendon    of two joints, with limits narrower than a quarter of what either joint moves
+                      it: a tie as well, its play told
     connect           a loop of links: cut, its passive joints tied (close_loops.h)
     weld and others   told, not read
     tendon, fixed     with an actuator: one drive for all of its joints. Two joints of a finger, one

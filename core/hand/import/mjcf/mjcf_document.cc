@@ -216,6 +216,10 @@ std::string MjcfDocument::FindName() const {
   return name && *name && IsUtf8(name) ? name : "hand";
 }
 
+bool MjcfDocument::IsFragment() const {
+  return std::string(loaded_.front().document->RootElement()->Name()) == "mujocoinclude";
+}
+
 const MjcfClass* MjcfDocument::FindChildClass(XMLElement& body, const MjcfClass* childclass) {
   const char* name = body.Attribute("childclass");
   if (!name) return childclass;

@@ -65,6 +65,8 @@ class MjcfDocument {
   const MjcfSettings& settings() const { return settings_; }
   /** The model's name; "hand" when it has none. */
   std::string FindName() const;
+  /** True when the outermost element is that of a file for <include>. */
+  bool IsFragment() const;
 
   /** Sections of a kind ("worldbody", "asset"), in order. */
   std::vector<tinyxml2::XMLElement*> FindSections(const std::string& kind);

@@ -46,6 +46,7 @@ class MjcfReader {
   ForeignHand Read(const std::string& text);
 
  private:
+  bool CheckIsWhole();
   /** Where the frame of a body's content lies in the body's last link, and whose classes hold. */
   struct Place {
     int link = 0;
@@ -183,6 +184,7 @@ int MjcfReader::AddLink(const std::string& name, int line) {
 void MjcfReader::ReadWorld() {
   std::vector<std::string> changes;
   AddLink(link_names_.Add("world", changes), 0);
+  hand_.world = 0;
   bodies_.emplace("world", MjcfBody());
   int num_moving = 0;
   for (XMLElement* world : document_.FindSections("worldbody")) {
@@ -446,8 +448,22 @@ void MjcfReader::ReadGeom(const MjcfNode& node, const Place& place) {
   if (!touches) has_picture_[link] = true;
 }
 
+/** False, with an error: a part that another file includes. */
+bool MjcfReader::CheckIsWhole() {
+  const bool has_bodies = !document_.FindSections("worldbody").empty();
+  if (document_.IsFragment() || !has_bodies) {
+    problems_.Fail(file_, 0,
+                   std::string(document_.IsFragment() ? "the outermost element is <mujocoinclude>"
+                                                      : "the model has no <worldbody>") +
+                       ": a fragment of a model; give the file that includes it");
+    return false;
+  }
+  return true;
+}
+
 ForeignHand MjcfReader::Read(const std::string& text) {
   if (!document_.Parse(text)) return {};
+  if (!CheckIsWhole()) return {};
   hand_.name = document_.FindName();
   for (const char* kind : {"extension", "deformable"}) {
     for (XMLElement* section : document_.FindSections(kind)) WarnOnce(*section, kind);

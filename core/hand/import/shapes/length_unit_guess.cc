@@ -9,10 +9,9 @@
 namespace graspbench {
 namespace {
 
-constexpr double kInch = 0.0254;           // [m]
-constexpr double kShortestSegment = 0.02;  // between the joints of a finger [m]
-constexpr double kMostMetres = 0.5, kMostCentimetres = 9.0, kLeastMillimetres = 14.0,
-                 kMostMillimetres = 500.0;
+constexpr double kInch = 0.0254;  // [m]
+constexpr double kMostMetres = 0.3, kMostDecimetres = 0.8, kMostInches = 2.5,
+                 kMostCentimetres = 9.0, kLeastMillimetres = 14.0, kMostMillimetres = 500.0;
 
 /** The median distance of a moving joint from the frame it hangs on; 0: all are zero. */
 double CalcTypicalDistance(const ForeignHand& hand) {
@@ -60,22 +59,30 @@ double InferUnit(const std::string& file, Diagnostics& problems, const ForeignHa
   if (typical < kMostMetres) return 1.0;
   const std::string distance =
       "the joints lie typically " + FormatSignificant(typical, 3) + " apart";
-  const bool is_centimetre = typical < kMostCentimetres;
-  if (!is_centimetre && (typical < kLeastMillimetres || typical > kMostMillimetres)) {
+  if (typical > kMostMillimetres || (typical > kMostCentimetres && typical < kLeastMillimetres)) {
     problems.Fail(file, 0,
                   distance +
                       ", which is a hand neither in metres nor in centimetres nor in "
                       "millimetres; say its unit with --unit");
     return 0.0;
   }
-  const double unit = is_centimetre ? 0.01 : 0.001;
+  const bool is_decimetre = typical < kMostDecimetres, is_inch = typical < kMostInches,
+             is_centimetre = typical < kMostCentimetres;
+  const double unit = is_decimetre ? 0.1 : is_inch ? kInch : is_centimetre ? 0.01 : 0.001;
+  const auto format = [&](double of) {
+    return FormatSignificant(MmFromM(of * typical), 3) + " mm";
+  };
   problems.Warn(file, 0,
                 distance + ": the description is taken to be in " +
-                    (is_centimetre ? "centimetres" : "millimetres") + ", where that is " +
-                    FormatSignificant(MmFromM(unit * typical), 3) + " mm, " +
-                    (is_centimetre && unit * typical < kShortestSegment
-                         ? "less than in most fingers; inches would be " +
-                               FormatSignificant(MmFromM(kInch * typical), 3) + " mm (--unit in)"
+                    (is_decimetre    ? "decimetres"
+                     : is_inch       ? "inches"
+                     : is_centimetre ? "centimetres"
+                                     : "millimetres") +
+                    ", where that is " + format(unit) + ", " +
+                    (!is_decimetre && is_inch
+                         ? "as in a finger; centimetres would be " + format(0.01) + " (--unit cm)"
+                     : !is_decimetre && is_centimetre
+                         ? "as in a finger; inches would be " + format(kInch) + " (--unit in)"
                          : "as in a finger; if it is not, say its unit with --unit"));
   return unit;
 }

@@ -5,8 +5,10 @@ The unit in which a description gives its lengths, judged by how far the joints 
 A finger's joints lie 20 to 60 mm apart. The typical distance of a description's joints (median of
 those that are not zero, no unit yet) is so
 
-    below 0.5       metres: what formats ask for, and up to the links of an arm
-    0.5 to 9        centimetres; below 2, where inches are as likely, told with what those would be
+    below 0.3       metres: what formats ask for, and up to the links of an arm
+    0.3 to 0.8      decimetres
+    0.8 to 2.5      inches; told with what centimetres would be
+    2.5 to 9        centimetres; told with what inches would be
     14 to 500       millimetres
     otherwise       nobody knows: an error that asks for --unit */
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
@@ -26,15 +27,18 @@ constexpr int kMostCapsules = 16;
 
 /** Of formats in which a mesh may lie there as well. */
 const std::vector<std::string> kMeshEndings = {".obj", ".stl", ".glb", ".dae", ".ply"};
-constexpr double kShortestLink = 0.002;  // [m] that tells a scale
+constexpr double kShortestLink = 0.01;  // [m] that tells a scale
 constexpr double kMillimetreRatio =
     300.0;  // of a mesh to its link, from which it is in millimetres
 
 /** A scale beyond is no conversion of a length to metres. */
 constexpr double kMostScale = 10.0;
 
-/** Of a mesh to its link: below it, both are of one length when it is in inches. */
-constexpr double kMostInches = 70.0;
+/** Of a mesh to its link: below it, a large one is in inches. */
+constexpr double kInchRatio = 70.0;
+/** Of a mesh to its link, in a hand; and from which on a unit is inferred. */
+constexpr double kLeastRatio = 0.55, kTypicalRatio = 1.2, kMostRatio = 2.2, kClearRatio = 5.0;
+constexpr double kOutlier = 5.0;  // of a link's ratio to the typical one
 
 double CalcLargestExtent(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -47,6 +51,19 @@ Vector3d FindUsefulScale(const Vector3d& scale, const TriMesh& mesh) {
   const double largest = scale.cwiseAbs().maxCoeff();
   const bool is_absurd = largest > kMostScale && largest * CalcLargestExtent(mesh) > kLargestPart;
   return is_absurd ? Vector3d(scale / largest) : scale;
+}
+
+/** "Tried: a; b; c and 9 more". */
+std::string ListTried(const FoundMesh& found) {
+  constexpr size_t kMost = 3;
+  std::string text = "Tried: ";
+  for (size_t i = 0; i < std::min(kMost, found.tried.size()); ++i) {
+    text += (i > 0 ? "; " : "") + found.tried[i];
+  }
+  if (found.tried.size() > kMost) {
+    text += " and " + std::to_string(found.tried.size() - kMost) + " more";
+  }
+  return text;
 }
 
 CollisionShape MakeCapsuleShape(const FittedCapsule& capsule) {
@@ -98,11 +115,10 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
                               Severity severity) {
   const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
   if (found.path.empty()) {
-    std::string tried;
-    for (const std::string& path : found.tried) tried += "\n    " + path;
+    if (are_all_missing_) return {};
     Report(severity, shape.line,
            where + ": mesh not found: \"" + shape.mesh +
-               "\"; give the folder of its package with --package-path. Tried:" + tried);
+               "\"; give the folder of its package with --package-path. " + ListTried(found));
     return {};
   }
   if (found.is_other) {
@@ -123,7 +139,9 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
   for (Vector3d& p : mesh.vertices) p = p.cwiseProduct(scale);
   const double extent = CalcLargestExtent(mesh);
   double unit = source_.mesh_unit > 0.0 ? source_.mesh_unit : 1.0;
-  if (source_.mesh_unit == 0.0) {
+  if (source_.mesh_unit == 0.0 && typical_unit_ != 1.0) {
+    unit = typical_unit_;
+  } else if (source_.mesh_unit == 0.0) {
     if (extent > kLargestPart && extent <= kLargestPart / large_unit_) unit = large_unit_;
     if (extent < kSmallestPart) unit = MmFromM(1.0);
   }
@@ -137,9 +155,10 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
                                           "with --mesh-unit"));
     return {};
   }
-  if (unit != 1.0 && source_.mesh_unit == 0.0) {
+  if (unit != 1.0 && unit != typical_unit_ && source_.mesh_unit == 0.0) {
     const std::string told = unit > 1.0     ? "scale counts twice"
                              : unit == 0.01 ? "unit is the centimetre"
+                             : unit > 0.01  ? "unit is the inch"
                                             : "unit is the millimetre";
     problems_.Warn(source_.file, shape.line,
                    where + ": mesh \"" + shape.mesh + "\" would be " +
@@ -154,40 +173,123 @@ TriMesh ShapeLoader::LoadMesh(const ForeignShape& shape, const std::string& wher
   return mesh;
 }
 
+/** The largest side of a shape's mesh as its file and scale have it; 0: it cannot be had, which is
+told when it is loaded. */
+double ShapeLoader::CalcMeshExtent(const ForeignShape& shape) {
+  if (shape.kind != ForeignShape::Kind::kMesh) return 0.0;
+  const FoundMesh found = FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
+  if (found.path.empty()) return 0.0;
+  if (meshes_.count(found.path) == 0) {
+    Diagnostics unread;
+    ShapeLoader quiet(source_, unread);
+    const TriMesh mesh = quiet.ReadFile(found.path, 0, "", Severity::kWarning);
+    if (mesh.triangles.empty()) return 0.0;
+    meshes_.emplace(found.path, mesh);
+  }
+  const TriMesh& mesh = meshes_.at(found.path);
+  return FindUsefulScale(shape.scale, mesh).cwiseAbs().maxCoeff() * CalcLargestExtent(mesh);
+}
+
+bool ShapeLoader::CheckMeshes(const ForeignHand& hand) {
+  std::set<std::string> addresses;
+  bool is_needed = false;  // something would have no shape to touch with
+  const ForeignShape* first = nullptr;
+  for (const ForeignLink& link : hand.links) {
+    bool touches = false;
+    for (const auto* shapes : {&link.collisions, &link.visuals}) {
+      for (const ForeignShape& shape : *shapes) {
+        const bool is_mesh = shape.kind == ForeignShape::Kind::kMesh;
+        touches = touches || (shapes == &link.collisions && !is_mesh);
+        if (!is_mesh) continue;
+        if (!FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings).path.empty())
+          return true;
+        if (!first) first = &shape;
+        addresses.insert(shape.mesh);
+        is_needed = is_needed || !touches;
+      }
+    }
+  }
+  if (addresses.size() < 2) return true;
+  are_all_missing_ = true;
+  Report(is_needed ? Severity::kError : Severity::kWarning, first->line,
+         "none of the " + std::to_string(addresses.size()) + " meshes was found, the first is \"" +
+             first->mesh + "\"; give the folder of their package with --package-path. " +
+             ListTried(FindMesh(first->mesh, source_.folder, source_.package_path, kMeshEndings)));
+  return !is_needed;
+}
+
 void ShapeLoader::InferMeshUnit(const ForeignHand& hand) {
   if (source_.mesh_unit > 0.0) return;
+  struct LinkRatio {
+    const ForeignLink* link = nullptr;
+    double extent = 0.0, ratio = 0.0;
+  };
   const std::vector<double> lengths = CalcLinkLengths(hand);
-  std::vector<double> ratios;
+  std::vector<LinkRatio> rows;
+  bool has_large = false;
   for (size_t i = 0; i < hand.links.size(); ++i) {
     double largest = 0.0;
     for (const auto* shapes : {&hand.links[i].visuals, &hand.links[i].collisions}) {
-      for (const ForeignShape& shape : *shapes) {
-        if (shape.kind != ForeignShape::Kind::kMesh) continue;
-        const FoundMesh found =
-            FindMesh(shape.mesh, source_.folder, source_.package_path, kMeshEndings);
-        if (found.path.empty()) continue;
-        Diagnostics unread;  // told when the mesh is loaded
-        ShapeLoader quiet(source_, unread);
-        const TriMesh mesh = meshes_.count(found.path) != 0
-                                 ? meshes_.at(found.path)
-                                 : quiet.ReadFile(found.path, 0, "", Severity::kWarning);
-        if (mesh.triangles.empty()) continue;
-        meshes_.emplace(found.path, mesh);
-        const Vector3d scale = FindUsefulScale(shape.scale, mesh);
-        largest = std::max(largest, scale.cwiseAbs().maxCoeff() * CalcLargestExtent(mesh));
-      }
+      for (const ForeignShape& shape : *shapes) largest = std::max(largest, CalcMeshExtent(shape));
     }
-    if (largest > kLargestPart && lengths[i] > kShortestLink) {
-      ratios.push_back(largest / lengths[i]);
-    }
+    if (largest == 0.0 || lengths[i] < kShortestLink) continue;
+    rows.push_back({&hand.links[i], largest, largest / lengths[i]});
+    has_large = has_large || largest > kLargestPart;
   }
-  if (ratios.empty()) return;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  if (*middle < kMillimetreRatio) large_unit_ = 0.01;
-  why_ = ": meshes are " + FormatSignificant(*middle, 2) + " times as long as their links; " +
-         (*middle < kMostInches ? "inches, whose meshes are 39 times as long, need --mesh-unit in"
-                                : "--mesh-unit says otherwise");
+  const auto calc_median = [&](double least_extent) {
+    std::vector<double> ratios;
+    for (const LinkRatio& row : rows) {
+      if (row.extent > least_extent) ratios.push_back(row.ratio);
+    }
+    std::nth_element(ratios.begin(),
+                     ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+    return ratios[ratios.size() / 2];
+  };
+  if (rows.empty()) return;
+  if (has_large) {
+    const double ratio = calc_median(kLargestPart);
+    large_unit_ = ratio < kInchRatio ? 0.0254 : ratio < kMillimetreRatio ? 0.01 : 0.001;
+    why_ = ": meshes are " + FormatSignificant(ratio, 2) +
+           " times as long as their links; --mesh-unit says otherwise";
+    return;
+  }
+  if (rows.size() < 3) return;
+  const double ratio = calc_median(0.0);
+  const LinkRatio& first = rows.front();
+  const std::string told = "the meshes are typically " + FormatSignificant(ratio, 2) +
+                           " times as long as the links between the joints (median of " +
+                           FormatCount(static_cast<int64_t>(rows.size()), "link") + ")";
+  for (const auto& [unit, name] : {std::pair{0.1, "decimetres"},
+                                   {0.0254, "inches"},
+                                   {0.01, "centimetres"},
+                                   {0.001, "millimetres"}}) {
+    if (ratio < kClearRatio || ratio * unit < kTypicalRatio / 1.6 ||
+        ratio * unit > 1.6 * kTypicalRatio) {
+      continue;
+    }
+    typical_unit_ = unit;
+    problems_.Warn(source_.file, first.link->line,
+                   told + "; taken to be in " + name + ", a factor of " +
+                       FormatSignificant(unit, 3) + "; --mesh-unit says otherwise");
+    return;
+  }
+  if (ratio < kLeastRatio || ratio > kMostRatio) {
+    problems_.Warn(source_.file, first.link->line,
+                   told + ", in a hand 0.55 to 2.2 times; a factor of about " +
+                       FormatSignificant(kTypicalRatio / ratio, 2) +
+                       " would fit: is their unit or scale another?");
+    return;
+  }
+  for (const LinkRatio& row : rows) {
+    if (row.ratio < kOutlier * ratio && row.ratio * kOutlier > ratio) continue;
+    problems_.Warn(source_.file, row.link->line,
+                   "link \"" + row.link->name + "\": its mesh of " +
+                       FormatSignificant(MmFromM(row.extent), 3) + " mm is " +
+                       FormatSignificant(row.ratio, 2) +
+                       " times as long as the link, typical of this hand are " +
+                       FormatSignificant(ratio, 2) + "; a factor of about " +
+                       FormatSignificant(ratio / row.ratio, 2) + " would fit: is its scale right?");
+  }
 }
 
 void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int line,
@@ -301,6 +403,7 @@ void ShapeLoader::Weigh(ForeignLink& link) {
   Diagnostics told;  // when the shapes were loaded
   ShapeLoader quiet(source_, told);
   quiet.large_unit_ = large_unit_;
+  quiet.typical_unit_ = typical_unit_;
   quiet.meshes_.swap(meshes_);
   MassProperties sum;
   for (const ForeignShape& shape : link.weights) {

@@ -25,9 +25,10 @@ struct HandSource {
   std::filesystem::path folder;  ///< where it lies
   std::vector<std::filesystem::path> package_path;
   MeshLoader load_mesh;
-  double unit = 0.0;               ///< of the description's lengths [m]; 0: inferred
-  double mesh_unit = 0.0;          ///< of its mesh files [m]; 0: inferred
-  std::optional<bool> in_degrees;  ///< limits of a URDF, angles of a MuJoCo model
+  std::optional<Eigen::Vector3d> palm_normal;  ///< in the palm's frame; nothing: guessed
+  double unit = 0.0;                           ///< of the description's lengths [m]; 0: inferred
+  double mesh_unit = 0.0;                      ///< of its mesh files [m]; 0: inferred
+  std::optional<bool> in_degrees;              ///< limits of a URDF, angles of a MuJoCo model
 };
 
 struct ImportedVisual {
@@ -49,8 +50,12 @@ class ShapeLoader {
   ShapeLoader(const HandSource& source, Diagnostics& problems)
       : source_(source), problems_(problems) {}
 
-  /** The unit of meshes that would be too large for a hand, by how much longer they are than their
-  links: 30 to 300 times centimetres, more millimetres. Call before Load. */
+  /** False, with one error, when no mesh of the description is there. */
+  bool CheckMeshes(const ForeignHand& hand);
+  /** Compares the meshes with the distances of the joints (typical ratio: median over the links).
+  From five times too long on they are taken in the unit that fits, when one does within a factor
+  of 1.6; any other ratio outside 0.55 to 2.2 is reported with the factor that would fit, and so is
+  a link whose ratio is five times another than the typical one. Call before Load. */
   void InferMeshUnit(const ForeignHand& hand);
   /** A collision mesh becomes capsules; a link that has only pictures gets them from those. */
   LoadedShapes Load(const ForeignLink& link);
@@ -70,8 +75,11 @@ class ShapeLoader {
   const HandSource& source_;
   Diagnostics& problems_;
   std::map<std::filesystem::path, TriMesh> meshes_;
+  double CalcMeshExtent(const ForeignShape& shape);
   double large_unit_ = 0.001;  // [m] of meshes that cannot be in metres
-  std::string why_;            // the unit is that
+  double typical_unit_ = 1.0;  // [m] of all meshes, inferred from the joints
+  bool are_all_missing_ = false;
+  std::string why_;  // the large unit is that
 };
 
 }  // namespace graspbench

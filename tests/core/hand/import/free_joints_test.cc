@@ -54,64 +54,30 @@ ImportedHand MakeImported(double upper) {
 }
 
 // Turned by half a circle the ball is 20 mm from the palm's middle, 3 mm too near.
-TEST(FreeJointsTest, AShapeThatBlocksItsJointIsLeftOut) {
+TEST(FreeJointsTest, ALinkThatEntersThePalmNeverTouchesItButKeepsItsShapes) {
   ImportedHand imported = MakeImported(kPi);
-  Diagnostics problems;
-  FreeJoints("hand.urdf", imported, problems);
-  ASSERT_EQ(imported.shapes.size(), 2u);
-  EXPECT_EQ(imported.shapes[0].link, 0);
-  EXPECT_NEAR(imported.shapes[1].size.x(), 0.01, 1e-12);  // that about the axis stays
-  EXPECT_EQ(problems.Format(),
-            "hand.urdf: warning: link \"finger\": 1 of its balls and capsules would meet the palm "
-            "within the limits of joint \"turn\", by up to 3.0 mm; left out of contact");
-}
-
-// A finger of one capsule, 6 mm from its axis to 34 mm: what lies farther than 17 mm from the axis
-// meets the palm when it is turned by half a circle.
-TEST(FreeJointsTest, AWholeFingerIsCutAndKeepsWhatDoesNotMeetThePalm) {
-  ImportedHand imported = MakeImported(kPi);
-  imported.notes.resize(3);
-  CollisionShape capsule = MakeBall(1, Vector3d(0.02, 0, 0), 0.006);
-  capsule.kind = CollisionShape::Kind::kCylinder;
-  capsule.size.z() = 0.028 + 0.012;
-  capsule.X_LS.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d::UnitX()).toRotationMatrix();
-  imported.shapes = {imported.shapes[0], capsule};
-  Diagnostics problems;
-  FreeJoints("hand.urdf", imported, problems);
-  // Axes of the pieces end at 6 + 3.5 k mm, a ball of 6 mm beyond; the palm begins at 25 mm.
-  ASSERT_EQ(imported.shapes.size(), 1u + 3u);
-  for (size_t k = 1; k < imported.shapes.size(); ++k) {
-    EXPECT_EQ(imported.shapes[k].link, 1);
-    EXPECT_NEAR(imported.shapes[k].X_LS.translation().x(),
-                0.006 + 0.0035 * (static_cast<double>(k) - 0.5), 1e-12);
-    EXPECT_NEAR(imported.shapes[k].size.z(), 0.012 + 0.0035, 1e-12);
-  }
-  EXPECT_NE(problems.Format().find("1 of its balls and capsules would meet the palm"),
-            std::string::npos);
-  EXPECT_NE(problems.Format().find("cut along their length, 3 pieces stay"), std::string::npos);
-  EXPECT_NE(imported.notes[1].find("guess"), std::string::npos);
-}
-
-TEST(FreeJointsTest, ALinkThatKeepsNoContactIsNamed) {
-  ImportedHand imported = MakeImported(kPi);
-  imported.notes.resize(3);
-  imported.shapes.pop_back();  // the ball about the axis
-  Diagnostics problems;
-  FreeJoints("hand.urdf", imported, problems);
-  EXPECT_EQ(imported.shapes.size(), 1u);
-  EXPECT_NE(problems.Format().find("nothing of the link will touch"), std::string::npos);
-}
-
-// The jaw of a gripper slides on the palm itself: without its shapes nothing would grasp.
-TEST(FreeJointsTest, WhatCarriesThePadKeepsItsShapes) {
-  ImportedHand imported = MakeImported(kPi);
-  imported.hand.digits[0].links = {1};
-  imported.hand.digits[0].distal_link = 1;
   Diagnostics problems;
   FreeJoints("hand.urdf", imported, problems);
   EXPECT_EQ(imported.shapes.size(), 3u);
-  EXPECT_EQ(problems.Format(), "");
+  ASSERT_EQ(imported.hand.apart.size(), 1u);
+  EXPECT_EQ(imported.hand.apart[0], std::pair(0, 1));
+  EXPECT_EQ(problems.Format(),
+            "hand.urdf: warning: link \"finger\" would enter the palm by up to 3.0 mm within the "
+            "limits of joint \"turn\"; the two never touch each other");
+}
+
+// A second axis 15 mm from the first is still the digit's root, one at 50 mm is not.
+TEST(FreeJointsTest, OnlyJointsAtTheRootOfADigitAreFreed) {
+  for (const double distance : {0.015, 0.05}) {
+    ImportedHand imported = MakeImported(kPi);
+    imported.hand.links[2].X_PJ = MakePose(Vector3d(distance, 0, 0));
+    imported.hand.joints[1].lower = -kPi;
+    imported.hand.joints[1].upper = kPi;
+    imported.shapes = {imported.shapes[0], MakeBall(2, Vector3d(0.03, 0, 0), 0.008)};
+    Diagnostics problems;
+    FreeJoints("hand.urdf", imported, problems);
+    EXPECT_EQ(imported.hand.apart.size(), distance < 0.025 ? 1u : 0u) << distance;
+  }
 }
 
 TEST(FreeJointsTest, WithinItsLimitsNothingChanges) {

@@ -137,7 +137,7 @@ TEST(ImportHandTest, TheGripperImports) {
             "at 1200 kg/m^3, inertia of its volume, 19.8 g");
   EXPECT_EQ(imported.num_digits, 2);
   EXPECT_EQ(imported.num_driven, 1);
-  EXPECT_EQ(imported.files.size(), 3u);
+  EXPECT_EQ(imported.files.size(), 4u);  // hand.urdf, hand.yaml, README.md, import.json
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ struct Case {
   StatedLimits stated;
   double lower, upper;
   const char* repaired;
+  const char* no_limits;
 };
 class SetLimitsTest : public testing::TestWithParam<Case> {};
 
@@ -22,25 +23,44 @@ TEST_P(SetLimitsTest, TakesWhatCanBeMeant) {
   EXPECT_EQ(SetLimits(c.stated, joint), c.repaired);
   EXPECT_EQ(joint.lower, c.lower);
   EXPECT_EQ(joint.upper, c.upper);
+  EXPECT_EQ(joint.no_limits, c.no_limits);
 }
 INSTANTIATE_TEST_SUITE_P(
     All, SetLimitsTest,
     testing::Values(
-        Case{false, {"", -0.5, 1.5}, -0.5, 1.5, ""},
-        Case{false, {"", 1.5, -0.5}, -0.5, 1.5, ": the limits are reversed; exchanged"},
-        Case{false, {"", 0.0, 0.0}, -kPi, kPi, " has no range; taken as half a turn each way"},
-        Case{false,
-             {"<limit>", 0.0, 1.0},
-             -kPi,
-             kPi,
-             " has no <limit>; taken as half a turn each way"},
-        Case{false,
-             {"", 0.0, 7.0},
-             -kPi,
-             kPi,
-             ": a limit exceeds one turn; taken as half a turn each way"},
-        Case{true, {"", 0.0, 30.0}, 0.0, 30.0, ""},  // of any unit yet
-        Case{true, {"range", 0.0, 0.0}, 0.0, 0.0, " has no range; taken as 0 to 50 mm"}));
+        Case{false, {"", -0.5, 1.5}, -0.5, 1.5, "", ""},
+        Case{false, {"", 1.5, -0.5}, -0.5, 1.5, ": the limits are reversed; exchanged", ""},
+        Case{false, {"", 0.4, 0.4}, 0.4, 0.4, "", "has equal limits"},
+        Case{false, {"<limit>", 0.0, 1.0}, -kPi, kPi, "", "has no <limit>"},
+        Case{false, {"", 0.0, 7.0}, -kPi, kPi, "", "has a limit of 7, more than one turn"},
+        Case{true, {"", 0.0, 30.0}, 0.0, 30.0, "", ""},  // of any unit yet
+        Case{true, {"range", 0.0, 0.0}, 0.0, 0.0, "", "has no range"}));
+
+TEST(FixUnlimitedTest, OneThatFollowsIsLedTheOtherIsFixed) {
+  ForeignHand hand;
+  hand.links.resize(4);
+  hand.joints.resize(3);
+  for (int j = 0; j < 3; ++j) {
+    hand.joints[j].name = "j" + std::to_string(j);
+    hand.joints[j].kind = ForeignJoint::Kind::kRevolute;
+    hand.joints[j].parent = j;
+    hand.joints[j].child = j + 1;
+    hand.joints[j].lower = 0.0;
+    hand.joints[j].upper = 1.0;
+  }
+  hand.joints[1].no_limits = "has no <limit>";
+  hand.joints[1].mimic = ForeignMimic{0, -2.0, 0.25, false};
+  hand.joints[2].no_limits = "has equal limits";
+  hand.joints[2].axis = Eigen::Vector3d::UnitZ();
+  hand.joints[2].lower = hand.joints[2].upper = 0.5;
+  Diagnostics problems;
+  FixUnlimited("h", problems, hand);
+  EXPECT_EQ(hand.joints[1].lower, -1.75);  // 0.25 - 2 * 1
+  EXPECT_EQ(hand.joints[1].upper, 0.25);
+  EXPECT_EQ(hand.joints[2].kind, ForeignJoint::Kind::kFixed);
+  EXPECT_NEAR(hand.joints[2].X_PJ.linear()(1, 0), std::sin(0.5), 1e-15);
+  EXPECT_EQ(problems.entries().size(), 2u);
+}
 
 TEST(FinishStrokeTest, OfAHandInMetres) {
   ForeignJoint joint;

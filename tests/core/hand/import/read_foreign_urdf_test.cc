@@ -33,12 +33,14 @@ INSTANTIATE_TEST_SUITE_P(
         OddUrdf{kLeftLimit, "lower=\"0.04\" upper=\"0\"",
                 "g.urdf:34: warning: joint \"slide_left\": the limits are reversed; exchanged"},
         OddUrdf{"<limit effort=\"20\" lower=\"0\" upper=\"0.04\" velocity=\"0.2\"/>", "",
-                "g.urdf:31: warning: joint \"slide_left\" has no <limit>; taken as 0 to 50 mm"},
+                "g.urdf:31: warning: joint \"slide_left\" has no <limit>; fixed: give it a lower "
+                "and an upper limit if it moves"},
         OddUrdf{kLeftLimit, "",
-                "g.urdf:34: warning: joint \"slide_left\" has no range; taken as 0 to 50 mm"},
+                "g.urdf:31: warning: joint \"slide_left\" has equal limits; fixed: give it a lower "
+                "and an upper limit if it moves"},
         OddUrdf{"\"slide_left\" type=\"prismatic\"", "\"slide_left\" type=\"continuous\"",
-                "g.urdf:31: warning: joint \"slide_left\" turns without end; its limits are taken "
-                "as half a turn each way"},
+                "g.urdf:31: warning: joint \"slide_left\" is continuous, it turns without end; "
+                "its limits are taken as half a turn each way"},
         OddUrdf{"\"slide_left\" type=\"prismatic\"", "\"slide_left\" type=\"floating\"",
                 "g.urdf:31: warning: joint \"slide_left\": type \"floating\" is no joint of a "
                 "hand; taken as fixed\n"
@@ -73,7 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Refused, OddUrdfTest,
     testing::Values(
-        OddUrdf{"</robot>", "", "g.urdf:2: error: not valid XML (XML_ERROR_PARSING)"},
+        OddUrdf{"</robot>", "",
+                "g.urdf:2: error: not valid XML in line 2 (XML_ERROR_PARSING); is the file whole?"},
         OddUrdf{"<link name=\"world\"/>", "<xacro:macro name=\"m\"/>",
                 "g.urdf:3: error: <xacro:macro> is a macro: expand the file first (xacro "
                 "FILE.xacro > FILE.urdf)"},
@@ -183,9 +186,10 @@ TEST(ReadForeignUrdfTest, LimitsBeyondATurnAreDegrees) {
   EXPECT_EQ(problems.Format(), "");
   hand = ReadForeignUrdf(all, "g.urdf", problems, false);
   EXPECT_EQ(problems.Format(),
-            "g.urdf:34: warning: joint \"slide_left\": a limit exceeds one turn; taken as half a "
-            "turn each way\ng.urdf:39: warning: joint \"slide_right\": a limit exceeds one turn; "
-            "taken as half a turn each way");
+            "g.urdf:31: warning: joint \"slide_left\" has a limit of 90, more than one turn; "
+            "fixed: give it a lower and an upper limit if it moves\n"
+            "g.urdf:36: warning: joint \"slide_right\" has a limit of 45, more than one turn; "
+            "fixed: give it a lower and an upper limit if it moves");
 }
 
 }  // namespace

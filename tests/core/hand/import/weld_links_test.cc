@@ -77,10 +77,14 @@ TEST(WeldLinksTest, ReplacesWhatNoBodyHas) {
       left +
           "an inertia of 2.4e-06 kg m^2 for 100 g, less than a ball of the densest metal has; "
           "replaced: published mass, inertia of its volume, 100 g");
-  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"50\"/>"),
+  EXPECT_EQ(told("<mass value=\"0.015\"/>", "<mass value=\"5\"/>"),
             left +
-                "a mass of 50 kg in bounds of 16.5 cm^3, denser than any metal; replaced: mass "
+                "a mass of 5 kg in bounds of 16.5 cm^3, denser than any metal; replaced: mass "
                 "of its volume at 1200 kg/m^3, inertia of its volume, 19.8 g");
+  EXPECT_EQ(
+      told("<mass value=\"0.015\"/>", "<mass value=\"50\"/>"),
+      "its links weigh 50.7 kg in all, \"left\" alone 50 kg; a hand weighs 10 kg at most. Are "
+      "these grams, or parts of a scene? Give kilograms, or name the palm with --palm");
 }
 
 TEST(WeldLinksTest, LimitsOfADriverAreThoseOfItsFollowersToo) {

@@ -30,7 +30,7 @@ TEST(WriteHandTest, WhatIsWrittenIsTheHand) {
   for (const ForeignLink& link : foreign.links) shapes.push_back(loader.Load(link));
   ImportedHand imported = WeldLinks(foreign, shapes, "", "g.urdf", problems);
   imported.hand.name = foreign.name;
-  GuessHand("g.urdf", imported, problems);
+  GuessHand("g.urdf", {}, imported, problems);
   ASSERT_EQ(problems.num_errors(), 0) << problems.Format();
   const auto files = FormatHandFiles(imported, "g.urdf", problems);
   Diagnostics of_loading;

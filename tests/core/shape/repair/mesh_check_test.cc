@@ -84,9 +84,58 @@ TEST(MeshCheckTest, TwoBoxesThroughEachOtherAreOneBody) {
 
   TriMesh apart = MakeBox();
   apart = JoinMeshes(apart, MakeBox(), {0.05, 0.0, 0.0});
-  EXPECT_EQ(FormatProblems(CheckMesh(apart)), "");
-  EXPECT_TRUE(CheckMesh(apart).warnings.empty());
-  EXPECT_NEAR(CheckMesh(apart).volume, 2.0 * size.prod(), 1e-12);
+  EXPECT_EQ(FaultsOf(CheckMesh(apart)), std::vector<MeshFault>{MeshFault::kApart});
+  const MeshReport meant = CheckMesh(apart, PartsApart::kMeant);
+  EXPECT_EQ(FormatProblems(meant), "");
+  EXPECT_EQ(meant.warnings.size(), 1u);
+  EXPECT_NEAR(meant.volume, 2.0 * size.prod(), 1e-12);
+}
+
+/** A cube that has this share of the volume of the box and itself. */
+TriMesh MakeCrumb(double share) {
+  const double side = std::cbrt(share / (1.0 - share) * 0.04 * 0.03 * 0.02);
+  return MakeRoundedBox({side, side, side}, 0.0);
+}
+
+// The box is 40 mm long, so that what is 0.04 mm away touches it.
+TEST(MeshCheckTest, AFloatingCrumbIsRefusedOrTold) {
+  const MeshReport large = CheckMesh(JoinMeshes(MakeBox(), MakeCrumb(0.011), {0.04, 0.0, 0.0}));
+  EXPECT_EQ(FaultsOf(large), std::vector<MeshFault>{MeshFault::kApart});
+  EXPECT_EQ(FormatProblems(large).find("1 part with 1.1 % of the volume, the first at ("), 0u)
+      << FormatProblems(large);
+  const TriMesh small = JoinMeshes(MakeBox(), MakeCrumb(0.009), {0.04, 0.0, 0.0});
+  EXPECT_EQ(FormatProblems(CheckMesh(small)), "");
+  ASSERT_EQ(CheckMesh(small).warnings.size(), 1u);
+  EXPECT_NE(CheckMesh(small).warnings[0].find("apart from the rest"), std::string::npos);
+  // Together they are as large as one that is refused.
+  const TriMesh two = JoinMeshes(small, MakeCrumb(0.009), {-0.04, 0.0, 0.0});
+  EXPECT_EQ(FormatProblems(CheckMesh(two)).find("2 parts with 1.78 % of the volume"), 0u);
+}
+
+TEST(MeshCheckTest, PartsThatTouchAreOneBody) {
+  const TriMesh crumb = MakeCrumb(0.05);
+  const double half = 0.5 * std::cbrt(0.05 / 0.95 * 0.04 * 0.03 * 0.02);
+  for (const auto& [gap, is_apart] : {std::pair(0.0, false), {3e-5, false}, {3e-4, true}}) {
+    const TriMesh beside = JoinMeshes(MakeBox(), crumb, {0.02 + half + gap, 0.003, 0.002});
+    EXPECT_EQ(!CheckMesh(beside).problems.empty(), is_apart) << gap;
+  }
+  // Two bars across each other: no corner of one is near a face of the other.
+  const TriMesh along = MakeRoundedBox({0.1, 0.01, 0.01}, 0.0),
+                across = MakeRoundedBox({0.01, 0.1, 0.01}, 0.0);
+  EXPECT_EQ(FormatProblems(CheckMesh(JoinMeshes(along, across, {0.0, 0.0, 0.01}))), "");
+  EXPECT_EQ(FormatProblems(CheckMesh(JoinMeshes(along, across, {0.003, 0.0, 0.005}))), "");
+  EXPECT_EQ(FaultsOf(CheckMesh(JoinMeshes(along, across, {0.0, 0.0, 0.012}))),
+            std::vector<MeshFault>{MeshFault::kApart});
+}
+
+// What rattles in a hollow is as loose as what lies beside it.
+TEST(MeshCheckTest, ABodyInACavityIsApart) {
+  TriMesh cavity = MakeRoundedBox({0.03, 0.02, 0.015}, 0.0);
+  for (Eigen::Vector3i& t : cavity.triangles) std::swap(t[0], t[1]);
+  const TriMesh hollow = JoinMeshes(MakeBox(), cavity);
+  EXPECT_EQ(FormatProblems(CheckMesh(hollow)), "");
+  EXPECT_EQ(FaultsOf(CheckMesh(JoinMeshes(hollow, MakeCrumb(0.05)))),
+            std::vector<MeshFault>{MeshFault::kApart});
 }
 
 TEST(MeshCheckTest, PartsInEachOtherAreOneBodyOrHollow) {
@@ -95,8 +144,10 @@ TEST(MeshCheckTest, PartsInEachOtherAreOneBodyOrHollow) {
   const double outer_volume = 0.04 * 0.03 * 0.02, inner_volume = outer_volume / 8.0;
   TriMesh solid = MakeBox();
   solid = JoinMeshes(solid, inner, {0.001, 0.0, 0.0});
-  EXPECT_EQ(FormatProblems(CheckMesh(solid)), "");
-  EXPECT_NEAR(CheckMesh(solid).volume, outer_volume, 2e-3 * inner_volume);
+  const MeshReport twice = CheckMesh(solid);  // is it solid or hollow? Nobody can tell
+  EXPECT_EQ(FaultsOf(twice), std::vector<MeshFault>{MeshFault::kNested});
+  EXPECT_NE(FormatProblems(twice).find("1 part with 12.5 % of the volume"), std::string::npos);
+  EXPECT_NEAR(twice.volume, outer_volume, 2e-3 * inner_volume);
 
   for (Eigen::Vector3i& t : inner.triangles) std::swap(t[0], t[1]);
   TriMesh hollow = MakeBox();

@@ -4,8 +4,16 @@
 
 #include <cmath>
 
+#include "core/trial/trial_trace.h"
+
 namespace graspbench {
 namespace {
+
+Displacement CalcClosingShown(const std::vector<TraceInstant>& trace) {
+  ClosingMeter meter;
+  for (const TraceInstant& instant : trace) meter.Observe(instant.phase, instant.X_WO);
+  return meter.Calc();
+}
 
 SceneSnapshot MakeSnapshot(Moment moment, const Pose& X_WH, const Pose& X_WO) {
   SceneSnapshot snapshot;
@@ -72,11 +80,11 @@ TEST(Disturbance, ClosingEndsWithItsPhase) {
     instant.X_WO = MakePose({0.001 * static_cast<double>(trace.size()), 0.0, 0.0});
     trace.push_back(instant);
   }
-  EXPECT_NEAR(CalcClosingDisplacement(trace).shift, 0.001, 1e-15);
+  EXPECT_NEAR(CalcClosingShown(trace).shift, 0.001, 1e-15);
   trace.resize(3);  // ended while it closed
-  EXPECT_NEAR(CalcClosingDisplacement(trace).shift, 0.001, 1e-15);
+  EXPECT_NEAR(CalcClosingShown(trace).shift, 0.001, 1e-15);
   trace.resize(1);
-  EXPECT_TRUE(std::isnan(CalcClosingDisplacement(trace).shift));
+  EXPECT_TRUE(std::isnan(CalcClosingShown(trace).shift));
 }
 
 }  // namespace

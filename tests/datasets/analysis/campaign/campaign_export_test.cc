@@ -43,6 +43,7 @@ TEST(ExportCampaign, WritesALineForEachVariantAndSearch) {
   campaign.benchmark = MakeBenchmark();
   campaign.comparison = {{"tum", "mug", "es", 1, {1.0, 1.5, 2.0}, 3},
                          {"tum", "mug", "es", 2, {1.0, 1.25}, 0}};
+  CreateCampaign(folder.path(), CampaignConfig());
   ExportCampaign(folder.path(), campaign);
   EXPECT_EQ(ReadFile(folder.path() / "summary.csv"),
             "hand,object,grasp,variant,trials,successes,mean_sigma,median_gft_ratio,"
@@ -55,6 +56,15 @@ TEST(ExportCampaign, WritesALineForEachVariantAndSearch) {
             "hand,object,method,seed,evaluations,start_fitness,best_fitness,evaluations_to_90\n"
             "tum,mug,es,1,3,1.0,2.0,3\n"
             "tum,mug,es,2,2,1.0,1.25,\n");
+  EXPECT_TRUE(CheckStore(folder.path()).damages.empty());
+  WriteFile(folder.path() / "summary.csv", "hand,object\n");
+  const std::vector<Damage> damages = CheckStore(folder.path()).damages;
+  ASSERT_EQ(damages.size(), 1u);
+  EXPECT_EQ(damages[0].path, "summary.csv");
+  RepairStore(folder.path());
+  ExportCampaign(folder.path(), campaign);  // as when the campaign is continued
+  EXPECT_TRUE(CheckStore(folder.path()).damages.empty());
+  EXPECT_NE(ReadFile(folder.path() / "summary.csv").find("new-target"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-# Makes trials.csv and expected.csv, what mixed_designs_test.cc compares with: 20 random designs of
-# factors within and between persons, analysed by afex, lme4 and lmerTest.
+# Makes trials.csv and expected.csv, what effects_model_test.cc compares with: 20 random designs of
+# factors within and between persons, and 12 with factors of three to five levels and few persons,
+# analysed by afex, lme4 and lmerTest.
 #   Rscript make_designs.R          # Debian: r-cran-afex r-cran-lme4 r-cran-lmertest
 # The tests read the two files; R is not needed for them.
 suppressMessages({library(afex); library(lme4); library(lmerTest)})
@@ -89,7 +90,27 @@ add_anova <- function(id, d, within, between) {
 }
 
 # lme4 writes the colon as a point where there are several terms.
+part_of <- function(grp) ifelse(grepl("^person[:.]", grp), sub("^person[:.]", "", grp), "1")
 is_session <- function(grp) grepl("^person[:.]session", grp)
+
+# Three to five levels, five to nine persons (few for correlations), trials in equal or different
+# numbers: the person's deviations at the levels have one variance.
+make_levels <- function(id) {
+  levels <- 3 + id %% 3
+  cells <- data.frame(a = paste0("a", seq_len(levels)))
+  if (id %% 2 == 0) cells <- merge(cells, data.frame(b = paste0("b", 1:2)))
+  if (is.null(cells$b)) cells$b <- ""
+  rows <- list()
+  for (person in seq_len(5 + id %% 5)) {
+    level <- rnorm(1, 0, 4); own <- rnorm(levels, 0, if (id %% 4 == 0) 0.5 else 2.5)
+    for (cell in seq_len(nrow(cells))) for (trial in seq_len(if (id %% 3 == 0) sample(2:5, 1) else 4))
+      rows[[length(rows) + 1]] <- data.frame(
+        design = id, person = sprintf("p%02d", person), a = cells$a[cell], b = cells$b[cell],
+        g = "", h = "", session = "", value = round(50 + level +
+          own[match(cells$a[cell], paste0("a", seq_len(levels)))] + cell + rnorm(1, 0, 2), 4))
+  }
+  do.call(rbind, rows)
+}
 
 # The ladder of effects_model.h with lme4.
 fit_ladder <- function(d, within, between) {
@@ -124,13 +145,14 @@ fit_ladder <- function(d, within, between) {
     if (isSingular(model, 1e-4)) model else polish(model, random)
   }, error = function(e) NULL)
   sessions <- if (any(d$session != "")) "(1 | person:session)"
-  separate <- function(columns) vapply(columns, function(column)
-    if (column == "1") "(1 | person)" else paste0("(0 + ", column, " | person)"), "")
+  separate <- function(parts) vapply(parts, function(part)
+    if (part == "1") "(1 | person)" else paste0("(1 | person:", part, ")"), "")
   model <- NULL; correlated <- FALSE
   if (length(own) > 1 && length(own) <= 6 && length(unique(d$person)) > length(own)) {
     model <- fit(c(paste0("(", paste(own, collapse = " + "), " | person)"), sessions))
     correlated <- !is.null(model) && !isSingular(model, 1e-4)
   }
+  if (!correlated) own <- c("1", within)
   while (!correlated && length(own) + length(sessions) > 0) {
     model <- fit(c(separate(own), sessions))
     if (is.null(model)) { if (length(own) == 1) stop("no fit"); own <- "1"; next }
@@ -138,8 +160,7 @@ fit_ladder <- function(d, within, between) {
     sds <- as.data.frame(VarCorr(model)); sds <- sds[sds$grp != "Residual", ]
     zero <- sds$sdcor < 1e-4 * sigma(model)
     if (any(zero & is_session(sds$grp))) sessions <- NULL
-    key <- ifelse(sds$var1 == "(Intercept)", "1", sds$var1)
-    own <- setdiff(own, key[zero & !is_session(sds$grp)])
+    own <- setdiff(own, part_of(sds$grp)[zero & !is_session(sds$grp)])
   }
   list(model = model, correlated = correlated, names_of = names_of)
 }
@@ -152,9 +173,11 @@ add_model <- function(id, d, within, between) {
   sds <- as.data.frame(VarCorr(model))
   sds <- sds[sds$grp != "Residual" & is.na(sds$var2), ]
   for (row in seq_len(nrow(sds))) {
-    key <- if (sds$var1[row] == "(Intercept)") "1" else sds$var1[row]
+    part <- part_of(sds$grp[row])
     add(id, "model", if (is_session(sds$grp[row])) "level of sessions" else
-      ladder$names_of[[key]], "sd", sds$sdcor[row])
+      if (ladder$correlated) ladder$names_of[[if (sds$var1[row] == "(Intercept)") "1" else
+        sds$var1[row]]] else if (part == "1") "level of persons" else paste("persons x", part),
+      "sd", sds$sdcor[row])
   }
   x <- getME(model, "X"); assign <- attr(model.matrix(terms(model), model.frame(model)), "assign")
   labels <- attr(terms(model), "term.labels")
@@ -177,7 +200,7 @@ add_model <- function(id, d, within, between) {
   }
 }
 
-designs <- lapply(1:20, make_design)
+designs <- c(lapply(1:20, make_design), lapply(21:32, make_levels))
 for (id in seq_along(designs)) {
   d <- designs[[id]]
   within <- Filter(function(f) any(d[[f]] != ""), c("a", "b"))

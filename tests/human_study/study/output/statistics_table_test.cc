@@ -73,6 +73,12 @@ TEST(StatisticsTable, SlopesAreThoseOfRAndTheMixedModelAgrees) {
   EXPECT_NEAR(mixed.estimate, slope.estimate, 1e-9);
   EXPECT_NEAR(mixed.standard_error, slope.standard_error, 1e-6);
   EXPECT_NEAR(mixed.df_1, 7.0, 0.01);
+  EXPECT_NEAR(mixed.value, slope.value, 1e-4);  // against the same reference
+  EXPECT_NEAR(mixed.p, slope.p, 1e-4);
+  EXPECT_NE(mixed.note.find("tested against 0.82"), std::string::npos);
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(),
+                          [](const auto& row) { return row.analysis == "mixed model (REML)"; }),
+            1);
 }
 
 TEST(StatisticsTable, PairsHoldTheDifferenceItsRanksAndItsBounds) {

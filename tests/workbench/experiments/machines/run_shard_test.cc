@@ -180,11 +180,11 @@ TEST(WorkOnScene, GivesTheSameResultElsewhere) {
   request.folder = top / "here";
   request.time_budget = 1e-6;  // one trial at least, however fast the machine
   EXPECT_EQ(WorkOnShard(request, observer, stop).num_left, 1);
-  EXPECT_FALSE(ReadSceneProgress(top / "here").is_finished);
+  EXPECT_FALSE(ReadSearchProgress(top / "here").is_finished);
   request.folder = top / "there";
   request.time_budget = 3600.0;
   EXPECT_EQ(WorkOnShard(request, observer, stop).num_left, 0);
-  EXPECT_TRUE(ReadSceneProgress(top / "there").is_finished);
+  EXPECT_TRUE(ReadSearchProgress(top / "there").is_finished);
   EXPECT_GT(MergeScenes(top / "here", {top / "there"}), 0);
   EXPECT_EQ(MergeScenes(top / "here", {top / "there"}), 0);
   for (const char* file : {"result.json", "journal.jsonl", "manifest.json", "new-pregrasp.yaml"}) {

@@ -65,6 +65,28 @@ TEST_F(MjcfCouplingsTest, AnEqualityOfOneJointFixesIt) {
   EXPECT_EQ(Joint("MFJ1").kind, ForeignJoint::Kind::kFixed);
 }
 
+// -0.0015 <= 0.0071 q1 - 0.0083 q2 <= 0.0005: q1 = (8.3 q2 - 0.5) / 7.1, with a play of 1 / 7.1 rad.
+// Of 0.0071 times a quarter turn, 0.0112, these limits are 18 %; of +-0.006 they would be a stop.
+TEST_F(MjcfCouplingsTest, NarrowLimitsOfATendonTieTwoJoints) {
+  const std::string equality =
+      "<equality>\n    <joint joint1=\"MFJ1\" joint2=\"MFJ2\" polycoef=\"0.1 0.8 0 0 0\"/>";
+  const auto tendon = [](const std::string& range) {
+    return "<tendon><fixed name=\"pull\" limited=\"true\" range=\"" + range +
+           "\"><joint joint=\"MFJ1\" coef=\"0.0071\"/>"
+           "<joint joint=\"MFJ2\" coef=\"-0.0083\"/></fixed></tendon><equality>";
+  };
+  Read(equality, tendon("-0.0015 0.0005"));
+  const auto& mimic = Joint("MFJ1").mimic;
+  ASSERT_TRUE(mimic) << problems_.Format();
+  EXPECT_EQ(hand_.joints[static_cast<size_t>(mimic->joint)].name, "MFJ2");
+  EXPECT_NEAR(mimic->ratio, 8.3 / 7.1, 1e-12);
+  EXPECT_NEAR(mimic->offset, -0.5 / 7.1, 1e-12);
+  EXPECT_TRUE(Tells("the play of " + std::string("8.07 deg each way"))) << problems_.Format();
+  Read(equality, tendon("-0.006 0.006"));
+  EXPECT_FALSE(Joint("MFJ1").mimic);
+  EXPECT_TRUE(Tells("tendon \"pull\" of \"MFJ1\", \"MFJ2\": no actuator pulls it"));
+}
+
 TEST_F(MjcfCouplingsTest, AnInactiveEqualityTiesNothing) {
   Read(kEquality, "active=\"false\"");
   EXPECT_FALSE(Joint("MFJ1").mimic);

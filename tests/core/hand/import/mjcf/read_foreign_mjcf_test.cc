@@ -154,7 +154,8 @@ INSTANTIATE_TEST_SUITE_P(
         OddMjcf{"axis=\"0 1 0\" range=\"-20 20\"", "axis=\"0 0 0\" range=\"-20 20\"",
                 "claw.xml:32: warning: joint \"FFJ4\": the axis has no direction; taken as z"},
         OddMjcf{"range=\"-0.01 0.02\"", "limited=\"false\"",
-                "claw.xml:57: warning: joint \"THJ3\" has no range; taken as 0 to 50 mm"},
+                "claw.xml:57: warning: joint \"THJ3\" has no range; fixed: give it a lower and an "
+                "upper limit if it moves"},
         OddMjcf{"<joint name=\"FFJ2\"/>", "<joint name=\"FFJ2\" type=\"ball\"/>",
                 "claw.xml:36: warning: body \"ff_middle\": a joint of type \"ball\" is fixed\n"},
         OddMjcf{"<body name=\"mf_middle\"", "<body name=\"ff_middle\"",

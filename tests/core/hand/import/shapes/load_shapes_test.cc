@@ -139,7 +139,7 @@ TEST_F(LoadShapesTest, AMissingMeshIsNamedWithWhatWasTried) {
   const std::string text = problems_.entries()[0].text;
   EXPECT_EQ(problems_.entries()[0].line, 7);
   EXPECT_EQ(text.find("link \"tip\", collision: mesh not found: \"package://p/none.stl\"; give the "
-                      "folder of its package with --package-path. Tried:\n    "),
+                      "folder of its package with --package-path. Tried: "),
             0u)
       << text;
   EXPECT_NE(text.find((folder_ / "p/none.stl").string()), std::string::npos) << text;

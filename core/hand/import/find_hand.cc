@@ -1,0 +1,236 @@
+#include "core/hand/import/find_hand.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "core/base/text/text.h"
+#include "core/hand/import/foreign_xml.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kLargestReach = 0.5;  // [m] of a digit's last joint from the palm
+constexpr double kApart = 0.2;         // [m] of two things that are not one hand
+
+class HandFinder {
+ public:
+  HandFinder(const ForeignHand& foreign, const ForeignTree& tree, const std::vector<bool>& has_body,
+             const std::string& file, Diagnostics& problems)
+      : foreign_(foreign), tree_(tree), file_(file), problems_(problems) {
+    CountEnds(has_body);
+    PlaceLinks();
+  }
+
+  HandPlace Find();
+  HandPlace FindNamed(const std::string& name);
+
+ private:
+  bool Moves(int link) const {
+    const int joint = tree_.joint_of[link];
+    return joint >= 0 && foreign_.joints[joint].kind != ForeignJoint::Kind::kFixed;
+  }
+  const std::string& NameOf(int link) const { return foreign_.links[link].name; }
+  bool HasOwnBody(int link) const {
+    const ForeignLink& own = foreign_.links[link];
+    return own.inertia || !own.collisions.empty() || !own.visuals.empty();
+  }
+  void CountEnds(const std::vector<bool>& has_body);
+  void PlaceLinks();
+  int FindParting(int link) const;
+  std::vector<int> ListBranches(int link) const;
+  bool IsHand(int branch) const;
+  bool AreApart(int a, int b) const {
+    return (p_RootLink_[FindParting(a)] - p_RootLink_[FindParting(b)]).norm() > kApart;
+  }
+  bool IsScene(int link, const std::vector<int>& branches, const std::vector<int>& hands) const;
+  std::string ListNames(const std::vector<int>& links) const;
+
+  const ForeignHand& foreign_;
+  const ForeignTree& tree_;
+  const std::string& file_;
+  Diagnostics& problems_;
+  std::vector<int> num_ends_;                // by link: of chains at or below it
+  std::vector<Eigen::Vector3d> p_RootLink_;  // by link, all joints at zero
+};
+
+void HandFinder::CountEnds(const std::vector<bool>& has_body) {
+  num_ends_.assign(foreign_.links.size(), 0);
+  for (size_t i = tree_.order.size(); i-- > 0;) {
+    const int link = tree_.order[i], joint = tree_.joint_of[link];
+    if (Moves(link) && has_body[link]) num_ends_[link] = std::max(num_ends_[link], 1);
+    if (joint >= 0) num_ends_[foreign_.joints[joint].parent] += num_ends_[link];
+  }
+}
+
+void HandFinder::PlaceLinks() {
+  std::vector<Pose> X_RL(foreign_.links.size(), Pose::Identity());
+  p_RootLink_.assign(foreign_.links.size(), Eigen::Vector3d::Zero());
+  for (const int link : tree_.order) {
+    if (const int j = tree_.joint_of[link]; j >= 0) {
+      X_RL[link] = X_RL[foreign_.joints[j].parent] * foreign_.joints[j].X_PJ;
+    }
+    p_RootLink_[link] = X_RL[link].translation();
+  }
+}
+
+/** The lowest link that all chains at or below this one have in common. */
+int HandFinder::FindParting(int link) const {
+  for (size_t i = 0; i < tree_.joints[link].size();) {
+    const int child = foreign_.joints[tree_.joints[link][i]].child;
+    const bool has_all = num_ends_[child] == num_ends_[link] && num_ends_[child] > 1;
+    link = has_all ? child : link;
+    i = has_all ? 0 : i + 1;
+  }
+  return link;
+}
+
+std::vector<int> HandFinder::ListBranches(int link) const {
+  std::vector<int> branches;
+  for (const int joint : tree_.joints[link]) {
+    if (num_ends_[foreign_.joints[joint].child] > 0) {
+      branches.push_back(foreign_.joints[joint].child);
+    }
+  }
+  return branches;
+}
+
+bool HandFinder::IsHand(int branch) const {
+  if (num_ends_[branch] < 2) return false;
+  const int palm = FindParting(branch);
+  std::vector<int> below = {palm};
+  for (size_t i = 0; i < below.size(); ++i) {
+    for (const int joint : tree_.joints[below[i]]) below.push_back(foreign_.joints[joint].child);
+  }
+  return std::all_of(below.begin(), below.end(), [&](int link) {
+    return (p_RootLink_[link] - p_RootLink_[palm]).norm() < kLargestReach;
+  });
+}
+
+/** True when the link is a place where separate things stand, not a palm. */
+bool HandFinder::IsScene(int link, const std::vector<int>& branches,
+                         const std::vector<int>& hands) const {
+  if (link == foreign_.world) return !HasOwnBody(link) || !hands.empty();
+  for (const int a : hands) {
+    for (const int b : hands) {
+      if (a != b && AreApart(a, b)) return true;
+    }
+  }
+  return hands.size() == 1 && !HasOwnBody(link) &&
+         std::all_of(branches.begin(), branches.end(),
+                     [&](int branch) { return branch == hands[0] || AreApart(branch, hands[0]); });
+}
+
+std::string HandFinder::ListNames(const std::vector<int>& links) const {
+  std::string text;
+  for (const int link : links) text += (text.empty() ? "\"" : ", \"") + NameOf(link) + "\"";
+  return text;
+}
+
+HandPlace HandFinder::Find() {
+  int top = tree_.order.front();
+  if (num_ends_[top] == 0) {
+    problems_.Fail(file_, 0, "no joint moves anything that could touch: this is no hand");
+    return {};
+  }
+  for (;;) {
+    const int palm = FindParting(top);
+    const std::vector<int> branches = ListBranches(palm);
+    std::vector<int> hands;
+    std::copy_if(branches.begin(), branches.end(), std::back_inserter(hands),
+                 [&](int branch) { return IsHand(branch); });
+    if (num_ends_[palm] < 2) {
+      problems_.Fail(file_, 0,
+                     "the joints form one chain without digits: an arm, or one finger. A hand has "
+                     "two digits at least that part from a palm");
+      return {};
+    }
+    if (!IsScene(palm, branches, hands)) return {palm, top};
+    if (hands.empty()) {
+      problems_.Fail(file_, 0,
+                     "found " + ListNames(branches) + ", each on its own at \"" + NameOf(palm) +
+                         "\", which is no palm: no hand. A hand has two digits at least that part "
+                         "from a palm with a shape or a mass");
+      return {};
+    }
+    if (hands.size() > 1) {
+      std::vector<int> palms;
+      for (const int hand : hands) palms.push_back(FindParting(hand));
+      problems_.Fail(file_, 0,
+                     "found " + std::to_string(hands.size()) + " hands, with the palms " +
+                         ListNames(palms) + "; choose one with --palm");
+      return {};
+    }
+    std::vector<int> others;
+    for (const int branch : branches) {
+      if (branch != hands[0]) others.push_back(branch);
+    }
+    if (!others.empty()) {
+      problems_.Warn(file_, foreign_.links[others[0]].line,
+                     ListNames(others) + ": not of the hand at \"" + NameOf(FindParting(hands[0])) +
+                         "\" but of the scene around it; left out");
+    }
+    top = hands[0];
+  }
+}
+
+HandPlace HandFinder::FindNamed(const std::string& name) {
+  std::vector<std::string> known;
+  int palm = -1;
+  for (size_t link = 0; link < foreign_.links.size(); ++link) {
+    if (NameOf(static_cast<int>(link)) == name) palm = static_cast<int>(link);
+    known.push_back(NameOf(static_cast<int>(link)));
+  }
+  if (palm < 0) {
+    problems_.Fail(file_, 0, "no link \"" + name + "\" for the palm" + SuggestNames(name, known));
+    return {};
+  }
+  // Of several parts that are fixed to each other any may be named.
+  int own = palm;
+  while (num_ends_[own] < 2 && tree_.joint_of[own] >= 0 && !Moves(own)) {
+    own = foreign_.joints[tree_.joint_of[own]].parent;
+  }
+  for (int at = own; tree_.joint_of[at] >= 0;) {
+    const int above = foreign_.joints[tree_.joint_of[at]].parent;
+    std::vector<int> others = ListBranches(above);
+    others.erase(std::remove(others.begin(), others.end(), at), others.end());
+    const bool are_separate =
+        above == foreign_.world || std::all_of(others.begin(), others.end(), [&](int other) {
+          return (p_RootLink_[FindParting(other)] - p_RootLink_[own]).norm() > kApart;
+        });
+    if (!others.empty() && are_separate) {
+      problems_.Warn(file_, foreign_.links[others[0]].line,
+                     ListNames(others) + ": not below the palm \"" + name + "\"; left out");
+      return {palm, at};
+    }
+    at = above;
+  }
+  return {palm, tree_.order.front()};
+}
+
+}  // namespace
+
+ForeignTree MakeForeignTree(const ForeignHand& foreign) {
+  ForeignTree tree;
+  tree.joint_of.assign(foreign.links.size(), -1);
+  tree.joints.resize(foreign.links.size());
+  for (size_t j = 0; j < foreign.joints.size(); ++j) {
+    tree.joint_of[foreign.joints[j].child] = static_cast<int>(j);
+    tree.joints[foreign.joints[j].parent].push_back(static_cast<int>(j));
+  }
+  for (size_t link = 0; link < foreign.links.size(); ++link) {
+    if (tree.joint_of[link] < 0) tree.order.push_back(static_cast<int>(link));
+  }
+  for (size_t i = 0; i < tree.order.size(); ++i) {
+    for (int joint : tree.joints[tree.order[i]]) tree.order.push_back(foreign.joints[joint].child);
+  }
+  return tree;
+}
+
+HandPlace FindHand(const ForeignHand& foreign, const ForeignTree& tree,
+                   const std::vector<bool>& has_body, const std::string& palm,
+                   const std::string& file, Diagnostics& problems) {
+  HandFinder finder(foreign, tree, has_body, file, problems);
+  return palm.empty() ? finder.Find() : finder.FindNamed(palm);
+}
+
+}  // namespace graspbench

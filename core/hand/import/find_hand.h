@@ -1,0 +1,39 @@
+#pragma once
+/** @file
+Where in a description the hand is: of an arm, a scene with a table and a door, or a rig of two
+hands only one part is one.
+
+A chain ends at a link that moves, has a shape and carries no further such link. The palm is the
+lowest link that all chains have in common. The world of a scene is no palm, nor is a link where
+parts meet that are hands themselves (two chains at least, all within 0.5 m) and lie more than 0.2 m
+apart. Of such parts the one hand is taken, the rest is left out and reported; none, or several
+without a palm named, is an error that lists what was found. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/import/foreign_hand.h"
+
+namespace graspbench {
+
+/** A foreign hand's tree, from the root down. */
+struct ForeignTree {
+  std::vector<int> joint_of;             ///< by link; -1: the root
+  std::vector<std::vector<int>> joints;  ///< by link: those that hang on it
+  std::vector<int> order;                ///< links, parents first
+};
+ForeignTree MakeForeignTree(const ForeignHand& foreign);
+
+struct HandPlace {
+  int palm = -1;  ///< foreign link; -1: none, an error is reported
+  int top = -1;   ///< the highest link that belongs to it
+};
+
+/** @param has_body  by link: it or what hangs on it has a shape. @param palm  name of the palm's
+link; empty: to be found. */
+HandPlace FindHand(const ForeignHand& foreign, const ForeignTree& tree,
+                   const std::vector<bool>& has_body, const std::string& palm,
+                   const std::string& file, Diagnostics& problems);
+
+}  // namespace graspbench

@@ -1,0 +1,74 @@
+#include "core/hand/import/import_record.h"
+
+#include "core/base/sha256.h"
+#include "core/base/text/json.h"
+#include "core/base/version.h"
+
+namespace graspbench {
+namespace {
+
+Json DescribeGuesses(const Hand& hand) {
+  Json digits = Json::array();
+  for (const Digit& digit : hand.digits) {
+    Json links = Json::array();
+    for (const int link : digit.links) links.push_back(hand.links[link].name);
+    digits.push_back({{"id", digit.id},
+                      {"thumb", digit.is_thumb},
+                      {"links", links},
+                      {"tip_m", JsonVector(digit.p_LTip)},
+                      {"pad_m", JsonVector(digit.p_LPad)}});
+  }
+  Json apart = Json::array();
+  for (const auto& [a, b] : hand.apart) {
+    apart.push_back({hand.links[a].name, hand.links[b].name});
+  }
+  Json drives = Json::array();
+  for (const HandJoint& joint : hand.joints) {
+    if (joint.coupled_to >= 0) continue;
+    drives.push_back({{"joint", joint.name},
+                      {"stiffness", JsonNumber(joint.drive.stiffness)},
+                      {"damping", JsonNumber(joint.drive.damping)},
+                      {"limit", JsonNumber(joint.drive.torque_limit)}});
+  }
+  return {{"palm",
+           {{"link", hand.links[hand.palm_link].name},
+            {"centre_m", JsonVector(hand.p_HCentre)},
+            {"normal", JsonVector(hand.palm_normal)}}},
+          {"digits", digits},
+          {"apart", apart},
+          {"drives", drives}};
+}
+
+}  // namespace
+
+std::string FormatImportRecord(const std::string& text, const HandSource& source,
+                               const std::string& palm, const Hand& hand,
+                               const Diagnostics& problems,
+                               const std::map<std::string, std::string>& files) {
+  Json repairs = Json::array();
+  for (const Diagnostic& problem : problems.entries()) {
+    repairs.push_back({{"line", problem.line}, {"text", problem.text}});
+  }
+  Json hashes = Json::object();
+  for (const auto& [name, content] : files) hashes[name] = CalcSha256(content);
+  const Json record = {
+      {"format", 1},
+      {"tool", std::string("graspbench ") + program_version()},
+      {"source",
+       {{"file", std::filesystem::path(source.file).filename().string()},
+        {"sha256", CalcSha256(text)}}},
+      {"options",
+       {{"palm", palm},
+        {"palm_normal", source.palm_normal ? JsonVector(*source.palm_normal) : Json(nullptr)},
+        {"unit_m", source.unit},
+        {"mesh_unit_m", source.mesh_unit},
+        {"angle", !source.in_degrees   ? ""
+                  : *source.in_degrees ? "deg"
+                                       : "rad"}}},
+      {"repairs", repairs},
+      {"guesses", DescribeGuesses(hand)},
+      {"files", hashes}};
+  return FormatJson(record, 2) + "\n";
+}
+
+}  // namespace graspbench

@@ -1,0 +1,28 @@
+#pragma once
+/** @file
+`import.json`: where an imported hand comes from, as data, so that an import can be repeated and
+compared.
+
+    {"format": 1, "tool": "graspbench 1.0", "source": {"file": "hand.urdf", "sha256": ".."},
+     "options": {"palm": "", "palm_normal": null, "unit_m": 0, "mesh_unit_m": 0, "angle": ""},
+     "repairs": [{"line": 12, "text": ".."}], "guesses": {"palm": {..}, "digits": [..], ..},
+     "files": {"hand.urdf": "sha256..", ..}}
+
+`unit_m` 0: inferred. Paths are names without their folder. */
+
+#include <map>
+#include <string>
+
+#include "core/base/diagnostics.h"
+#include "core/hand/import/shapes/load_shapes.h"
+#include "core/hand/import/weld_links.h"
+
+namespace graspbench {
+
+/** @param text  of the description. @param palm  as asked for. @param files  of the hand, by name. */
+std::string FormatImportRecord(const std::string& text, const HandSource& source,
+                               const std::string& palm, const Hand& hand,
+                               const Diagnostics& problems,
+                               const std::map<std::string, std::string>& files);
+
+}  // namespace graspbench

@@ -1,0 +1,128 @@
+#include "core/hand/import/palm_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/hand/closing.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNearer = 0.5;  // of the open distance
+constexpr double kNear = 0.025;  // [m], near enough whatever the open distance
+constexpr int kMeetingShares = 24, kMeetingSamples = 3000;
+
+struct Nearest {
+  double gap = std::numeric_limits<double>::infinity();
+  Vector3d p_H = Vector3d::Zero();
+};
+
+class MeetingFinder {
+ public:
+  explicit MeetingFinder(const Hand& hand)
+      : hand_(hand), closing_(FindClosing(hand)), open_(CalcClosedPosture(hand, closing_, 0.0)) {}
+
+  /** Nothing: the two do not meet. */
+  std::optional<Nearest> Find(const Digit& a, const Digit& b) const {
+    Nearest open;
+    Try(a, b, open_, open);
+    Nearest best = open;
+    for (int i = 0; i <= kMeetingShares; ++i) {
+      for (int k = 0; k <= kMeetingShares; ++k) {
+        Eigen::VectorXd q = open_;
+        Close(a, static_cast<double>(i) / kMeetingShares, q);
+        Close(b, static_cast<double>(k) / kMeetingShares, q);
+        ApplyCoupling(hand_, q);
+        Try(a, b, q, best);
+      }
+    }
+    const double enough = std::max(kNearer * open.gap, kNear);
+    if (best.gap > enough) {
+      for (int k = 1; k <= kMeetingSamples; ++k) Try(a, b, MakeSample(a, b, k), best);
+    }
+    if (best.gap > enough) return {};
+    return best;
+  }
+
+ private:
+  bool IsOf(int joint, const Digit& digit) const {
+    const int link = hand_.joints[joint].link;
+    return std::find(digit.links.begin(), digit.links.end(), link) != digit.links.end();
+  }
+  /** A joint that the digit's follow counts as its own. */
+  bool Moves(int joint, const Digit& digit) const {
+    if (IsOf(joint, digit)) return true;
+    for (int j = 0; j < hand_.num_joints(); ++j) {
+      if (hand_.joints[j].coupled_to == joint && IsOf(j, digit)) return true;
+    }
+    return false;
+  }
+  void Close(const Digit& digit, double share, Eigen::VectorXd& q) const {
+    for (int j = 0; j < hand_.num_joints(); ++j) {
+      if (closing_[j] == 0 || !Moves(j, digit)) continue;
+      const HandJoint& joint = hand_.joints[j];
+      const double open = closing_[j] > 0 ? joint.lower : joint.upper;
+      const double closed = closing_[j] > 0 ? joint.upper : joint.lower;
+      q[j] = open + share * (closed - open);
+    }
+  }
+  /** Evenly spread over the joints of both (Kronecker sequence). */
+  Eigen::VectorXd MakeSample(const Digit& a, const Digit& b, int number) const {
+    Eigen::VectorXd q = open_;
+    int dimension = 1;
+    for (int j = 0; j < hand_.num_joints(); ++j) {
+      if (!Moves(j, a) && !Moves(j, b)) continue;
+      const double turn = number * std::exp(1.0 / ++dimension);
+      const HandJoint& joint = hand_.joints[j];
+      q[j] = joint.lower + (turn - std::floor(turn)) * (joint.upper - joint.lower);
+    }
+    ApplyCoupling(hand_, q);
+    return q;
+  }
+  void Try(const Digit& a, const Digit& b, const Eigen::VectorXd& q, Nearest& best) const {
+    const Vector3d pad_a = CalcLinkPose(hand_, q, a.distal_link) * a.p_LPad;
+    const Vector3d pad_b = CalcLinkPose(hand_, q, b.distal_link) * b.p_LPad;
+    const double gap = (pad_a - pad_b).norm();
+    if (gap < best.gap) best = {gap, Vector3d(0.5 * (pad_a + pad_b))};
+  }
+
+  const Hand& hand_;
+  const std::vector<int> closing_;
+  const Eigen::VectorXd open_;
+};
+
+}  // namespace
+
+std::optional<DigitMeeting> FindMeeting(const Hand& hand) {
+  const auto thumb = std::find_if(hand.digits.begin(), hand.digits.end(),
+                                  [](const Digit& digit) { return digit.is_thumb; });
+  if (thumb == hand.digits.end()) return {};
+  const MeetingFinder finder(hand);
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
+  const auto base = [&](const Digit& digit) -> Vector3d {
+    return X_HL[digit.links.front()].translation();
+  };
+  DigitMeeting meeting;
+  meeting.gap = std::numeric_limits<double>::infinity();
+  Vector3d others = Vector3d::Zero();
+  int num_meet = 0;
+  for (const Digit& digit : hand.digits) {
+    if (&digit == &*thumb) continue;
+    others += base(digit) / static_cast<double>(hand.digits.size() - 1);
+    const auto nearest = finder.Find(*thumb, digit);
+    if (!nearest) continue;
+    meeting.p_H += nearest->p_H;
+    meeting.gap = std::min(meeting.gap, nearest->gap);
+    ++num_meet;
+  }
+  if (num_meet == 0) return {};
+  meeting.p_H /= num_meet;
+  meeting.direction = (meeting.p_H - 0.5 * (base(*thumb) + others)).stableNormalized();
+  return meeting;
+}
+
+}  // namespace graspbench

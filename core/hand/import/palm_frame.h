@@ -1,0 +1,27 @@
+#pragma once
+/** @file
+Where the digits of a hand can meet, and so which way its palm faces.
+
+Each pair of the thumb and another digit closes, each digit by its own share of its range; where
+the pads come nearest to each other, at half their open distance or less, they meet. When closing
+alone brings no pair together, all joints of the pair are searched. The palm faces from the middle
+of the digits' bases to the middle of the meeting points. */
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "core/hand/hand.h"
+
+namespace graspbench {
+
+struct DigitMeeting {
+  Eigen::Vector3d p_H = Eigen::Vector3d::Zero();  ///< mean of where pairs meet [m]
+  Eigen::Vector3d direction =
+      Eigen::Vector3d::Zero();  ///< from the digits' bases to it; unit, or 0
+  double gap = 0.0;             ///< of the pads that come nearest [m]
+};
+
+/** Nothing: no pair meets. @pre digits with tips and pads, one of them the thumb. */
+std::optional<DigitMeeting> FindMeeting(const Hand& hand);
+
+}  // namespace graspbench

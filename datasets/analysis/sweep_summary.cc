@@ -1,0 +1,429 @@
+#include "datasets/analysis/sweep_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
+#include "core/statistics/summary.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kNumSweepResamples = 1999;
+
+/** A condition as its levels; the first is the base. */
+struct Treatment {
+  std::optional<std::string> name;
+  std::vector<std::string> levels;
+};
+
+std::vector<Treatment> ListTreatments(const SessionConfig& config,
+                                      const std::vector<Factor>& factors) {
+  std::vector<Treatment> treatments = {{std::nullopt, {}}};
+  for (const Condition& condition : config.conditions) treatments.push_back({condition.name, {}});
+  for (Treatment& treatment : treatments) {
+    for (const Factor& factor : factors) {
+      treatment.levels.push_back(FindLevel(config, treatment.name, factor.key));
+    }
+  }
+  return treatments;
+}
+
+/** The trials of one draw by treatment; null: not finished, or none is planned. */
+struct Draw {
+  std::string object;
+  std::vector<const TrialRecord*> trials;
+};
+
+/** The draws of one hand in the plan's order. */
+std::vector<Draw> ListDraws(const Session& session, const std::vector<Treatment>& treatments,
+                            bool is_grasp_a_factor, const std::string& hand) {
+  std::map<std::optional<std::string>, size_t> places;
+  for (size_t i = 0; i < treatments.size(); ++i) places.emplace(treatments[i].name, i);
+  std::map<std::string, size_t> known;
+  std::vector<Draw> draws;
+  for (const TrialRecord& record : session.records) {
+    if (record.plan.hand != hand) continue;
+    PlannedTrial draw = record.plan;
+    if (is_grasp_a_factor) draw.grasp.clear();
+    const auto [place, is_new] = known.emplace(NameDraw(draw), draws.size());
+    if (is_new) {
+      draws.push_back({draw.object, std::vector<const TrialRecord*>(treatments.size())});
+    }
+    draws[place->second].trials[places.at(record.plan.condition)] = &record;
+  }
+  return draws;
+}
+
+/** A weighted sum of treatments. */
+using Contrast = std::vector<std::pair<size_t, double>>;
+
+bool IsSameBut(const Treatment& a, const Treatment& b, const std::set<size_t>& factors) {
+  for (size_t i = 0; i < a.levels.size(); ++i) {
+    if (factors.count(i) == 0 && a.levels[i] != b.levels[i]) return false;
+  }
+  return true;
+}
+
+/** The treatment that has these levels where `like` has others; -1: none. */
+int FindTreatment(const std::vector<Treatment>& treatments, const Treatment& like,
+                  const std::map<size_t, std::string>& levels) {
+  for (size_t i = 0; i < treatments.size(); ++i) {
+    std::set<size_t> changed;
+    bool is_it = true;
+    for (const auto& [factor, level] : levels) {
+      changed.insert(factor);
+      is_it = is_it && treatments[i].levels[factor] == level;
+    }
+    if (is_it && IsSameBut(treatments[i], like, changed)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::vector<Contrast> ListPairs(const std::vector<Treatment>& treatments, const Factor& factor,
+                                size_t index, const std::string& level) {
+  std::vector<Contrast> contrasts;
+  for (size_t i = 0; i < treatments.size(); ++i) {
+    if (treatments[i].levels[index] != level) continue;
+    const int base = FindTreatment(treatments, treatments[i], {{index, factor.levels.front()}});
+    if (base >= 0) contrasts.push_back({{i, 1.0}, {static_cast<size_t>(base), -1.0}});
+  }
+  return contrasts;
+}
+
+/** One contrast: of all treatments with the level, and of all with that of the base. */
+Contrast MakeMarginal(const std::vector<Treatment>& treatments, const Factor& factor, size_t index,
+                      const std::string& level) {
+  const auto count = [&](const std::string& wanted) {
+    return static_cast<double>(
+        std::count_if(treatments.begin(), treatments.end(),
+                      [&](const Treatment& one) { return one.levels[index] == wanted; }));
+  };
+  Contrast contrast;
+  for (size_t i = 0; i < treatments.size(); ++i) {
+    if (treatments[i].levels[index] == level) contrast.push_back({i, 1.0 / count(level)});
+    if (treatments[i].levels[index] == factor.levels.front()) {
+      contrast.push_back({i, -1.0 / count(factor.levels.front())});
+    }
+  }
+  return contrast;
+}
+
+/** A weighted sum of a draw's values; NaN when one is missing. */
+double CalcContrast(const Draw& draw, const Contrast& contrast, const SweepMeasure& measure) {
+  double sum = 0.0;
+  for (const auto& [treatment, weight] : contrast) {
+    const TrialRecord* record = draw.trials[treatment];
+    sum += record ? weight * measure.value(*record) : kUnset;
+  }
+  return sum;
+}
+
+/** Whether the trials that a contrast compares have both outcomes among them. */
+std::string ExplainUndecided(int num_successes, int num_finished) {
+  if (num_finished == 0) return "no trial is finished";
+  if (num_successes == num_finished) {
+    return "cannot decide success: all " + FormatCount(num_finished, "trial") + " succeed";
+  }
+  if (num_successes == 0) {
+    return "cannot decide success: all " + FormatCount(num_finished, "trial") + " fail";
+  }
+  return "";
+}
+
+/** Estimate and interval of the mean over draws. */
+void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contrasts,
+              const SweepMeasure& measure, SweepEffect& effect) {
+  std::map<std::string, size_t> places;
+  std::vector<std::vector<double>> objects;
+  std::vector<double> all;
+  std::set<const TrialRecord*> used;
+  for (const Draw& draw : draws) {
+    std::vector<double> values;
+    for (const Contrast& contrast : contrasts) {
+      const double value = CalcContrast(draw, contrast, measure);
+      if (!std::isfinite(value)) continue;
+      values.push_back(value);
+      for (const auto& part : contrast) used.insert(draw.trials[part.first]);
+    }
+    if (values.size() < contrasts.size() || values.empty()) continue;
+    const auto [place, is_new] = places.emplace(draw.object, objects.size());
+    if (is_new) objects.emplace_back();
+    objects[place->second].push_back(CalcMean(values));
+    all.push_back(CalcMean(values));
+  }
+  effect.measure = measure.id;
+  effect.num_draws = static_cast<int>(all.size());
+  effect.num_objects = static_cast<int>(objects.size());
+  if (all.empty()) return;
+  effect.estimate = CalcMean(all);
+  if (measure.id == ListSweepMeasures().front().id) {
+    const int num_successes =
+        static_cast<int>(std::count_if(used.begin(), used.end(), [](const TrialRecord* record) {
+          return IsSuccess(record->result.outcome);
+        }));
+    const std::string undecided = ExplainUndecided(num_successes, static_cast<int>(used.size()));
+    if (!undecided.empty()) {
+      effect.interval = NoAnswer{undecided};
+      return;
+    }
+  }
+  const Answer<BootstrapInterval> drawn = CalcBootstrap(
+      objects.size(),
+      [&](const std::vector<size_t>& members) {
+        double sum = 0.0, count = 0.0;
+        for (const size_t member : members) {
+          for (const double value : objects[member]) sum += value;
+          count += static_cast<double>(objects[member].size());
+        }
+        return sum / count;
+      },
+      NameEffect(effect) + " " + effect.hand + " " + measure.id, kNumSweepResamples);
+  effect.interval = drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
+}
+
+void AddEffects(const std::vector<Treatment>& treatments, const std::vector<Draw>& draws,
+                const std::string& hand, SweepSummary& summary) {
+  for (size_t f = 0; f < summary.factors.size(); ++f) {
+    const Factor& factor = summary.factors[f];
+    for (size_t l = 1; l < factor.levels.size(); ++l) {
+      SweepEffect effect;
+      effect.factors = {factor.key};
+      effect.levels = {factor.levels[l]};
+      effect.hand = hand;
+      std::vector<Contrast> contrasts = ListPairs(treatments, factor, f, factor.levels[l]);
+      effect.is_marginal = contrasts.empty();
+      if (contrasts.empty()) {
+        contrasts.push_back(MakeMarginal(treatments, factor, f, factor.levels[l]));
+      }
+      for (const SweepMeasure& measure : ListSweepMeasures()) {
+        Estimate(draws, contrasts, measure, effect);
+        if (effect.num_draws > 0) summary.effects.push_back(effect);
+      }
+    }
+  }
+}
+
+std::vector<Contrast> ListSquares(const std::vector<Treatment>& treatments,
+                                  const std::vector<Factor>& factors, size_t f, size_t g,
+                                  const std::string& level_f, const std::string& level_g) {
+  const std::string &base_f = factors[f].levels.front(), &base_g = factors[g].levels.front();
+  std::vector<Contrast> contrasts;
+  for (size_t i = 0; i < treatments.size(); ++i) {
+    if (treatments[i].levels[f] != level_f || treatments[i].levels[g] != level_g) continue;
+    const int a = FindTreatment(treatments, treatments[i], {{f, level_f}, {g, base_g}});
+    const int b = FindTreatment(treatments, treatments[i], {{f, base_f}, {g, level_g}});
+    const int none = FindTreatment(treatments, treatments[i], {{f, base_f}, {g, base_g}});
+    if (a < 0 || b < 0 || none < 0) continue;
+    contrasts.push_back({{i, 1.0},
+                         {static_cast<size_t>(a), -1.0},
+                         {static_cast<size_t>(b), -1.0},
+                         {static_cast<size_t>(none), 1.0}});
+  }
+  return contrasts;
+}
+
+void AddInteractions(const std::vector<Treatment>& treatments, const std::vector<Draw>& draws,
+                     const std::string& hand, SweepSummary& summary) {
+  const std::vector<Factor>& factors = summary.factors;
+  for (size_t f = 0; f < factors.size(); ++f) {
+    for (size_t g = f + 1; g < factors.size(); ++g) {
+      for (size_t l = 1; l < factors[f].levels.size(); ++l) {
+        for (size_t m = 1; m < factors[g].levels.size(); ++m) {
+          SweepEffect effect;
+          effect.factors = {factors[f].key, factors[g].key};
+          effect.levels = {factors[f].levels[l], factors[g].levels[m]};
+          effect.hand = hand;
+          const std::vector<Contrast> contrasts =
+              ListSquares(treatments, factors, f, g, effect.levels[0], effect.levels[1]);
+          for (const SweepMeasure& measure : ListSweepMeasures()) {
+            Estimate(draws, contrasts, measure, effect);
+            if (effect.num_draws > 0) summary.interactions.push_back(effect);
+          }
+        }
+      }
+    }
+  }
+}
+
+ConditionRow MakeRow(const Treatment& treatment, size_t place, const std::string& hand,
+                     const std::vector<Draw>& draws, const Session& session) {
+  ConditionRow row;
+  row.name = treatment.name.value_or("");
+  row.levels = treatment.levels;
+  row.hand = hand;
+  for (const PlannedTrial& planned : session.plan) {
+    row.num_planned += planned.hand == hand && planned.condition == treatment.name;
+  }
+  std::vector<std::vector<double>> values(ListSweepMeasures().size());
+  for (const Draw& draw : draws) {
+    const TrialRecord* record = draw.trials[place];
+    if (!record) continue;
+    ++row.num_finished;
+    row.num_successes += IsSuccess(record->result.outcome);
+    row.num_numerical += IsNumericalFailure(record->result.outcome);
+    for (size_t i = 0; i < values.size(); ++i) {
+      values[i].push_back(ListSweepMeasures()[i].value(*record));
+    }
+  }
+  for (const std::vector<double>& of_measure : values) {
+    row.medians.push_back(CalcMedianOfFinite(of_measure));
+  }
+  row.medians.front() = CalcShare(row.num_successes, row.num_finished);
+  row.undecided = ExplainUndecided(row.num_successes, row.num_finished);
+  return row;
+}
+
+double FindBreakingForce(const TrialRecord& record) {
+  return record.judgement ? record.judgement->breaking_force : kUnset;
+}
+
+std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& summary) {
+  using Row = ConditionRow;
+  std::vector<CsvColumn<Row>> columns = {{"condition", "string", "",
+                                          "name of the condition; empty: the base",
+                                          [](const Row& row) { return Json(row.name); }}};
+  for (size_t i = 0; i < summary.factors.size(); ++i) {
+    std::string name = summary.factors[i].key;
+    std::replace(name.begin(), name.end(), '.', '_');
+    columns.push_back({name, "string", "", "level of the factor " + summary.factors[i].key,
+                       [i](const Row& row) { return Json(row.levels[i]); }});
+  }
+  const auto add = [&](const char* name, const char* meaning, int Row::*member) {
+    columns.push_back(
+        {name, "integer", "", meaning, [member](const Row& row) { return Json(row.*member); }});
+  };
+  columns.push_back(
+      {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }});
+  add("planned", "trials of the plan", &Row::num_planned);
+  add("finished", "finished trials", &Row::num_finished);
+  add("successes", "of these", &Row::num_successes);
+  add("numerical_failures", "of the finished trials", &Row::num_numerical);
+  for (size_t i = 1; i < ListSweepMeasures().size(); ++i) {
+    const std::string id = ListSweepMeasures()[i].id;
+    columns.push_back({"median_" + id, "number", "", "over the trials that have it",
+                       [i](const Row& row) { return JsonNumber(row.medians[i]); }});
+  }
+  columns.push_back({"undecided", "string", "",
+                     "why these trials cannot decide success; empty: some succeed, some fail",
+                     [](const Row& row) { return Json(row.undecided); }});
+  return columns;
+}
+
+std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
+  using Row = SweepEffect;
+  const auto take = [](std::vector<std::string> Row::*list, size_t place) {
+    return [list, place](const Row& row) {
+      return (row.*list).size() > place ? Json((row.*list)[place]) : Json();
+    };
+  };
+  return {
+      {"factor", "string", "", "key of the factor", take(&Row::factors, 0)},
+      {"level", "string", "", "its level, against that of the base", take(&Row::levels, 0)},
+      {"with_factor", "string", "", "of an interaction the second factor", take(&Row::factors, 1)},
+      {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
+      {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }},
+      {"measure", "string", "", "success (0 or 1), gft_ratio, sigma_n, breaking_force_n",
+       [](const Row& row) { return Json(row.measure); }},
+      {"draws", "integer", "", "that have every value",
+       [](const Row& row) { return Json(row.num_draws); }},
+      {"objects", "integer", "", "of these draws",
+       [](const Row& row) { return Json(row.num_objects); }},
+      {"marginal", "boolean", "",
+       "1 when no two conditions differ in the factor alone, so that means over all conditions "
+       "are compared",
+       [](const Row& row) { return Json(row.is_marginal ? 1 : 0); }},
+      {"change", "number", "", "mean over draws, in the measure's unit",
+       [](const Row& row) { return JsonNumber(row.estimate); }},
+      {"low", "number", "", "95 % interval from drawing objects",
+       [](const Row& row) { return row.interval ? JsonNumber(row.interval->low) : Json(); }},
+      {"high", "number", "", "likewise",
+       [](const Row& row) { return row.interval ? JsonNumber(row.interval->high) : Json(); }},
+      {"no_interval", "string", "", "why there is none",
+       [](const Row& row) { return Json(row.interval ? "" : row.interval.reason()); }}};
+}
+
+}  // namespace
+
+const std::vector<SweepMeasure>& ListSweepMeasures() {
+  static const std::vector<SweepMeasure> measures = {
+      {"success", "success [%]", 100.0, 1,
+       [](const TrialRecord& record) { return IsSuccess(record.result.outcome) ? 1.0 : 0.0; }},
+      {"gft_ratio", "GFT% [%]", 100.0, 1,
+       [](const TrialRecord& record) {
+         const bool has_times = !IsNumericalFailure(record.result.outcome) &&
+                                !record.result.timing.contact_before_start;
+         return has_times ? record.result.timing.gft_ratio : kUnset;
+       }},
+      {"sigma_n", "sigma [N]", 1.0, 2,
+       [](const TrialRecord& record) { return record.result.stability.sigma; }},
+      {"breaking_force_n", "breaking force [N]", 1.0, 2, &FindBreakingForce}};
+  return measures;
+}
+
+std::string NameEffect(const SweepEffect& effect) {
+  std::string name;
+  for (size_t i = 0; i < effect.factors.size(); ++i) {
+    name += (i > 0 ? " and " : "") + effect.factors[i] + "=" + effect.levels[i];
+  }
+  return name;
+}
+
+SweepSummary SummariseSweep(const Session& session) {
+  SweepSummary summary;
+  summary.factors = ListFactors(session.config);
+  const bool is_grasp_a_factor =
+      std::any_of(summary.factors.begin(), summary.factors.end(),
+                  [](const Factor& factor) { return factor.key == "grasp"; });
+  const std::vector<Treatment> treatments = ListTreatments(session.config, summary.factors);
+  std::vector<std::vector<Draw>> draws;
+  for (const PlannedTrial& planned : session.plan) {
+    const auto& hands = summary.hands;
+    if (std::find(hands.begin(), hands.end(), planned.hand) != hands.end()) continue;
+    summary.hands.push_back(planned.hand);
+    draws.push_back(ListDraws(session, treatments, is_grasp_a_factor, planned.hand));
+    AddEffects(treatments, draws.back(), planned.hand, summary);
+    AddInteractions(treatments, draws.back(), planned.hand, summary);
+  }
+  for (size_t place = 0; place < treatments.size(); ++place) {
+    for (size_t hand = 0; hand < summary.hands.size(); ++hand) {
+      summary.rows.push_back(
+          MakeRow(treatments[place], place, summary.hands[hand], draws[hand], session));
+    }
+  }
+  return summary;
+}
+
+std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary) {
+  const auto conditions = ListConditionColumns(summary);
+  const auto effects = ListEffectColumns();
+  std::vector<SweepEffect> all = summary.effects;
+  all.insert(all.end(), summary.interactions.begin(), summary.interactions.end());
+  return {{"conditions", FormatCsv(conditions, summary.rows), MakeTableSchema(conditions, "")},
+          {"effects", FormatCsv(effects, all), MakeTableSchema(effects, "")}};
+}
+
+Json ToJson(const SweepSummary& summary) {
+  const auto list = [](const auto& columns, const auto& rows) {
+    Json json = Json::array();
+    for (const auto& row : rows) {
+      Json object = Json::object();
+      for (const auto& column : columns) object[column.name] = column.value(row);
+      json.push_back(object);
+    }
+    return json;
+  };
+  Json factors = Json::array();
+  for (const Factor& factor : summary.factors) {
+    factors.push_back({{"key", factor.key}, {"levels", factor.levels}});
+  }
+  return {{"factors", factors},
+          {"conditions", list(ListConditionColumns(summary), summary.rows)},
+          {"effects", list(ListEffectColumns(), summary.effects)},
+          {"interactions", list(ListEffectColumns(), summary.interactions)}};
+}
+
+}  // namespace graspbench

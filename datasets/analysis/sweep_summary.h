@@ -1,0 +1,77 @@
+#pragma once
+/** @file
+What the factors of a sweep (datasets/plan/sweep_design.h) change, on the same draws.
+
+A draw is one hand, object and number (and grasp, where that is no factor); y(c) is a measure of its
+trial under the condition c. The effect of a level l of the factor A, of a draw: the mean of
+
+    y(c') - y(c)    over all pairs of conditions that differ in A alone, l in c' and the base in c,
+
+and where a design has no such pair (Latin hypercubes) the mean over all c' with l less that over all
+c with the base's level. The interaction of two levels l and m of A and B: the mean of
+
+    y(l, m) - y(l, 0) - y(0, m) + y(0, 0)    over all such four conditions.
+
+Estimates are means over draws, of those that have every value; 95 % intervals from drawing objects
+with replacement (core/statistics/bootstrap.h), because draws of one object are alike. Many intervals
+are shown: one in twenty misses 0 by chance. */
+
+#include <string>
+#include <vector>
+
+#include "core/statistics/bootstrap.h"
+#include "datasets/plan/conditions.h"
+#include "datasets/session/session_store.h"
+
+namespace graspbench {
+
+struct SweepMeasure {
+  const char* id;     ///< "success"
+  const char* label;  ///< "success [%]", which is
+  double scale;       ///< times the value, with
+  int decimals;
+  double (*value)(const TrialRecord& record);  ///< NaN: it has none
+};
+/** Success, GFT%, sigma, breaking force (judged trials; an empty hand's is none). */
+const std::vector<SweepMeasure>& ListSweepMeasures();
+
+/** One condition and one hand. */
+struct ConditionRow {
+  std::string name;  ///< empty: the base
+  std::vector<std::string> levels;
+  std::string hand;
+  int num_planned = 0, num_finished = 0, num_successes = 0, num_numerical = 0;
+  std::vector<double> medians;  ///< of ListSweepMeasures(); of success the rate
+  /** Why these trials cannot decide what success depends on; empty: some succeed, some fail. */
+  std::string undecided;
+};
+
+/** What one level, or two levels together, change. */
+struct SweepEffect {
+  std::vector<std::string> factors, levels;  ///< one or two: an interaction
+  std::string measure, hand;
+  int num_draws = 0, num_objects = 0;
+  bool is_marginal = false;  ///< no two conditions differ in the factor alone
+  double estimate = kUnset;
+  Answer<Interval> interval = NoAnswer{"no draw has every value"};
+
+  bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
+};
+
+struct SweepSummary {
+  std::vector<Factor> factors;
+  std::vector<std::string> hands;
+  std::vector<ConditionRow> rows;  ///< conditions, then hands
+  std::vector<SweepEffect> effects, interactions;
+};
+SweepSummary SummariseSweep(const Session& session);
+
+/** "model.mass_scale=0.5 and grasp=g2". */
+std::string NameEffect(const SweepEffect& effect);
+
+/** conditions.csv and effects.csv with their dictionaries. */
+std::vector<ExportTable> MakeSweepTables(const SweepSummary& summary);
+
+Json ToJson(const SweepSummary& summary);
+
+}  // namespace graspbench

@@ -1,0 +1,120 @@
+#include "datasets/journal/foreign_lines.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/base/hash.h"
+#include "core/base/text/json_cursor.h"
+#include "datasets/journal/checked_line.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+/** Keys and values of an object, as they are written. */
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+/** @param wanted  the only key whose value is kept: the others are long. */
+Members ListMembers(std::string_view line, std::string_view wanted) {
+  Members members;
+  const auto add = [&](std::string_view key, std::string_view value) {
+    members.emplace_back(key, key == wanted ? value : std::string_view());
+  };
+  JsonCursor text(line);
+  text.Demand("{");
+  do {
+    const std::string_view key = text.ReadPlainText();
+    text.Demand(":");
+    const std::string_view value = text.ReadValue();
+    if (!text.has_failed()) add(key, value);
+  } while (text.Take(","));
+  text.Demand("}");
+  if (!text.has_failed() && text.rest().empty()) return members;
+  members.clear();
+  const Json json = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return members;
+  for (const auto& [key, value] : json.items()) add(key, FormatJson(value));
+  return members;
+}
+
+const LineKind* FindLineKind(const StoreKind& kind, const std::string& journal) {
+  const auto found = std::find_if(kind.lines.begin(), kind.lines.end(), [&](const LineKind& lines) {
+    return IsMatch(journal, lines.journals);
+  });
+  return found == kind.lines.end() ? nullptr : &*found;
+}
+
+const std::string* FindMember(const Members& members, const std::string& key) {
+  const auto found = std::find_if(members.begin(), members.end(),
+                                  [&](const auto& member) { return member.first == key; });
+  return found == members.end() ? nullptr : &found->second;
+}
+
+bool IsOfKind(const Members& members, const LineKind& kind) {
+  return !FindMember(members, kind.other_key) &&
+         std::all_of(kind.keys.begin(), kind.keys.end(),
+                     [&](const std::string& key) { return FindMember(members, key) != nullptr; });
+}
+
+/** Of a journal to which nothing is added any more [bytes]. */
+std::optional<uintmax_t> FindLastLength(const LineKind& kind, const std::string& journal,
+                                        const Manifest& manifest) {
+  std::optional<uintmax_t> length;
+  bool has_result = false;
+  for (const ManifestFile& file : manifest.files) {
+    if (file.path == journal) length = file.bytes;
+    if (file.path == kind.result) has_result = true;
+  }
+  return has_result ? length : std::nullopt;
+}
+
+struct Answer {
+  int line = 0;
+  uint64_t hash = 0;
+  bool is_told = false;  ///< that another line differs from it
+};
+
+}  // namespace
+
+std::vector<Damage> FindForeignLines(const StoreKind& kind, const fs::path& folder,
+                                     const std::string& journal, const Manifest& manifest) {
+  std::vector<Damage> foreign;
+  const LineKind* lines = FindLineKind(kind, journal);
+  if (!lines) return foreign;
+  const std::optional<uintmax_t> last_length = FindLastLength(*lines, journal, manifest);
+  std::map<std::string, Answer> answers;  // by question
+  ForEachLineOfFile(folder / journal, [&](const FileLine& line) {
+    if (!line.is_whole || !IsCheckedLine(line.text)) return;
+    if (last_length && line.start >= *last_length) {
+      foreign.push_back(
+          {journal, line.number, std::string("it was added after ") + lines->result + " was made"});
+      return;
+    }
+    const Members members = ListMembers(line.text, lines->question_key);
+    if (!IsOfKind(members, *lines)) {
+      foreign.push_back({journal, line.number, "it is a line of another kind of journal"});
+      return;
+    }
+    const std::string* question = FindMember(members, lines->question_key);
+    if (!question) return;
+    const uint64_t hash = CalcHash64(line.text);
+    const auto [first, is_new] = answers.try_emplace(*question, Answer{line.number, hash});
+    if (is_new || first->second.hash == hash) return;
+    const auto add = [&](int number, int other) {
+      foreign.push_back(
+          {journal, number,
+           "it answers question " + *question + " differently than line " + std::to_string(other)});
+    };
+    if (!std::exchange(first->second.is_told, true)) add(first->second.line, line.number);
+    add(line.number, first->second.line);
+  });
+  std::stable_sort(foreign.begin(), foreign.end(),
+                   [](const Damage& a, const Damage& b) { return a.line < b.line; });
+  return foreign;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,99 @@
+#include "human_study/events/recording_doubts.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace graspbench {
+namespace {
+
+using Column = Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double kCarriedRigid = 5e-3;  // [m] two tips that carry a thing stay as far apart as this
+constexpr double kObjectStays = 10e-3;  // [m] an object that moved less stayed
+constexpr double kOpposition = 1.3;     // a digit this many times farther out than the thumb
+constexpr double kOpposed = 0.02;       // .. and by this much [m]
+
+/** The sample of an instant; -1 outside. */
+int FindSampleAt(const std::vector<double>& times, double time) {
+  const SampleRun run = FindSamples(times, time, times.back());
+  return run.size() == 0 ? -1 : static_cast<int>(run.first);
+}
+
+bool AreAllSeen(const std::vector<SmoothPath>& tips, size_t sample) {
+  return std::all_of(tips.begin(), tips.end(),
+                     [&](const SmoothPath& tip) { return tip.path.IsValid(sample); });
+}
+
+Vector3d FindTipPlace(const SmoothPath& tip, size_t sample) {
+  return tip.path.p.col(static_cast<Column>(sample));
+}
+
+}  // namespace
+
+std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,
+                                  const Hold& hold, const LiftOffOptions& lift_off,
+                                  const PlausibilityOptions& options) {
+  if (options.min_carried == 0.0 || !hold.IsFound()) return {};
+  const std::vector<double>& times = tips.front().path.times;
+  const int at = FindSampleAt(times, hold.time);
+  if (at < 0 || !AreAllSeen(tips, static_cast<size_t>(at))) return {};
+  const Vector3d up = Vector3d(lift_off.up_x, lift_off.up_y, lift_off.up_z).normalized();
+  const auto held = static_cast<size_t>(at);
+  double highest = 0.0;
+  for (size_t i = held; i < times.size(); ++i) {
+    if (!AreAllSeen(tips, i)) continue;
+    double rise = 0.0;
+    for (size_t a = 0; a < tips.size(); ++a) {
+      rise += up.dot(FindTipPlace(tips[a], i) - FindTipPlace(tips[a], held)) /
+              static_cast<double>(tips.size());
+      for (size_t b = a + 1; b < tips.size(); ++b) {
+        const double now = (FindTipPlace(tips[a], i) - FindTipPlace(tips[b], i)).norm();
+        const double then = (FindTipPlace(tips[a], held) - FindTipPlace(tips[b], held)).norm();
+        if (std::abs(now - then) > kCarriedRigid) rise = -INFINITY;
+      }
+    }
+    const double moved = travel.displacement.values[static_cast<Column>(i)];
+    if (moved > kObjectStays) return {};
+    highest = std::max(highest, rise);
+  }
+  if (highest < options.min_carried) return {};
+  return {{"object_left_behind",
+           fmt::format("the digits rise {:.0f} mm together and the object's marker stays where it "
+                       "was: it is not on what the hand carries. Name the object's own marker "
+                       "under markers, or none",
+                       MmFromM(highest))}};
+}
+
+std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
+                                    const std::vector<SmoothPath>& tips, const Hold& hold) {
+  if (digits.size() < 4 || !digits.front().is_thumb || !hold.IsFound()) return {};
+  const int at = FindSampleAt(tips.front().path.times, hold.time);
+  if (at < 0 || !AreAllSeen(tips, static_cast<size_t>(at))) return {};
+  const auto held = static_cast<size_t>(at);
+  Vector3d sum = Vector3d::Zero();
+  for (const SmoothPath& tip : tips) sum += FindTipPlace(tip, held);
+  // From the middle of all others.
+  const auto out_of = [&](size_t d) {
+    const Vector3d others =
+        (sum - FindTipPlace(tips[d], held)) / static_cast<double>(tips.size() - 1);
+    return (FindTipPlace(tips[d], held) - others).norm();
+  };
+  size_t farthest = 0;
+  for (size_t d = 1; d < tips.size(); ++d) {
+    if (out_of(d) > out_of(farthest)) farthest = d;
+  }
+  const double thumb = out_of(0), most = out_of(farthest);
+  if (farthest == 0 || most < kOpposition * thumb || most < thumb + kOpposed) return {};
+  return {{"thumb_not_opposed",
+           fmt::format("in the hold digit {} is opposite all others ({:.0f} mm from their middle), "
+                       "the thumb is not ({:.0f} mm): their labels are likely exchanged through "
+                       "the whole file. Correct markers in study.yaml",
+                       digits[farthest].digit, MmFromM(most), MmFromM(thumb))}};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,26 @@
+#pragma once
+/** @file
+Two more doubts of plausibility.h, about what the markers stand for.
+
+  object_left_behind: after the hold the digits rise together, farther than
+    plausibility.min_carried_m, and the recorded object stays: its marker is not on what the hand
+    carries.
+  thumb_not_opposed: in the hold another digit, not the thumb, is opposite all others: their labels
+    are likely exchanged through the whole file. */
+
+#include <vector>
+
+#include "human_study/events/plausibility.h"
+
+namespace graspbench {
+
+/** @param tips  filtered. @param travel  of the object, which was recorded and not lifted. */
+std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,
+                                  const Hold& hold, const LiftOffOptions& lift_off,
+                                  const PlausibilityOptions& options);
+
+/** Of four digits or more with a thumb, all seen in the hold. */
+std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
+                                    const std::vector<SmoothPath>& tips, const Hold& hold);
+
+}  // namespace graspbench

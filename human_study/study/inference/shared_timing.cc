@@ -1,0 +1,110 @@
+#include "human_study/study/inference/shared_timing.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "core/base/text/text.h"
+#include "core/statistics/distributions.h"
+#include "core/statistics/summary.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kTrusted = 0.5;  // share of the clock's variance that the regression removes
+constexpr double kLeastDf = 5.0;
+constexpr double kRank = 1e-7;
+
+/** Successive differences over sqrt(2), which keep the variance of independent values. */
+struct Differences {
+  MatrixXd times;      // [difference][digit] [s]
+  MatrixXd transport;  // [difference][feature]
+  double df = 0.0;     // of a variance made of them, after von Neumann: neighbours share a trial
+};
+
+Differences TakeDifferences(const std::vector<SharedTimingRun>& runs) {
+  Eigen::Index count = 0;
+  for (const SharedTimingRun& run : runs) count += static_cast<Eigen::Index>(run.size()) - 1;
+  const auto num_digits = static_cast<Eigen::Index>(runs.front().front().contacts.size());
+  const auto num_features = static_cast<Eigen::Index>(runs.front().front().transport.size());
+  Differences differences{MatrixXd(count, num_digits), MatrixXd(count, num_features), 0.0};
+  Eigen::Index row = 0;
+  for (const SharedTimingRun& run : runs) {
+    const double n = static_cast<double>(run.size());
+    differences.df += n == 2.0 ? 1.0 : 2.0 * (n - 1.0) * (n - 1.0) / (3.0 * n - 4.0);
+    for (size_t i = 1; i < run.size(); ++i, ++row) {
+      for (Eigen::Index d = 0; d < num_digits; ++d) {
+        const auto digit = static_cast<size_t>(d);
+        differences.times(row, d) = (run[i].contacts[digit] - run[i].clock -
+                                     run[i - 1].contacts[digit] + run[i - 1].clock) /
+                                    std::sqrt(2.0);
+      }
+      for (Eigen::Index f = 0; f < num_features; ++f) {
+        const auto feature = static_cast<size_t>(f);
+        differences.transport(row, f) =
+            (run[i].transport[feature] - run[i - 1].transport[feature]) / std::sqrt(2.0);
+      }
+    }
+  }
+  return differences;
+}
+
+/** Takes out what follows the transport. @returns the number of features that say something. */
+double Adjust(Differences& differences) {
+  MatrixXd& features = differences.transport;
+  for (Eigen::Index f = 0; f < features.cols(); ++f) {
+    const double length = features.col(f).norm();
+    if (length > 0.0) features.col(f) /= length;
+  }
+  if (features.cols() == 0) return 0.0;
+  Eigen::ColPivHouseholderQR<MatrixXd> solver(features);
+  solver.setThreshold(kRank);
+  differences.times -= features * solver.solve(differences.times);
+  return static_cast<double>(solver.rank());
+}
+
+/** Variance that the clock may keep. */
+double BoundClock(const std::vector<SharedTimingRun>& runs) {
+  double noise = 0.0, squares = 0.0, count = 0.0, df = 0.0;
+  for (const SharedTimingRun& run : runs) {
+    std::vector<double> late;
+    for (const SharedTimingTrial& trial : run) {
+      noise += trial.clock_noise * trial.clock_noise + trial.shared_variance;
+      count += 1.0;
+      if (std::isfinite(trial.start)) late.push_back(trial.clock - trial.start);
+    }
+    if (late.size() < 2) continue;
+    squares += CalcMoments(late).sum_of_squares;
+    df += static_cast<double>(late.size()) - 1.0;
+  }
+  return noise / count + (df > 0.0 ? (1.0 - kTrusted) * squares / df : 0.0);
+}
+
+}  // namespace
+
+Answer<SharedTiming> CalcSharedTiming(const std::vector<SharedTimingRun>& runs) {
+  if (runs.empty() || runs.front().front().contacts.size() < 2) return NoAnswer{"no two digits"};
+  Differences differences = TakeDifferences(runs);
+  const double rows = static_cast<double>(differences.times.rows());
+  const double rank = Adjust(differences);
+  SharedTiming timing;
+  timing.df = differences.df - rank;
+  if (timing.df < kLeastDf) {
+    return NoAnswer{"only " + FormatFixed(std::max(0.0, timing.df), 0) +
+                    " degrees of freedom beside what the transport explains; expected 5 or more"};
+  }
+  const double num_digits = static_cast<double>(differences.times.cols());
+  const VectorXd means = differences.times.rowwise().mean();
+  const double of_means = means.squaredNorm() / (rows - rank);
+  const double own = (differences.times.colwise() - means).squaredNorm() /
+                     ((rows - rank) * (num_digits - 1.0) * num_digits);
+  timing.shared_sd = std::sqrt(std::max(0.0, of_means - own));
+  const double low = of_means * timing.df / CalcChiSquaredQuantile(0.95, timing.df) - own;
+  timing.shared_low_sd = std::sqrt(std::max(0.0, low));
+  timing.clock_sd = std::sqrt(BoundClock(runs));
+  return timing;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,256 @@
+#include "reports/sweep_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/hash.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
+#include "core/base/version.h"
+#include "datasets/analysis/sensitivity_summary.h"
+#include "reports/page/sectioned_page.h"
+#include "reports/plots/svg_plot.h"
+
+namespace graspbench {
+namespace {
+
+struct SweepView {
+  const Session& session;
+  const SweepSummary& summary;
+};
+
+std::string NameCondition(const std::string& name) { return name.empty() ? "base" : name; }
+
+std::string FormatValue(const SweepMeasure& measure, double value) {
+  return std::isfinite(value) ? FormatFixed(measure.scale * value, measure.decimals) : "n/a";
+}
+
+Html DrawConditions(const SweepView& view) {
+  std::vector<Column> columns = {{"Condition"}, {"Hand"}, {"Trials", Align::kNumber}};
+  for (const SweepMeasure& measure : ListSweepMeasures()) {
+    columns.push_back({measure.label, Align::kNumber, "rate of success; medians of the others"});
+  }
+  columns.push_back({"Note", Align::kProse});
+  Table table("Conditions and what their trials gave.", columns);
+  for (const ConditionRow& row : view.summary.rows) {
+    std::vector<Html> cells = {
+        Text(NameCondition(row.name)), Text(row.hand),
+        Text(std::to_string(row.num_finished) + " of " + std::to_string(row.num_planned))};
+    for (size_t i = 0; i < row.medians.size(); ++i) {
+      cells.push_back(Text(FormatValue(ListSweepMeasures()[i], row.medians[i])));
+    }
+    cells.push_back(Text(row.undecided));
+    table.AddRow(cells);
+  }
+  return table.ToHtml();
+}
+
+/** The condition with these levels of the first factors and the base's of all others; null: none. */
+const ConditionRow* FindRowAt(const SweepSummary& summary, const std::string& hand,
+                              std::vector<std::string> levels) {
+  for (size_t i = levels.size(); i < summary.factors.size(); ++i) {
+    levels.push_back(summary.factors[i].levels.front());
+  }
+  const auto found = std::find_if(
+      summary.rows.begin(), summary.rows.end(),
+      [&](const ConditionRow& row) { return row.hand == hand && row.levels == levels; });
+  return found == summary.rows.end() ? nullptr : &*found;
+}
+
+/** Shades run from the least to the largest value of the measure in all maps of a hand; those of
+success from none to all. */
+struct Range {
+  double low = 0.0, high = 1.0;
+  double CalcShade(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
+};
+
+Range FindRange(const SweepSummary& summary, const std::string& hand, size_t measure) {
+  Range range;
+  if (measure == 0) return range;
+  bool is_first = true;
+  for (const ConditionRow& row : summary.rows) {
+    const double value = row.medians[measure];
+    if (row.hand != hand || !std::isfinite(value)) continue;
+    range.low = is_first ? value : std::min(range.low, value);
+    range.high = is_first ? value : std::max(range.high, value);
+    is_first = false;
+  }
+  return range;
+}
+
+Html DrawMap(const SweepSummary& summary, const std::string& hand, size_t measure,
+             const std::string& third) {
+  const SweepMeasure& shown = ListSweepMeasures()[measure];
+  const Range range = FindRange(summary, hand, measure);
+  HeatMap map;
+  map.text.title = std::string(shown.label) + ", " + hand +
+                   (third.empty() ? "" : ", " + summary.factors[2].key + "=" + third);
+  map.text.description = "A table with " + summary.factors[0].key + " in rows and " +
+                         summary.factors[1].key + " in columns.";
+  for (const std::string& column : summary.factors[1].levels) {
+    map.columns.push_back(FormatSetting(column));
+    map.groups.push_back(summary.factors[1].key);
+  }
+  bool has_any = false;
+  for (const std::string& level : summary.factors[0].levels) {
+    map.rows.push_back(FormatSetting(summary.factors[0].key + "=" + level));
+    for (const std::string& column : summary.factors[1].levels) {
+      std::vector<std::string> levels = {level, column};
+      if (!third.empty()) levels.push_back(third);
+      HeatMap::Cell cell;
+      if (const ConditionRow* row = FindRowAt(summary, hand, levels)) {
+        const double value = row->medians[measure];
+        has_any = has_any || std::isfinite(value);
+        cell.rate = std::isfinite(value) ? range.CalcShade(value) : kUnset;
+        cell.text = FormatValue(shown, value);
+        cell.hint = NameCondition(row->name) + ": " + cell.text + ", " +
+                    std::to_string(row->num_successes) + " of " +
+                    FormatCount(row->num_finished, "trial") + " succeed";
+      }
+      map.cells.push_back(cell);
+    }
+  }
+  return has_any ? DrawHeatMap(map) : Html();
+}
+
+Html DrawMaps(const SweepView& view) {
+  const SweepSummary& summary = view.summary;
+  if (summary.factors.size() < 2) {
+    return MakeParagraph("A map needs two factors; this sweep has one.");
+  }
+  std::vector<std::string> thirds = {""};
+  if (summary.factors.size() >= 3) thirds = summary.factors[2].levels;
+  Html content;
+  for (const std::string& hand : summary.hands) {
+    for (size_t measure = 0; measure < ListSweepMeasures().size(); ++measure) {
+      Html maps;
+      for (const std::string& third : thirds) maps += DrawMap(summary, hand, measure, third);
+      if (maps.empty()) continue;
+      const std::string label = std::string(ListSweepMeasures()[measure].label) + ", " + hand;
+      content += MakeFigure(
+          label + ": " + summary.factors[0].key + " by " + summary.factors[1].key +
+              (summary.factors.size() >= 3 ? ", a map for each level of " + summary.factors[2].key
+                                           : "") +
+              (summary.factors.size() > 3 ? "; all other factors as the base has them" : "") +
+              ". Success is a rate, the rest are medians over the trials that have a value.",
+          "rows or columns that change together; a corner that breaks the pattern is an "
+          "interaction.",
+          MakeScroll(label, maps));
+    }
+  }
+  return content;
+}
+
+Html DrawEffectTable(const std::vector<SweepEffect>& effects, const std::string& caption) {
+  Table table(caption, {{"Level"},
+                        {"Hand"},
+                        {"Measure"},
+                        {"Draws", Align::kNumber},
+                        {"Objects", Align::kNumber},
+                        {"Change", Align::kNumber, "mean over draws, in the measure's unit"},
+                        {"95 % interval", Align::kProse}});
+  for (const SweepEffect& effect : effects) {
+    const auto& measures = ListSweepMeasures();
+    const auto measure =
+        std::find_if(measures.begin(), measures.end(),
+                     [&](const SweepMeasure& one) { return one.id == effect.measure; });
+    const std::string interval =
+        effect.interval ? FormatRange(measure->scale * effect.interval->low,
+                                      measure->scale * effect.interval->high, measure->decimals) +
+                              (effect.excludes_zero() ? ", excludes 0" : "")
+                        : effect.interval.reason();
+    table.AddRow({Text(NameEffect(effect)), Text(effect.hand), Text(measure->label),
+                  Text(std::to_string(effect.num_draws)), Text(std::to_string(effect.num_objects)),
+                  Text(FormatValue(*measure, effect.estimate)), Text(interval)});
+  }
+  return table.ToHtml();
+}
+
+Html DrawEffects(const SweepView& view) {
+  return MakeParagraph(
+             "Each level against the base's on the same draws; intervals come from "
+             "drawing objects with replacement. One interval in twenty misses 0 by "
+             "chance.") +
+         DrawEffectTable(view.summary.effects, "What each level changes.");
+}
+
+Html DrawInteractions(const SweepView& view) {
+  const std::vector<SweepEffect>& all = view.summary.interactions;
+  if (all.empty()) {
+    return MakeParagraph(
+        "The design has no two factors that change alone and together, so that "
+        "it says nothing of interactions.");
+  }
+  std::vector<SweepEffect> named;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(named),
+               [](const SweepEffect& effect) { return effect.excludes_zero(); });
+  const Html list =
+      MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "interaction"),
+                  DrawEffectTable(all, "What two levels change beyond the sum of both."));
+  if (named.empty()) {
+    return MakeParagraph("No 95 % interval of an interaction excludes 0.") + list;
+  }
+  return DrawEffectTable(named, "Interactions whose 95 % interval excludes 0.") + list;
+}
+
+Html DrawSweepFindings(const SweepView& view) {
+  std::vector<std::string> findings;
+  for (const Diagnostic& entry : view.session.findings.entries()) findings.push_back(entry.text);
+  for (const ConditionRow& row : view.summary.rows) {
+    const std::string name = NameCondition(row.name) + ", " + row.hand;
+    if (row.num_numerical > 0) {
+      findings.push_back(name + ": " + FormatCount(row.num_numerical, "trial") +
+                         " ended as numerical failure; they count as failures of the grasp.");
+    }
+    if (!row.undecided.empty()) findings.push_back(name + ": " + row.undecided + ".");
+  }
+  return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
+}
+
+Html DrawSweepMethods(const SweepView& view) {
+  std::string factors;
+  for (const Factor& factor : view.summary.factors) {
+    factors += (factors.empty() ? "" : "; ") + factor.key + " (";
+    for (size_t i = 0; i < factor.levels.size(); ++i) {
+      factors += (i > 0 ? ", " : "") + factor.levels[i];
+    }
+    factors += ")";
+  }
+  return MakeMethodsText(
+      {"Grasps were simulated with graspbench " + std::string(program_version()) + " under " +
+       FormatCount(static_cast<int>(view.session.config.conditions.size()) + 1, "condition") +
+       " of the factors " + factors +
+       ", the base's level first. Every condition met the same draws of the object's place and of "
+       "the joints' errors. Effects are means over draws of the differences between conditions "
+       "that differ in one factor alone (or, where a design has none, between means over "
+       "conditions); interactions are differences of such differences. 95 % intervals are "
+       "bias-corrected and accelerated, from drawing objects with replacement."});
+}
+
+}  // namespace
+
+std::string MakeSweepPage(const Session& session, const SweepSummary& summary) {
+  static const std::vector<PageSection<SweepView>> sections = {
+      {"conditions", "Conditions", &DrawConditions},
+      {"maps", "Maps", &DrawMaps},
+      {"effects", "What each level changes", &DrawEffects},
+      {"interactions", "Interactions", &DrawInteractions},
+      {"findings", "Errors and warnings", &DrawSweepFindings},
+      {"methods", "Methods", &DrawSweepMethods}};
+  const std::string trials = std::to_string(session.records.size()) + " of " +
+                             FormatCount(static_cast<int>(session.plan.size()), "planned trial") +
+                             " finished";
+  PageFrame frame = {
+      "Sweep",
+      FormatCount(static_cast<int>(summary.factors.size()), "factor") + ", " +
+          FormatCount(static_cast<int>(session.config.conditions.size()) + 1, "condition") + ", " +
+          trials + DescribeDamage(session.damage)};
+  frame.commands = {"graspbench run DIR/session.json --out ANOTHER", "graspbench report DIR"};
+  frame.facts = {{"Seed", std::to_string(session.config.seed)},
+                 {"Trials", trials},
+                 {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))}};
+  frame.references = {"roethling2007", "sherman2011", "efron1987"};
+  return MakeSectionedPage(frame, sections, SweepView{session, summary});
+}
+
+}  // namespace graspbench

@@ -1,0 +1,125 @@
+// Descriptions of hands written from the formats alone, by somebody who had not read the reader:
+// every wrong one is refused or reported by its subject, no right one is refused. cases.tsv beside
+// the files says what is wrong with each and which words the message must have.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/base/files/files.h"
+#include "core/base/text/text.h"
+#include "core/hand/import/import_hand.h"
+#include "core/hand/load_hand.h"
+#include "core/shape/obj_file.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+std::vector<std::string> SplitAt(const std::string& text, const std::string& separator) {
+  std::vector<std::string> parts;
+  size_t begin = 0;
+  for (size_t end; (end = text.find(separator, begin)) != std::string::npos;) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + separator.size();
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+std::vector<std::vector<std::string>> ReadCases(const std::string& folder) {
+  std::ifstream file(fs::path(IMPORT_TEST_DATA_DIR) / folder / "cases.tsv");
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty() && line[0] != '#') rows.push_back(SplitAt(line, "\t"));
+  }
+  return rows;
+}
+
+ImportedFiles ImportDescription(const fs::path& file, const std::string& palm,
+                                Diagnostics& problems) {
+  HandSource source;
+  source.file = file.filename().string();
+  source.folder = file.parent_path();
+  source.load_mesh = [](const fs::path& path) {
+    Diagnostics of_mesh;
+    const TriMesh mesh = ParseObj(ReadFile(path), path.string(), of_mesh);
+    of_mesh.ThrowIfErrors(ErrorKind::kFormat, "broken");
+    return mesh;
+  };
+  return ImportHand(ReadFile(file), source, palm, problems);
+}
+
+std::string NameOfFile(const testing::TestParamInfo<std::vector<std::string>>& info) {
+  std::string name = info.param[0];
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+}
+
+class WrongDescriptionTest : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(WrongDescriptionTest, IsRefusedOrReported) {
+  const std::vector<std::string>& row = GetParam();
+  ASSERT_EQ(row.size(), 4u);
+  Diagnostics problems;
+  ImportDescription(fs::path(IMPORT_TEST_DATA_DIR) / "wrong" / row[0], "", problems);
+  if (row[1] == "refused") {
+    EXPECT_GT(problems.num_errors(), 0) << row[3];
+  }
+  bool is_told = false;
+  for (const Diagnostic& problem : problems.entries()) {
+    bool has_all = row[1] == "reported" || problem.severity == Severity::kError;
+    for (const std::string& word : SplitAt(row[2], " & ")) {
+      has_all = has_all && problem.text.find(word) != std::string::npos;
+    }
+    is_told = is_told || has_all;
+  }
+  EXPECT_TRUE(is_told) << row[3] << "; expected \"" << row[2] << "\" in\n" << problems.Format();
+}
+INSTANTIATE_TEST_SUITE_P(All, WrongDescriptionTest, testing::ValuesIn(ReadCases("wrong")),
+                         NameOfFile);
+
+class RightDescriptionTest : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(RightDescriptionTest, IsImportedAndLoads) {
+  const std::vector<std::string>& row = GetParam();
+  ASSERT_EQ(row.size(), 3u);
+  Diagnostics problems;
+  const ImportedFiles imported = ImportDescription(
+      fs::path(IMPORT_TEST_DATA_DIR) / "right" / row[0], row[1] == "-" ? "" : row[1], problems);
+  ASSERT_EQ(problems.num_errors(), 0) << row[2] << "\n" << problems.Format();
+  const fs::path out = fs::path(testing::TempDir()) / ("right_hand_" + std::to_string(::getpid()));
+  fs::remove_all(out);
+  for (const auto& [name, content] : imported.files) {
+    MakeFolder((out / name).parent_path());
+    WriteFile(out / name, content);
+  }
+  Diagnostics of_loading;
+  CheckHand(out.string(), of_loading);
+  EXPECT_EQ(of_loading.Format(), "");
+  fs::remove_all(out);
+}
+INSTANTIATE_TEST_SUITE_P(All, RightDescriptionTest, testing::ValuesIn(ReadCases("right")),
+                         NameOfFile);
+
+// What is right must not be drowned in doubts of unit, scale, axis or mass either.
+TEST_P(RightDescriptionTest, IsNotDoubted) {
+  Diagnostics problems;
+  ImportDescription(fs::path(IMPORT_TEST_DATA_DIR) / "right" / GetParam()[0],
+                    GetParam()[1] == "-" ? "" : GetParam()[1], problems);
+  for (const Diagnostic& problem : problems.entries()) {
+    for (const char* doubt : {"would fit", "mirror image", "times as much", "taken to be in",
+                              "fixed: give", "without torque"}) {
+      EXPECT_EQ(problem.text.find(doubt), std::string::npos) << problem.text;
+    }
+  }
+}
+
+TEST(DescriptionsTest, ThereAreAsManyAsClaimed) {
+  EXPECT_GE(ReadCases("wrong").size(), 60u);
+  EXPECT_GE(ReadCases("right").size(), 25u);
+}
+
+}  // namespace
+}  // namespace graspbench

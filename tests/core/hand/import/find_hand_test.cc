@@ -1,0 +1,92 @@
+#include "core/hand/import/find_hand.h"
+
+#include <gtest/gtest.h>
+
+namespace graspbench {
+namespace {
+
+/** Links by name, each with a shape, that hang on the one named before them, 30 mm along x times
+`step`. */
+class TreeBuilder {
+ public:
+  int Add(const std::string& name, int parent, bool moves, const Eigen::Vector3d& at) {
+    ForeignLink& link = hand.links.emplace_back();
+    link.name = name;
+    link.collisions.emplace_back();
+    const int child = static_cast<int>(hand.links.size()) - 1;
+    if (parent < 0) return child;
+    ForeignJoint& joint = hand.joints.emplace_back();
+    joint.kind = moves ? ForeignJoint::Kind::kRevolute : ForeignJoint::Kind::kFixed;
+    joint.parent = parent;
+    joint.child = child;
+    joint.X_PJ = MakePose(at);
+    return child;
+  }
+  void AddClaw(const std::string& name, int parent, const Eigen::Vector3d& at) {
+    const int palm = Add(name, parent, false, at);
+    Add(name + "_a", palm, true, {0.03, 0, 0});
+    Add(name + "_b", palm, true, {-0.03, 0, 0});
+  }
+  HandPlace Find(const std::string& palm = "") {
+    return FindHand(hand, MakeForeignTree(hand), std::vector<bool>(hand.links.size(), true), palm,
+                    "rig.urdf", problems);
+  }
+  ForeignHand hand;
+  Diagnostics problems;
+};
+
+TEST(FindHandTest, OneHandIsItsOwn) {
+  TreeBuilder rig;
+  rig.AddClaw("claw", -1, {0, 0, 0});
+  const HandPlace place = rig.Find();
+  EXPECT_EQ(place.palm, 0);
+  EXPECT_EQ(place.top, 0);
+  EXPECT_EQ(rig.problems.Format(), "");
+}
+
+TEST(FindHandTest, TwoHandsAreListedAndOneIsChosen) {
+  TreeBuilder rig;
+  const int root = rig.Add("rig", -1, false, {0, 0, 0});
+  rig.AddClaw("left", root, {0, 0.2, 0});
+  rig.AddClaw("right", root, {0, -0.2, 0});
+  EXPECT_EQ(rig.Find().palm, -1);
+  EXPECT_EQ(rig.problems.Format(),
+            "rig.urdf: error: found 2 hands, with the palms \"left\", \"right\"; choose one with "
+            "--palm");
+  const HandPlace place = rig.Find("right");
+  EXPECT_EQ(rig.hand.links[place.palm].name, "right");
+  EXPECT_EQ(rig.hand.links[place.top].name, "right");
+}
+
+// A moving metacarpal with two fingers beside three other digits, as some hands have: no hand in a
+// hand.
+TEST(FindHandTest, APartWithTwoFingersNearTheOthersIsNoHandOfItsOwn) {
+  TreeBuilder rig;
+  const int palm = rig.Add("palm", -1, false, {0, 0, 0});
+  rig.Add("thumb", palm, true, {0.03, 0, 0});
+  rig.Add("index", palm, true, {0, 0, 0.09});
+  const int part = rig.Add("metacarpal", palm, true, {0, 0.03, 0.02});
+  rig.Add("ring", part, true, {0, 0, 0.07});
+  rig.Add("little", part, true, {0, 0.02, 0.06});
+  EXPECT_EQ(rig.Find().palm, palm);
+}
+
+TEST(FindHandTest, ThingsOfAWorldAreNoDigits) {
+  TreeBuilder scene;
+  const int world = scene.Add("world", -1, false, {0, 0, 0});
+  scene.hand.links[0].collisions.clear();
+  scene.hand.world = world;
+  scene.Add("door", world, true, {1, 0, 0});
+  scene.Add("drawer", world, true, {0, 1, 0});
+  EXPECT_EQ(scene.Find().palm, -1);
+  EXPECT_NE(scene.problems.Format().find("found \"door\", \"drawer\", each on its own"),
+            std::string::npos);
+  scene.AddClaw("claw", world, {0, 0, 0});
+  scene.problems = {};
+  EXPECT_EQ(scene.hand.links[scene.Find().palm].name, "claw");
+  EXPECT_NE(scene.problems.Format().find("\"door\", \"drawer\": not of the hand at \"claw\""),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

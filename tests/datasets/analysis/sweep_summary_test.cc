@@ -1,0 +1,137 @@
+#include "datasets/analysis/sweep_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace graspbench {
+namespace {
+
+constexpr int kNumObjects = 6, kNumTrials = 3;
+
+/** sigma is what a law says of two factors, objects and draws; who succeeds is planted, too. */
+class PlantedSweep : public testing::Test {
+ protected:
+  PlantedSweep() {
+    session_.config.conditions = {{"A", {"model.mass_scale=2.0"}},
+                                  {"B", {"model.friction_scale=0.8"}},
+                                  {"AB", {"model.mass_scale=2.0", "model.friction_scale=0.8"}}};
+  }
+
+  template <class Sigma, class Success>
+  void Plant(Sigma calc_sigma, Success succeeds) {
+    for (int object = 0; object < kNumObjects; ++object) {
+      for (int trial = 0; trial < kNumTrials; ++trial) {
+        for (int c = 0; c < 4; ++c) {
+          TrialRecord record;
+          record.plan = {"id" + std::to_string(session_.plan.size()),
+                         "tum",
+                         "object" + std::to_string(object),
+                         "g1",
+                         trial,
+                         std::nullopt};
+          if (c > 0) {
+            record.plan.condition = session_.config.conditions[static_cast<size_t>(c) - 1].name;
+          }
+          const bool a = c == 1 || c == 3, b = c >= 2;
+          record.result.stability.sigma = calc_sigma(a, b, object, trial);
+          record.result.outcome =
+              succeeds(a, b, object, trial) ? Outcome::kSuccess : Outcome::kNoContact;
+          session_.plan.push_back(record.plan);
+          session_.records.push_back(record);
+        }
+      }
+    }
+  }
+  static const SweepEffect& Find(const std::vector<SweepEffect>& effects, const std::string& name,
+                                 const std::string& measure) {
+    for (const SweepEffect& effect : effects) {
+      if (NameEffect(effect) == name && effect.measure == measure) return effect;
+    }
+    ADD_FAILURE() << name << " " << measure;
+    return effects.front();
+  }
+
+  Session session_;
+};
+
+// sigma = 5 + object + trial/10 + (2 + e_o) a + (-1) b + (0.5 + f_o) a b, the means of e_o and f_o
+// over objects 0: by hand the effect of A over both levels of B is 2 + 0.5 / 2, that of B
+// -1 + 0.5 / 2, their interaction 0.5.
+TEST_F(PlantedSweep, EffectsAreThoseOfTheClosedForm) {
+  const auto e = [](int object) { return 0.1 * (object - 2.5); };
+  Plant(
+      [&](bool a, bool b, int object, int trial) {
+        return 5.0 + object + 0.1 * trial + (a ? 2.0 + e(object) : 0.0) - (b ? 1.0 : 0.0) +
+               (a && b ? 0.5 - e(object) : 0.0);
+      },
+      [](bool a, bool, int object, int) { return !a || object % 2 == 0; });
+  const SweepSummary summary = SummariseSweep(session_);
+  const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
+  EXPECT_NEAR(a.estimate, 2.25, 1e-12);
+  EXPECT_EQ(a.num_draws, kNumObjects * kNumTrials);
+  EXPECT_EQ(a.num_objects, kNumObjects);
+  EXPECT_TRUE(a.excludes_zero());
+  EXPECT_LT(a.interval->low, 2.25);
+  EXPECT_GT(a.interval->high, 2.25);
+  EXPECT_FALSE(a.is_marginal);
+  EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "sigma_n").estimate, -0.75, 1e-12);
+  const SweepEffect& both =
+      Find(summary.interactions, "model.mass_scale=2.0 and model.friction_scale=0.8", "sigma_n");
+  EXPECT_NEAR(both.estimate, 0.5, 1e-12);
+  EXPECT_TRUE(both.excludes_zero());
+  // Under A every second object fails: a change of -1/2, whatever B.
+  EXPECT_NEAR(Find(summary.effects, "model.mass_scale=2.0", "success").estimate, -0.5, 1e-12);
+  EXPECT_NEAR(Find(summary.effects, "model.friction_scale=0.8", "success").estimate, 0.0, 1e-12);
+  EXPECT_NEAR(summary.rows[1].medians[0], 0.5, 1e-12);
+  EXPECT_NE(summary.rows[0].undecided.find("cannot decide success: all 18 trials succeed"),
+            std::string::npos);
+  EXPECT_TRUE(summary.rows[1].undecided.empty());
+}
+
+// Objects that differ as much as the effect is large: an interval over 18 draws as if they were
+// independent would exclude 0; that over six objects must not.
+TEST_F(PlantedSweep, IntervalsRespectThatDrawsOfAnObjectAreAlike) {
+  Plant([](bool a, bool, int object,
+           int trial) { return a ? (object < 4 ? 1.0 : -1.2) + 0.01 * trial : 0.0; },
+        [](bool, bool, int, int) { return true; });
+  const SweepSummary summary = SummariseSweep(session_);
+  const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
+  EXPECT_NEAR(a.estimate, (4.0 - 2.4) / 6.0 + 0.01, 1e-12);
+  ASSERT_TRUE(a.interval);
+  EXPECT_FALSE(a.excludes_zero());
+  const SweepEffect& success = Find(summary.effects, "model.mass_scale=2.0", "success");
+  EXPECT_FALSE(success.interval);
+  EXPECT_NE(success.interval.reason().find("cannot decide success: all 72 trials succeed"),
+            std::string::npos)
+      << success.interval.reason();
+}
+
+TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
+  Plant([](bool a, bool b, int, int trial) { return a && b && trial == 0 ? kUnset : 1.0 + a; },
+        [](bool, bool, int, int trial) { return trial > 0; });
+  session_.records.erase(session_.records.begin());  // the base of one draw
+  const SweepSummary summary = SummariseSweep(session_);
+  const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
+  EXPECT_EQ(a.num_draws, kNumObjects * (kNumTrials - 1));
+  EXPECT_NEAR(a.estimate, 1.0, 1e-12);
+  EXPECT_EQ(summary.rows[0].num_finished, kNumObjects * kNumTrials - 1);
+}
+
+TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
+  Plant([](bool a, bool, int, int) { return 1.0 + a; },
+        [](bool, bool, int object, int) { return object > 0; });
+  const std::vector<ExportTable> tables = MakeSweepTables(SummariseSweep(session_));
+  ASSERT_EQ(tables.size(), 2u);
+  EXPECT_EQ(tables[0].csv.substr(0, tables[0].csv.find('\n')),
+            "condition,model_mass_scale,model_friction_scale,hand,planned,finished,successes,"
+            "numerical_failures,median_gft_ratio,median_sigma_n,median_breaking_force_n,"
+            "undecided");
+  EXPECT_NE(tables[1].csv.find("\nmodel.mass_scale,2.0,,,tum,sigma_n,18,6,0,1.0,,,"),
+            std::string::npos)
+      << tables[1].csv;
+  EXPECT_EQ(tables[0].schema.at("fields").size(), 12u);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,147 @@
+#include "datasets/plan/conditions.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/base/error.h"
+#include "datasets/plan/session_plan.h"
+
+namespace graspbench {
+namespace {
+
+TEST(NormaliseSetting, GivesOneNameToOneSetting) {
+  const SessionConfig config;
+  for (const char* same : {"sim.step_s=0.001", "sim.step_s=1e-3", " sim.step_s = 1.0e-03"}) {
+    EXPECT_EQ(NormaliseSetting(same, config), "sim.step_s=0.001");
+  }
+  EXPECT_EQ(NormaliseSetting("model.coupling_rule=even", config), "model.coupling_rule=even");
+  EXPECT_EQ(NormaliseSetting("positioning=camera", config), "positioning=camera");
+  EXPECT_EQ(NormaliseSetting("delay.last=1e-1", config), "delay.last=0.1");
+  EXPECT_EQ(NormaliseSetting("grasp=g2", config), "grasp=g2");
+}
+
+TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
+  const auto explain = [](const std::string& assignment) -> std::pair<ErrorKind, std::string> {
+    try {
+      return {ErrorKind::kUnsupported, NormaliseSetting(assignment, SessionConfig())};
+    } catch (const Error& e) {
+      return {e.kind(), e.what()};
+    }
+  };
+  struct Case {
+    const char* assignment;
+    ErrorKind kind;
+    const char* text;
+  };
+  for (const Case& c : {
+           Case{"seed=2", ErrorKind::kUsage, "decides which trials there are"},
+           Case{"hands=tum", ErrorKind::kUsage, "decides which trials there are"},
+           Case{"positioning=eyes", ErrorKind::kRange, "nominal, true, camera"},
+           Case{"sensors.rate_hz=100", ErrorKind::kUsage,
+                "changes nothing here: the session has touch: exact, not sensed"},
+           Case{"camera.noise_grey_levels=5", ErrorKind::kUsage,
+                "positioning: nominal, not camera"},
+           Case{"model.mas_scale=2", ErrorKind::kUsage, "did you mean \"model.mass_scale\"?"},
+           Case{"model.mass_scale", ErrorKind::kUsage, "expected KEY=VALUE"},
+           Case{"model.mass_scale=heavy", ErrorKind::kUsage, "expected a finite number"},
+           Case{"model.mass_scale=0", ErrorKind::kRange, "expected 0.01 to 100"},
+           Case{"model.coupling_rule=evn", ErrorKind::kRange, "did you mean \"even\"?"},
+           Case{"sim.table_friction_dynamic=1", ErrorKind::kRange, "must not be higher"},
+           Case{"delay.last=-0.1", ErrorKind::kRange, "expected a time from 0 to 10"},
+           Case{"delay.last=soon", ErrorKind::kRange, "expected a time from 0 to 10"},
+           Case{"backend=simbody", ErrorKind::kUsage, "no backend \"simbody\""},
+           Case{"grasp=my.yaml", ErrorKind::kUsage, "named by --grasp"},
+           Case{"grasp=all", ErrorKind::kUsage, "expected best or the id of one grasp"},
+       }) {
+    const auto [kind, text] = explain(c.assignment);
+    EXPECT_EQ(kind, c.kind) << c.assignment;
+    EXPECT_NE(text.find(c.text), std::string::npos) << text;
+  }
+}
+
+class PlannedConditions : public testing::Test {
+ protected:
+  PlannedConditions() {
+    config_.hands = {"tum"};
+    config_.objects = {"golf_ball"};
+    config_.trials = 2;
+  }
+  /** The trials under one condition; none: of the base. */
+  std::vector<PlannedTrial> FindTrials(const std::optional<std::string>& condition) const {
+    std::vector<PlannedTrial> trials;
+    for (const PlannedTrial& planned : MakePlan(config_, LoadSessionInputs(config_))) {
+      if (planned.condition == condition) trials.push_back(planned);
+    }
+    return trials;
+  }
+  SessionConfig config_;
+};
+
+// The base is the session's own trials, and a condition of settings those of the session that has
+// them: so what is known already need not run again.
+TEST_F(PlannedConditions, HaveTheIdsOfTheSessionsThatTheyAre) {
+  const SessionConfig plain = config_;
+  config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}, {"late", {"delay.last=0.1"}}};
+  const std::vector<PlannedTrial> base = MakePlan(plain, LoadSessionInputs(plain));
+  EXPECT_EQ(FindTrials(std::nullopt), base);
+  SessionConfig heavy = plain;
+  ApplySetting("model.mass_scale=2", heavy);
+  const std::vector<PlannedTrial> expected = MakePlan(heavy, LoadSessionInputs(heavy));
+  const std::vector<PlannedTrial> found = FindTrials("heavy");
+  ASSERT_EQ(found.size(), expected.size());
+  for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].id, expected[i].id);
+  std::set<std::string> ids;
+  for (const PlannedTrial& planned : MakePlan(config_, LoadSessionInputs(config_))) {
+    EXPECT_TRUE(ids.insert(planned.id).second) << DescribeTrial(planned);
+  }
+  EXPECT_EQ(ids.size(), 6u);
+}
+
+// The same unit variates in a box twice as wide: every offset is twice what it was.
+TEST_F(PlannedConditions, ScaleTheSameDraws) {
+  config_.conditions = {{"wide", {"variation.offset_m=0.01"}}};
+  const SessionInputs inputs = LoadSessionInputs(config_);
+  const std::vector<PlannedTrial> base = FindTrials(std::nullopt), wide = FindTrials("wide");
+  ASSERT_EQ(wide.size(), base.size());
+  for (size_t i = 0; i < wide.size(); ++i) {
+    const TrialDraw narrow = MakeTrialSetup(config_, inputs, base[i]).draw;
+    const TrialDraw broad = MakeTrialSetup(config_, inputs, wide[i]).draw;
+    EXPECT_NEAR(broad.offset_x, 2.0 * narrow.offset_x, 1e-15);
+    EXPECT_NEAR(broad.offset_y, 2.0 * narrow.offset_y, 1e-15);
+    EXPECT_EQ(broad.offset_yaw, narrow.offset_yaw);
+    EXPECT_EQ(broad.joint_error, narrow.joint_error);
+  }
+}
+
+TEST_F(PlannedConditions, ThatComeToOneTrialAreRefused) {
+  config_.conditions = {{"same", {"model.mass_scale=1.0"}}};
+  EXPECT_THROW(MakePlan(config_, LoadSessionInputs(config_)), Error);
+}
+
+TEST_F(PlannedConditions, AreFrozenWithTheSession) {
+  config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}, {"late", {"delay.last=0.1"}}};
+  config_.draws = "halton";
+  const SessionConfig read = SessionConfigFromJson(ToJson(config_));
+  EXPECT_EQ(ToJson(read), ToJson(config_));
+  ASSERT_EQ(read.conditions.size(), 2u);
+  EXPECT_EQ(read.conditions[1].settings, config_.conditions[1].settings);
+  // Sessions without them are written as ever.
+  EXPECT_FALSE(ToJson(SessionConfig()).contains("conditions"));
+  EXPECT_FALSE(ToJson(SessionConfig()).contains("draws"));
+}
+
+TEST_F(PlannedConditions, HaveFactorsWithTheBasesLevelFirst) {
+  config_.conditions = {{"a", {"model.mass_scale=2.0"}},
+                        {"b", {"delay.last=0.1", "model.mass_scale=0.5"}}};
+  const std::vector<Factor> factors = ListFactors(config_);
+  ASSERT_EQ(factors.size(), 2u);
+  EXPECT_EQ(factors[0].levels, (std::vector<std::string>{"1.0", "2.0", "0.5"}));
+  EXPECT_EQ(factors[1].levels, (std::vector<std::string>{"0.0", "0.1"}));
+  EXPECT_EQ(FindLevel(config_, "a", "delay.last"), "0.0");
+  EXPECT_EQ(FindLevel(config_, "b", "delay.last"), "0.1");
+  EXPECT_EQ(FindLevel(config_, std::nullopt, "model.mass_scale"), "1.0");
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,82 @@
+#include "human_study/events/recording_doubts.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace graspbench {
+namespace {
+
+constexpr size_t kNumSamples = 200;  // at 100 Hz; the hold is at 1 s
+
+/** Digits at rest about an object; from 1.2 s on all rise by `rise`. */
+std::vector<SmoothPath> MakeTips(const std::vector<Eigen::Vector3d>& places, double rise) {
+  std::vector<SmoothPath> tips(places.size());
+  for (size_t d = 0; d < tips.size(); ++d) {
+    Trajectory& path = tips[d].path;
+    path.p.resize(3, kNumSamples);
+    for (size_t i = 0; i < kNumSamples; ++i) {
+      const double t = 0.01 * static_cast<double>(i);
+      path.times.push_back(t);
+      path.states.push_back(SampleState::kMeasured);
+      path.p.col(static_cast<Eigen::Index>(i)) =
+          places[d] + Eigen::Vector3d(0.0, 0.0, t > 1.2 ? rise : 0.0);
+    }
+  }
+  return tips;
+}
+
+ObjectTravel MakeStill(double moved) {
+  ObjectTravel travel;
+  travel.displacement.values = Eigen::VectorXd::Constant(kNumSamples, moved);
+  return travel;
+}
+
+Hold MakeHoldAt(double time) {
+  Hold hold;
+  hold.time = hold.begin = hold.end = time;
+  return hold;
+}
+
+const std::vector<Eigen::Vector3d> kOpposed = {{0.0, -0.04, 0.0},
+                                               {-0.03, 0.04, 0.0},
+                                               {-0.01, 0.04, 0.0},
+                                               {0.01, 0.04, 0.0},
+                                               {0.03, 0.04, 0.0}};
+
+std::vector<DigitTrack> MakeDigits() {
+  std::vector<DigitTrack> digits(5);
+  const std::array<const char*, 5> names = {"TH", "FF", "MF", "RF", "LF"};
+  for (size_t d = 0; d < 5; ++d) digits[d].digit = names[d];
+  digits[0].is_thumb = true;
+  return digits;
+}
+
+TEST(FindLeftBehind, AHandThatRisesWithoutItsObject) {
+  const auto find = [](double rise, double moved) {
+    return FindLeftBehind(MakeTips(kOpposed, rise), MakeStill(moved), MakeHoldAt(1.0), {}, {});
+  };
+  ASSERT_EQ(find(0.13, 0.0).size(), 1u);
+  EXPECT_EQ(find(0.13, 0.0)[0].code, "object_left_behind");
+  EXPECT_NE(find(0.13, 0.0)[0].text.find("rise 130 mm together"), std::string::npos);
+  EXPECT_TRUE(find(0.02, 0.0).empty());   // no lift
+  EXPECT_TRUE(find(0.13, 0.05).empty());  // the object goes along
+}
+
+TEST(FindSwappedThumb, TheOpposingDigitIsTheThumb) {
+  const std::vector<DigitTrack> digits = MakeDigits();
+  EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(kOpposed, 0.0), MakeHoldAt(1.0)).empty());
+  std::vector<Eigen::Vector3d> exchanged = kOpposed;
+  std::swap(exchanged[0], exchanged[1]);
+  const auto doubts = FindSwappedThumb(digits, MakeTips(exchanged, 0.0), MakeHoldAt(1.0));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "thumb_not_opposed");
+  EXPECT_NE(doubts[0].text.find("digit FF is opposite all others"), std::string::npos);
+  // All in one row, as on a flat hand: nothing to say.
+  const std::vector<Eigen::Vector3d> row = {
+      {-0.06, 0.0, 0.0}, {-0.03, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.03, 0.0, 0.0}, {0.06, 0.0, 0.0}};
+  EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(row, 0.0), MakeHoldAt(1.0)).empty());
+}
+
+}  // namespace
+}  // namespace graspbench

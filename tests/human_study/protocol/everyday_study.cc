@@ -1,0 +1,240 @@
+#include "tests/human_study/protocol/everyday_study.h"
+
+#include <cmath>
+#include <fstream>
+
+#include "core/base/files/files.h"
+#include "core/base/random.h"
+#include "core/statistics/summary.h"
+#include "human_study/recording/c3d_writer.h"
+#include "human_study/study/run/trial_flags.h"
+
+namespace graspbench::everyday {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTips[] = {"thumb", "index", "middle", "ring", "little"};
+
+void AddPoint(const std::string& label, const std::vector<Eigen::Vector3d>& path,
+              Recording& recording) {
+  RecordedPoint& point = recording.points.emplace_back();
+  point.label = label;
+  for (const Eigen::Vector3d& p : path) point.Append(1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
+}
+
+Recording MakeRecording(const Reach& reach, double rate) {
+  Recording recording;
+  recording.rate = rate;
+  recording.num_frames = reach.times.size();
+  for (int d = 0; d < kNumDigits; ++d) AddPoint(kTips[d], reach.digits[d], recording);
+  AddPoint("wrist", reach.wrist, recording);
+  for (size_t m = 0; m < reach.object_markers.size(); ++m) {
+    AddPoint("object_" + std::to_string(m + 1), reach.object_markers[m], recording);
+  }
+  SetLengthUnit(recording, "mm", "protocol");
+  return recording;
+}
+
+void WriteSettings(const StudyPlan& plan, const fs::path& folder) {
+  std::string yaml = "name: Everyday reaches\nmarkers:\n";
+  for (const char* tip : kTips) yaml += std::string("  ") + tip + ": " + tip + "\n";
+  yaml += "  wrist: wrist\n  object: [";
+  for (int m = 1; m <= plan.conditions.num_object_markers; ++m) {
+    yaml += (m == 1 ? "object_" : ", object_") + std::to_string(m);
+  }
+  yaml +=
+      "]\nmultiverse: {onset: [], cutoff_hz: [], detector: [speed], opening: []}\n"
+      "bias_trials: 0\n";
+  if (plan.has_shape) {
+    yaml += "objects: objects.csv\n";
+    WriteFileAtomically(folder / "objects.csv",
+                        "object,shape,length_m,height_m,centre_x_m,centre_y_m,centre_z_m\n"
+                        "cylinder,cylinder,0.064,0.11,0,0,-0.055\n");
+  }
+  WriteFileAtomically(folder / "study.yaml", yaml + plan.settings);
+}
+
+}  // namespace
+
+Judged RunPlan(const StudyPlan& plan, const fs::path& scratch) {
+  const fs::path folder = scratch / "everyday_study";
+  fs::remove_all(folder);
+  MakeFolder(folder);
+  Judged judged;
+  std::string trials =
+      std::string("participant,trial,file") + (plan.has_shape ? ",object\n" : "\n");
+  for (int person = 1; person <= plan.num_people; ++person) {
+    const std::string name = "p" + std::to_string(person);
+    for (int trial = 0; trial < plan.trials_per_person; ++trial) {
+      judged.truth.push_back(MakeReach(plan.conditions, plan.seed + "/" + name, trial));
+      const std::string file = name + "_" + std::to_string(trial + 1) + ".c3d";
+      std::ofstream out(folder / file, std::ios::binary);
+      WriteC3d(out, MakeRecording(judged.truth.back(), plan.conditions.rate));
+      trials += name + "," + std::to_string(trial + 1) + "," + file;
+      trials += plan.has_shape ? ",cylinder\n" : "\n";
+    }
+  }
+  WriteFileAtomically(folder / "trials.csv", trials);
+  WriteSettings(plan, folder);
+  judged.result = RunStudy(LoadStudy(folder / "study.yaml"));
+  fs::remove_all(folder);
+  return judged;
+}
+
+Accuracy CompareWithTruth(const Judged& judged) {
+  constexpr double kLarge = 0.02;  // [s]
+  Accuracy accuracy;
+  std::vector<double> errors;
+  int num_covered = 0;
+  for (size_t i = 0; i < judged.truth.size(); ++i) {
+    ++accuracy.num_trials;
+    const StudyTrial& found = judged.result.trials.at(i);
+    if (!found.IsKept()) continue;
+    ++accuracy.num_kept;
+    for (size_t d = 0; d < kNumDigits; ++d) {
+      const EventTime& contact = found.analysis->contacts.at(d).contact;
+      const double touch = judged.truth[i].touch_times[d];
+      accuracy.num_true_contacts += !std::isnan(touch);
+      if (!contact.IsFound() || std::isnan(touch)) continue;
+      ++accuracy.num_contacts;
+      const double error = contact.time - touch;
+      errors.push_back(error);
+      num_covered += std::abs(error) <= 1.96 * contact.uncertainty;
+      accuracy.num_silent += std::abs(error) > kLarge && FormatFlags(*found.analysis).empty() &&
+                             std::abs(error) > 3.0 * contact.uncertainty;
+    }
+  }
+  if (errors.size() > 1) {
+    const Moments moments = CalcMoments(errors);
+    accuracy.bias = moments.mean;
+    accuracy.sd = std::sqrt(moments.sum_of_squares / (double(errors.size()) - 1.0));
+    accuracy.coverage = num_covered / double(errors.size());
+  }
+  return accuracy;
+}
+
+namespace {
+
+void AddVerdict(const Answer<IndependenceNull>& null, Verdicts& verdicts) {
+  if (!null) {
+    ++verdicts.num_none;
+    return;
+  }
+
+  switch (null->Judge(null->gft)) {
+    case IndependenceVerdict::kMore:
+      ++verdicts.num_more;
+      break;
+    case IndependenceVerdict::kLess:
+      ++verdicts.num_less;
+      break;
+    case IndependenceVerdict::kNotDecided:
+      ++verdicts.num_not_decided;
+      break;
+    case IndependenceVerdict::kNoDifference:
+      ++verdicts.num_no_difference;
+      break;
+  }
+}
+
+Movement FindWristMovement(const Reach& reach) {
+  Trajectory wrist;
+  wrist.times = reach.times;
+  wrist.states.assign(reach.times.size(), SampleState::kMeasured);
+  wrist.p.resize(3, static_cast<Eigen::Index>(reach.times.size()));
+  for (size_t i = 0; i < reach.times.size(); ++i) {
+    wrist.p.col(static_cast<Eigen::Index>(i)) = reach.wrist[i];
+  }
+  const MovementOptions options;
+  return FindMovement(CalcSpeed(Smooth(wrist, options.cutoff)), reach.times.front(), reach.lift_off,
+                      options);
+}
+
+EventTime ReadEvent(double truth, double error, RandomStream& random) {
+  EventTime event;
+  event.time = truth + error * random.NextNormal();
+  event.uncertainty = error;
+  return event;
+}
+
+}  // namespace
+
+Verdicts CountVerdicts(StudyPlan plan, int num_studies, const fs::path& scratch) {
+  Verdicts verdicts;
+  const std::string seed = plan.seed;
+  for (int i = 0; i < num_studies; ++i) {
+    plan.seed = seed + std::to_string(i);
+    AddVerdict(RunPlan(plan, scratch).result.statistics.independence, verdicts);
+  }
+  return verdicts;
+}
+
+Verdicts CountVerdictsOfEvents(StudyPlan plan, int num_studies) {
+  Verdicts verdicts;
+  plan.conditions.num_object_markers = 0;
+  for (int study = 0; study < num_studies; ++study) {
+    std::vector<StudyTrial> trials;
+    for (int person = 1; person <= plan.num_people; ++person) {
+      const std::string id =
+          plan.seed + ", events " + std::to_string(study) + "/p" + std::to_string(person);
+      RandomStream random(id, "errors of events");
+      for (int i = 0; i < plan.trials_per_person; ++i) {
+        const Reach reach = MakeReach(plan.conditions, id, i);
+        StudyTrial& trial = trials.emplace_back();
+        trial.participant = "p" + std::to_string(person);
+        trial.id = id + "-" + std::to_string(i);
+        TrialAnalysis& analysis = trial.analysis.emplace();
+        analysis.movement = FindWristMovement(reach);
+        analysis.closure_start = ReadEvent(reach.widest, 0.01, random);
+        for (const double touch : reach.touch_times) {
+          DigitContactEvents& digit = analysis.contacts.emplace_back();
+          digit.contact = ReadEvent(touch, 0.004, random);
+          digit.own_uncertainty = 0.004;
+        }
+      }
+    }
+    AddVerdict(CalcIndependenceNull(trials, kNumDigits), verdicts);
+  }
+  return verdicts;
+}
+
+std::vector<NamedPlan> ListIndependentPeople() {
+  using Family = SpeedProfile::Family;
+  std::vector<NamedPlan> plans;
+  const auto add = [&](const char* name) -> Conditions& {
+    plans.push_back({name, {}});
+    plans.back().plan.seed = name;
+    return plans.back().plan.conditions;
+  };
+  const auto set_peak = [](Conditions& conditions, Family family, double low, double high) {
+    conditions.family = family;
+    conditions.min_peak = low;
+    conditions.max_peak = high;
+  };
+  set_peak(add("peak at 44 to 56 percent, warped"), Family::kWarped, 0.44, 0.56);
+  set_peak(add("peak at 40 to 60 percent, warped"), Family::kWarped, 0.40, 0.60);
+  set_peak(add("peak at 40 to 60 percent, beta"), Family::kBeta, 0.40, 0.60);
+  set_peak(add("peak at 40 to 60 percent, halves"), Family::kHalves, 0.40, 0.60);
+  Conditions& distances = add("undeclared distances, noisy ends");
+  distances.distances = {0.25, 0.35, 0.45};
+  distances.end_sd = 0.03;
+  add("noisy ends").end_sd = 0.04;
+  add("drift").drift = 0.01;
+  add("lags of 60 ms").lag = 0.06;
+  return plans;
+}
+
+std::vector<NamedPlan> ListCoordinatedPeople() {
+  std::vector<NamedPlan> plans;
+  for (NamedPlan& independent : ListIndependentPeople()) {
+    // Lags of 60 ms make a GFT of 240 ms that no coordination shortens.
+    if (independent.name.find("lags") != std::string::npos) continue;
+    independent.plan.conditions.shared_sd = 0.06;
+    independent.plan.seed += ", shared";
+    plans.push_back(independent);
+  }
+  return plans;
+}
+
+}  // namespace graspbench::everyday

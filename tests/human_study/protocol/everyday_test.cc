@@ -1,0 +1,186 @@
+/** @file
+People who move otherwise than assumed (everyday_reach.h): few studies a case; everyday_slow_test.cc
+has the figures. */
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "human_study/study/run/trial_flags.h"
+#include "tests/human_study/protocol/everyday_study.h"
+
+namespace graspbench::everyday {
+namespace {
+
+std::filesystem::path EverydayScratch() {
+  return std::filesystem::path(::testing::TempDir()) /
+         (std::string("everyday_") +
+          ::testing::UnitTest::GetInstance()->current_test_info()->name());
+}
+
+TEST(Everyday, ProfilesArePeakedWhereStated) {
+  for (const auto family : {SpeedProfile::Family::kWarped, SpeedProfile::Family::kBeta,
+                            SpeedProfile::Family::kHalves}) {
+    for (const double peak : {0.42, 0.5, 0.58}) {
+      const SpeedProfile profile(family, peak);
+      double best = 0.0, fastest = 0.0;
+      for (double u = 0.0; u < 1.0; u += 0.005) {
+        const double speed = profile.PositionAt(u + 0.005) - profile.PositionAt(u);
+        EXPECT_GE(speed, 0.0);
+        if (speed > fastest) fastest = speed, best = u + 0.0025;
+      }
+      EXPECT_NEAR(best, peak, 0.011);
+      EXPECT_NEAR(profile.PositionAt(1.0 - 1e-9), 1.0, 1e-6);
+    }
+  }
+}
+
+StudyPlan MakeEverydayPlan(const std::string& seed) {
+  StudyPlan plan;
+  plan.seed = seed;
+  plan.num_people = 2;
+  plan.trials_per_person = 9;
+  return plan;
+}
+
+/** Trials by the code of their removal; "" for those that count. */
+std::map<std::string, int> CountRemovals(const StudyResult& result) {
+  std::map<std::string, int> codes;
+  for (const StudyTrial& trial : result.trials) ++codes[trial.removed_code];
+  return codes;
+}
+
+int CountFlagged(const StudyResult& result, const std::string& flag) {
+  int count = 0;
+  for (const StudyTrial& trial : result.trials) {
+    count += trial.IsKept() && FormatFlags(*trial.analysis).find(flag) != std::string::npos;
+  }
+  return count;
+}
+
+bool HasWarning(const StudyResult& result, const std::string& code) {
+  return std::any_of(result.warnings.begin(), result.warnings.end(),
+                     [&](const StudyWarning& warning) { return warning.code == code; });
+}
+
+void Report(const char* name, const Judged& judged) {
+  const Accuracy a = CompareWithTruth(judged);
+  std::printf(
+      "%-24s kept %d of %d, contacts %d of %d, bias %.1f ms, SD %.1f ms, coverage %.2f, "
+      "silent %d;",
+      name, a.num_kept, a.num_trials, a.num_contacts, a.num_true_contacts, 1e3 * a.bias, 1e3 * a.sd,
+      a.coverage, a.num_silent);
+  for (const auto& [code, count] : CountRemovals(judged.result)) {
+    if (!code.empty()) std::printf(" %s %d", code.c_str(), count);
+  }
+  std::printf("\n");
+}
+
+TEST(Everyday, OrdinaryReachesAreKeptWithoutNewFlags) {
+  const Judged judged = RunPlan(MakeEverydayPlan("ordinary"), EverydayScratch());
+  Report("ordinary", judged);
+  const Accuracy accuracy = CompareWithTruth(judged);
+  EXPECT_GE(accuracy.num_kept, 17);
+  EXPECT_LT(accuracy.sd, 0.006);
+  EXPECT_GE(accuracy.coverage, 0.9);
+  EXPECT_EQ(CountFlagged(judged.result, "regrasp"), 0);
+  EXPECT_TRUE(judged.result.warnings.empty());
+}
+
+TEST(Everyday, ADigitThatLeavesAndReturnsIsFlagged) {
+  for (const bool has_shape : {true, false}) {
+    StudyPlan plan = MakeEverydayPlan("regrasp");
+    plan.has_shape = has_shape;
+    plan.conditions.regrasping_digit = 2;
+    const Judged judged = RunPlan(plan, EverydayScratch());
+    Report("regrasp", judged);
+    const int num_kept = judged.result.CountKept();
+    EXPECT_GE(20 * CountFlagged(judged.result, "regrasp"), 19 * num_kept);
+    for (size_t i = 0; i < judged.truth.size(); ++i) {
+      const StudyTrial& trial = judged.result.trials[i];
+      if (!trial.IsKept()) continue;
+      const Regrasp& regrasp = trial.analysis->contacts[2].regrasp;
+      if (!regrasp.IsFound()) continue;
+      EXPECT_NEAR(regrasp.first_touch.time, judged.truth[i].touch_times[2], 0.05);
+      EXPECT_NEAR(regrasp.release.time, judged.truth[i].release_times[2], 0.06);
+      EXPECT_NEAR(regrasp.left_by, 9e-3, 1.5e-3);
+    }
+  }
+}
+
+TEST(Everyday, AMarkerThatStaysOnTheTableRemovesTheTrialByName) {
+  StudyPlan plan = MakeEverydayPlan("left behind");
+  plan.conditions.is_object_left_behind = true;
+  const Judged judged = RunPlan(plan, EverydayScratch());
+  Report("left behind", judged);
+  EXPECT_EQ(judged.result.CountKept(), 0);
+  EXPECT_GE(CountRemovals(judged.result)["object_left_behind"], 17);
+}
+
+TEST(Everyday, ThumbAndIndexExchangedAreReported) {
+  StudyPlan plan = MakeEverydayPlan("exchanged");
+  plan.conditions.is_swapped = true;
+  const Judged judged = RunPlan(plan, EverydayScratch());
+  Report("exchanged", judged);
+  EXPECT_GE(CountRemovals(judged.result)["thumb_not_opposed"], 17);
+}
+
+TEST(Everyday, SpikesAreBridged) {
+  StudyPlan plan = MakeEverydayPlan("spikes");
+  plan.conditions.spike_share = 0.01;
+  const Judged judged = RunPlan(plan, EverydayScratch());
+  Report("spikes", judged);
+  const Accuracy accuracy = CompareWithTruth(judged);
+  EXPECT_GE(accuracy.num_kept, 15);
+  EXPECT_LT(accuracy.sd, 0.006);
+  EXPECT_TRUE(HasWarning(judged.result, "spikes"));
+  const double share = double(judged.result.num_spikes) / double(judged.result.num_samples);
+  EXPECT_NEAR(share, 0.01, 0.002);
+}
+
+TEST(Everyday, AHoverBelowTheLimitCarriesItsFlag) {
+  StudyPlan plan = MakeEverydayPlan("hover");
+  plan.conditions.hovering_digit = 3;
+  plan.conditions.hover_gap = 3.5e-3;
+  const Judged judged = RunPlan(plan, EverydayScratch());
+  Report("hover", judged);
+  int num_stated = 0;
+  for (const StudyTrial& trial : judged.result.trials) {
+    if (!trial.IsKept()) continue;
+    num_stated += !trial.analysis->contacts[3].contact.IsFound() ||
+                  FormatFlags(*trial.analysis).find("may hover") != std::string::npos;
+  }
+  EXPECT_GE(num_stated, judged.result.CountKept() - 1);
+}
+
+TEST(Everyday, WhatMovesBeforeTheOthersArrive) {
+  const auto report = [&](const char* name, const auto& change) {
+    StudyPlan plan = MakeEverydayPlan(name);
+    change(plan.conditions);
+    const Judged judged = RunPlan(plan, EverydayScratch());
+    Report(name, judged);
+    const Accuracy accuracy = CompareWithTruth(judged);
+    EXPECT_LE(accuracy.num_silent, accuracy.num_contacts / 20) << name;
+  };
+  report("push 5 mm", [](Conditions& c) { c.push = 5e-3; });
+  report("push 15 mm", [](Conditions& c) { c.push = 15e-3; });
+  report("turn 15 deg", [](Conditions& c) { c.turn = 0.26; });
+  report("soft", [](Conditions& c) { c.min_touch_speed = 5e-3, c.max_touch_speed = 20e-3; });
+  report("tremor", [](Conditions& c) { c.tremor = 0.4e-3; });
+  report("low-pass 6 Hz", [](Conditions& c) { c.low_pass_hz = 6.0; });
+}
+
+TEST(Everyday, AVaryingProfileMakesNobodySimultaneous) {
+  const NamedPlan named = ListIndependentPeople()[1];
+  EXPECT_LE(CountVerdicts(named.plan, 3, EverydayScratch()).num_more, 1);
+}
+
+TEST(Everyday, ASharedDelayIsFound) {
+  const NamedPlan named = ListCoordinatedPeople()[0];
+  EXPECT_GE(CountVerdicts(named.plan, 3, EverydayScratch()).num_more, 2);
+}
+
+}  // namespace
+}  // namespace graspbench::everyday

@@ -1,0 +1,59 @@
+#include "reports/sweep_page.h"
+
+#include <gtest/gtest.h>
+
+namespace graspbench {
+namespace {
+
+/** Three factors of two levels, all combinations; under the second level of the third nobody fails. */
+Session MakeCubeSession() {
+  Session session;
+  const char* settings[] = {"model.mass_scale=2.0", "model.friction_scale=0.8", "sim.step_s=0.001"};
+  for (int c = 1; c < 8; ++c) {
+    Condition condition;
+    for (int f = 0; f < 3; ++f) {
+      if (c & (1 << f)) condition.settings.push_back(settings[f]);
+    }
+    condition.name = "condition " + std::to_string(c);
+    session.config.conditions.push_back(condition);
+  }
+  for (int object = 0; object < 6; ++object) {
+    for (int c = 0; c < 8; ++c) {
+      TrialRecord record;
+      record.plan = {"id" + std::to_string(session.plan.size()),
+                     "tum",
+                     "<object" + std::to_string(object) + ">",
+                     "g1",
+                     0,
+                     std::nullopt};
+      if (c > 0) record.plan.condition = "condition " + std::to_string(c);
+      record.result.outcome = (c & 4) || object > c % 4 ? Outcome::kSuccess : Outcome::kNoContact;
+      record.result.stability.sigma = 1.0 + c + 0.1 * object * (c & 3);
+      session.plan.push_back(record.plan);
+      session.records.push_back(record);
+    }
+  }
+  return session;
+}
+
+TEST(SweepPage, ShowsAMapForEachLevelOfTheThirdFactorAndSaysWhatCannotBeDecided) {
+  const Session session = MakeCubeSession();
+  const std::string page = MakeSweepPage(session, SummariseSweep(session));
+  for (const char* part :
+       {"3 factors, 8 conditions, 48 of 48 planned trials finished", "sim.step_s=0.002",
+        "sim.step_s=0.001", "success [%], tum: model.mass_scale by model.friction_scale",
+        "cannot decide success: all 6 trials succeed", "sigma [N]", "Interactions"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("breaking force [N], tum:"), std::string::npos) << "nobody judged";
+}
+
+TEST(SweepPage, BearsASweepInWhichNothingHasRun) {
+  Session session = MakeCubeSession();
+  session.records.clear();
+  EXPECT_NE(MakeSweepPage(session, SummariseSweep(session)).find("no trial is finished"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

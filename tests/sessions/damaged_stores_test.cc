@@ -1,0 +1,216 @@
+/** @file
+Random damage to stores of every kind, each followed by the real program: `status` gives 0 only where
+`verify` does not give 3, no reader goes on with what `verify` refuses or crashes, what nobody finds
+has changed no result, and a repair loses no whole record. */
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "datasets/campaign/campaign_store.h"
+#include "datasets/journal/store_kind.h"
+#include "datasets/scene/development_store.h"
+#include "tests/datasets/journal/store_mutations.h"
+#include "tests/support/run_program.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kLongest(120);  // a program that takes longer hangs
+
+void MakeDevelopment(const fs::path& folder) {
+  MakeFolder(folder);
+  CreateDevelopment(folder, DevelopmentConfig());
+  {
+    DevelopmentJournal journal(folder / "journal.jsonl");
+    for (int request = 0; request < 5; ++request) {
+      journal.Append(
+          {{request, "search", "0123456789abcdef", {{Outcome::kSuccess, 0.1 * request}}}});
+    }
+  }
+  WriteFile(folder / "result.json", "{\"hand\":\"tum\"}\n");
+  SealStore(kDevelopmentStore, folder);
+}
+
+/** The program's exit code, a signal with a minus; what it prints goes nowhere. */
+int Call(std::vector<std::string> arguments) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stdout);
+    std::freopen("/dev/null", "w", stderr);
+    arguments.insert(arguments.begin(), GRASPBENCH_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  const auto last = std::chrono::steady_clock::now() + kLongest;
+  while (!HasEnded(child)) {
+    if (std::chrono::steady_clock::now() > last) ::kill(child, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return WaitFor(child);
+}
+
+bool IsCrash(int code) { return code < 0 || code == 127; }
+
+/** A folder of the material, with its name from there, by a file in it. */
+std::string FindStoreOf(const std::string& file, const std::vector<std::string>& stores) {
+  for (const std::string& store : stores) {
+    if (file.rfind(store + "/", 0) == 0) return store;
+  }
+  return "";
+}
+
+bool IsIn(const std::string& file, const std::vector<std::string>& parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const std::string& part) { return file.find("/" + part) != file.npos; });
+}
+
+/** What a reader may know of a store: its files but the journals and the record of the run, and the
+different records in its journals. */
+std::pair<Files, std::set<std::string>> ListContent(const Files& files, const std::string& store) {
+  Files own, others;
+  for (const auto& [name, content] : files) {
+    if (name.rfind(store + "/", 0) == 0) own[name] = content;
+  }
+  const std::multiset<std::string> records = ListRecords(own);
+  for (const auto& [name, content] : own) {
+    const bool is_journal = name.find(".jsonl") != name.npos && !IsIn(name, {"plan.jsonl"});
+    // Manifests of earlier campaigns do not name their summary.
+    const bool is_older = store[0] == 'v' && IsIn(name, {"summary.csv"});
+    if (!is_journal && !is_older && !IsIn(name, {"run.json"})) others[name] = content;
+  }
+  return {others, std::set<std::string>(records.begin(), records.end())};
+}
+
+class GRASPBENCH_SUITE : public testing::Test {
+ protected:
+  GRASPBENCH_SUITE()
+      : folder_(fs::path(testing::TempDir()) / ("damaged_stores_" + std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+    MakeStores(folder_);
+    MakeDevelopment(folder_ / "development");
+    for (const auto& schema : fs::directory_iterator(GRASPBENCH_STORES_FOLDER)) {
+      for (const auto& store : fs::directory_iterator(schema)) {
+        fs::copy(
+            store,
+            folder_ / (schema.path().filename().string() + "-" + store.path().filename().string()),
+            fs::copy_options::recursive);
+      }
+    }
+    EXPECT_EQ(Call({"export", folder_ / "v4-session", "--records"}), 0);
+    EXPECT_EQ(Call({"report", folder_ / "v4-session"}), 0);
+    EXPECT_EQ(Call({"report", folder_ / "v4-campaign"}), 0);
+    for (const auto& store : fs::directory_iterator(folder_)) {
+      stores_.push_back(store.path().filename().string());
+    }
+    std::sort(stores_.begin(), stores_.end());
+  }
+  ~GRASPBENCH_SUITE() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  /** A command that reads the store; empty: there is none. */
+  std::vector<std::string> ChooseReader(const std::string& store, RandomStream& random) const {
+    const fs::path folder = folder_ / store, out = folder_ / ".out";
+    const StoreKind* kind = FindStoreKind(folder);
+    std::vector<std::vector<std::string>> readers;
+    if (kind == &kSessionStore) {
+      readers = {{"report", folder},
+                 {"export", folder},
+                 {"compare", folder, folder, "--out", out},
+                 {"best", folder},
+                 {"merge", folder},
+                 {"trial", folder, "--json"},
+                 {"judge", folder},
+                 {"watch", folder, "--interval", "0.05"}};
+      // A watch of what is not finished would not end, a judge would begin to work.
+      if (store.rfind("v", 0) != 0) readers.resize(6);
+    } else if (kind == &kCampaignStore) {
+      readers = {{"report", folder}, {"status", folder, "--json"}};
+    } else if (kind == &kSceneStore || kind == &kDevelopmentStore) {
+      readers = {{"status", folder, "--json"}};
+    }
+    if (readers.empty()) return {};
+    return readers[static_cast<size_t>(random.NextIndex(static_cast<int>(readers.size())))];
+  }
+
+  void Damage(int count) {
+    const Files whole = ReadFiles(folder_);
+    for (const std::string& store : stores_) {
+      EXPECT_EQ(Call({"verify", folder_ / store}), 0) << store;
+      if (store == "study") continue;
+      EXPECT_EQ(Call({"status", folder_ / store}), 0) << store;
+    }
+    Mutator mutator(whole, "damaged stores", kNumMutations);
+    RandomStream random("damaged stores", "reader");
+    for (int done = 0; done < count;) {
+      Files files;
+      const std::string what = mutator.Mutate(files);
+      if (files == whole) continue;
+      ++done;
+      std::set<std::string> damaged;
+      const auto differs = [](const Files& a, const Files& b, const std::string& name) {
+        const auto there = b.find(name);
+        return there == b.end() || there->second != a.at(name);
+      };
+      for (const auto& [name, content] : whole) {
+        if (differs(whole, files, name)) damaged.insert(FindStoreOf(name, stores_));
+      }
+      for (const auto& [name, content] : files) {
+        if (differs(files, whole, name)) damaged.insert(FindStoreOf(name, stores_));
+      }
+      WriteFiles(folder_, files);
+      for (const std::string& store : damaged) Check(store, what, whole, files, random);
+      const auto before = ListRecords(files), after = ListRecords(ReadFiles(folder_));
+      EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()))
+          << "lost records: " << what;
+      fs::remove_all(folder_ / ".out");
+      WriteFiles(folder_, whole);
+      if (HasFailure() && ++num_failures_ > 20) return;
+    }
+    std::printf("%d damages, %d found by verify, %d by status alone, %d readers called\n", count,
+                num_found_, num_by_status_, num_readers_);
+  }
+
+ private:
+  void Check(const std::string& store, const std::string& what, const Files& whole,
+             const Files& files, RandomStream& random) {
+    const fs::path folder = folder_ / store;
+    const int verify = Call({"verify", folder}), status = Call({"status", folder});
+    EXPECT_FALSE(IsCrash(verify)) << "verify " << verify << ": " << what;
+    EXPECT_FALSE(IsCrash(status)) << "status " << status << ": " << what;
+    num_found_ += verify == 3;
+    num_by_status_ += verify == 0 && status != 0 && store != "study";
+    EXPECT_FALSE(verify == 3 && status == 0) << "status is content: " << what;
+    const bool has_manifest = store != "v3-session";  // an older session says that it has none
+    // Only a search itself can tell whose answer it is, by the trials that it asks for.
+    const bool is_answer = what.rfind("copy line", 0) == 0 && IsIn(what, {"comparison/"});
+    if (verify == 0 && has_manifest && !is_answer) {
+      EXPECT_EQ(ListContent(whole, store), ListContent(files, store)) << "undetected: " << what;
+    }
+    const std::vector<std::string> reader = ChooseReader(store, random);
+    if (!reader.empty()) {
+      const int code = Call(reader);
+      ++num_readers_;
+      EXPECT_FALSE(IsCrash(code)) << reader[0] << " " << code << ": " << what;
+      // Tables and pages are read by nobody.
+      if (verify == 3 && !IsIn(what, {"export/", "report/"})) {
+        EXPECT_NE(code, 0) << reader[0] << " is content: " << what;
+      }
+    }
+    EXPECT_FALSE(IsCrash(Call({"verify", folder, "--repair"}))) << "repair: " << what;
+  }
+
+  fs::path folder_;
+  std::vector<std::string> stores_;
+  int num_found_ = 0, num_by_status_ = 0, num_readers_ = 0, num_failures_ = 0;
+};
+
+TEST_F(GRASPBENCH_SUITE, AreReadByNobodyAndLoseNoRecord) { Damage(GRASPBENCH_NUM_FLIPS); }
+
+}  // namespace
+}  // namespace graspbench

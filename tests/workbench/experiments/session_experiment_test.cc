@@ -1,0 +1,112 @@
+#include "workbench/experiments/session_experiment.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "datasets/analysis/export_result.h"
+#include "datasets/plan/conditions.h"
+#include "datasets/session/merge_sessions.h"
+#include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/machines/run_shard.h"
+
+namespace graspbench {
+namespace {
+
+class SessionExperiment : public testing::Test {
+ protected:
+  void SetUp() override {
+    config_.hands = {"tum"};
+    config_.objects = {"golf_ball", "tea_light"};
+    config_.trials = 2;
+  }
+  PreparedSession Prepare(const std::string& name) {
+    SessionRequest request;
+    request.config = config_;
+    request.out = temporary_.path() / name;
+    request.resume = true;
+    return PrepareSession(request);
+  }
+  static std::string ReadTables(const std::filesystem::path& folder) {
+    ExportResult(folder, LoadSession(folder));
+    return ReadFile(folder / "export" / "trials.csv") +
+           ReadFile(folder / "export" / "effects.csv") +
+           ReadFile(folder / "export" / "conditions.csv") + ReadFile(folder / "index.sqlite");
+  }
+
+  TemporaryFolder temporary_;
+  SessionConfig config_;
+  Observer observer_;
+  std::atomic<bool> stop_ = false;
+};
+
+// Shards in folders of their own, worked on and merged in another order, are one run.
+TEST_F(SessionExperiment, ShardsOfASweepAreOneRun) {
+  config_.conditions = {{"heavy", {"model.mass_scale=2.0"}},
+                        {"late", {"delay.last=0.1"}},
+                        {"heavy and late", {"model.mass_scale=2.0", "delay.last=0.1"}}};
+  const PreparedSession whole = Prepare("whole");
+  EXPECT_EQ(whole.session.plan.size(), 16u);
+  ASSERT_EQ(RunSession(whole, 2, observer_, stop_).ending, RunEnding::kFinished);
+  const std::filesystem::path folder = Prepare("planned").folder;
+  std::vector<std::filesystem::path> others;
+  for (const int number : {5, 2, 7, 1, 3, 6, 4}) {
+    others.push_back(temporary_.path() / ("machine" + std::to_string(number)));
+    std::filesystem::copy(folder, others.back(), std::filesystem::copy_options::recursive);
+    ShardRequest request;
+    request.folder = others.back();
+    request.shard = {number, 7};
+    EXPECT_EQ(WorkOnShard(request, observer_, stop_).num_left, 0);
+  }
+  EXPECT_EQ(MergeSessions(folder, others), 16);
+  EXPECT_EQ(ReadTables(folder), ReadTables(whole.folder));
+}
+
+TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
+  const PreparedSession session = Prepare("session");
+  RunSession(session, 2, observer_, stop_);
+  ExperimentRequest request;
+  request.folder = session.folder;
+  const std::vector<Condition> conditions = {{"heavy", {"model.mass_scale=2.0"}}};
+  const PreparedSession experiment =
+      PrepareExperiment(LoadSession(session.folder, OnDamage::kRefuse, RecordParts::kBrief),
+                        "sensitivity", conditions, request);
+  EXPECT_EQ(experiment.session.plan.size(), 8u);
+  EXPECT_EQ(experiment.session.records.size(), 4u) << "the base is the session's";
+  EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
+  const Session found = LoadSession(experiment.folder);
+  const std::vector<ConditionPair> pairs = ListConditionPairs(found, "heavy");
+  ASSERT_EQ(pairs.size(), 4u);
+  for (const ConditionPair& pair : pairs) {
+    EXPECT_EQ(NameDraw(pair.base->plan), NameDraw(pair.varied->plan));
+  }
+  // The door of the session is the experiment's, too.
+  std::string journal = ReadFile(experiment.folder / "journal" / "0.jsonl");
+  journal[journal.size() / 2] ^= 1;
+  WriteFile(experiment.folder / "journal" / "0.jsonl", journal);
+  EXPECT_THROW(LoadSession(session.folder), Error);
+  EXPECT_FALSE(CheckStore(session.folder).damages.empty());
+}
+
+TEST_F(SessionExperiment, NeedsATrialAndNoConditions) {
+  const auto explain = [&](const PreparedSession& prepared) {
+    try {
+      PrepareExperiment(prepared.session, "sensitivity", {{"x", {"model.mass_scale=2.0"}}}, {});
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_NE(explain(Prepare("empty")).find("has no finished trial"), std::string::npos);
+  config_.objects = {"golf_ball"};
+  config_.trials = 1;
+  config_.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
+  const PreparedSession sweep = Prepare("sweep");
+  RunSession(sweep, 1, observer_, stop_);
+  PreparedSession loaded = sweep;
+  loaded.session = LoadSession(sweep.folder, OnDamage::kRefuse, RecordParts::kBrief);
+  EXPECT_NE(explain(loaded).find("has conditions of its own"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/base/error.h"
+#include "datasets/journal/sealed_store.h"
+#include "datasets/session/check_records.h"
+#include "tests/datasets/journal/store_mutations.h"
+#include "tests/datasets/session/fake_session.h"
+#include "workbench/folder_status.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+/** What `graspbench verify` gives 3 for. */
+bool IsRefused(const fs::path& folder) {
+  try {
+    StoreState state = CheckStore(folder);
+    CheckRecords(folder, state);
+    return !state.damages.empty();
+  } catch (const Error&) {
+    return true;
+  }
+}
+
+/** What `graspbench status` gives 0 for. */
+bool IsContent(const fs::path& folder) {
+  try {
+    const FolderStatus status = ReadFolderStatus(folder, 60.0);
+    return status.is_checked && status.damage.empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/** The store's own files but the journals and the record of the run, and the different records. */
+std::pair<Files, std::set<std::string>> ListKnown(const Files& files, const std::string& store) {
+  Files own, others;
+  for (const auto& [name, content] : files) {
+    if (name.rfind(store + "/", 0) != 0) continue;
+    own[name] = content;
+    const bool is_plan = name.find("plan.jsonl") != name.npos;
+    const bool is_journal = name.find(".jsonl") != name.npos && !is_plan;
+    // Manifests of earlier campaigns do not name their summary.
+    const bool is_older = store[0] == 'v' && name.find("summary.csv") != name.npos;
+    if (is_journal || is_older || name.find("/run.json") != name.npos) continue;
+    others[name] = content;
+  }
+  const std::multiset<std::string> records = ListRecords(own);
+  return {others, std::set<std::string>(records.begin(), records.end())};
+}
+
+// Stores made here and those of earlier schemas that are kept, but for the one older than manifests.
+TEST(FolderStatusSlow, IsContentOnlyWithWhatVerifyDoesNotRefuse) {
+  constexpr int kNumDamages = 1000;
+  const TemporaryFolder folder;
+  std::vector<std::string> stores = {"session", "other", "scene", "campaign"};
+  MakeStores(folder.path());
+  for (const auto& schema : fs::directory_iterator(GRASPBENCH_STORES_FOLDER)) {
+    for (const auto& store : fs::directory_iterator(schema)) {
+      const std::string name =
+          schema.path().filename().string() + "-" + store.path().filename().string();
+      if (name == "v3-session") continue;
+      fs::copy(store, folder.path() / name, fs::copy_options::recursive);
+      stores.push_back(name);
+    }
+  }
+  const Files whole = ReadFiles(folder.path());
+  for (const std::string& store : stores) EXPECT_TRUE(IsContent(folder.path() / store)) << store;
+  Mutator mutator(whole, "status", kNumMutations);
+  int num_refused = 0, num_by_status = 0, num_believed = 0, num_lost = 0;
+  for (int done = 0; done < kNumDamages;) {
+    Files files;
+    const std::string what = mutator.Mutate(files);
+    if (files == whole) continue;
+    ++done;
+    WriteFiles(folder.path(), files);
+    for (const std::string& store : stores) {
+      if (what.find(store + "/") == what.npos) continue;
+      const bool is_refused = IsRefused(folder.path() / store);
+      const bool is_content = IsContent(folder.path() / store);
+      num_refused += is_refused;
+      num_by_status += !is_refused && !is_content;
+      EXPECT_FALSE(is_refused && is_content) << "status is content: " << what;
+      // Whether an answer belongs to a search without a result only the search itself can tell, by
+      // the trials that it asks for: it refuses to go on.
+      if (what.rfind("copy line", 0) == 0 &&
+          what.find(" end of campaign/comparison/") != what.npos) {
+        continue;
+      }
+      if (!is_refused && ListKnown(whole, store) != ListKnown(files, store)) {
+        ++num_believed;
+        ADD_FAILURE() << "believed: " << what;
+      }
+      try {
+        RepairStore(folder.path() / store);
+      } catch (const Error&) {  // beyond repair, and said so
+      }
+    }
+    const auto before = ListRecords(files), after = ListRecords(ReadFiles(folder.path()));
+    if (!std::includes(after.begin(), after.end(), before.begin(), before.end())) {
+      ++num_lost;
+      ADD_FAILURE() << "lost records: " << what;
+    }
+    WriteFiles(folder.path(), whole);
+  }
+  std::printf(
+      "%d damages: %d stores refused, %d by status alone, %d believed, %d with lost records\n",
+      kNumDamages, num_refused, num_by_status, num_believed, num_lost);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,156 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/base/text/text.h"
+#include "datasets/analysis/export_result.h"
+#include "datasets/analysis/sweep_summary.h"
+#include "datasets/plan/sweep_design.h"
+#include "reports/session_report.h"
+#include "workbench/commands/command.h"
+#include "workbench/commands/options/session_options.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/experiments/pool/session_worker.h"
+#include "workbench/experiments/session_experiment.h"
+#include "workbench/tables/sweep_tables.h"
+#include "workbench/terminal/terminal_observer.h"
+
+namespace graspbench {
+namespace {
+
+struct SweepOptions {
+  SessionOptions session;
+  std::vector<std::string> factors;
+  std::string design;
+  bool judge = false;
+  std::string out;
+  bool resume = false;
+  bool plan_only = false;
+  OnDamage on_damage = OnDamage::kRefuse;
+  double trial_time_limit = kTrialTimeLimit;
+  int num_workers = 1;
+  bool json = false;
+};
+
+SweepConfig MakeSweepConfig(const SweepOptions& options) {
+  SweepConfig config;
+  if (!options.session.file().empty()) config = LoadSweepConfig(options.session.file());
+  options.session.ApplyTo(config);
+  if (!options.factors.empty()) config.factors = options.factors;
+  if (!options.design.empty()) config.design = options.design;
+  config.judge = config.judge || options.judge;
+  return config;
+}
+
+/** Processor time of all trials, from the first one of each hand, with the judge some five times as
+much [s]; for a person, in no result. */
+double EstimateTime(const PreparedSession& sweep, bool with_judge) {
+  std::map<std::string, double> times;
+  PlannedTrialRunner runner(sweep.config, sweep.inputs);
+  double sum = 0.0;
+  for (const PlannedTrial& planned : FindUnfinished(sweep.session)) {
+    if (times.count(planned.hand) == 0) {
+      runner.Prepare(planned);
+      const auto start = std::chrono::steady_clock::now();
+      runner.Run(planned);
+      times[planned.hand] =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    sum += times[planned.hand];
+  }
+  return with_judge ? 6.0 * sum : sum;
+}
+
+ExitCode Finish(const SweepOptions& options, const std::filesystem::path& folder) {
+  const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
+  ExportResult(folder, session);
+  const std::filesystem::path report = WriteSessionReport(folder, session);
+  const SweepSummary summary = SummariseSweep(session);
+  if (options.json) {
+    Json json = ToJson(summary);
+    json["folder"] = folder.string();
+    json["report"] = report.string();
+    PrintJson(json);
+  } else {
+    PrintResult(FormatSweepTables(summary) + "\nreport   " + report.string() + "\ndata     " +
+                (folder / "export" / "effects.csv").string() + "\n");
+  }
+  int num_failures = 0;
+  for (const ConditionRow& row : summary.rows) num_failures += row.num_numerical;
+  return num_failures > 0 ? kExitNumericalFailures : kExitOk;
+}
+
+ExitCode Sweep(const SweepOptions& options) {
+  SessionRequest request;
+  request.name = options.session.file().empty() ? "sweep" : options.session.name();
+  request.out = options.out;
+  request.resume = options.resume && HasSession(options.out);
+  request.on_damage = options.on_damage;
+  bool with_judge = options.judge;
+  if (!options.resume || !options.factors.empty() || options.session.HasAny()) {
+    const SweepConfig config = MakeSweepConfig(options);
+    with_judge = config.judge;
+    request.config = MakeSweep(config);
+  } else if (!request.resume) {
+    throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder of a sweep");
+  }
+  const PreparedSession sweep = PrepareSession(request);
+  const size_t num_left = FindUnfinished(sweep.session).size();
+  PrintMessage(sweep.folder.string() + ": " +
+               FormatCount(static_cast<int>(sweep.config.conditions.size()) + 1, "condition") +
+               ", " + FormatCount(static_cast<int>(sweep.session.plan.size()), "trial") + ", " +
+               std::to_string(num_left) + " to run");
+  if (options.plan_only) {
+    RecordPlanning(sweep.folder);
+    PrintMessage("about " + FormatFixed(EstimateTime(sweep, with_judge), 0) +
+                 " s of one processor, judged by the first trial of each hand");
+    PrintExperimentPlan(sweep);
+    return kExitOk;
+  }
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer({}, stop);
+  ExperimentRequest rest;
+  rest.with_judge = with_judge;
+  rest.on_damage = options.on_damage;
+  rest.trial_time_limit = options.trial_time_limit;
+  DemandFinished(RunExperiment(sweep, rest, options.num_workers, observer, stop));
+  return Finish(options, sweep.folder);
+}
+
+}  // namespace
+
+void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
+  CLI::App& command = AddSubcommand(
+      program, "sweep", "Run a session under every combination of some settings and compare them.",
+      "  graspbench sweep --object can,cup --factor model.mass_scale=1,2 --factor grasp=g1,g2\n"
+      "  graspbench sweep sweep.yaml --design one-at-a-time --plan-only --out results/sweep");
+  const auto options = std::make_shared<SweepOptions>();
+  options->session.AddTo(command, "sweep.yaml (graspbench new sweep)");
+  command
+      .add_option("--factor", options->factors,
+                  "a setting, grasp, delay.last, delay.first [s] or backend with its levels, the "
+                  "base's first; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("KEY=A,B,..");
+  command
+      .add_option("--design", options->design,
+                  "full, one-at-a-time, or latin:N: N conditions of a Latin hypercube")
+      ->option_text("DESIGN")
+      ->default_str("full");
+  command.add_flag("--judge", options->judge, "also break what is held; some five times as long");
+  AddJobsOption(command, options->num_workers);
+  command.add_option("--out", options->out, "folder of the sweep")
+      ->option_text("DIR")
+      ->default_str("results/sweep-HASH");
+  command.add_flag("--resume", options->resume, "continue the sweep in the folder of --out");
+  AddPlanOnlyOption(command, options->plan_only);
+  AddAcceptDamageOption(command, options->on_damage);
+  AddTrialTimeoutOption(command, options->trial_time_limit);
+  command.add_flag("--json", options->json, "print the summary as one JSON object");
+  command.callback([options, &exit_code] { exit_code = Sweep(*options); });
+}
+
+}  // namespace graspbench

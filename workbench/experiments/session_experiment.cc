@@ -1,0 +1,136 @@
+#include "workbench/experiments/session_experiment.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/base/hash.h"
+#include "datasets/journal/append_file.h"
+#include "datasets/plan/conditions.h"
+#include "datasets/shards/worker_log.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/output_folder.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+void CheckCanBeVaried(const Session& session) {
+  if (session.records.empty()) {
+    throw Error(ErrorKind::kUsage, "the session in \"" + session.folder.string() +
+                                       "\" has no finished trial; graspbench run --resume --out " +
+                                       QuoteForShell(session.folder.string()) + " runs them");
+  }
+  if (session.config.conditions.empty()) return;
+  throw Error(ErrorKind::kUsage, "the session in \"" + session.folder.string() +
+                                     "\" has conditions of its own, so that it cannot be varied "
+                                     "again; sweep more factors with graspbench sweep");
+}
+
+/** Lines of records and judgements as they stand in journals. */
+class Adoption {
+ public:
+  explicit Adoption(const std::vector<PlannedTrial>& plan) {
+    for (const PlannedTrial& planned : plan) planned_.emplace(planned.id, planned);
+  }
+
+  void Take(const Session& from) {
+    for (size_t i = 0; i < from.records.size(); ++i) {
+      const PlannedTrial& planned = from.records[i].plan;
+      const auto wanted = planned_.find(planned.id);
+      if (wanted == planned_.end() || !(wanted->second == planned)) continue;
+      planned_.erase(wanted);
+      trials_ += ReadLine(from.lines, from.lines.trials[i]) + "\n";
+      const LinePlace& judgement = from.lines.judgements[i];
+      if (judgement.file >= 0) judgements_ += ReadLine(from.lines, judgement) + "\n";
+    }
+  }
+
+  void Write(const fs::path& folder) const {
+    Write(folder / "journal", trials_);
+    Write(folder / "judge", judgements_);
+  }
+
+ private:
+  static void Write(const fs::path& folder, const std::string& lines) {
+    if (lines.empty()) return;
+    MakeFolder(folder);
+    AppendFile(FindJournal(folder, 0, kMergedLabel)).Append(lines);
+  }
+
+  std::map<std::string, PlannedTrial> planned_;  // that are not found yet, by id
+  std::string trials_, judgements_;
+};
+
+void CreateExperiment(const Session& session, const std::string& kind, const PreparedSession& made,
+                      const std::vector<PlannedTrial>& plan) {
+  StagedFolder staged({made.folder, "", false, {}});
+  CreateSession(staged.path(), made.config, plan);
+  // Trials of an experiment with delays say more than those of the session.
+  if (!HasDelays(made.config)) {
+    Adoption adoption(plan);
+    adoption.Take(session);
+    for (const std::string& other : ListMatches(session.folder, {kind + "/*"})) {
+      if (!HasSession(session.folder / other)) continue;
+      adoption.Take(LoadSession(session.folder / other, OnDamage::kAccept, RecordParts::kBrief));
+    }
+    adoption.Write(staged.path());
+  }
+  staged.Commit();
+}
+
+}  // namespace
+
+PreparedSession PrepareExperiment(const Session& session, const std::string& kind,
+                                  const std::vector<Condition>& conditions,
+                                  const ExperimentRequest& request) {
+  CheckCanBeVaried(session);
+  PreparedSession made;
+  made.config = session.config;
+  if (request.trials_per_cell > 0) {
+    made.config.trials = std::min(made.config.trials, request.trials_per_cell);
+  }
+  made.config.conditions = conditions;
+  made.inputs = LoadSessionInputs(made.config, FieldUse::kLater, session.folder);
+  CheckSameSession(session, session.config, MakePlan(session.config, made.inputs));
+  const std::vector<PlannedTrial> plan = MakePlan(made.config, made.inputs);
+  std::string ids;
+  for (const PlannedTrial& planned : plan) ids += planned.id;
+  made.folder = session.folder / kind / CalcHashHex(ids).substr(0, 8);
+  if (!HasSession(made.folder)) CreateExperiment(session, kind, made, plan);
+  if (request.plan_only) RecordPlanning(made.folder);
+  made.session = LoadSession(made.folder, request.on_damage, RecordParts::kBrief);
+  CheckSameSession(made.session, made.config, plan);
+  return made;
+}
+
+bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,
+                   int num_workers, Observer& observer, const std::atomic<bool>& stop) {
+  if (!FindUnfinished(experiment.session).empty() &&
+      RunSession(experiment, num_workers, observer, stop, request.trial_time_limit).ending !=
+          RunEnding::kFinished) {
+    return false;
+  }
+  return !request.with_judge || JudgeSession(experiment.folder, num_workers, observer, stop,
+                                             request.on_damage, request.trial_time_limit);
+}
+
+std::vector<ConditionPair> ListConditionPairs(const Session& experiment,
+                                              const std::string& condition) {
+  std::map<std::string, const TrialRecord*> bases;
+  for (const TrialRecord& record : experiment.records) {
+    if (!record.plan.condition) bases.emplace(NameDraw(record.plan), &record);
+  }
+  std::vector<ConditionPair> pairs;
+  for (const TrialRecord& record : experiment.records) {
+    const auto base = bases.find(NameDraw(record.plan));
+    if (record.plan.condition == condition && base != bases.end()) {
+      pairs.push_back({base->second, &record});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace graspbench
