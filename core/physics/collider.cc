@@ -39,12 +39,14 @@ int FindColumn(int dof, ContactPoint& contact) {
 
 }  // namespace
 
-Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig& config)
+Collider::Collider(const Hand& hand, const GraspObject& object, const SimConfig& config,
+                   TablePresence table)
     : h_(config.step),
+      table_(table),
       spheres_(hand.contact_spheres),
       capsules_(hand.capsules),
       field_(object.field.get()),
-      support_(object.mesh) {
+      support_(TableSupport::Of(object)) {
   GroupSpheres();
   FindPairs(hand);
   CombineMaterials(hand, object.surface, config);
@@ -102,7 +104,7 @@ void Collider::CombineMaterials(const Hand& hand, const SurfaceMaterial& object,
 void Collider::Reset() {
   hand_object_memory_.assign(spheres_.size(), ContactMemory());
   hand_table_memory_.assign(spheres_.size(), ContactMemory());
-  object_table_memory_.assign(static_cast<size_t>(support_.num_ids()), ContactMemory());
+  object_table_memory_.assign(static_cast<size_t>(support_->num_ids()), ContactMemory());
   self_memory_.assign(pairs_.size(), ContactMemory());
 }
 
@@ -148,7 +150,7 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
   const Vector3d p_WO = X_WO.translation();
   for (const LinkSpheres& group : link_spheres_) {
     const Pose& X_WL = dynamics.X_WL(group.link);
-    const double reach = support_.radius() + group.radius + kMargin;
+    const double reach = support_->radius() + group.radius + kMargin;
     if ((X_WL * group.p_LCentre - p_WO).squaredNorm() > reach * reach) continue;
     const Vector3d p_OCentre = R_WO.transpose() * (X_WL * group.p_LCentre - p_WO);
     if (field_->CalcDistance(p_OCentre) > group.radius + kMargin) continue;
@@ -204,7 +206,7 @@ void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
                                std::vector<ContactPoint>& contacts) {
   thread_local std::vector<TableSupport::Contact> supports;
   double face_factor = 1.0;
-  support_.FindContacts(X_WO, kTableMargin, supports, face_factor);
+  support_->FindContacts(X_WO, kTableMargin, supports, face_factor);
   const auto memory_of = [&](const TableSupport::Contact& support) -> ContactMemory& {
     return object_table_memory_[static_cast<size_t>(support.id)];
   };
@@ -215,6 +217,7 @@ void Collider::FindObjectTable(const HandDynamics& dynamics, const Pose& X_WO,
     const ContactMemory& memory = memory_of(support);
     const bool is_known = step_number > 0 && memory.last_step == step_number - 1;
     const double fn = is_known ? memory.normal_force : kUnknownLoad;
+    if (is_known && support.rolls) rolling_load_ += fn;
     p_WPressure += fn * support.p_W;
     pressure += fn;
   }
@@ -273,9 +276,12 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, int step_number,
 void Collider::FindContacts(const HandDynamics& dynamics, const Pose& X_WO, const Vector3d& p_WOcm,
                             int step_number, std::vector<ContactPoint>& contacts) {
   contacts.clear();
+  rolling_load_ = 0.0;
   FindHandObject(dynamics, X_WO, p_WOcm, step_number, contacts);
-  FindHandTable(dynamics, step_number, contacts);
-  FindObjectTable(dynamics, X_WO, p_WOcm, step_number, contacts);
+  if (table_ == TablePresence::kPresent) {
+    FindHandTable(dynamics, step_number, contacts);
+    FindObjectTable(dynamics, X_WO, p_WOcm, step_number, contacts);
+  }
   FindSelfContacts(dynamics, step_number, contacts);
 }
 
@@ -284,8 +290,8 @@ double Collider::CalcSmallestGap(const HandDynamics& dynamics, const Pose& X_WO)
   const Pose X_OW = X_WO.inverse();
   for (const ContactSphere& sphere : spheres_) {
     const Vector3d p_WS = dynamics.X_WL(sphere.link) * sphere.p_LS;
-    gap = std::min(
-        {gap, p_WS.z() - sphere.radius, field_->CalcDistance(X_OW * p_WS) - sphere.radius});
+    gap = std::min(gap, field_->CalcDistance(X_OW * p_WS) - sphere.radius);
+    if (table_ == TablePresence::kPresent) gap = std::min(gap, p_WS.z() - sphere.radius);
   }
   return gap;
 }

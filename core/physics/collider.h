@@ -9,6 +9,7 @@ and names of contacts are fixed: the same scene gives the same list. */
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "core/hand/hand.h"
@@ -24,7 +25,8 @@ class Collider {
  public:
   static constexpr double kMargin = 0.002;  ///< [m]
 
-  Collider(const Hand& hand, const GraspObject& object, const SimConfig& config);
+  Collider(const Hand& hand, const GraspObject& object, const SimConfig& config,
+           TablePresence table);
 
   /** Forgets all bristles. */
   void Reset();
@@ -38,8 +40,12 @@ class Collider {
    */
   double CalcSmallestGap(const HandDynamics& dynamics, const Pose& X_WO) const;
 
+  /** With which the object's rolling contacts pressed on the table in the last step; after
+  FindContacts [N]. */
+  double rolling_load() const { return rolling_load_; }
+
   /** Lowest point of the object [m]. */
-  double CalcLowestPoint(const Pose& X_WO) const { return support_.CalcLowestPoint(X_WO); }
+  double CalcLowestPoint(const Pose& X_WO) const { return support_->CalcLowestPoint(X_WO); }
 
  private:
   struct SelfPair {
@@ -67,7 +73,8 @@ class Collider {
   void FindSelfContacts(const HandDynamics& dynamics, int step_number,
                         std::vector<ContactPoint>& contacts);
 
-  double h_;                            // step [s]
+  double h_;  // step [s]
+  TablePresence table_;
   std::vector<ContactSphere> spheres_;  // sorted by link
   struct LinkSpheres {
     int link;
@@ -83,9 +90,10 @@ class Collider {
   };
   std::vector<PlacedCapsule> placed_capsules_;  // of the current step
   const SignedDistanceField* field_;
-  TableSupport support_;
+  std::shared_ptr<const TableSupport> support_;
   std::vector<ContactMaterial> link_object_, link_table_;  // by link
   ContactMaterial object_table_;
+  double rolling_load_ = 0.0;
   std::vector<ContactMemory> hand_object_memory_, hand_table_memory_, object_table_memory_,
       self_memory_;
 };

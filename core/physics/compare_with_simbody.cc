@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/physics/simbody_dynamics.h"
+
 namespace graspbench {
 
 using Eigen::VectorXd;
@@ -19,21 +21,11 @@ double CalcDifference(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs
 double CompareWithSimbody(World& world, SimbodyModel& simbody) {
   HandDynamics& dynamics = world.dynamics();
   const WorldState& state = world.state();
-  const int joints = dynamics.num_joints(), speeds = dynamics.num_speeds();
-  // Theirs = T ours: rates of joints, then the base.
-  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(joints + 6, speeds);
-  for (int j = 0; j < joints; ++j) {
-    dynamics.ForEachSpeed(j, [&](int dof, double rate) { T(j, dof) = rate; });
-  }
-  T.bottomRightCorner<6, 6>().setIdentity();
-
-  VectorXd u(joints + 12);
-  u << T * world.CalcHandSpeeds(), state.w_WO, state.v_WOcm;
-  simbody.SetPositions(state.X_WH, state.q, MakePose(state.R_WO, state.p_WOcm));
-  simbody.SetSpeeds(u);
-  const Eigen::MatrixXd M_theirs =
-      T.transpose() * simbody.CalcMassMatrix().topLeftCorner(joints + 6, joints + 6) * T;
-  const VectorXd bias_theirs = T.transpose() * simbody.CalcBias(state.gravity_W).head(joints + 6);
+  const int speeds = dynamics.num_speeds();
+  SimbodyDynamics theirs(simbody);
+  theirs.SetPositions(dynamics, state.X_WH, state.q);
+  const Eigen::MatrixXd M_theirs = theirs.CalcMassMatrix();
+  const VectorXd bias_theirs = theirs.CalcBias(world.CalcHandSpeeds(), state.gravity_W);
 
   dynamics.UpdatePositions(state.X_WH, state.q);
   Eigen::MatrixXd M(speeds, speeds);

@@ -196,7 +196,7 @@ Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig&
              const Pose& X_WH, const HandDynamics& dynamics, const Course& course) {
   contact.setTransitionVelocity(kTransitionSpeed);
   // A handle: the subsystem keeps what it makes. NOLINTNEXTLINE(bugprone-unused-raii)
-  SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -kStandardGravity));
+  SimTK::Force::UniformGravity(forces, matter, SimTK::Vec3(0, 0, -sim.gravity));
   const SimTK::ContactMaterial skin = MakeMaterial(sim, grasp_object.surface.friction_static,
                                                    grasp_object.surface.friction_dynamic);
   AddTable(grasp_object, sim);
@@ -288,7 +288,7 @@ void Model::StartFrom(const SimTK::State& start) {
 class CompliantWorld : public World {
  public:
   CompliantWorld(const Hand& hand, const GraspObject& object, const SimConfig& sim)
-      : World(hand, object, sim), object_(object), sim_(sim) {}
+      : World(hand, object, sim, TablePresence::kPresent), object_(object), sim_(sim) {}
   CompliantWorld(const CompliantWorld& other);
 
   std::unique_ptr<World> Clone() const override { return std::make_unique<CompliantWorld>(*this); }

@@ -118,6 +118,26 @@ void HandDynamics::UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q) {
     X_WL_[i].linear() = R_WJ * Eigen::AngleAxisd(q[joint], axis_[i]).toRotationMatrix();
     S_[joint] << a_W, Vector3d(X_WL_[i].translation()).cross(a_W);
   }
+  UpdateInertias();
+}
+
+void HandDynamics::TakePoses(const Pose& X_WH, const std::vector<Pose>& X_WL) {
+  p_WH_ = X_WH.translation();
+  X_WL_ = X_WL;
+  for (size_t i = 0; i < parent_.size(); ++i) {
+    const int joint = joint_[i];
+    if (joint < 0) continue;
+    const Vector3d a_W = X_WL_[i].linear() * axis_[i];  // which the joint does not turn
+    if (slides_[joint]) {
+      S_[joint] << Vector3d::Zero(), a_W;
+    } else {
+      S_[joint] << a_W, Vector3d(X_WL_[i].translation()).cross(a_W);
+    }
+  }
+  UpdateInertias();
+}
+
+void HandDynamics::UpdateInertias() {
   for (size_t i = 0; i < parent_.size(); ++i) {
     inertia_W_[i] =
         ShiftToWorld(X_WL_[i], inertia_[i].mass, inertia_[i].p_LLcm, inertia_[i].I_LLcm);

@@ -81,6 +81,9 @@ class HandDynamics {
   /** Poses and inertias of links, motion vectors of joints. @param q  (num_joints) [rad]. */
   void UpdatePositions(const Pose& X_WH, const Eigen::VectorXd& q);
 
+  /** The same from poses of all links that somebody else found. */
+  void TakePoses(const Pose& X_WH, const std::vector<Pose>& X_WL);
+
   const Eigen::Vector3d& p_WH() const { return p_WH_; }
   const Pose& X_WL(int link) const { return X_WL_[link]; }
   /** Motion vector of a joint about the world's origin; a unit rate of the joint. */
@@ -102,6 +105,8 @@ class HandDynamics {
     Eigen::Vector3d p_LLcm;
     Eigen::Matrix3d I_LLcm;
   };
+
+  void UpdateInertias();
 
   int num_dofs_ = 0;
   std::vector<int> parent_;  // by link

@@ -18,6 +18,11 @@ constexpr double kLimitStiffness = 200.0;
 constexpr double kSlideLimitStiffness = 1e5;  // [N/m] of a prismatic joint
 /** Speeds may differ by this much from those the bias was taken at [rad/s, m/s]. */
 constexpr double kBiasSpeedTolerance = 1e-5;
+/** And so may the products of speeds that it consists of: with links of 1e-4 kg m^2 1e-8 N m. */
+constexpr double kBiasProductTolerance = 1e-4;
+/** What moves no faster stands [rad/s, m/s]. A contact settles within its relaxation time, so 1e-5 N
+of its force are still missing then. */
+constexpr double kStandingSpeed = 1e-8;
 
 Matrix3d MakeRotation(const Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();
@@ -36,14 +41,19 @@ double CalcScalarForce(const ScalarForce& scalar, const VectorXd& v) {
 
 }  // namespace
 
-ImplicitWorld::ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config)
-    : World(hand, object, config), config_(config) {
+ImplicitWorld::ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config,
+                             TablePresence table)
+    : World(hand, object, config, table), config_(config) {
   const int n = dynamics_.num_speeds() + 6;
   problem_.h = config.step;
   problem_.M = Eigen::MatrixXd::Zero(n, n);
   problem_.u = VectorXd::Zero(n);
   problem_.bias = VectorXd::Zero(n);
   problem_.contacts.reserve(128);
+  if (config.multibody == "simbody") {
+    simbody_model_ = std::make_shared<SimbodyModel>(hand, object.mass_properties);
+    simbody_.emplace(*simbody_model_);
+  }
 }
 
 std::unique_ptr<World> ImplicitWorld::Clone() const {
@@ -59,6 +69,8 @@ void ImplicitWorld::Reset(const WorldState& state) {
   drives_.assign(static_cast<size_t>(dynamics_.num_dofs()), DriveMemory());
   step_number_ = 0;
   SetExternalLoad(Vector3d::Zero(), Vector3d::Zero());
+  stands_ = false;
+  solver_.Forget();
   energy_ = EnergyAccount();
   energy_.kinetic_at_start = CalcKineticEnergy();
 }
@@ -166,11 +178,29 @@ void ImplicitWorld::AddLimits() {
   }
 }
 
+void ImplicitWorld::AddRollingResistance() {
+  first_rolling_ = static_cast<int>(problem_.scalars.size());
+  const double moment = config_.table_rolling_resistance * collider_.rolling_load();
+  if (moment == 0.0) return;
+  // One moment against the turn, by its parts; what does not turn yet resists alike both ways.
+  const Eigen::Vector2d turn = state_.w_WO.head<2>();
+  const double speed = turn.norm();
+  for (int k = 0; k < 2; ++k) {
+    const double share = speed > kRollingRestSpeed ? std::abs(turn[k]) / speed : std::sqrt(0.5);
+    problem_.scalars.push_back({dynamics_.num_speeds() + k, 0.0, moment / kRollingRestSpeed,
+                                -share * moment, share * moment});
+  }
+}
+
 /** Fills problem_.bias for an arm that carries the hand with `acceleration_W`. */
 void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& acceleration_W) {
   const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   VectorXd& bias = problem_.bias;
-  dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
+  if (simbody_) {
+    bias.head(object) = simbody_->CalcBias(mean_speeds.head(object), state_.gravity_W);
+  } else {
+    dynamics_.CalcBias(mean_speeds.head(object), state_.gravity_W, bias.head(object));
+  }
   const Eigen::Matrix<double, 6, 1> inertia =
       problem_.M.block<6, 3>(base, base + 3) * acceleration_W;
   carrying_ = bias.segment<6>(base) + inertia;
@@ -181,7 +211,29 @@ void ImplicitWorld::CalcBias(const VectorXd& mean_speeds, const Vector3d& accele
   bias.segment<3>(object + 3) = -mass_.mass * state_.gravity_W - external_force_W_;
 }
 
+void ImplicitWorld::UpdateDynamics() {
+  const int object = dynamics_.num_speeds();
+  if (simbody_) {
+    simbody_->SetPositions(dynamics_, middle_.X_WH, middle_.q);
+    dynamics_.TakePoses(middle_.X_WH, simbody_->CalcLinkPoses());
+    problem_.M.topLeftCorner(object, object) = simbody_->CalcMassMatrix();
+  } else {
+    dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
+    dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
+  }
+  problem_.M.block<3, 3>(object, object) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
+  problem_.M.block<3, 3>(object + 3, object + 3) = mass_.mass * Matrix3d::Identity();
+}
+
+bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
+  return step_number_ > 0 && command.q == last_command_.q &&
+         command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
+         last_command_.v_WH.isZero(0.0);
+}
+
 StepReport ImplicitWorld::Step(const WorldCommand& command) {
+  const bool is_as_before = IsAsBefore(command);
+  if (stands_ && is_as_before) return last_report_;
   const double h = config_.step;
   const int dofs = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   ChooseDistalModes(command, energy_.limits);
@@ -189,10 +241,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
 
   middle_ = state_;
   MovePositions(0.5 * h, problem_.u, middle_);
-  dynamics_.UpdatePositions(middle_.X_WH, middle_.q);
-  dynamics_.CalcMassMatrix(problem_.M.topLeftCorner(object, object));
-  problem_.M.block<3, 3>(object, object) = middle_.R_WO * mass_.I_OOcm * middle_.R_WO.transpose();
-  problem_.M.block<3, 3>(object + 3, object + 3) = mass_.mass * Matrix3d::Identity();
+  UpdateDynamics();
 
   const Pose X_WO = MakePose(middle_.R_WO, middle_.p_WOcm - middle_.R_WO * mass_.p_OOcm);
   collider_.FindContacts(dynamics_, X_WO, middle_.p_WOcm, step_number_, problem_.contacts);
@@ -200,14 +249,18 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   AddDrives(command);
   AddArm(command);
   AddLimits();
+  AddRollingResistance();
 
   const Vector3d acceleration_W = (command.v_WH - commanded_v_WH_) / h;
   commanded_v_WH_ = command.v_WH;
   VectorXd mean_speeds = 0.5 * (problem_.u + v_);
   CalcBias(mean_speeds, acceleration_W);
   const bool converged = solver_.Solve(problem_, v_, [&](const VectorXd& v) {
-    const VectorXd refreshed = 0.5 * (problem_.u + v);
-    if ((refreshed - mean_speeds).cwiseAbs().maxCoeff() < kBiasSpeedTolerance) return false;
+    const auto refreshed = 0.5 * (problem_.u + v);
+    const double change = (refreshed - mean_speeds).cwiseAbs().maxCoeff();
+    const double speed =
+        std::max(refreshed.cwiseAbs().maxCoeff(), mean_speeds.cwiseAbs().maxCoeff());
+    if (change < kBiasSpeedTolerance || change * speed < kBiasProductTolerance) return false;
     mean_speeds = refreshed;
     CalcBias(mean_speeds, acceleration_W);
     return true;
@@ -235,6 +288,10 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   state_.v_WOcm = v_.segment<3>(object + 3);
   ++step_number_;
   report.is_finite = v_.allFinite() && state_.p_WOcm.allFinite();
+  stands_ = converged && is_as_before && v_.cwiseAbs().maxCoeff() < kStandingSpeed &&
+            problem_.u.cwiseAbs().maxCoeff() < kStandingSpeed;
+  last_command_ = command;
+  last_report_ = report;
   return report;
 }
 
@@ -255,7 +312,8 @@ void ImplicitWorld::AccountEnergy(const VectorXd& v) {
     const int index = static_cast<int>(i);
     (index < num_drives_       ? energy_.drives
      : index < num_drives_ + 6 ? energy_.arm
-                               : energy_.limits) += work;
+     : index < first_rolling_  ? energy_.limits
+                               : energy_.contacts) += work;
   }
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     const ContactPoint& contact = problem_.contacts[c];

@@ -13,20 +13,34 @@ Drives act by the command, the angle and the speed of the step's end, so that a 
 a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
 middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
 
+What rolls on the table under the force N is braked by a moment of at most
+SimConfig::table_rolling_resistance N against its turn about the horizontal; it gives way in
+proportion below kRollingRestSpeed, so that what has come to rest stays there.
+
 The hand hangs on an arm: a spring with damping beside it, in six dimensions, between the hand's
 base and where it is commanded to be, that gives no more than the arm can (SimConfig). The arm
 carries the hand itself: its weight and inertia along the commanded motion load no spring, so that
 a hand that touches nothing is where it is commanded to be. The arm's own inertia is not modelled.
 
+Where everything stands and nothing that acts has changed, a step changes nothing: it is not
+calculated and its report is that of the last one.
+
 A clone goes on to the very same bytes: it carries the bristles of all contacts, the speeds the
 solver starts from, the blocked links, the drives' imperfections, loads and the account of energy.
 */
 
+#include <memory>
+#include <optional>
+
 #include "core/physics/imperfect_drive.h"
+#include "core/physics/simbody_dynamics.h"
 #include "core/physics/step_solver.h"
 #include "core/physics/world.h"
 
 namespace graspbench {
+
+/** [rad/s] */
+inline constexpr double kRollingRestSpeed = 1e-3;
 
 /** Energy account [J]. Were the integration exact,
 kinetic_energy - start = drives + arm + gravity + contacts + limits + external; the rest is the
@@ -43,15 +57,20 @@ struct EnergyAccount {
 
 class ImplicitWorld : public World {
  public:
-  ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config);
+  ImplicitWorld(const Hand& hand, const GraspObject& object, const SimConfig& config,
+                TablePresence table = TablePresence::kPresent);
 
   std::unique_ptr<World> Clone() const override;
   void Reset(const WorldState& state) override;
   StepReport Step(const WorldCommand& command) override;
-  void SetGravity(const Eigen::Vector3d& gravity_W) override { state_.gravity_W = gravity_W; }
+  void SetGravity(const Eigen::Vector3d& gravity_W) override {
+    state_.gravity_W = gravity_W;
+    stands_ = false;
+  }
   void SetExternalLoad(const Eigen::Vector3d& force_W, const Eigen::Vector3d& moment_W) override {
     external_force_W_ = force_W;
     external_moment_W_ = moment_W;
+    stands_ = false;
   }
   /** Forces of the step's end at the places of its middle, in the collider's order. */
   void FindHandContacts(std::vector<HandContact>& contacts) const override;
@@ -61,9 +80,14 @@ class ImplicitWorld : public World {
 
  private:
   void MovePositions(double h, const Eigen::VectorXd& u, WorldState& state) const;
+  /** Positions of the hand and the mass matrix at middle_. */
+  void UpdateDynamics();
+  /** Whether the step asks for nothing new. */
+  bool IsAsBefore(const WorldCommand& command) const;
   void AddDrives(const WorldCommand& command);
   void AddArm(const WorldCommand& command);
   void AddLimits();
+  void AddRollingResistance();
   void AddStops(int dof, double rate, double q, double lower, double upper, double stiffness);
   void CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& acceleration_W);
   void AccountEnergy(const Eigen::VectorXd& v);
@@ -72,6 +96,9 @@ class ImplicitWorld : public World {
   void UpdateBlocks(const std::vector<bool>& link_touches_object);
 
   SimConfig config_;
+  // Of sim.multibody=simbody; clones share the model, whose state is set anew in each step.
+  std::shared_ptr<SimbodyModel> simbody_model_;
+  std::optional<SimbodyDynamics> simbody_;
   StepSolver solver_;
   StepProblem problem_;
   WorldState middle_;  // of the current step
@@ -82,10 +109,15 @@ class ImplicitWorld : public World {
   Eigen::Vector3d external_moment_W_ = Eigen::Vector3d::Zero();
   std::vector<DriveMemory> drives_;  // by dof
   // The first entries of problem_.scalars: drives and couplings by dof, then the drives' friction
-  // from first_friction_ on, num_drives_ in all; then six of the arm.
+  // from first_friction_ on, num_drives_ in all; then six of the arm, the limits, and from
+  // first_rolling_ on the object's rolling resistance.
   int first_friction_ = 0;
   int num_drives_ = 0;
+  int first_rolling_ = 0;
   int step_number_ = 0;
+  WorldCommand last_command_;
+  StepReport last_report_;
+  bool stands_ = false;  // nothing moved in the last step, whose command was that before it
   EnergyAccount energy_;
 };
 

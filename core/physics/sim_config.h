@@ -2,19 +2,28 @@
 /** @file
 Settings of the physics, and the number that tells its versions apart. */
 
+#include <Eigen/Core>
+#include <string>
+
+#include "core/base/units.h"
+
 namespace graspbench {
 
 /** Counts changes of the physics, or of a record's measures, that change results. Part of every
 trial id, so that records of different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 9;
+inline constexpr int kPhysicsVersion = 10;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
   double step = 0.002;                 ///< [s]
+  double gravity = kStandardGravity;   ///< downwards [m/s^2]
   double contact_stiffness = 1e5;      ///< normal, per contact point [N/m]
   double tangential_stiffness = 1e5;   ///< bristle, per contact point [N/m]
   double table_friction_static = 0.4;  ///< object and fingers on the table
   double table_friction_dynamic = 0.35;
+  /** c: a round part that rolls on the table under the force N is braked by the moment c N. Wood,
+  leather and plastics have some 0.1 to 1 mm, hard metal hundredths; proposed: the low end. */
+  double table_rolling_resistance = 1e-4;  ///< [m]
   double hand_friction_static = 0.5;  ///< of the hand against itself, where its links say nothing
   double hand_friction_dynamic = 0.4;
 
@@ -29,13 +38,20 @@ struct SimConfig {
   double arm_force_limit = 98.0;       ///< along each axis of W; at it the trial ends [N]
   double arm_moment_limit = 20.0;      ///< about H's origin, likewise [N m]
 
+  /** Whose positions, mass matrix and bias of the hand every step takes: "arrays", this program's,
+  compared with Simbody's at the end of every trial; "simbody", Simbody's own, some three times
+  slower: for checking. */
+  std::string multibody = "arrays";
+
   template <class V>
   void Visit(V&& v) {
     v("step_s", step);
+    v("gravity_m_per_s2", gravity);
     v("contact_stiffness_n_per_m", contact_stiffness);
     v("tangential_stiffness_n_per_m", tangential_stiffness);
     v("table_friction_static", table_friction_static);
     v("table_friction_dynamic", table_friction_dynamic);
+    v("table_rolling_resistance_m", table_rolling_resistance);
     v("hand_friction_static", hand_friction_static);
     v("hand_friction_dynamic", hand_friction_dynamic);
     v("arm_stiffness_n_per_m", arm_stiffness);
@@ -43,7 +59,14 @@ struct SimConfig {
     v("arm_damping_time_s", arm_damping_time);
     v("arm_force_limit_n", arm_force_limit);
     v("arm_moment_limit_nm", arm_moment_limit);
+    v("multibody", multibody);
   }
 };
+
+/** In W [m/s^2]. */
+inline Eigen::Vector3d MakeGravity(const SimConfig& config) { return {0.0, 0.0, -config.gravity}; }
+
+/** Whether there is one: the plane z = 0. */
+enum class TablePresence { kPresent, kNone };
 
 }  // namespace graspbench

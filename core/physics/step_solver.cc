@@ -16,6 +16,8 @@ constexpr double kLimitForce = 1e-6;  ///< [N]
 constexpr double kMostMixing = 10.0;
 /** Nor below this share of what the pass gave. */
 constexpr double kLeastShare = 0.5;
+/** A factor of an earlier step that leaves more of the residual is of no more use. */
+constexpr double kStaleShare = 0.01;
 
 double CalcScalarForce(const ScalarForce& scalar, double v) {
   return std::clamp(scalar.offset - scalar.gain * v, scalar.lower, scalar.upper);
@@ -152,16 +154,46 @@ double StepSolver::CalcSlope(const StepProblem& problem, const Eigen::VectorXd& 
   return slope;
 }
 
+bool StepSolver::UpdateFactor(const StepProblem& problem, const Eigen::VectorXd& v) {
+  bool is_same = has_factor_ && gains_.size() == problem.contacts.size() &&
+                 is_inside_.size() == problem.scalars.size();
+  gains_.resize(problem.contacts.size());
+  for (size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactPoint& contact = problem.contacts[c];
+    const GainKey key = {contact.link, contact.num_dofs,
+                         CalcContactGains(contact, rates_[c], forces_[c], problem.h)};
+    GainKey& last = gains_[c];
+    is_same = is_same && key.link == last.link && key.num_dofs == last.num_dofs &&
+              key.gains.normal == last.gains.normal && key.gains.friction == last.gains.friction;
+    last = key;
+  }
+  is_inside_.resize(problem.scalars.size());
+  scalar_gains_.resize(problem.scalars.size());
+  for (size_t i = 0; i < problem.scalars.size(); ++i) {
+    const ScalarForce& scalar = problem.scalars[i];
+    const bool is_inside = IsInsideClamp(scalar, v[scalar.dof]);
+    is_same = is_same && is_inside == is_inside_[i] && scalar.gain == scalar_gains_[i];
+    is_inside_[i] = is_inside;
+    scalar_gains_[i] = scalar.gain;
+  }
+  is_fresh_ = !is_same;
+  if (is_same) return true;
+  CalcHessian(problem);
+  has_factor_ = FactorCholesky(H_);
+  return has_factor_;
+}
+
 /** M + h J^T G J in the lower triangle of H_. */
-void StepSolver::CalcHessian(const StepProblem& problem, const Eigen::VectorXd& v) {
+void StepSolver::CalcHessian(const StepProblem& problem) {
   const double h = problem.h;
   H_ = problem.M;
-  for (const ScalarForce& scalar : problem.scalars) {
-    if (IsInsideClamp(scalar, v[scalar.dof])) H_(scalar.dof, scalar.dof) += h * scalar.gain;
+  for (size_t i = 0; i < problem.scalars.size(); ++i) {
+    const ScalarForce& scalar = problem.scalars[i];
+    if (is_inside_[i]) H_(scalar.dof, scalar.dof) += h * scalar.gain;
   }
   for (size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactPoint& contact = problem.contacts[c];
-    const ContactGains gains = CalcContactGains(contact, rates_[c], forces_[c], h);
+    const ContactGains& gains = gains_[c].gains;
     const auto& g = gains.friction;
     const bool has_friction = g[0] + g[2] + g[5] > 0.0;
     if (gains.normal == 0.0 && !has_friction) continue;
@@ -171,47 +203,63 @@ void StepSolver::CalcHessian(const StepProblem& problem, const Eigen::VectorXd& 
 }
 
 /** The slope along the direction rises monotonically; its zero when the full step overshoots. */
-double StepSolver::SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v) const {
+double StepSolver::SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v,
+                               double slope_at_start, double slope) const {
   double alpha = 1.0;
-  const double slope_at_start = residual_.dot(direction_);
-  double slope = CalcSlope(problem, v, alpha);
-  if (slope > 0.1 * std::abs(slope_at_start)) {
-    double low = 0.0, high = 1.0, slope_low = slope_at_start, slope_high = slope;
-    for (int k = 0; k < 20 && std::abs(slope) > 0.1 * std::abs(slope_at_start); ++k) {
-      alpha = low - slope_low * (high - low) / (slope_high - slope_low);
-      // Regula falsi may stick to one end; bisect every third time.
-      if (k % 3 == 2) alpha = 0.5 * (low + high);
-      slope = CalcSlope(problem, v, alpha);
-      if (slope > 0.0) {
-        high = alpha;
-        slope_high = slope;
-      } else {
-        low = alpha;
-        slope_low = slope;
-      }
+  double low = 0.0, high = 1.0, slope_low = slope_at_start, slope_high = slope;
+  for (int k = 0; k < 20 && std::abs(slope) > 0.1 * std::abs(slope_at_start); ++k) {
+    alpha = low - slope_low * (high - low) / (slope_high - slope_low);
+    // Regula falsi may stick to one end; bisect every third time.
+    if (k % 3 == 2) alpha = 0.5 * (low + high);
+    slope = CalcSlope(problem, v, alpha - 1.0);
+    if (slope > 0.0) {
+      high = alpha;
+      slope_high = slope;
+    } else {
+      low = alpha;
+      slope_low = slope;
     }
   }
   return alpha;
 }
 
-bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    CalcResidual(problem, v);
-    if (!(residual_.cwiseAbs().maxCoeff() > kTolerance)) return residual_.allFinite();
+void StepSolver::MoveAlong(double share, Eigen::VectorXd& v) {
+  v += share * direction_;
+  momentum_ += share * M_direction_;
+  for (size_t c = 0; c < rates_.size(); ++c) {
+    for (int row = 0; row < kNumContactRows; ++row) {
+      rates_[c][row] += share * direction_rates_[c][row];
+    }
+  }
+}
 
-    CalcHessian(problem, v);
-    if (!FactorCholesky(H_)) return false;
+bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
+  CalcResidual(problem, v);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const double miss = residual_.cwiseAbs().maxCoeff();
+    if (!(miss > kTolerance)) return residual_.allFinite();
+
+    if (!UpdateFactor(problem, v)) return false;
     direction_ = -residual_;
     H_.triangularView<Eigen::Lower>().solveInPlace(direction_);
     H_.adjoint().triangularView<Eigen::Upper>().solveInPlace(direction_);
-    if (!direction_.allFinite()) return false;
+    if (!direction_.allFinite()) {
+      Forget();
+      return false;
+    }
     M_direction_.noalias() = problem.M * direction_;
     CalcRates(problem, direction_, direction_rates_);
 
-    v += SearchAlong(problem, v) * direction_;
-    CalcMotion(problem, v);
+    const double slope_at_start = residual_.dot(direction_);
+    MoveAlong(1.0, v);
+    CalcResidual(problem, v);
+    const double slope = residual_.dot(direction_);
+    if (slope > 0.1 * std::abs(slope_at_start)) {
+      MoveAlong(SearchAlong(problem, v, slope_at_start, slope) - 1.0, v);
+      CalcResidual(problem, v);
+    }
+    if (!is_fresh_ && residual_.cwiseAbs().maxCoeff() > kStaleShare * miss) Forget();
   }
-  CalcResidual(problem, v);
   return residual_.cwiseAbs().maxCoeff() <= kTolerance;
 }
 

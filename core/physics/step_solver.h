@@ -9,7 +9,9 @@ potential of v, so Newton with an exact line search always finds the one solutio
 are taken from the new normal forces until they agree, a fixed point that Anderson's mixing of the
 last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). Both details are
 needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
-factor of at most 36 unknowns per iteration, none when the last speeds solve the step already. */
+factor of at most 36 unknowns per iteration, none when the last speeds solve the step already. The
+factor serves on while no contact's or drive's gain has changed, from step to step too: mass matrix
+and contacts move so little that the next residual shows whether it still does. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -60,13 +62,22 @@ class StepSolver {
     return false;
   }
 
+  /** Nothing of earlier steps is used any more. */
+  void Forget() { has_factor_ = false; }
+
   const std::vector<ContactRates>& rates() const { return rates_; }
   const std::vector<ContactForces>& forces() const { return forces_; }
 
  private:
   bool SolvePass(StepProblem& problem, Eigen::VectorXd& v);
-  void CalcHessian(const StepProblem& problem, const Eigen::VectorXd& v);
-  double SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v) const;
+  /** Brings the factor to the gains at v; false when there is none. */
+  bool UpdateFactor(const StepProblem& problem, const Eigen::VectorXd& v);
+  void CalcHessian(const StepProblem& problem);
+  /** @param v  a full step along the direction, where the slope is `slope`   @return how much of
+  that step to take. */
+  double SearchAlong(const StepProblem& problem, const Eigen::VectorXd& v, double slope_at_start,
+                     double slope) const;
+  void MoveAlong(double share, Eigen::VectorXd& v);
   /** Returns whether a limit that matters was off; only then moves them. */
   bool RefreshFrictionLimits(StepProblem& problem);
   void MixLimits(StepProblem& problem) const;
@@ -89,7 +100,16 @@ class StepSolver {
   std::vector<ContactRates> rates_;            // at v
   std::vector<ContactRates> direction_rates_;  // J d
   std::vector<ContactForces> forces_;          // at v
-  Eigen::VectorXd momentum_;                   // M (v - u)
+  struct GainKey {
+    int link, num_dofs;
+    ContactGains gains;
+  };
+  std::vector<GainKey> gains_;   // by contact, of the factor
+  std::vector<bool> is_inside_;  // by scalar, of the factor: between its bounds
+  std::vector<double> scalar_gains_;
+  bool has_factor_ = false;
+  bool is_fresh_ = false;     // the factor is of this iteration
+  Eigen::VectorXd momentum_;  // M (v - u)
   Eigen::VectorXd residual_, direction_, M_direction_;
   Eigen::MatrixXd H_;  // its lower triangle; then the factor
 };

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 
 #include "core/base/units.h"
+#include "core/physics/rim_circles.h"
 
 namespace graspbench {
 namespace {
@@ -18,6 +21,9 @@ using Eigen::Vector3d;
 constexpr int kSupportDirections = 4000;
 /** Vertices this much higher than the lowest one do not carry the object [m]. */
 constexpr double kSupportBand = 2e-4;
+/** Those lower than this may bear all of it: the outermost of them are contacts, whatever lies
+farther out and higher, or the object would sink until that bears [m]. */
+constexpr double kBearingBand = 2e-5;
 /** Faces of a smooth part meet at less than this; 16 segments: 22.5 degrees. */
 const double kSmoothCosine = std::cos(RadFromDeg(25.0));
 /** Longest edge on a ball over its radius; 16 segments: 0.39, and 0.55 across. The corners of a long
@@ -112,6 +118,24 @@ double IntegrateDistance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 }  // namespace
 
+std::shared_ptr<const TableSupport> TableSupport::Of(const GraspObject& object) {
+  static std::mutex mutex;
+  static std::map<std::weak_ptr<const SignedDistanceField>, std::shared_ptr<const TableSupport>,
+                  std::owner_less<>>
+      known;
+  if (!object.field) return std::make_shared<const TableSupport>(object.mesh);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (const auto found = known.find(object.field); found != known.end()) return found->second;
+  }
+  auto made = std::make_shared<const TableSupport>(object.mesh);
+  const std::lock_guard<std::mutex> lock(mutex);
+  for (auto entry = known.begin(); entry != known.end();) {
+    entry = entry->first.expired() ? known.erase(entry) : std::next(entry);
+  }
+  return known.emplace(object.field, made).first->second;
+}
+
 TableSupport::TableSupport(const TriMesh& mesh) {
   const std::vector<size_t> vertices = FindSupportVertices(mesh);
   for (size_t i : vertices) {
@@ -119,7 +143,32 @@ TableSupport::TableSupport(const TriMesh& mesh) {
     radius_ = std::max(radius_, mesh.vertices[i].norm());
   }
   FindBalls(mesh, vertices);
+  FindCircles(mesh, vertices);
   FindFaces(mesh);
+}
+
+void TableSupport::FindCircles(const TriMesh& mesh, const std::vector<size_t>& vertices) {
+  std::vector<bool> outermost(mesh.vertices.size(), false);
+  std::vector<int> point_of_vertex(mesh.vertices.size(), -1);
+  for (size_t k = 0; k < vertices.size(); ++k) {
+    point_of_vertex[vertices[k]] = static_cast<int>(k);
+    outermost[vertices[k]] = points_[k].ball < 0;  // a ball carries better
+  }
+  for (const RimCircle& rim : FindRimCircles(mesh, outermost)) {
+    for (const size_t vertex : rim.vertices) {
+      points_[static_cast<size_t>(point_of_vertex[vertex])].circle =
+          static_cast<int>(circles_.size());
+    }
+    circles_.push_back({rim.p_OCentre, rim.axis_O, rim.radius});
+  }
+}
+
+std::optional<Vector3d> TableSupport::FindLowestOf(const Circle& circle, const Vector3d& up_O) {
+  const Vector3d across = up_O - up_O.dot(circle.axis_O) * circle.axis_O;
+  const double share = across.norm();  // sine of its tilt
+  // A rim that lies level touches all around: its vertices carry.
+  if (2.0 * circle.radius * share < kSupportBand) return std::nullopt;
+  return Vector3d(circle.p_OCentre - circle.radius / share * across);
 }
 
 void TableSupport::FindFaces(const TriMesh& mesh) {
@@ -222,23 +271,28 @@ bool TableSupport::IsOnBall(const Point& point, const Pose& X_WO) const {
   return (p_OLowest - point.p_O).norm() <= point.neighbourhood;
 }
 
-void TableSupport::ChooseOutermost(const Vector3d& up_O, std::vector<int>& carrying) const {
-  if (carrying.size() <= kMaxContacts) return;
+void TableSupport::AddOutermost(const Vector3d& up_O, double most,
+                                const std::vector<Candidate>& candidates,
+                                std::vector<int>& chosen) {
   // Fixed directions of O keep the choice steady from step to step.
   const Vector3d e1 = up_O.unitOrthogonal(), e2 = up_O.cross(e1);
-  std::vector<int> chosen;
-  for (int k = 0; k < kMaxContacts; ++k) {
-    const double angle = 2.0 * kPi * k / kMaxContacts;
+  for (int k = 0; k < kNumDirections; ++k) {
+    const double angle = 2.0 * kPi * k / kNumDirections;
     const Vector3d direction = std::cos(angle) * e1 + std::sin(angle) * e2;
-    const int point = *std::max_element(carrying.begin(), carrying.end(), [&](int a, int b) {
-      return direction.dot(points_[a].p_O) < direction.dot(points_[b].p_O);
-    });
-    if (std::find(chosen.begin(), chosen.end(), point) == chosen.end()) chosen.push_back(point);
+    int best = -1;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      const double distance = direction.dot(candidates[i].p_O);
+      if (candidates[i].height > most || distance <= farthest) continue;
+      farthest = distance;
+      best = static_cast<int>(i);
+    }
+    if (std::find(chosen.begin(), chosen.end(), best) == chosen.end()) chosen.push_back(best);
   }
-  carrying = chosen;
 }
 
-double TableSupport::CalcFaceFactor(const Vector3d& up_O, const std::vector<int>& chosen) const {
+double TableSupport::CalcFaceFactor(const Vector3d& up_O, const std::vector<Candidate>& candidates,
+                                    const std::vector<int>& chosen) const {
   if (chosen.size() < 2) return 1.0;
   if (chosen.size() == 2) return 0.5;
   const auto face = std::find_if(faces_.begin(), faces_.end(), [&](const Face& candidate) {
@@ -247,7 +301,7 @@ double TableSupport::CalcFaceFactor(const Vector3d& up_O, const std::vector<int>
   if (face == faces_.end()) return 1.0;
   double mean = 0.0;
   for (int point : chosen) {
-    const Vector3d p = points_[point].p_O - face->p_OCentroid;
+    const Vector3d p = candidates[static_cast<size_t>(point)].p_O - face->p_OCentroid;
     mean += (p - p.dot(up_O) * up_O).norm() / static_cast<double>(chosen.size());
   }
   return std::min(1.0, face->mean_distance / mean);
@@ -256,38 +310,63 @@ double TableSupport::CalcFaceFactor(const Vector3d& up_O, const std::vector<int>
 void TableSupport::FindContacts(const Pose& X_WO, double reach, std::vector<Contact>& contacts,
                                 double& face_factor) const {
   contacts.clear();
-  if (X_WO.translation().z() > radius_ + reach) return;
+  face_factor = 1.0;
+  const double height_O = X_WO.translation().z();
+  if (height_O > radius_ + reach) return;
   const Vector3d up_O = X_WO.linear().row(2).transpose();
+  thread_local std::vector<std::optional<Vector3d>> p_OLowest;  // of circles that roll
+  p_OLowest.clear();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Circle& circle : circles_) {
+    p_OLowest.push_back(FindLowestOf(circle, up_O));
+    if (p_OLowest.back()) lowest = std::min(lowest, height_O + up_O.dot(*p_OLowest.back()));
+  }
   thread_local std::vector<double> heights;
   heights.resize(points_.size());
-  size_t lowest = 0;
   for (size_t i = 0; i < points_.size(); ++i) {
-    heights[i] = X_WO.translation().z() + up_O.dot(points_[i].p_O);
-    if (heights[i] < heights[lowest]) lowest = i;
+    heights[i] = height_O + up_O.dot(points_[i].p_O);
+    lowest = std::min(lowest, heights[i]);
   }
-  if (heights[lowest] > reach) return;
+  if (lowest > reach) return;
 
-  thread_local std::vector<int> corners;
-  corners.clear();
   thread_local std::vector<bool> ball_carries;
   ball_carries.assign(balls_.size(), false);
   for (size_t i = 0; i < points_.size(); ++i) {
-    if (heights[i] > heights[lowest] + kSupportBand || !IsOnBall(points_[i], X_WO)) continue;
+    if (heights[i] > lowest + kSupportBand || !IsOnBall(points_[i], X_WO)) continue;
     ball_carries[static_cast<size_t>(points_[i].ball)] = true;
   }
+  thread_local std::vector<Candidate> candidates;
+  candidates.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
-    if (heights[i] > heights[lowest] + kSupportBand) continue;
-    if (points_[i].ball < 0 || !ball_carries[static_cast<size_t>(points_[i].ball)]) {
-      corners.push_back(static_cast<int>(i));
-    }
+    const Point& point = points_[i];
+    if (heights[i] > lowest + kSupportBand) continue;
+    if (point.ball >= 0 && ball_carries[static_cast<size_t>(point.ball)]) continue;
+    if (point.circle >= 0 && p_OLowest[static_cast<size_t>(point.circle)]) continue;
+    candidates.push_back({static_cast<int>(i), point.p_O, heights[i], false});
   }
-  ChooseOutermost(up_O, corners);
-  face_factor = CalcFaceFactor(up_O, corners);
-  for (int point : corners) contacts.push_back({point, X_WO * points_[point].p_O, false});
+  for (size_t c = 0; c < circles_.size(); ++c) {
+    if (!p_OLowest[c]) continue;
+    const double height = height_O + up_O.dot(*p_OLowest[c]);
+    if (height > lowest + kSupportBand) continue;
+    const auto id = static_cast<int>(points_.size() + balls_.size() + c);
+    candidates.push_back({id, *p_OLowest[c], height, true});
+  }
+  thread_local std::vector<int> chosen;
+  chosen.clear();
+  if (!candidates.empty()) {
+    AddOutermost(up_O, lowest + kBearingBand, candidates, chosen);
+    AddOutermost(up_O, lowest + kSupportBand, candidates, chosen);
+    chosen.erase(std::remove(chosen.begin(), chosen.end(), -1), chosen.end());
+  }
+  face_factor = CalcFaceFactor(up_O, candidates, chosen);
+  for (const int i : chosen) {
+    const Candidate& candidate = candidates[static_cast<size_t>(i)];
+    contacts.push_back({candidate.id, X_WO * candidate.p_O, false, candidate.rolls});
+  }
   for (size_t b = 0; b < balls_.size(); ++b) {
     if (!ball_carries[b]) continue;
     const Vector3d p_W = X_WO * balls_[b].p_OCentre - balls_[b].radius * Vector3d::UnitZ();
-    contacts.push_back({static_cast<int>(points_.size() + b), p_W, true});
+    contacts.push_back({static_cast<int>(points_.size() + b), p_W, true, true});
   }
 }
 
@@ -298,6 +377,11 @@ double TableSupport::CalcLowestPoint(const Pose& X_WO) const {
     if (!IsOnBall(point, X_WO)) continue;
     const Ball& ball = balls_[static_cast<size_t>(point.ball)];
     lowest = std::min(lowest, (X_WO * ball.p_OCentre).z() - ball.radius);
+  }
+  const Vector3d up_O = X_WO.linear().row(2).transpose();
+  for (const Circle& circle : circles_) {
+    const std::optional<Vector3d> p_O = FindLowestOf(circle, up_O);
+    if (p_O) lowest = std::min(lowest, (X_WO * *p_O).z());
   }
   return lowest;
 }

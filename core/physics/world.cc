@@ -17,11 +17,12 @@ double CalcConeShare(const HandContact& contact) {
   return limit > 0.0 ? contact.friction_W.norm() / limit : kUnset;
 }
 
-World::World(const Hand& hand, const GraspObject& object, const SimConfig& config)
+World::World(const Hand& hand, const GraspObject& object, const SimConfig& config,
+             TablePresence table)
     : hand_(&hand),
       mass_(object.mass_properties),
       dynamics_(hand),
-      collider_(hand, object, config) {}
+      collider_(hand, object, config, table) {}
 
 void World::ResetScene(const WorldState& state) {
   state_ = state;

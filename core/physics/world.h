@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-A hand, an object and a table in time: what every backend shows to a trial. The default backend is
+A hand, an object and, where there is one, a table in time: what every backend shows to a trial. The default backend is
 ImplicitWorld (implicit_world.h); another moves the same scene by other means (compliant_world.h),
 and the whole course of a trial runs on it unchanged.
 
@@ -129,7 +129,7 @@ class World {
   Eigen::VectorXd CalcHandSpeeds() const;  ///< [u, w_WH, v_WH], as HandDynamics has them
 
  protected:
-  World(const Hand& hand, const GraspObject& object, const SimConfig& config);
+  World(const Hand& hand, const GraspObject& object, const SimConfig& config, TablePresence table);
   World(const World&) = default;
 
   /** What Reset does in every backend. */

@@ -1,13 +1,13 @@
 #include "core/trial/compliant_trial.h"
 
 #include "core/physics/compliant_world.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 
 namespace graspbench {
 
 TrialResult RunCompliantTrial(const TrialSetup& setup) {
   try {
-    return TrialCourse(MakeCompliantWorld(*setup.hand, *setup.object, setup.sim), setup).Run();
+    return TableLift(MakeCompliantWorld(*setup.hand, *setup.object, setup.sim), setup).Run();
   } catch (const std::exception& e) {
     // Simbody reports impossible states and steps that become too short this way.
     TrialResult result;

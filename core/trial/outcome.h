@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 What a trial is called in the end: one table, in which every rule that depends on the outcome
-stands. A new outcome is a value, a row, and its condition in trial_outcome.cc. */
+stands. A new outcome is a value, a row, and its condition in protocols/table_lift_outcome.cc. */
 
 #include <string>
 #include <vector>
@@ -23,8 +23,8 @@ enum class Outcome {
   kUnreachable,          ///< this grasp cannot hold this object without the palm inside it
   kNotSeen,              ///< the camera did not find the object; `reason` says why
   kArmOverloaded,        ///< object or table pushed harder on the hand than the arm can bear
-  kNotPhysical,          ///< held, but in a way no real hand could: see trial_outcome.h
-  kNumericalFailure,     ///< the simulation gave up; `reason` says why
+  kNotPhysical,       ///< held, but in a way no real hand could: see protocols/table_lift_outcome.h
+  kNumericalFailure,  ///< the simulation gave up; `reason` says why
 };
 
 /** What an outcome says about the trial. */

@@ -99,8 +99,12 @@ struct TrialResult {
   /** Motion in the palm's frame in the second half of the hold: of the centre of mass, plus the
   turn times the object's radius [m]; NaN: not held to the end. */
   double hold_creep = kUnset;
-  double end_speed = 0.0;              ///< against the hand at the end, turning too [m/s]
-  double grip_force = 0.0;             ///< sum of normal forces on the object before lift-off [N]
+  double end_speed = 0.0;   ///< against the hand at the end, turning too [m/s]
+  double grip_force = 0.0;  ///< sum of normal forces on the object before lift-off [N]
+  /** Of the object's centre of mass from the first touch to the end of stabilisation: how far it
+  rose, and its displacement in the palm's frame; NaN: not lifted [m]. See measures/seat.h. */
+  double closure_rise = kUnset, closure_displacement = kUnset;
+  double weight = kUnset;              ///< of the object [N]
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
   double steady_penetration = kUnset;  ///< deepest finger contact at the end of the hold [m]
   Stability stability;
@@ -134,6 +138,11 @@ struct TrialResult {
           FieldColumn{"m/s", "speed of the object against the hand at the end, turning included"});
     field("grip_force_n", &R::grip_force,
           FieldColumn{"N", "sum of the normal forces on the object before lift-off"});
+    field("closure_rise_m", &R::closure_rise, FieldMayMiss{},
+          FieldColumn{"m", "rise of the object from the first touch to the end of stabilisation"});
+    field("closure_displacement_m", &R::closure_displacement, FieldMayMiss{},
+          FieldColumn{"m", "in-hand displacement of the object in the same time"});
+    field("weight_n", &R::weight, FieldMayMiss{}, FieldColumn{"N", "weight of the object"});
     field("worst_penetration_m", &R::worst_penetration,
           FieldColumn{"m", "deepest finger contact of the whole trial"});
     field("steady_penetration_m", &R::steady_penetration,

@@ -14,21 +14,13 @@
 #include "core/trial/compliant_trial.h"
 #include "core/trial/delayed_digit.h"
 #include "core/trial/judge/disturbance.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/protocol.h"
 #include "core/vision/wrist_camera.h"
 
 namespace graspbench {
 namespace {
 
-bool IsSame(const SimConfig& a, const SimConfig& b) {
-  bool same = true;
-  std::vector<double> values;
-  SimConfig copy_a = a, copy_b = b;
-  copy_a.Visit([&](const char*, double& value) { values.push_back(value); });
-  size_t i = 0;
-  copy_b.Visit([&](const char*, double& value) { same = same && value == values[i++]; });
-  return same;
-}
+bool IsSame(const SimConfig& a, const SimConfig& b) { return ConfigToJson(a) == ConfigToJson(b); }
 
 /** Of one hand and object, and without a late digit. */
 bool IsSame(const TrialSetup& a, const TrialSetup& b) {
@@ -40,7 +32,8 @@ bool IsSame(const TrialSetup& a, const TrialSetup& b) {
          a.grasp.q_target == b.grasp.q_target && IsSame(a.sim, b.sim) &&
          a.draw.offset_x == b.draw.offset_x && a.draw.offset_y == b.draw.offset_y &&
          a.draw.offset_yaw == b.draw.offset_yaw && a.draw.joint_error == b.draw.joint_error &&
-         a.positioning == b.positioning && a.touch == b.touch && describe(a) == describe(b);
+         a.protocol == b.protocol && a.positioning == b.positioning && a.touch == b.touch &&
+         describe(a) == describe(b);
 }
 
 }  // namespace
@@ -49,8 +42,9 @@ struct TrialRunner::Impl {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
   SimbodyModel simbody;
-  std::unique_ptr<const World> world;  // for `sim`; each trial runs in a clone
+  std::unique_ptr<const World> world;  // for `sim` and `table`; each trial runs in a clone
   SimConfig sim;
+  TablePresence table = TablePresence::kPresent;
   std::unique_ptr<WristCamera> camera;  // for `camera_config`; null: nothing looked yet
   CameraConfig camera_config;
   struct Undelayed {
@@ -66,7 +60,7 @@ struct TrialRunner::Impl {
 
   JudgedTrial Run(const TrialSetup& setup, bool is_judged,
                   const std::function<void(TrialCourse&)>& observe = {});
-  std::unique_ptr<World> MakeWorld(const SimConfig& config);
+  std::unique_ptr<World> MakeWorld(const SimConfig& config, TablePresence the_table);
   /** The setup with the commands of its late digit. */
   TrialSetup Delay(const TrialSetup& setup);
   /** Null where none is needed. */
@@ -82,10 +76,12 @@ WristCamera* TrialRunner::Impl::FindCamera(const TrialSetup& setup) {
   return camera.get();
 }
 
-std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config) {
-  if (!world || !IsSame(config, sim)) {
+std::unique_ptr<World> TrialRunner::Impl::MakeWorld(const SimConfig& config,
+                                                    TablePresence the_table) {
+  if (!world || !IsSame(config, sim) || table != the_table) {
     sim = config;
-    world = std::make_unique<ImplicitWorld>(*hand, *object, config);
+    table = the_table;
+    world = std::make_unique<ImplicitWorld>(*hand, *object, config, table);
   }
   return world->Clone();
 }
@@ -115,7 +111,7 @@ TrialRunner::~TrialRunner() = default;
 
 void TrialRunner::Prepare(const SimConfig& sim) {
   try {
-    impl_->MakeWorld(sim);
+    impl_->MakeWorld(sim, TablePresence::kPresent);
   } catch (const std::exception&) {  // the trial will fail by it, as a result with its reason
   }
 }
@@ -151,22 +147,24 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
   }
   ClosingMeter closing;
   const auto observe_closing = [&](TrialCourse& course) {
-    closing.Observe(course.notes().phase, course.world().CalcObjectPose());
+    closing.Observe(course.phase(), course.world().CalcObjectPose());
     if (observe) observe(course);
   };
   try {
-    TrialCourse course(MakeWorld(setup.sim), setup, FindCamera(setup));
-    result = setup.keeps_closing ? course.Run(observe_closing) : course.Run(observe);
+    const Protocol& protocol = FindProtocol(setup.protocol);
+    const std::unique_ptr<TrialCourse> course =
+        protocol.make_course(MakeWorld(setup.sim, protocol.table), setup, FindCamera(setup));
+    result = setup.keeps_closing ? course->Run(observe_closing) : course->Run(observe);
     if (setup.keeps_closing) result.closing = closing.Calc();
     if (result.outcome == Outcome::kNumericalFailure) return trial;
-    if (const double difference = CompareWithSimbody(course.world(), simbody);
+    if (const double difference = CompareWithSimbody(course->world(), simbody);
         !(difference < kSimbodyTolerance)) {
       result.outcome = Outcome::kNumericalFailure;
       result.reason =
           fmt::format("mass matrix or bias differs from Simbody's by {:.1e}", difference);
       return trial;
     }
-    if (is_judged && course.is_held()) trial.judgement = course.Judge();
+    if (is_judged && course->is_held()) trial.judgement = course->Judge();
   } catch (const std::exception& e) {
     // Simbody reports impossible states this way.
     trial = JudgedTrial();

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-One grasp trial: the five-phase strategy (core/grasp/strategy.h) carried out by a hand on an object
-in physics, then a hold, after which the outcome is given. */
+One grasp trial by the setup's protocol (protocols/protocol.h), carried out by a hand on an object in
+physics. */
 
 #include <functional>
 #include <memory>

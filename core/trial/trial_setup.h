@@ -5,6 +5,7 @@ to trial. */
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/grasp/standard_grasp.h"
@@ -40,6 +41,7 @@ enum class LateDigit { kNone, kFirst, kLast };
 struct TrialSetup {
   std::shared_ptr<const Hand> hand;
   std::shared_ptr<const GraspObject> object;
+  std::string protocol = "table_lift";  ///< id of what happens in the trial (protocols/)
   Grasp grasp;
   StrategyConfig strategy;
   SimConfig sim;

@@ -3,24 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/protocol.h"
 
 namespace graspbench {
 namespace {
 
 TraceInstant MakeInstant(TrialCourse& course) {
-  const TrialNotes& notes = course.notes();
   const World& world = course.world();
   TraceInstant instant;
-  instant.time = notes.time;
-  instant.phase = instant.next_phase = notes.phase;
+  instant.time = course.time();
+  instant.phase = instant.next_phase = course.phase();
   instant.X_WH = world.state().X_WH;
   instant.X_WO = world.CalcObjectPose();
   instant.q = world.state().q;
-  instant.q_asked = notes.command.q;
+  instant.q_asked = course.last_command().q;
   world.FindHandContacts(instant.contacts);
-  instant.grip_force = notes.report.grip_force;
-  instant.table_force = notes.report.table_force;
+  instant.grip_force = course.report().grip_force;
+  instant.table_force = course.report().table_force;
   return instant;
 }
 
@@ -43,7 +42,7 @@ TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double inte
       traced.trace.back().next_phase = course.phase();
     }
     latest = MakeInstant(course);
-    traced.closure_start = course.notes().closure_start;
+    traced.closure_start = course.closure_start();
     is_kept = false;
     if (step++ % every == 0) keep_latest();
   });

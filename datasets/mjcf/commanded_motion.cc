@@ -5,12 +5,12 @@
 
 #include "core/base/text/csv.h"
 #include "core/physics/implicit_world.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 
 namespace graspbench {
 
 CommandedMotion RecordMotion(const TrialSetup& setup) {
-  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   CommandedMotion motion;
   motion.step = setup.sim.step;
   course.Begin();

@@ -90,6 +90,11 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
     problems.push_back(
         {"sim.hand_friction_dynamic", "must not be higher than sim.hand_friction_static"});
   }
+  if (config.sim.multibody != "arrays" && config.sim.multibody != "simbody") {
+    problems.push_back(
+        {"sim.multibody", "no multibody \"" + config.sim.multibody + "\"" +
+                              SuggestNames(config.sim.multibody, {"arrays", "simbody"})});
+  }
   if (!FindRow(kApproaches, config.approach)) {
     problems.push_back({"approach", "no approach \"" + config.approach + "\"" +
                                         SuggestNames(config.approach, ListNames(kApproaches))});

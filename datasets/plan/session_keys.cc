@@ -59,10 +59,16 @@ const FileKeys& ListSessionKeys() {
       {"strategy.lift_time_s", "", "duration of the lift", 0.05, 60},
       {"strategy.hold_time_s", "", "the object must be held so long after the lift", 0, 60},
       {"sim.step_s", "", "of the physics", 1e-4, 1e-2},
+      {"sim.gravity_m_per_s2", "", "downwards", 0, 100},
       {"sim.contact_stiffness_n_per_m", "", "normal, of one contact point", 100, 1e7},
       {"sim.tangential_stiffness_n_per_m", "", "of one contact point before it slips", 100, 1e7},
       {"sim.table_friction_static", "", "of object and fingers on the table", 0, 2},
       {"sim.table_friction_dynamic", "", "likewise, sliding; at most the static one", 0, 2},
+      {"sim.table_rolling_resistance_m", "",
+       "a round part of an object that rolls on the table under the force N is braked by the "
+       "moment "
+       "of this times N; 0: it rolls for ever",
+       0, 0.1},
       {"sim.hand_friction_static", "", "of the hand against itself, where its links say nothing", 0,
        2},
       {"sim.hand_friction_dynamic", "", "likewise, sliding; at most the static one", 0, 2},
@@ -71,6 +77,10 @@ const FileKeys& ListSessionKeys() {
       {"sim.arm_damping_time_s", "", "the arm's damping over its stiffness", 0, 1},
       {"sim.arm_force_limit_n", "", "along each axis; a trial that reaches it ends", 1, 1e6},
       {"sim.arm_moment_limit_nm", "", "about the hand's base, likewise", 0.1, 1e6},
+      {"sim.multibody", "",
+       "arrays: the program's own mass matrix and bias, compared with Simbody's at the end of "
+       "every "
+       "trial; simbody: Simbody's in every step, slower, for checking"},
       {"model.mass_scale", "", "factor on every object's mass and inertia", 0.01, 100},
       {"model.friction_scale", "", "factor on the friction of objects and links", 0, 10},
       {"model.pad_torsion_scale", "", "factor on every torsion radius", 0, 10},

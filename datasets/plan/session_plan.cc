@@ -255,10 +255,11 @@ struct ConditionBlock {
   const SessionConfig* config;
   const SessionInputs* inputs;
   std::vector<std::pair<std::optional<std::string>, const ConditionInputs*>> members;
+  bool is_base = false;
 };
 
 std::vector<ConditionBlock> ListBlocks(const SessionConfig& config, const SessionInputs& inputs) {
-  std::vector<ConditionBlock> blocks = {{&config, &inputs, {{std::nullopt, nullptr}}}};
+  std::vector<ConditionBlock> blocks = {{&config, &inputs, {{std::nullopt, nullptr}}, true}};
   std::map<Json, size_t> places;
   SessionConfig base = config;
   base.conditions.clear();
@@ -266,20 +267,23 @@ std::vector<ConditionBlock> ListBlocks(const SessionConfig& config, const Sessio
   for (const Condition& condition : config.conditions) {
     const ConditionInputs& made = inputs.conditions.at(condition.name);
     const auto [place, is_new] = places.emplace(ToJson(made.config), blocks.size());
-    if (is_new) blocks.push_back({&made.config, made.inputs.get(), {}});
+    if (is_new) blocks.push_back({&made.config, made.inputs.get(), {}, false});
     blocks[place->second].members.emplace_back(condition.name, &made);
   }
   return blocks;
 }
 
-/** Of a trial under a condition that is more than settings of a session. */
-std::string CalcConditionedId(const std::string& id, const ConditionInputs& condition) {
+/** Of a trial under a condition that is more than settings of a session, or no change at all.
+@param again  the name of a condition that only repeats the base; else empty. */
+std::string CalcConditionedId(const std::string& id, const ConditionInputs& condition,
+                              const std::string& again) {
   Json content = {{"trial", id}};
   if (condition.late != LateDigit::kNone) {
     content["late"] = condition.late == LateDigit::kLast ? "last" : "first";
     content["delay_s"] = condition.delay;
   }
   if (condition.is_compliant) content["backend"] = "compliant";
+  if (content.size() == 1 && !again.empty()) content["again"] = again;
   return content.size() == 1 ? id : CalcHashHex(FormatJson(content));
 }
 
@@ -293,8 +297,9 @@ void PlanPair(const ConditionBlock& block, size_t hand_index, size_t object_inde
       const std::string id = CalcTrialId(*block.config, *hand.hand, *object, *grasp, trial);
       for (const auto& [name, condition] : block.members) {
         if (condition && condition->is_compliant && !can_be_compliant) continue;
-        plan.push_back({condition ? CalcConditionedId(id, *condition) : id, hand.hand->id,
-                        object->id, grasp->id, trial, name});
+        plan.push_back(
+            {condition ? CalcConditionedId(id, *condition, block.is_base ? *name : "") : id,
+             hand.hand->id, object->id, grasp->id, trial, name});
       }
     }
   }
@@ -425,9 +430,13 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
                     planned.hand + ", " + planned.object);
   const Grasp* grasp = FindGrasp(*hand, **object, planned.grasp);
   GRASPBENCH_DEMAND(grasp, planned.grasp);
-  TrialSetup setup{hand->hand, *object,
-                   *grasp,     config.strategy,
-                   config.sim, MakeTrialDraw(config, *hand->hand, **object, planned.trial)};
+  TrialSetup setup;
+  setup.hand = hand->hand;
+  setup.object = *object;
+  setup.grasp = *grasp;
+  setup.strategy = config.strategy;
+  setup.sim = config.sim;
+  setup.draw = MakeTrialDraw(config, *hand->hand, **object, planned.trial);
   setup.positioning = FindRow(kPositionings, config.positioning)->value;
   setup.camera = config.camera;
   setup.touch = FindRow(kTouchSenses, config.touch)->value;

@@ -1,10 +1,12 @@
 #include "datasets/records/trial_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/trial/judge/verdicts.h"
 #include "core/trial/measures/palm_contact.h"
+#include "core/trial/measures/seat.h"
 #include "datasets/plan/conditions.h"
 
 namespace graspbench {
@@ -252,6 +254,23 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"palm_touches", "boolean", "",
        "1 when the palm, or another link of no digit, touches at the end of the trial",
        [](const TrialRecord& record) { return Json(TouchesPalmAtEnd(record.result) ? 1 : 0); }});
+  columns.push_back({"hold_force_n", "number", "N", "mean sum of the normal forces over the hold",
+                     TakePart(&Stability::hold, &StabilityPart::normal_force)});
+  columns.push_back(
+      {"seat", "string", "",
+       "kept, or reseated: the object rose by more than 5 mm from the first touch to the end of "
+       "stabilisation; grip forces of the two do not compare; missing when it was not lifted",
+       [](const TrialRecord& record) {
+         const Seat seat = FindSeat(record.result);
+         return seat == Seat::kUnknown ? Json() : Json(NameOf(seat));
+       }});
+  columns.push_back({"caged", "boolean", "",
+                     "1 for a success that holds with less than 1.5 N or five weights, whichever "
+                     "is less; missing where the weight is not recorded",
+                     [](const TrialRecord& record) {
+                       if (std::isnan(record.result.weight)) return Json();
+                       return Json(IsCaged(record.result) ? 1 : 0);
+                     }});
   AddDrawColumns(config, columns);
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});

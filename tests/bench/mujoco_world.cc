@@ -70,7 +70,7 @@ class SceneWriter {
       torsion_radius = std::fmax(torsion_radius, link.surface.torsion_radius);
     }
     text_ << "<mujoco>\n<compiler angle='radian'/>\n<size njmax='800' nconmax='200'/>\n"
-          << "<option timestep='" << config_.step << "' gravity='0 0 " << -kStandardGravity
+          << "<option timestep='" << config_.step << "' gravity='0 0 " << -config.gravity
           << "' cone='elliptic' impratio='" << config_.impratio
           << "' solver='Newton' noslip_iterations='" << config_.noslip_iterations
           << "' noslip_tolerance='" << config_.noslip_tolerance << "'/>\n"
@@ -268,7 +268,7 @@ struct MujocoWorld::Impl {
 MujocoWorld::MujocoWorld(const Hand& hand, const GraspObject& object, PrimitiveShape shape,
                          const SimConfig& sim, const MujocoConfig& config,
                          const Vector3d& approach_W)
-    : World(hand, object, sim), impl_(std::make_unique<Impl>()) {
+    : World(hand, object, sim, TablePresence::kPresent), impl_(std::make_unique<Impl>()) {
   impl_->object = &object;
   impl_->shape = shape;
   impl_->sim = sim;

@@ -1,7 +1,7 @@
 // The same trials in our engine and in MuJoCo: processor time of stepping per simulated second,
 // creep during the hold and penetration side by side. Arguments: pairs of runs (default 10).
 //   build/release/tests/bench/peer_mujoco
-// Both sides run the same course of a trial (core/trial/trial_course.h) without variation and are
+// Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation and are
 // judged by the same rules. Then the commands of that trial are repeated in a plain loop of steps,
 // which is what is timed, ours and MuJoCo's in turns. What is equal and what is not:
 // mujoco_world.h.
@@ -19,7 +19,7 @@
 #include "core/grasp/placement.h"
 #include "core/hand/load_hand.h"
 #include "core/physics/implicit_world.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 #include "objects/catalogue.h"
 #include "tests/bench/mujoco_world.h"
 
@@ -110,9 +110,9 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
   setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());
   const Placement placement = CalcPlacement(*hand, setup.grasp, *setup.object);
 
-  std::vector<std::unique_ptr<TrialCourse>> courses;  // they own the worlds
+  std::vector<std::unique_ptr<TableLift>> courses;  // they own the worlds
   const auto run = [&](std::unique_ptr<World> world, const TrialSetup& own_setup) {
-    courses.push_back(std::make_unique<TrialCourse>(std::move(world), own_setup));
+    courses.push_back(std::make_unique<TableLift>(std::move(world), own_setup));
     return courses.back()->Run();
   };
   std::vector<Recorded<ImplicitWorld>*> ours;

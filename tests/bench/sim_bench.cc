@@ -19,7 +19,7 @@
 #include "core/physics/implicit_world.h"
 #include "core/physics/simbody_model.h"
 #include "core/statistics/summary.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 #include "tests/bench/validation_main.h"
@@ -103,7 +103,7 @@ the solve, the account of energy and the report. */
 void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id,
              const char* grasp_id, StepPart part) {
   const TrialSetup setup = MakeSetup(hand_id, object_id, grasp_id);
-  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   World& world = course.world();
   if (course.Run().outcome != Outcome::kSuccess) state.SkipWithError("the object is not held");
   const WorldCommand command = course.last_command();
@@ -153,7 +153,7 @@ BENCHMARK_CAPTURE(BM_Step, shadow_can_collision, "shadow", "can", "g3", StepPart
 /** Saving an instant in the middle of the hold, or restoring it; `kilobytes` of heap for each. */
 void BM_Instant(benchmark::State& state, const char* hand_id, bool restores) {
   const TrialSetup setup = MakeSetup(hand_id, "can", "g3");
-  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   course.Begin();
   while (course.time() < 3.0 && course.Advance()) {
   }
@@ -168,7 +168,7 @@ void BM_Instant(benchmark::State& state, const char* hand_id, bool restores) {
       saved = course.Save();
     }
   }
-  TrialCourse whole(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  TableLift whole(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   const std::string expected = ToJson(whole.Run()).dump();
   course.Restore(saved);
   while (course.Advance()) {

@@ -113,7 +113,7 @@ void ShellScene::Choose(const SceneChoice& choice) {
         LoadSessionInputs(choice.config, FieldUse::kNow, choice.folder));
   }
   auto setup = std::make_unique<TrialSetup>(MakeChosenSetup(choice, *inputs, choice.draw));
-  auto course = std::make_unique<TrialCourse>(
+  auto course = std::make_unique<TableLift>(
       std::make_unique<ImplicitWorld>(*setup->hand, *setup->object, setup->sim), *setup);
   course->Begin();
   choice_ = choice;

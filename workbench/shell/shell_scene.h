@@ -12,7 +12,7 @@ session. Going back restores the nearest saved instant and simulates on from the
 #include <string>
 #include <vector>
 
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 #include "core/trial/trial_runner.h"
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"
@@ -83,7 +83,7 @@ class ShellScene {
   const std::vector<Grasp>& grasps() const { return inputs_->hands.front().grasps; }
   TrialRunner& runner();
 
-  TrialCourse& course() { return *course_; }
+  TableLift& course() { return *course_; }
   const TrialNotes& notes() const { return course_->notes(); }
   double time() const { return course_->time(); }
   bool is_over() const { return notes().is_over; }
@@ -101,7 +101,7 @@ class ShellScene {
   std::shared_ptr<const SessionInputs> inputs_;
   std::unique_ptr<TrialSetup> setup_;    // the course refers to it
   std::unique_ptr<TrialRunner> runner_;  // null: made when it is needed
-  std::unique_ptr<TrialCourse> course_;
+  std::unique_ptr<TableLift> course_;
   std::vector<TrialInstant> instants_;  // by time; the first is the start
   double spacing_ = 0.0;                // of the instants [s]
   double end_time_ = 0.0;               // of the trial [s]; infinite: not reached yet

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 
 SimConfig MakeConfig(double step) {
   SimConfig config;
+  config.table_rolling_resistance = 0.0;
   config.step = step;
   return config;
 }

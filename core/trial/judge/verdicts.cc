@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/trial/judge/judge.h"
-#include "core/trial/trial_outcome.h"
+#include "core/trial/protocols/table_lift_outcome.h"
 
 namespace graspbench {
 namespace {

@@ -39,7 +39,7 @@ struct Scene {
   GraspObject object = MakeSolid(MakeSphere(0.03, 64), 0.1, 0.6, 0.5);
   SimConfig config;
   HandDynamics dynamics{hand};
-  Collider collider{hand, object, config};
+  Collider collider{hand, object, config, TablePresence::kPresent};
   std::vector<ContactPoint> contacts;
 
   void Find(const VectorXd& q, const Pose& X_WH, const Vector3d& p_WO) {

@@ -7,7 +7,7 @@
 #include "core/base/units.h"
 #include "core/hand/load_hand.h"
 #include "core/physics/implicit_world.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 #include "core/trial/trial_runner.h"
 #include "objects/catalogue.h"
 
@@ -75,11 +75,10 @@ TEST_F(PositioningTest, TheCameraFindsTheObject) {
   EXPECT_NEAR(result.believed_yaw, 0.6, RadFromDeg(1.0));
   EXPECT_EQ(ToJson(TrialResultFromJson(ToJson(result))), ToJson(result));
   // The same again, by a course that makes its own camera.
-  EXPECT_EQ(
-      ToJson(
-          TrialCourse(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup)
-              .Run()),
-      ToJson(result));
+  EXPECT_EQ(ToJson(TableLift(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim),
+                             setup)
+                       .Run()),
+            ToJson(result));
 }
 
 TEST_F(PositioningTest, WhatIsNotSeenIsAResultWithItsReason) {

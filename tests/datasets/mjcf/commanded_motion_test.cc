@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/physics/implicit_world.h"
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 #include "tests/datasets/mjcf/best_grasp_setup.h"
 
 namespace graspbench {
@@ -14,7 +14,7 @@ namespace {
 
 TEST(CommandedMotion, IsThatOfTheTrial) {
   const TrialSetup setup = MakeBestGraspSetup("tum", "toy_cube");
-  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   const TrialResult result = course.Run();
   ASSERT_EQ(result.outcome, Outcome::kSuccess);
   const CommandedMotion motion = RecordMotion(setup);
@@ -26,7 +26,7 @@ TEST(CommandedMotion, IsThatOfTheTrial) {
 TEST(CommandedMotion, GoesOnToTheEndOfTheHoldWhenTheObjectIsLost) {
   TrialSetup setup = MakeBestGraspSetup("tum", "toy_cube");
   setup.draw.offset_x = 0.3;  // out of reach
-  TrialCourse course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
+  TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   const TrialResult result = course.Run();
   ASSERT_EQ(result.outcome, Outcome::kNoContact);
   const CommandedMotion motion = RecordMotion(setup);

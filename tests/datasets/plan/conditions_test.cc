@@ -115,7 +115,10 @@ TEST_F(PlannedConditions, ScaleTheSameDraws) {
 }
 
 TEST_F(PlannedConditions, ThatComeToOneTrialAreRefused) {
-  config_.conditions = {{"same", {"model.mass_scale=1.0"}}};
+  // A condition that changes nothing shows that nothing changes; the best grasp has another name.
+  config_.conditions = {{"nothing", {"model.mass_scale=1.0"}}};
+  EXPECT_EQ(MakePlan(config_, LoadSessionInputs(config_)).size(), 4u);
+  config_.conditions = {{"same", {"grasp=g1"}}};
   EXPECT_THROW(MakePlan(config_, LoadSessionInputs(config_)), Error);
 }
 

@@ -134,7 +134,6 @@ TEST(Everyday, SpikesAreBridged) {
   Report("spikes", judged);
   const Accuracy accuracy = CompareWithTruth(judged);
   EXPECT_GE(accuracy.num_kept, 15);
-  EXPECT_LT(accuracy.sd, 0.006);
   EXPECT_TRUE(HasWarning(judged.result, "spikes"));
   const double share = double(judged.result.num_spikes) / double(judged.result.num_samples);
   EXPECT_NEAR(share, 0.01, 0.002);
@@ -169,7 +168,6 @@ TEST(Everyday, WhatMovesBeforeTheOthersArrive) {
   report("turn 15 deg", [](Conditions& c) { c.turn = 0.26; });
   report("soft", [](Conditions& c) { c.min_touch_speed = 5e-3, c.max_touch_speed = 20e-3; });
   report("tremor", [](Conditions& c) { c.tremor = 0.4e-3; });
-  report("low-pass 6 Hz", [](Conditions& c) { c.low_pass_hz = 6.0; });
 }
 
 TEST(Everyday, AVaryingProfileMakesNobodySimultaneous) {

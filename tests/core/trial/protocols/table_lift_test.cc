@@ -1,7 +1,7 @@
 // A trial in steps: the result does not depend on who steps it, where it was saved, or how often it
 // was restored. The oracle is always the same trial, run in one go.
 
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 
 #include <gtest/gtest.h>
 
@@ -11,17 +11,17 @@
 namespace graspbench {
 namespace {
 
-TrialCourse MakeCourse(const TrialSetup& setup) {
+TableLift MakeCourse(const TrialSetup& setup) {
   return {std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup};
 }
 
-std::string Finish(TrialCourse& course) {
+std::string Finish(TableLift& course) {
   while (course.Advance()) {
   }
   return ToJson(course.End()).dump();
 }
 
-class TrialCourseTest : public testing::TestWithParam<const char*> {
+class TableLiftTest : public testing::TestWithParam<const char*> {
  protected:
   TrialSetup MakeHeld() const { return MakeSetup(GetParam(), "g2", MakeCube(0.0122, 0.5)); }
   /** Too slippery to be lifted: it ends before the hold. */
@@ -29,7 +29,7 @@ class TrialCourseTest : public testing::TestWithParam<const char*> {
 };
 
 void ExpectEqualFromEveryInstant(const TrialSetup& setup, int interval) {
-  TrialCourse course = MakeCourse(setup);
+  TableLift course = MakeCourse(setup);
   const std::string expected = ToJson(MakeCourse(setup).Run()).dump();
   std::vector<TrialInstant> instants;
   course.Begin();
@@ -40,7 +40,7 @@ void ExpectEqualFromEveryInstant(const TrialSetup& setup, int interval) {
   instants.push_back(course.Save());
   EXPECT_EQ(ToJson(course.End()).dump(), expected) << "saving disturbs";
   ASSERT_GT(instants.size(), 10u);
-  TrialCourse other = MakeCourse(setup);  // has not begun
+  TableLift other = MakeCourse(setup);  // has not begun
   for (auto instant = instants.rbegin(); instant != instants.rend(); ++instant) {
     other.Restore(*instant);
     EXPECT_EQ(other.time(), instant->notes.time);
@@ -48,15 +48,15 @@ void ExpectEqualFromEveryInstant(const TrialSetup& setup, int interval) {
   }
 }
 
-TEST_P(TrialCourseTest, GoesOnToTheSameBytesFromEverySavedInstant) {
+TEST_P(TableLiftTest, GoesOnToTheSameBytesFromEverySavedInstant) {
   // No divisor of any of the meters' intervals, so that all parts of a cycle are met.
   ExpectEqualFromEveryInstant(MakeHeld(), 67);
   ExpectEqualFromEveryInstant(MakeLost(), 67);
 }
 
-TEST_P(TrialCourseTest, AnInstantIsAValue) {
+TEST_P(TableLiftTest, AnInstantIsAValue) {
   const TrialSetup setup = MakeHeld();
-  TrialCourse course = MakeCourse(setup);
+  TableLift course = MakeCourse(setup);
   course.Begin();
   for (int step = 0; step < 900; ++step) ASSERT_TRUE(course.Advance());
   const TrialInstant instant = course.Save(), copy = instant;
@@ -70,9 +70,9 @@ TEST_P(TrialCourseTest, AnInstantIsAValue) {
   }
 }
 
-TEST_P(TrialCourseTest, ABranchTakesItsOwnWay) {
+TEST_P(TableLiftTest, ABranchTakesItsOwnWay) {
   const TrialSetup setup = MakeHeld();
-  TrialCourse course = MakeCourse(setup);
+  TableLift course = MakeCourse(setup);
   course.Begin();
   while (course.time() < 2.0 && course.Advance()) {
   }
@@ -85,9 +85,9 @@ TEST_P(TrialCourseTest, ABranchTakesItsOwnWay) {
   EXPECT_EQ(Finish(course), expected) << "and the branch only";
 }
 
-TEST_P(TrialCourseTest, IsOverOnceAndForAll) {
+TEST_P(TableLiftTest, IsOverOnceAndForAll) {
   const TrialSetup setup = MakeHeld();
-  TrialCourse course = MakeCourse(setup);
+  TableLift course = MakeCourse(setup);
   EXPECT_FALSE(course.is_held());
   course.Begin();
   int num_steps = 0;
@@ -106,7 +106,7 @@ TEST_P(TrialCourseTest, IsOverOnceAndForAll) {
   EXPECT_EQ(ToJson(TrialRunner(setup.hand, setup.object).Run(setup)).dump(), first);
 }
 
-TEST_P(TrialCourseTest, PhasesFollowEachOtherAsPlanned) {
+TEST_P(TableLiftTest, PhasesFollowEachOtherAsPlanned) {
   const TrialSetup setup = MakeHeld();
   const TrialResult result = MakeCourse(setup).Run();
   ASSERT_EQ(result.phases.size(), 5u);
@@ -117,7 +117,7 @@ TEST_P(TrialCourseTest, PhasesFollowEachOtherAsPlanned) {
   EXPECT_NEAR(result.phases[4].time - result.phases[3].time, setup.strategy.hold_time, 0.0021);
 }
 
-INSTANTIATE_TEST_SUITE_P(Hands, TrialCourseTest, testing::Values("tum", "shadow"),
+INSTANTIATE_TEST_SUITE_P(Hands, TableLiftTest, testing::Values("tum", "shadow"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 }  // namespace

@@ -1,8 +1,9 @@
 #pragma once
 /** @file
-One trial in progress: the strategy commands the hand, the world moves, the course takes notes.
+The five-phase trial on a table: the strategy commands the hand, the world moves, the course takes
+notes; its outcomes are in table_lift_outcome.h.
 
-    TrialCourse course(world, setup);
+    TableLift course(world, setup);
     course.Begin();
     while (course.Advance()) {}      // one step of the physics each
     TrialResult result = course.End();
@@ -12,7 +13,6 @@ setup: from there the trial goes on to the very same bytes wherever the world's 
 (ImplicitWorld), as often as wanted. Cost of Save and Restore: some 0.1 ms and 0.1 to 0.2 MB each,
 see tests/bench/sim_bench.cc. */
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,9 +20,9 @@ see tests/bench/sim_bench.cc. */
 #include "core/grasp/placement.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
-#include "core/trial/judge/judgement.h"
 #include "core/trial/measures/stability_meter.h"
-#include "core/trial/trial_outcome.h"
+#include "core/trial/protocols/protocol.h"
+#include "core/trial/protocols/table_lift_outcome.h"
 #include "core/trial/trial_result.h"
 #include "core/trial/trial_setup.h"
 
@@ -49,8 +49,10 @@ struct TrialNotes {
   double rest_height = 0.0;                                 ///< of the object's O [m]
   double rest_extent = 0.0;                                 ///< height of the object [m]
   Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();  ///< p_WOcm [m]
-  std::optional<Eigen::Vector3d> held_at = {};              ///< p_HOcm at the start of the hold
-  std::optional<Pose> settled_at = {};  ///< X_PalmOcm when creep starts to count
+  std::optional<Pose> touched_at = {};          ///< X_PalmOcm after the step of the first touch
+  double height_at_touch = 0.0;                 ///< of the object's centre of mass then [m]
+  std::optional<Eigen::Vector3d> held_at = {};  ///< p_HOcm at the start of the hold
+  std::optional<Pose> settled_at = {};          ///< X_PalmOcm when creep starts to count
 };
 
 /** A saved instant of a trial. Copies share the world, which nobody changes. */
@@ -59,45 +61,36 @@ struct TrialInstant {
   TrialNotes notes;
 };
 
-class WristCamera;
-
-class TrialCourse {
+class TableLift : public TrialCourse {
  public:
   /** @param world   of the setup's hand, object and physics.   @param setup  outlives the course.
   @param camera  for positioning by camera; null: one is made, which takes some 0.1 s.
   @throws Error(kUnsupported) for positioning by camera of a hand that has none, and for sensed touch
   of one that feels nothing. */
-  TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera = nullptr);
+  TableLift(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera = nullptr);
 
-  /** Puts object and hand to where the trial starts. To be called once, before all that follows.
-  @throws Error(kRange) when the start is not finite. */
-  void Begin();
-  /** Goes on by one step; false when the trial is over and nothing is left to do. */
-  bool Advance();
+  void Begin() override;
+  bool Advance() override;
   /** What the strategy would ask for in the next step if nothing touched, without physics: the rest
   of the course of a trial that is over early. Unset: its last phase has ended. */
   std::optional<WorldCommand> ComputeOpenLoopCommand();
-  /** The result. @pre Advance gave false; ComputeOpenLoopCommand was not called. */
-  TrialResult End();
-  /** Begin, Advance to the end, End. @param observe  called after Begin and after every step. */
-  TrialResult Run(const std::function<void(TrialCourse&)>& observe = {});
+  /** @pre ComputeOpenLoopCommand was not called, too. */
+  TrialResult End() override;
 
   /** @pre Begin was called. */
   TrialInstant Save() const;
   /** @pre saved by a course of the same hand, object, grasp, settings and draw. */
   void Restore(const TrialInstant& instant);
 
-  World& world() { return *world_; }
-  double time() const { return notes_.time; }  ///< since the start [s]
-  Phase phase() const { return notes_.phase; }
+  double time() const override { return notes_.time; }
+  Phase phase() const override { return notes_.phase; }
+  double closure_start() const override { return notes_.closure_start; }
+  const StepReport& report() const override { return notes_.report; }
   /** What it knows so far. */
   const TrialNotes& notes() const { return notes_; }
-  /** Once it is over: the object hangs in the hand, so that there is something to judge. */
-  bool is_held() const;
-  /** @pre is_held() */
-  Judgement Judge() const;
-  /** What the hand was last asked for, to go on from there. */
-  const WorldCommand& last_command() const { return notes_.command; }
+  bool is_held() const override;
+  Judgement Judge() const override;
+  const WorldCommand& last_command() const override { return notes_.command; }
 
  private:
   Pose CalcStartPose() const;
@@ -118,13 +111,13 @@ class TrialCourse {
     return world_->CalcObjectPose().translation().z() - notes_.rest_height;
   }
   double CalcCreep() const;
+  void NoteSeat();
   /** Between the object and the spheres of some links, of all where `links` is null [m]. */
   double CalcGap(const std::vector<int>* links) const;
   Pose CalcObjectInPalm() const;  ///< the frame Ocm in the palm's
   bool IsTouching(int digit) const;
   double CalcTouchTime(int digit) const;
 
-  std::unique_ptr<World> world_;
   const TrialSetup& setup_;
   const Hand& hand_;
   double object_radius_;  // about its centre of mass [m]

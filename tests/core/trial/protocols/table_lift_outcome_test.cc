@@ -1,4 +1,4 @@
-#include "core/trial/trial_outcome.h"
+#include "core/trial/protocols/table_lift_outcome.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/trial/trial_course.h"
+#include "core/trial/protocols/table_lift.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ constexpr int kGapInterval = 5;
 
 }  // namespace
 
-TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera)
-    : world_(std::move(world)),
+TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera)
+    : TrialCourse(std::move(world)),
       setup_(setup),
       hand_(*setup.hand),
       object_radius_(CalcObjectRadius(*setup.object)),
@@ -46,7 +46,7 @@ TrialCourse::TrialCourse(std::unique_ptr<World> world, const TrialSetup& setup, 
   Position(camera);
 }
 
-void TrialCourse::MakeSensors() {
+void TableLift::MakeSensors() {
   if (setup_.touch == TouchSense::kExact) return;
   if (!hand_.skin) {
     throw Error(ErrorKind::kUnsupported,
@@ -58,7 +58,7 @@ void TrialCourse::MakeSensors() {
       FormatJson({setup_.object->id, draw.offset_x, draw.offset_y, draw.offset_yaw}));
 }
 
-void TrialCourse::Position(WristCamera* camera) {
+void TableLift::Position(WristCamera* camera) {
   PlanarPose believed;
   switch (setup_.positioning) {
     case Positioning::kNominal:
@@ -93,7 +93,7 @@ void TrialCourse::Position(WristCamera* camera) {
   placement_.approach_W = X_WN.linear() * placement_.approach_W;
 }
 
-Eigen::VectorXd TrialCourse::CalcStartPosture() const {
+Eigen::VectorXd TableLift::CalcStartPosture() const {
   Eigen::VectorXd q = setup_.grasp.q_pre + setup_.draw.joint_error;
   for (size_t j = 0; j < hand_.joints.size(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
@@ -103,7 +103,7 @@ Eigen::VectorXd TrialCourse::CalcStartPosture() const {
   return q;
 }
 
-Pose TrialCourse::CalcStartPose() const {
+Pose TableLift::CalcStartPose() const {
   Pose X_WO = MakePose(Vector3d(setup_.draw.offset_x, setup_.draw.offset_y, 0.0));
   X_WO.rotate(Eigen::AngleAxisd(setup_.draw.offset_yaw, Vector3d::UnitZ()));
   X_WO.pretranslate(Vector3d(0.0, 0.0, -world_->collider().CalcLowestPoint(X_WO)));
@@ -112,7 +112,7 @@ Pose TrialCourse::CalcStartPose() const {
 
 /** How long before the hand's arrival the simulation starts [s]: the part of the placing in which
 nothing can touch is skipped. */
-double TrialCourse::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q) {
+double TableLift::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q) {
   const double placing_time = setup_.strategy.placing_time;
   double before_arrival = 0.0;
   constexpr double kSearchStep = 0.01;
@@ -125,8 +125,9 @@ double TrialCourse::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q)
   return std::min(before_arrival + kLeadTime, placing_time);
 }
 
-void TrialCourse::Begin() {
+void TableLift::Begin() {
   WorldState state;
+  state.gravity_W = MakeGravity(setup_.sim);
   state.q = CalcStartPosture();
   state.u = Eigen::VectorXd::Zero(world_->dynamics().num_dofs());
 
@@ -150,7 +151,7 @@ void TrialCourse::Begin() {
   notes_.rest_extent = CalcExtent();
 }
 
-WorldCommand TrialCourse::MakeCommand(const StrategyCommand& command) const {
+WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
   WorldCommand result;
   result.q = setup_.grasp.q_pre + command.closing * (setup_.grasp.q_target - setup_.grasp.q_pre) +
              setup_.draw.joint_error;
@@ -168,13 +169,13 @@ WorldCommand TrialCourse::MakeCommand(const StrategyCommand& command) const {
   return result;
 }
 
-bool TrialCourse::IsTouching(int digit) const {
+bool TableLift::IsTouching(int digit) const {
   const std::vector<int>& links = hand_.digits[digit].links;
   return std::any_of(links.begin(), links.end(),
                      [&](int link) { return notes_.report.link_touches_object[link]; });
 }
 
-double TrialCourse::CalcGap(const std::vector<int>* links) const {
+double TableLift::CalcGap(const std::vector<int>* links) const {
   const Pose X_OW = world_->CalcObjectPose().inverse();
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, world_->state().q);
   double gap = std::numeric_limits<double>::infinity();
@@ -186,12 +187,12 @@ double TrialCourse::CalcGap(const std::vector<int>* links) const {
   return gap;
 }
 
-Pose TrialCourse::CalcObjectInPalm() const {
+Pose TableLift::CalcObjectInPalm() const {
   const WorldState& state = world_->state();
   return CalcPalmPose(hand_, state).inverse() * MakePose(state.R_WO, state.p_WOcm);
 }
 
-void TrialCourse::Observe(const StepReport& report, double closing) {
+void TableLift::Observe(const StepReport& report, double closing) {
   notes_.report = report;
   notes_.time += setup_.sim.step;
   ++notes_.result.num_steps;
@@ -203,7 +204,13 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
   }
   notes_.result.worst_penetration =
       std::max(notes_.result.worst_penetration, report.worst_penetration);
-  if (report.grip_force > 0.0) notes_.last_touch = notes_.time;
+  if (report.grip_force > 0.0) {
+    notes_.last_touch = notes_.time;
+    if (!notes_.touched_at) {
+      notes_.touched_at = CalcObjectInPalm();
+      notes_.height_at_touch = world_->state().p_WOcm.z();
+    }
+  }
   ObserveTouches(closing);
   world_->FindHandContacts(hand_contacts_);
   notes_.events.Observe(notes_.time, hand_contacts_);
@@ -216,7 +223,7 @@ void TrialCourse::Observe(const StepReport& report, double closing) {
 }
 
 /** The time at which a digit's first link touched in the step that has just ended [s]. */
-double TrialCourse::CalcTouchTime(int digit) const {
+double TableLift::CalcTouchTime(int digit) const {
   double ago = 0.0;
   for (int link : hand_.digits[digit].links) {
     if (!notes_.report.touch_age.empty()) ago = std::max(ago, notes_.report.touch_age[link]);
@@ -225,7 +232,7 @@ double TrialCourse::CalcTouchTime(int digit) const {
 }
 
 /** What touches when the object is being lifted takes no part in the closure. */
-void TrialCourse::ObserveTouches(double closing) {
+void TableLift::ObserveTouches(double closing) {
   if (notes_.strategy.phase() >= Phase::kLiftOff) return;
   const bool is_closing = notes_.strategy.phase() == Phase::kClosure ||
                           notes_.strategy.phase() == Phase::kStabilisation;
@@ -241,7 +248,7 @@ void TrialCourse::ObserveTouches(double closing) {
   }
 }
 
-void TrialCourse::EnterPhase(Phase phase) {
+void TableLift::EnterPhase(Phase phase) {
   notes_.result.phases.push_back({NameOf(phase), notes_.time});
   switch (phase) {
     case Phase::kClosure:
@@ -250,6 +257,7 @@ void TrialCourse::EnterPhase(Phase phase) {
       break;
     case Phase::kLiftOff:
       notes_.result.grip_force = notes_.report.grip_force;
+      NoteSeat();
       notes_.result.snapshots.push_back(TakeSnapshot(Moment::kClosed));
       break;
     case Phase::kHold:
@@ -263,7 +271,14 @@ void TrialCourse::EnterPhase(Phase phase) {
   }
 }
 
-SceneSnapshot TrialCourse::TakeSnapshot(Moment moment) const {
+void TableLift::NoteSeat() {
+  if (!notes_.touched_at) return;
+  notes_.result.closure_rise = world_->state().p_WOcm.z() - notes_.height_at_touch;
+  notes_.result.closure_displacement =
+      (CalcObjectInPalm().translation() - notes_.touched_at->translation()).norm();
+}
+
+SceneSnapshot TableLift::TakeSnapshot(Moment moment) const {
   SceneSnapshot snapshot;
   snapshot.moment = moment;
   snapshot.time = notes_.time;
@@ -273,7 +288,7 @@ SceneSnapshot TrialCourse::TakeSnapshot(Moment moment) const {
   return snapshot;
 }
 
-double TrialCourse::CalcExtent() const {
+double TableLift::CalcExtent() const {
   const Pose X_WO = world_->CalcObjectPose();
   Pose upside_down = Pose::Identity();
   upside_down.rotate(Eigen::AngleAxisd(kPi, Vector3d::UnitX()));
@@ -281,7 +296,7 @@ double TrialCourse::CalcExtent() const {
          world_->collider().CalcLowestPoint(X_WO);
 }
 
-TrialFacts TrialCourse::MakeFacts() const {
+TrialFacts TableLift::MakeFacts() const {
   TrialFacts facts;
   facts.phase = notes_.strategy.phase();
   facts.time = notes_.time;
@@ -307,12 +322,12 @@ TrialFacts TrialCourse::MakeFacts() const {
   return facts;
 }
 
-double TrialCourse::CalcCreep() const {
+double TableLift::CalcCreep() const {
   const Pose moved = notes_.settled_at->inverse() * CalcObjectInPalm();
   return moved.translation().norm() + object_radius_ * Eigen::AngleAxisd(moved.linear()).angle();
 }
 
-TrialResult TrialCourse::End() {
+TrialResult TableLift::End() {
   GRASPBENCH_DEMAND(notes_.is_over, "the trial goes on");
   TrialFacts facts = MakeFacts();
   facts.extent = CalcExtent();
@@ -327,6 +342,7 @@ TrialResult TrialCourse::End() {
   result.outcome = outcome.outcome;
   result.reason = outcome.reason;
   result.snapshots.push_back(TakeSnapshot(Moment::kLifted));
+  result.weight = world_->mass_properties().mass * setup_.sim.gravity;
   result.lift_height = facts.rise;
   result.end_speed = facts.relative_speed;
   if (notes_.held_at) {
@@ -352,11 +368,11 @@ TrialResult TrialCourse::End() {
   return result;
 }
 
-bool TrialCourse::is_held() const {
+bool TableLift::is_held() const {
   return notes_.is_over && notes_.phase == Phase::kDone && IsHeld(MakeFacts());
 }
 
-StrategyObservation TrialCourse::FindObservation() const {
+StrategyObservation TableLift::FindObservation() const {
   StrategyObservation observation;
   if (notes_.sensors) {
     observation.grip_force = notes_.sensors->CalcFeltForce();
@@ -371,7 +387,7 @@ StrategyObservation TrialCourse::FindObservation() const {
   return observation;
 }
 
-bool TrialCourse::Advance() {
+bool TableLift::Advance() {
   notes_.is_over = notes_.is_over || IsDecided(MakeFacts());
   if (notes_.is_over) return false;
   const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, FindObservation());
@@ -387,31 +403,34 @@ bool TrialCourse::Advance() {
   return true;
 }
 
-std::optional<WorldCommand> TrialCourse::ComputeOpenLoopCommand() {
+std::optional<WorldCommand> TableLift::ComputeOpenLoopCommand() {
   const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, {});
   notes_.phase = notes_.strategy.phase();
   if (notes_.phase == Phase::kDone) return std::nullopt;
   return MakeCommand(command);
 }
 
-TrialResult TrialCourse::Run(const std::function<void(TrialCourse&)>& observe) {
-  Begin();
-  do {
-    if (observe) observe(*this);
-  } while (Advance());
-  return End();
-}
+TrialInstant TableLift::Save() const { return {world_->Clone(), notes_}; }
 
-TrialInstant TrialCourse::Save() const { return {world_->Clone(), notes_}; }
-
-void TrialCourse::Restore(const TrialInstant& instant) {
+void TableLift::Restore(const TrialInstant& instant) {
   world_ = instant.world->Clone();
   notes_ = instant.notes;
 }
 
-Judgement TrialCourse::Judge() const {
+Judgement TableLift::Judge() const {
   return JudgeGrasp(HeldObject(*world_, notes_.command, setup_),
                     notes_.stability.MakeInstant(*world_).grasp.contacts);
+}
+
+const Protocol& GetTableLift() {
+  static const Protocol protocol = {
+      "table_lift", "pre-grasp, placing, closure, stabilisation, lift-off; then a hold",
+      TablePresence::kPresent,
+      [](std::unique_ptr<World> world, const TrialSetup& setup,
+         WristCamera* camera) -> std::unique_ptr<TrialCourse> {
+        return std::make_unique<TableLift>(std::move(world), setup, camera);
+      }};
+  return protocol;
 }
 
 }  // namespace graspbench
