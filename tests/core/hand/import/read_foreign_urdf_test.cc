@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "g.urdf:3: error: <xacro:macro> is a macro: expand the file first (xacro "
                 "FILE.xacro > FILE.urdf)"},
         OddUrdf{"<parent link=\"world\"/>", "<parent link=\"wrold\"/>",
-                "g.urdf:4: error: joint \"mount\": parent link \"wrold\" does not exist. "
+                "g.urdf:4: error: joint \"mount\": parent link \"wrold\" does not exist; did you "
+                "mean \"world\"? "
                 "Known: world, the hand, left, right"},
         OddUrdf{"<child link=\"right\"/>", "<child link=\"left\"/>",
                 "g.urdf:36: error: joint \"slide_right\": link \"left\" already hangs on joint "
