@@ -51,7 +51,7 @@ std::string SectionText(const std::string& page, const char* id) {
   return section == nullptr ? std::string("no section ") + id : ListText(*section);
 }
 
-void ExpectContains(const std::string& text, const std::string& part) {
+void ExpectInStudy(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is missing in:\n" << text;
 }
 
@@ -64,9 +64,9 @@ TEST(StudyReport, WithoutATrialThatCountsItSaysWhyAndDrawsNothing) {
   result.warnings = {{"same_recording", "a is b"}};
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
-  ExpectContains(SectionText(page, "summary"), "0 of 12 trials were analysed");
-  ExpectContains(SectionText(page, "summary"), "same_recording : a is b.");
-  ExpectContains(SectionText(page, "removed"), "too short");
+  ExpectInStudy(SectionText(page, "summary"), "0 of 12 trials were analysed");
+  ExpectInStudy(SectionText(page, "summary"), "same_recording : a is b.");
+  ExpectInStudy(SectionText(page, "removed"), "too short");
   EXPECT_EQ(SectionText(page, "curves"), "no section curves");
   EXPECT_EQ(SectionText(page, "tests"), "no section tests");
 }
@@ -75,36 +75,36 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   const StudyResult& result = SmallStudy();
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
-  ExpectContains(SectionText(page, "summary"), "12 of 12 trials were analysed");
-  ExpectContains(SectionText(page, "removed"), "No trial was removed.");
-  ExpectContains(SectionText(page, "curves"), "diameter 30\u00A0mm (6 trials)");
+  ExpectInStudy(SectionText(page, "summary"), "12 of 12 trials were analysed");
+  ExpectInStudy(SectionText(page, "removed"), "No trial was removed.");
+  ExpectInStudy(SectionText(page, "curves"), "diameter 30\u00A0mm (6 trials)");
   const MeasureStatistics& gft = result.statistics.measures.front();
-  ExpectContains(SectionText(page, "measures"),
-                 FormatWithUnit(gft.cells->means.col(1).mean(), gft.measure.unit) + ", 6 trials");
-  ExpectContains(SectionText(page, "measures"), std::string(NameOf(BarKind::kLoftusMasson)));
-  ExpectContains(SectionText(page, "tests"), "slope over diameter");
-  ExpectContains(SectionText(page, "tests"), "s per m of diameter");
-  ExpectContains(SectionText(page, "tests"), "diameter 60\u00A0mm minus diameter 30\u00A0mm");
+  ExpectInStudy(SectionText(page, "measures"),
+                FormatWithUnit(gft.cells->means.col(1).mean(), gft.measure.unit) + ", 6 trials");
+  ExpectInStudy(SectionText(page, "measures"), std::string(NameOf(BarKind::kLoftusMasson)));
+  ExpectInStudy(SectionText(page, "tests"), "slope over diameter");
+  ExpectInStudy(SectionText(page, "tests"), "s per m of diameter");
+  ExpectInStudy(SectionText(page, "tests"), "diameter 60\u00A0mm minus diameter 30\u00A0mm");
   EXPECT_EQ(SectionText(page, "tests").find("diameter_m"), std::string::npos);
-  ExpectContains(SectionText(page, "tests"), FormatP(gft.anova->effects[0].test->p));
-  ExpectContains(SectionText(page, "tests"), "Friedman");
-  ExpectContains(SectionText(page, "tests"), FormatSignificant(gft.trends[0].slopes.test->mean, 3));
-  ExpectContains(SectionText(page, "tests"), "tested against 0.82");
-  ExpectContains(SectionText(page, "tests"), "mixed model (REML)");
-  ExpectContains(SectionText(page, "tests"), "equivalence, two one-sided t tests");
-  ExpectContains(SectionText(page, "order"), "pairs of neighbours are tied.");
-  ExpectContains(SectionText(page, "robot"), "No robot session was named.");
-  ExpectContains(SectionText(page, "openings"), "virtual_finger");
-  ExpectContains(SectionText(page, "openings"),
-                 "not testable with 3 persons (5 or more are needed)");
-  ExpectContains(SectionText(page, "summary"), "More reliable than the aperture: not testable");
-  ExpectContains(SectionText(page, "simultaneity"), "not testable, only 0 trials in which all 5");
-  ExpectContains(SectionText(page, "bias"), "half the cut-off");
-  ExpectContains(SectionText(page, "multiverse"), "\u25B6");
-  ExpectContains(SectionText(page, "trials"), "01-1, ");
-  ExpectContains(SectionText(page, "methods"), "0 of 12 trials were removed.");
-  ExpectContains(SectionText(page, "methods"), "a fixed threshold (50\u00A0mm/s)");
-  ExpectContains(SectionText(page, "methods"), "bounds of 10.0\u00A0ms for grasp forming time");
+  ExpectInStudy(SectionText(page, "tests"), FormatP(gft.anova->effects[0].test->p));
+  ExpectInStudy(SectionText(page, "tests"), "Friedman");
+  ExpectInStudy(SectionText(page, "tests"), FormatSignificant(gft.trends[0].slopes.test->mean, 3));
+  ExpectInStudy(SectionText(page, "tests"), "tested against 0.82");
+  ExpectInStudy(SectionText(page, "tests"), "mixed model (REML)");
+  ExpectInStudy(SectionText(page, "tests"), "equivalence, two one-sided t tests");
+  ExpectInStudy(SectionText(page, "order"), "pairs of neighbours are tied.");
+  ExpectInStudy(SectionText(page, "robot"), "No robot session was named.");
+  ExpectInStudy(SectionText(page, "openings"), "virtual_finger");
+  ExpectInStudy(SectionText(page, "openings"),
+                "not testable with 3 persons (5 or more are needed)");
+  ExpectInStudy(SectionText(page, "summary"), "More reliable than the aperture: not testable");
+  ExpectInStudy(SectionText(page, "simultaneity"), "not testable, only 0 trials in which all 5");
+  ExpectInStudy(SectionText(page, "bias"), "half the cut-off");
+  ExpectInStudy(SectionText(page, "multiverse"), "\u25B6");
+  ExpectInStudy(SectionText(page, "trials"), "01-1, ");
+  ExpectInStudy(SectionText(page, "methods"), "0 of 12 trials were removed.");
+  ExpectInStudy(SectionText(page, "methods"), "a fixed threshold (50\u00A0mm/s)");
+  ExpectInStudy(SectionText(page, "methods"), "bounds of 10.0\u00A0ms for grasp forming time");
 }
 
 TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
@@ -128,20 +128,20 @@ TEST(StudyReport, TheArgumentsHaveTheirNumbersAndWhatHasNoneItsReason) {
   result.study.freeze = FreezeCheck{"abcdef0123456789", 0, {{"contact.cutoff_hz", "20.0", "12.0"}}};
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
-  ExpectContains(SectionText(page, "summary"),
-                 "Choices frozen before any recording (SHA-256 abcdef012345): 1 deviation.");
-  ExpectContains(SectionText(page, "findings"),
-                 "Not as frozen: contact.cutoff_hz: frozen 20.0, used 12.0.");
-  ExpectContains(SectionText(page, "summary"),
-                 "Simultaneity of people: more simultaneous than digits that move independently "
-                 "(the digits share 21.0");
+  ExpectInStudy(SectionText(page, "summary"),
+                "Choices frozen before any recording (SHA-256 abcdef012345): 1 deviation.");
+  ExpectInStudy(SectionText(page, "findings"),
+                "Not as frozen: contact.cutoff_hz: frozen 20.0, used 12.0.");
+  ExpectInStudy(SectionText(page, "summary"),
+                "Simultaneity of people: more simultaneous than digits that move independently "
+                "(the digits share 21.0");
   const std::string together = SectionText(page, "simultaneity");
-  ExpectContains(together, "40.2 (38.3 to 42.4)");
-  ExpectContains(together, "2 trials of those that count lacked the contact");
+  ExpectInStudy(together, "40.2 (38.3 to 42.4)");
+  ExpectInStudy(together, "2 trials of those that count lacked the contact");
   const std::string openings = SectionText(page, "openings");
-  ExpectContains(openings, "shown for virtual_finger");
-  ExpectContains(openings, "1.31 (1.12 to 1.53), p 0.012");
-  ExpectContains(openings, "spread of persons: a reason that stands once");
+  ExpectInStudy(openings, "shown for virtual_finger");
+  ExpectInStudy(openings, "1.31 (1.12 to 1.53), p 0.012");
+  ExpectInStudy(openings, "spread of persons: a reason that stands once");
 }
 
 // What cannot be had from one person is said once, not in every cell of every table.
@@ -149,12 +149,12 @@ TEST(StudyReport, OnePersonGetsASentenceNotAWall) {
   const std::string page = MakeStudyReport(MakeStudy(1), nullptr);
   ExpectSoundPage(page);
   const std::string tests = SectionText(page, "tests");
-  ExpectContains(tests, "No measure can be tested:");
+  ExpectInStudy(tests, "No measure can be tested:");
   EXPECT_EQ(CountOf(tests, "repeated-measures ANOVA: none: 1 person"), 1);
   EXPECT_EQ(CountOf(tests, "n/a"), 0);
   EXPECT_EQ(CountOf(SectionText(page, "measures"), "n/a"), 0);
   EXPECT_EQ(CountOf(SectionText(page, "openings"), "n/a"), 0);
-  ExpectContains(tests, "Each person's line over diameter, in SI units");
+  ExpectInStudy(tests, "Each person's line over diameter, in SI units");
   EXPECT_EQ(SectionText(page, "tests").find("mixed model draws"), std::string::npos);
   EXPECT_EQ(CountOf(SectionText(MakeStudyReport(SmallStudy(), nullptr), "tests"),
                     "No measure can be tested"),
@@ -171,9 +171,9 @@ TEST(StudyReport, TheVerdictHasTheRangeOfEveryNumberOverTheChoices) {
   }
   EXPECT_EQ(range.lowest_p, lowest);
   const std::string text = SectionText(MakeStudyReport(result, nullptr), "summary");
-  ExpectContains(text, "(p " + FormatP(range.lowest_p) + " to " + FormatP(range.highest_p) +
-                           ", below 0.05 in " + std::to_string(range.num_significant) + " of " +
-                           std::to_string(range.num_tests) + " choices; eta squared ");
+  ExpectInStudy(text, "(p " + FormatP(range.lowest_p) + " to " + FormatP(range.highest_p) +
+                          ", below 0.05 in " + std::to_string(range.num_significant) + " of " +
+                          std::to_string(range.num_tests) + " choices; eta squared ");
 }
 
 TEST(StudyReport, TiedDigitsAreOneOrderWhicheverIsNamedFirst) {
@@ -189,11 +189,11 @@ TEST(StudyReport, TiedDigitsAreOneOrderWhicheverIsNamedFirst) {
     result.trials.push_back(trial);
   }
   const std::string markup = order_study_section().draw({result, nullptr}).markup();
-  ExpectContains(markup, "TH=FF&lt;MF");
+  ExpectInStudy(markup, "TH=FF&lt;MF");
   EXPECT_EQ(markup.find("FF=TH"), std::string::npos);
-  ExpectContains(markup, "thumb before middle: 2 of 2 trials");
+  ExpectInStudy(markup, "thumb before middle: 2 of 2 trials");
   EXPECT_EQ(markup.find("thumb before index"), std::string::npos);
-  ExpectContains(markup, "2 of 4 pairs of neighbours are tied.");
+  ExpectInStudy(markup, "2 of 4 pairs of neighbours are tied.");
 }
 
 TEST(StudyReport, SameResultSameBytes) {
@@ -205,11 +205,11 @@ TEST(StudyReport, HumansStandBesideARobot) {
   const std::string page = MakeStudyReport(SmallStudy(), &robot);
   ExpectSoundPage(page);
   const std::string text = SectionText(page, "robot");
-  ExpectContains(text, "humans, all trials");
-  ExpectContains(text, "TUM Hand, power (g3)");
+  ExpectInStudy(text, "humans, all trials");
+  ExpectInStudy(text, "TUM Hand, power (g3)");
   EXPECT_EQ(text.find("TUM Hand, all trials"), std::string::npos);  // the same trials once more
-  ExpectContains(text, "Session: pilot.");
-  ExpectContains(text, "32.8");  // GFT% of the fixture's middle trial
+  ExpectInStudy(text, "Session: pilot.");
+  ExpectInStudy(text, "32.8");  // GFT% of the fixture's middle trial
 }
 
 TEST(StudyReport, AStudyWithoutTrialsSaysSo) {
@@ -218,8 +218,8 @@ TEST(StudyReport, AStudyWithoutTrialsSaysSo) {
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
   EXPECT_EQ(page.find("<img"), std::string::npos);
-  ExpectContains(SectionText(page, "summary"), "0 of 0 trials were analysed");
-  ExpectContains(SectionText(page, "trials"), "No trial could be analysed.");
+  ExpectInStudy(SectionText(page, "summary"), "0 of 0 trials were analysed");
+  ExpectInStudy(SectionText(page, "trials"), "No trial could be analysed.");
 }
 
 TEST(StudyFormat, ConditionsHaveNamesAndUnits) {
