@@ -411,17 +411,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.yaml:8: error: not valid YAML: illegal block entry"},
         BadHand{"yaml", "name: Two", "nmae: Two",
                 "hand.yaml:1: error: hand: the key \"name\" is missing\n"
-                "hand.yaml:1: error: hand: unknown key \"nmae\". Known: name, palm, "
+                "hand.yaml:1: error: hand: unknown key \"nmae\"; did you mean \"name\"? Known: "
+                "name, palm, "
                 "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-                "coupling, mimic, drives, camera, grasps"},
+                "coupling, mimic, drives, apart, frames, camera, grasps"},
         BadHand{
             "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
             "hand.yaml:6: error: hand, joint_accuracy_deg: -1 is out of range; expected 0 to 45\n"
             "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
             "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-            "coupling, mimic, drives, camera, grasps"},
+            "coupling, mimic, drives, apart, frames, camera, grasps"},
         BadHand{"yaml", "link: palm", "link: plam",
-                "hand.yaml:3: error: palm: hand.urdf has no link \"plam\". Known: palm, proximal, "
+                "hand.yaml:3: error: palm: hand.urdf has no link \"plam\"; did you mean \"palm\"? "
+                "Known: palm, proximal, "
                 "distal, tip"},
         BadHand{"yaml", "[0, 0, 2]", "[0, 0, 0]",
                 "hand.yaml:5: error: palm, normal: has no direction"},
