@@ -160,14 +160,12 @@ void CheckRead(const YAML::Node& root, const std::string& file, const SessionCon
   problems.ThrowIfErrors(ErrorKind::kFormat, "the session cannot be run");
 }
 
-/** The defaults of a session file: those of the preset that it names. */
+/** The defaults of a session file: those of the preset that it names. What else `preset` may hold is
+a fault that reading finds. */
 SessionConfig FindDefaults(const YAML::Node& root, const std::string& file, Diagnostics& problems) {
-  SessionFile session;
-  Diagnostics found_later;  // with the preset's values
-  ReadConfig(root, file, "session", session, found_later);
-  if (session.preset.empty()) return {};
+  if (!root.IsMap() || !root["preset"] || !root["preset"].IsScalar()) return {};
   try {
-    return LoadPreset(session.preset);
+    return LoadPreset(root["preset"].Scalar());
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kNotFound) throw;
     problems.Fail(file, FindConfigLine(root, "preset"), std::string("preset: ") + error.what());

@@ -68,7 +68,8 @@ TEST(SessionConfig, TellsEveryProblemWithItsLine) {
       "sim:\n  step_s: 1\n  stp_s: 2\nseed: 3\nseed: 4\nvariation: 3\nstrategy:\n"
       "  lift_time_s: slow\n");
   for (const char* part :
-       {"s.yaml:1: error: session: unknown key \"trails\"; did you mean \"trials\"? Known: hands",
+       {"s.yaml:1: error: session: unknown key \"trails\"; did you mean \"trials\"? Known: preset, "
+        "hands",
         "s.yaml:2: error: trials: 0 is out of range; expected 1 to 100000",
         "s.yaml:3: error: hands: \"tum\" is listed twice",
         "s.yaml:4: error: objects: the list is empty; name at least one, or \"all\"",
@@ -254,7 +255,8 @@ TEST(SessionConfig, AnUnknownApproachIsRefused) {
   const auto problems = Validate(config);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].key, "approach");
-  EXPECT_EQ(problems[0].text, "no approach \"sied\". Known: automatic, above, side");
+  EXPECT_EQ(problems[0].text,
+            "no approach \"sied\"; did you mean \"side\"? Known: automatic, above, side");
 }
 
 TEST(SessionConfig, TellsEveryProblemOfAFrozenConfiguration) {
