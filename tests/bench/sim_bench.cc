@@ -109,7 +109,7 @@ void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id
   const WorldCommand command = course.last_command();
   const WorldState held = world.state();
   HandDynamics& dynamics = world.dynamics();
-  Collider collider(*setup.hand, *setup.object, setup.sim);
+  Collider collider(*setup.hand, *setup.object, setup.sim, TablePresence::kPresent);
   std::vector<ContactPoint> contacts;
   Eigen::MatrixXd M(dynamics.num_speeds(), dynamics.num_speeds());
   Eigen::VectorXd bias(dynamics.num_speeds());
