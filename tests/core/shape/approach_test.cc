@@ -32,8 +32,8 @@ TEST(ApproachTest, AnotherWordIsRefusedWithAHint) {
   Read("\napproach: sied\n", problems);
   ASSERT_EQ(problems.num_errors(), 1);
   EXPECT_EQ(problems.entries().front().line, 2);
-  EXPECT_NE(problems.entries().front().text.find(
-                "thing, approach: no approach \"sied\". Known: automatic, above, side"),
+  EXPECT_NE(problems.entries().front().text.find("thing, approach: no approach \"sied\"; did you "
+                                                 "mean \"side\"? Known: automatic, above, side"),
             std::string::npos)
       << problems.entries().front().text;
 }
