@@ -36,13 +36,12 @@ TEST(MjcfImport, AnExportedHandComesBack) {
     const Hand& other = imported.hand;
     EXPECT_EQ(other.links[static_cast<size_t>(other.palm_link)].name,
               "hand/" + hand.links[static_cast<size_t>(hand.palm_link)].name);
-    // All but the wrist, which hangs on the arm's joints and goes with them, and the distal joints
-    // of the rule middle-first, which such a file locks at its start.
+    // All of the hand's own, without the arm's that carry it; but for the distal joints of the rule
+    // middle-first, which such a file locks at its start.
     const bool is_locked = hand.coupling == CouplingRule::kMiddleFirst;
     std::vector<int> joint_of;  // by the other's joints
     for (const HandJoint& joint : other.joints) joint_of.push_back(hand.FindJoint(joint.name));
-    ASSERT_EQ(static_cast<int>(joint_of.size()),
-              hand.num_joints() - (hand.palm_link == 0 ? 0 : 2) - (is_locked ? 4 : 0));
+    ASSERT_EQ(static_cast<int>(joint_of.size()), hand.num_joints() - (is_locked ? 4 : 0));
     std::mt19937 random(1);
     Eigen::VectorXd q_hand = Eigen::VectorXd::Zero(hand.num_joints());
     Eigen::VectorXd q_other(other.num_joints());

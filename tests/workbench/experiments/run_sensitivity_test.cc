@@ -68,10 +68,10 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   SensitivityRequest request;
   request.folder = session.folder;
   request.settings = {"model.mass_scale=3", "model.mass_scale=2"};
+  request.trials_per_cell = 1;
   stop_ = true;
   EXPECT_FALSE(RunSensitivity(request, 1, observer_, stop_));
   stop_ = false;
-  request.trials_per_cell = 1;
   ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
   EXPECT_EQ(Load(session).at("model.mass_scale=2.0").size(), 1u);
   request.trials_per_cell = 0;

@@ -24,7 +24,7 @@ class SessionExperiment : public testing::Test {
     SessionRequest request;
     request.config = config_;
     request.out = temporary_.path() / name;
-    request.resume = true;
+    request.resume = HasSession(request.out);
     return PrepareSession(request);
   }
   static std::string ReadTables(const std::filesystem::path& folder) {

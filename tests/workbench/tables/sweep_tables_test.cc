@@ -28,7 +28,7 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
   summary.interactions = {effect};
   EXPECT_EQ(FormatSweepTables(summary),
             "condition  hand  trials  success [%]  GFT% [%]  sigma [N]  breaking force [N]\n"
-            "base       tum        4      100.0 *      25.0       1.50                 n/a\n"
+            "base       tum        4  100.0 *          25.0       1.50                 n/a\n"
             "rate of success, medians of the rest\n"
             "* cannot decide success: all trials of the condition succeed, or none\n"
             "\n"
@@ -37,8 +37,8 @@ TEST(SweepTables, NameInteractionsThatExcludeZeroAndConditionsThatDecideNothing)
             "against the base's level, on the same draws; intervals from drawing objects\n"
             "\n"
             "interactions whose interval excludes 0\n"
-            "level                               hand  measure    draws  change   95 % interval\n"
-            "model.mass_scale=2.0 and grasp=g2   tum   sigma [N]      4   -0.50  -0.75 to -0.25\n");
+            "level                              hand  measure    draws  change  95 % interval\n"
+            "model.mass_scale=2.0 and grasp=g2  tum   sigma [N]      4   -0.50  -0.75 to -0.25\n");
   summary.interactions[0].interval = Interval{-0.75, 0.25};
   EXPECT_NE(FormatSweepTables(summary).find("no interval of an interaction excludes 0\n"),
             std::string::npos);

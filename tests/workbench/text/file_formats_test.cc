@@ -38,7 +38,7 @@ void ExpectSameKeys(const FileKeys& read, const FileKeys& rows) {
 }
 
 TEST(FileFormatsTest, EveryKeyHasAMeaning) {
-  ASSERT_EQ(ListFileFormats().size(), 7u);
+  ASSERT_EQ(ListFileFormats().size(), 8u);
   for (const FileFormat& format : ListFileFormats()) {
     EXPECT_FALSE(format.keys.empty()) << format.name;
     for (const FileKey& key : format.keys) EXPECT_NE(key.meaning, "") << format.name << key.key;
@@ -57,7 +57,7 @@ TEST(FileFormatsTest, HandsAreReadByTheirRows) {
   const std::vector<NewFile> files = MakeNewFiles("hand");
   const std::string yaml =
       files[1].second +
-      "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: [{}]\ncamera: {}\n";
+      "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: [{}]\nframes: [{}]\ncamera: {}\n";
   KeyRecorder recorder;
   Diagnostics problems;
   ParseHand(files[0].second, yaml, folder, problems);
