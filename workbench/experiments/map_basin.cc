@@ -32,6 +32,10 @@ std::string FindKindToReplace(const fs::path& folder) {
 }  // namespace
 
 PreparedSession PrepareBasin(const BasinRequest& request) {
+  const std::vector<fs::path> read = {request.hand, request.object, request.grasp};
+  const bool is_there = HasSession(request.out);
+  OutputRequest output = {request.out, FindKindToReplace(request.out), request.replace, read};
+  if (!is_there) CheckOutputFolder(output);  // before anything is read
   SessionConfig config = MakeBasinConfig(request);
   const SessionInputs inputs = LoadSessionInputs(config, FieldUse::kLater);
   if (const size_t num_cells = MakePlan(config, inputs).size(); num_cells != 1) {
@@ -41,10 +45,7 @@ PreparedSession PrepareBasin(const BasinRequest& request) {
   }
   config.trials = request.num_samples;
   const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
-  const std::vector<fs::path> read = {request.hand, request.object, request.grasp};
-  const bool is_there = HasSession(request.out);
   if (!is_there || !(LoadPlannedSession(request.out).plan == plan)) {
-    OutputRequest output = {request.out, FindKindToReplace(request.out), request.replace, read};
     if (is_there) output.derived = ListStoreFiles(request.out);
     StagedFolder staged(output, StagedFolder::Mark::kOwn);
     CopyInputs(config, staged.path());
