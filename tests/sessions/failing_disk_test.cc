@@ -161,7 +161,6 @@ TEST_F(FailingDisk, CampaignsAreContinuedToTheSameBytes) {
 // These are there as a whole or not at all, whenever the program is killed or a file fails.
 const std::vector<std::pair<std::string, std::string>>& ListWholeResults() {
   static const std::vector<std::pair<std::string, std::string>> commands = {
-      {"basin --hand tum --object golf_ball --samples 6 --out ", "basin.csv"},
       {"export base --out ", "export/trials.csv"},
       {"export base --mjcf all --out ", "manifest.json"},
       {"report base --out ", "report/index.html"},
