@@ -67,7 +67,8 @@ Html DrawSimultaneity(const StudyPageData& data) {
       "asked and the one that speaks least for a difference decides. Who is more "
       "simultaneous is so against digits without the clock's stated errors, who is less, against "
       "digits with all their spread. An error of the clock is shared by all digits just as "
-      "coordination is: what they share must exceed a bound of that error, else nothing is decided.";
+      "coordination is: what they share must exceed a bound of that error, else nothing is "
+      "decided.";
   if (null->num_incomplete > 0) {
     note += " " + FormatCount(null->num_incomplete, "trial") +
             " of those that count lacked the contact of a digit or a clock and took no part.";
