@@ -20,8 +20,8 @@ namespace graspbench {
 std::string ListMeshFormats();
 
 /** In metres, coincident vertices welded. Axes as in the file. Coordinates carry single precision.
-Not checked: see core/shape/repair/mesh_check.h. Vertices may be non-finite. Files up to 256 MB and meshes
-up to 2 million triangles.
+Not checked: see core/shape/repair/mesh_check.h. Vertices may be non-finite. Files up to 256 MB and
+meshes up to 2 million triangles.
 @throws Error(kNotFound, kIo); Error(kFormat) when it is no complete file of a format known here. */
 TriMesh LoadMesh(const std::filesystem::path& path, LengthUnit unit);
 

@@ -11,8 +11,8 @@
 namespace graspbench {
 namespace {
 
-/** Letters inserted, left out, replaced, or exchanged with their neighbour (optimal string alignment,
-G. Navarro, ACM Comput. Surv. 33 (2001)). */
+/** Letters inserted, left out, replaced, or exchanged with their neighbour (optimal string
+alignment, G. Navarro, ACM Comput. Surv. 33 (2001)). */
 size_t CalcEditDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> before, above, row(b.size() + 1);
   std::iota(row.begin(), row.end(), size_t{0});

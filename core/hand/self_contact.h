@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Which capsules of a hand can meet each other, and how near they are: fingers against each other and
-against the palm. A finger cannot reach itself, what touches in the rest posture is built that way, and
-Hand::apart names links that never count. */
+against the palm. A finger cannot reach itself, what touches in the rest posture is built that way,
+and Hand::apart names links that never count. */
 
 #include <Eigen/Core>
 #include <vector>

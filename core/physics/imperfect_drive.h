@@ -54,7 +54,8 @@ struct DriveMemory {
   bool slides = false;
 };
 
-/** Returns z of a drive whose loop has this width, and remembers it; of width 0, z is the command. */
+/** Returns z of a drive whose loop has this width, and remembers it; of width 0, z is the
+command. */
 double FollowWithHysteresis(double width, double command, DriveMemory& memory);
 
 /** @param h  step [s]. */

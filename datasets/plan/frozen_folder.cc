@@ -32,14 +32,15 @@ void AddModel(Json& config) {
   }
 }
 
-/** Before physics 10 a campaign said nothing of gravity and multibody, and nothing resisted rolling.
-What a session lacks is told where it is opened. */
+/** Before physics 10 optimisations and campaigns said nothing of gravity and multibody, and nothing
+resisted rolling. What a session lacks is told where it is opened. */
 void AddSettingsOfPhysics10(Json& config) {
-  if (!config.contains("session") || !config["session"].contains("sim")) return;
+  Json& conditions = config.contains("session") ? config["session"] : config;
+  if (!conditions.contains("sim")) return;
   SimConfig before;
   before.table_rolling_resistance = 0.0;
   const Json known = ConfigToJson(before);
-  Json& sim = config["session"]["sim"];
+  Json& sim = conditions["sim"];
   for (const char* key : {"gravity_m_per_s2", "table_rolling_resistance_m", "multibody"}) {
     if (!sim.contains(key)) sim[key] = known.at(key);
   }
@@ -89,7 +90,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     frozen.config = json.value("config", Json::object());
     frozen.physics_version = json.value("physics_version", 0);
     AddModel(frozen.config);
-    if (frozen.physics_version < 10) AddSettingsOfPhysics10(frozen.config);
+    if (frozen.physics_version < 10 && &kind != &kSessionStore) AddSettingsOfPhysics10(frozen.config);
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
                 "\"" + path.string() + "\" is damaged: " + DescribeJsonFault(e) +

@@ -19,7 +19,8 @@ compared.
 
 namespace graspbench {
 
-/** @param text  of the description. @param palm  as asked for. @param files  of the hand, by name. */
+/** @param text  of the description. @param palm  as asked for.
+@param files  of the hand, by name. */
 std::string FormatImportRecord(const std::string& text, const HandSource& source,
                                const std::string& palm, const Hand& hand,
                                const Diagnostics& problems,

@@ -5,7 +5,8 @@ is checked, and each problem is reported: how many, where the first ones are, wh
 
 A point belongs to the solid where the surface winds around it at least once. So parts that overlap
 or touch are one body, a shell that faces inwards within one that faces outwards is a cavity, parts
-apart from the rest are told, and refused unless they are small or meant, and small folds of a surface through itself are tolerated: warnings, not problems.
+apart from the rest are told, and refused unless they are small or meant, and small folds of a
+surface through itself are tolerated: warnings, not problems.
 
 Positions in the messages are millimetres in the mesh's own frame. */
 
