@@ -90,7 +90,8 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     frozen.config = json.value("config", Json::object());
     frozen.physics_version = json.value("physics_version", 0);
     AddModel(frozen.config);
-    if (frozen.physics_version < 10 && &kind != &kSessionStore) AddSettingsOfPhysics10(frozen.config);
+    if (frozen.physics_version < 10 && &kind != &kSessionStore)
+      AddSettingsOfPhysics10(frozen.config);
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
                 "\"" + path.string() + "\" is damaged: " + DescribeJsonFault(e) +
