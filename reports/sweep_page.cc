@@ -209,7 +209,7 @@ Html DrawSweepFindings(const SweepView& view) {
 
 Html DrawSweepMethods(const SweepView& view) {
   std::string factors;
-  for (const Factor& factor : view.summary.factors) {
+  for (const SweepFactor& factor : view.summary.factors) {
     factors += (factors.empty() ? "" : "; ") + factor.key + " (";
     for (size_t i = 0; i < factor.levels.size(); ++i) {
       factors += (i > 0 ? ", " : "") + factor.levels[i];

@@ -154,13 +154,14 @@ std::string FindBaseLevel(const SessionConfig& config, const std::string& key) {
   return value->is_string() ? value->get<std::string>() : FormatJson(*value);
 }
 
-std::vector<Factor> ListFactors(const SessionConfig& config) {
-  std::vector<Factor> factors;
+std::vector<SweepFactor> ListFactors(const SessionConfig& config) {
+  std::vector<SweepFactor> factors;
   for (const Condition& condition : config.conditions) {
     for (const std::string& text : condition.settings) {
       const Assignment setting = Split(text);
-      auto factor = std::find_if(factors.begin(), factors.end(),
-                                 [&](const Factor& known) { return known.key == setting.key; });
+      auto factor = std::find_if(factors.begin(), factors.end(), [&](const SweepFactor& known) {
+        return known.key == setting.key;
+      });
       if (factor == factors.end()) {
         factors.push_back({setting.key, {FindBaseLevel(config, setting.key)}});
         factor = std::prev(factors.end());

@@ -32,13 +32,13 @@ ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& 
 /** Whether a condition delays a digit: then all trials say how far closing moved the object. */
 bool HasDelays(const SessionConfig& config);
 
-struct Factor {
+struct SweepFactor {
   std::string key;
   std::vector<std::string> levels;  ///< values, that of the base first
 };
 
 /** In the order in which the conditions name them. */
-std::vector<Factor> ListFactors(const SessionConfig& config);
+std::vector<SweepFactor> ListFactors(const SessionConfig& config);
 
 /** The value of a key of the session as it is configured: "1.0"; "0" for a delay. */
 std::string FindBaseLevel(const SessionConfig& config, const std::string& key);

@@ -21,13 +21,13 @@ constexpr size_t kMostConditions = 10000;
 /** A level of each factor, by its place; all 0: the base. */
 using Point = std::vector<size_t>;
 
-Factor ParseFactor(const std::string& text, const SessionConfig& config) {
+SweepFactor ParseFactor(const std::string& text, const SessionConfig& config) {
   const size_t sign = text.find('=');
   if (sign == text.npos || sign == 0) {
     throw Error(ErrorKind::kUsage,
                 "--factor \"" + text + "\": expected KEY=VALUE,VALUE,.. as model.mass_scale=1,2");
   }
-  Factor factor;
+  SweepFactor factor;
   for (size_t start = sign + 1; start <= text.size();) {
     const size_t comma = std::min(text.find(',', start), text.size());
     const std::string setting =
@@ -51,13 +51,13 @@ Factor ParseFactor(const std::string& text, const SessionConfig& config) {
   return factor;
 }
 
-std::vector<Factor> ParseFactors(const SweepConfig& sweep) {
+std::vector<SweepFactor> ParseFactors(const SweepConfig& sweep) {
   if (sweep.factors.empty()) {
     throw Error(ErrorKind::kUsage,
                 "a sweep needs a factor; name one with --factor KEY=VALUE,VALUE,.. as "
                 "model.mass_scale=1,0.5,2");
   }
-  std::vector<Factor> factors;
+  std::vector<SweepFactor> factors;
   std::set<std::string> keys;
   for (const std::string& text : sweep.factors) {
     factors.push_back(ParseFactor(text, sweep));
@@ -68,9 +68,9 @@ std::vector<Factor> ParseFactors(const SweepConfig& sweep) {
   return factors;
 }
 
-std::vector<Point> ListFull(const std::vector<Factor>& factors) {
+std::vector<Point> ListFull(const std::vector<SweepFactor>& factors) {
   std::vector<Point> points = {{}};
-  for (const Factor& factor : factors) {
+  for (const SweepFactor& factor : factors) {
     std::vector<Point> longer;
     for (const Point& point : points) {
       for (size_t level = 0; level < factor.levels.size(); ++level) {
@@ -87,7 +87,7 @@ std::vector<Point> ListFull(const std::vector<Factor>& factors) {
   return points;
 }
 
-std::vector<Point> ListOneAtATime(const std::vector<Factor>& factors) {
+std::vector<Point> ListOneAtATime(const std::vector<SweepFactor>& factors) {
   std::vector<Point> points;
   for (size_t i = 0; i < factors.size(); ++i) {
     for (size_t level = 1; level < factors[i].levels.size(); ++level) {
@@ -98,9 +98,9 @@ std::vector<Point> ListOneAtATime(const std::vector<Factor>& factors) {
   return points;
 }
 
-std::vector<Point> ListLatin(const std::vector<Factor>& factors, size_t count, int seed) {
+std::vector<Point> ListLatin(const std::vector<SweepFactor>& factors, size_t count, int seed) {
   std::vector<Point> points(count);
-  for (const Factor& factor : factors) {
+  for (const SweepFactor& factor : factors) {
     std::vector<size_t> levels(count);
     for (size_t i = 0; i < count; ++i) levels[i] = i % factor.levels.size();
     RandomStream stream(std::to_string(seed), "latin hypercube " + factor.key);
@@ -112,7 +112,7 @@ std::vector<Point> ListLatin(const std::vector<Factor>& factors, size_t count, i
   return points;
 }
 
-std::vector<Point> ListPoints(const SweepConfig& sweep, const std::vector<Factor>& factors) {
+std::vector<Point> ListPoints(const SweepConfig& sweep, const std::vector<SweepFactor>& factors) {
   if (sweep.design == "full") return ListFull(factors);
   if (sweep.design == "one-at-a-time") return ListOneAtATime(factors);
   const std::string latin = "latin:";
@@ -163,9 +163,9 @@ const FileKeys& ListSweepKeys() {
 }
 
 SessionConfig MakeSweep(const SweepConfig& sweep) {
-  const std::vector<Factor> factors = ParseFactors(sweep);
+  const std::vector<SweepFactor> factors = ParseFactors(sweep);
   Condition base;
-  for (const Factor& factor : factors) {
+  for (const SweepFactor& factor : factors) {
     base.settings.push_back(factor.key + "=" + factor.levels.front());
   }
   const ConditionInputs made = ApplyCondition(base, sweep);

@@ -193,7 +193,7 @@ void AddConditionColumns(const SessionConfig& config, std::vector<TrialColumn>& 
   columns.push_back(
       {"condition", "string", "", "name of the condition; empty: the base",
        [](const TrialRecord& record) { return Json(record.plan.condition.value_or("")); }});
-  for (const Factor& factor : ListFactors(config)) {
+  for (const SweepFactor& factor : ListFactors(config)) {
     std::string name = factor.key == "grasp" ? "grasp_factor" : factor.key;
     std::replace(name.begin(), name.end(), '.', '_');
     columns.push_back({name, "string", "", "level of the factor " + factor.key,

@@ -39,10 +39,10 @@ class Welder {
         tree_(MakeForeignTree(foreign)) {}
 
   void FixEmptyEnds();
-  HandPlace FindHandPlace(const std::string& palm) const {
+  HandCandidate FindHandPlace(const std::string& palm) const {
     return FindHand(foreign_, tree_, has_body_, palm, file_, problems_);
   }
-  void LeaveOutArm(const HandPlace& place);
+  void LeaveOutArm(const HandCandidate& place);
   bool CheckMass();
   ImportedHand Weld(int palm);
 
@@ -115,7 +115,7 @@ bool Welder::CheckMass() {
   return false;
 }
 
-void Welder::LeaveOutArm(const HandPlace& place) {
+void Welder::LeaveOutArm(const HandCandidate& place) {
   int num_joints = 0, below = place.palm;
   for (int link = place.palm; link != place.top && tree_.joint_of[link] >= 0;) {
     const ForeignJoint& joint = foreign_.joints[tree_.joint_of[link]];
@@ -418,7 +418,7 @@ ImportedHand WeldLinks(ForeignHand foreign, const std::vector<LoadedShapes>& sha
                        const std::string& palm, const std::string& file, Diagnostics& problems) {
   Welder welder(foreign, shapes, file, problems);
   welder.FixEmptyEnds();
-  const HandPlace place = welder.FindHandPlace(palm);
+  const HandCandidate place = welder.FindHandPlace(palm);
   if (place.palm < 0) return {};
   welder.LeaveOutArm(place);
   if (!welder.CheckMass()) return {};

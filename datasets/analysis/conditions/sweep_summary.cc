@@ -21,11 +21,11 @@ struct Treatment {
 };
 
 std::vector<Treatment> ListTreatments(const SessionConfig& config,
-                                      const std::vector<Factor>& factors) {
+                                      const std::vector<SweepFactor>& factors) {
   std::vector<Treatment> treatments = {{std::nullopt, {}}};
   for (const Condition& condition : config.conditions) treatments.push_back({condition.name, {}});
   for (Treatment& treatment : treatments) {
-    for (const Factor& factor : factors) {
+    for (const SweepFactor& factor : factors) {
       treatment.levels.push_back(FindLevel(config, treatment.name, factor.key));
     }
   }
@@ -83,7 +83,7 @@ int FindTreatment(const std::vector<Treatment>& treatments, const Treatment& lik
   return -1;
 }
 
-std::vector<Contrast> ListPairs(const std::vector<Treatment>& treatments, const Factor& factor,
+std::vector<Contrast> ListPairs(const std::vector<Treatment>& treatments, const SweepFactor& factor,
                                 size_t index, const std::string& level) {
   std::vector<Contrast> contrasts;
   for (size_t i = 0; i < treatments.size(); ++i) {
@@ -95,8 +95,8 @@ std::vector<Contrast> ListPairs(const std::vector<Treatment>& treatments, const 
 }
 
 /** One contrast: of all treatments with the level, and of all with that of the base. */
-Contrast MakeMarginal(const std::vector<Treatment>& treatments, const Factor& factor, size_t index,
-                      const std::string& level) {
+Contrast MakeMarginal(const std::vector<Treatment>& treatments, const SweepFactor& factor,
+                      size_t index, const std::string& level) {
   const auto count = [&](const std::string& wanted) {
     return static_cast<double>(
         std::count_if(treatments.begin(), treatments.end(),
@@ -188,7 +188,7 @@ void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contr
 void AddEffects(const std::vector<Treatment>& treatments, const std::vector<Draw>& draws,
                 const std::string& hand, SweepSummary& summary) {
   for (size_t f = 0; f < summary.factors.size(); ++f) {
-    const Factor& factor = summary.factors[f];
+    const SweepFactor& factor = summary.factors[f];
     for (size_t l = 1; l < factor.levels.size(); ++l) {
       SweepEffect effect;
       effect.factors = {factor.key};
@@ -208,7 +208,7 @@ void AddEffects(const std::vector<Treatment>& treatments, const std::vector<Draw
 }
 
 std::vector<Contrast> ListSquares(const std::vector<Treatment>& treatments,
-                                  const std::vector<Factor>& factors, size_t f, size_t g,
+                                  const std::vector<SweepFactor>& factors, size_t f, size_t g,
                                   const std::string& level_f, const std::string& level_g) {
   const std::string &base_f = factors[f].levels.front(), &base_g = factors[g].levels.front();
   std::vector<Contrast> contrasts;
@@ -228,7 +228,7 @@ std::vector<Contrast> ListSquares(const std::vector<Treatment>& treatments,
 
 void AddInteractions(const std::vector<Treatment>& treatments, const std::vector<Draw>& draws,
                      const std::string& hand, SweepSummary& summary) {
-  const std::vector<Factor>& factors = summary.factors;
+  const std::vector<SweepFactor>& factors = summary.factors;
   for (size_t f = 0; f < factors.size(); ++f) {
     for (size_t g = f + 1; g < factors.size(); ++g) {
       for (size_t l = 1; l < factors[f].levels.size(); ++l) {
@@ -377,7 +377,7 @@ SweepSummary SummariseSweep(const Session& session) {
   summary.factors = ListFactors(session.config);
   const bool is_grasp_a_factor =
       std::any_of(summary.factors.begin(), summary.factors.end(),
-                  [](const Factor& factor) { return factor.key == "grasp"; });
+                  [](const SweepFactor& factor) { return factor.key == "grasp"; });
   const std::vector<Treatment> treatments = ListTreatments(session.config, summary.factors);
   std::vector<std::vector<Draw>> draws;
   for (const PlannedTrial& planned : session.plan) {
@@ -417,7 +417,7 @@ Json ToJson(const SweepSummary& summary) {
     return json;
   };
   Json factors = Json::array();
-  for (const Factor& factor : summary.factors) {
+  for (const SweepFactor& factor : summary.factors) {
     factors.push_back({{"key", factor.key}, {"levels", factor.levels}});
   }
   return {{"factors", factors},

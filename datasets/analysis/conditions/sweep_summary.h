@@ -59,7 +59,7 @@ struct SweepEffect {
 };
 
 struct SweepSummary {
-  std::vector<Factor> factors;
+  std::vector<SweepFactor> factors;
   std::vector<std::string> hands;
   std::vector<ConditionRow> rows;  ///< conditions, then hands
   std::vector<SweepEffect> effects, interactions;

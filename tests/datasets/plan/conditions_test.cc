@@ -137,7 +137,7 @@ TEST_F(PlannedConditions, AreFrozenWithTheSession) {
 TEST_F(PlannedConditions, HaveFactorsWithTheBasesLevelFirst) {
   config_.conditions = {{"a", {"model.mass_scale=2.0"}},
                         {"b", {"delay.last=0.1", "model.mass_scale=0.5"}}};
-  const std::vector<Factor> factors = ListFactors(config_);
+  const std::vector<SweepFactor> factors = ListFactors(config_);
   ASSERT_EQ(factors.size(), 2u);
   EXPECT_EQ(factors[0].levels, (std::vector<std::string>{"1.0", "2.0", "0.5"}));
   EXPECT_EQ(factors[1].levels, (std::vector<std::string>{"0.0", "0.1"}));

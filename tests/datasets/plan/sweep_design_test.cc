@@ -23,7 +23,7 @@ TEST(SweepDesign, FullHasEveryCombinationAndTheFirstLevelsAsItsBase) {
   ASSERT_EQ(config.conditions.size(), 5u);  // 3 x 2 less the base
   EXPECT_EQ(config.conditions[0].name, "delay.last=0.1");
   EXPECT_EQ(config.conditions[4].name, "model.mass_scale=0.5, delay.last=0.1");
-  const std::vector<Factor> factors = ListFactors(config);
+  const std::vector<SweepFactor> factors = ListFactors(config);
   EXPECT_EQ(factors[1].key, "model.mass_scale");
   EXPECT_EQ(factors[1].levels.front(), "2.0");
 }

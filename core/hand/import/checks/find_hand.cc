@@ -21,8 +21,8 @@ class HandFinder {
     PlaceLinks();
   }
 
-  HandPlace Find();
-  HandPlace FindNamed(const std::string& name);
+  HandCandidate Find();
+  HandCandidate FindNamed(const std::string& name);
 
  private:
   bool Moves(int link) const {
@@ -126,7 +126,7 @@ std::string HandFinder::ListNames(const std::vector<int>& links) const {
   return text;
 }
 
-HandPlace HandFinder::Find() {
+HandCandidate HandFinder::Find() {
   int top = tree_.order.front();
   if (num_ends_[top] == 0) {
     problems_.Fail(file_, 0, "no joint moves anything that could touch: this is no hand");
@@ -173,7 +173,7 @@ HandPlace HandFinder::Find() {
   }
 }
 
-HandPlace HandFinder::FindNamed(const std::string& name) {
+HandCandidate HandFinder::FindNamed(const std::string& name) {
   std::vector<std::string> known;
   int palm = -1;
   for (size_t link = 0; link < foreign_.links.size(); ++link) {
@@ -226,9 +226,9 @@ ForeignTree MakeForeignTree(const ForeignHand& foreign) {
   return tree;
 }
 
-HandPlace FindHand(const ForeignHand& foreign, const ForeignTree& tree,
-                   const std::vector<bool>& has_body, const std::string& palm,
-                   const std::string& file, Diagnostics& problems) {
+HandCandidate FindHand(const ForeignHand& foreign, const ForeignTree& tree,
+                       const std::vector<bool>& has_body, const std::string& palm,
+                       const std::string& file, Diagnostics& problems) {
   HandFinder finder(foreign, tree, has_body, file, problems);
   return palm.empty() ? finder.Find() : finder.FindNamed(palm);
 }

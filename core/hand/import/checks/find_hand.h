@@ -25,15 +25,15 @@ struct ForeignTree {
 };
 ForeignTree MakeForeignTree(const ForeignHand& foreign);
 
-struct HandPlace {
+struct HandCandidate {
   int palm = -1;  ///< foreign link; -1: none, an error is reported
   int top = -1;   ///< the highest link that belongs to it
 };
 
 /** @param has_body  by link: it or what hangs on it has a shape. @param palm  name of the palm's
 link; empty: to be found. */
-HandPlace FindHand(const ForeignHand& foreign, const ForeignTree& tree,
-                   const std::vector<bool>& has_body, const std::string& palm,
-                   const std::string& file, Diagnostics& problems);
+HandCandidate FindHand(const ForeignHand& foreign, const ForeignTree& tree,
+                       const std::vector<bool>& has_body, const std::string& palm,
+                       const std::string& file, Diagnostics& problems);
 
 }  // namespace graspbench

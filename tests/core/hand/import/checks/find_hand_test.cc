@@ -27,7 +27,7 @@ class TreeBuilder {
     Add(name + "_a", palm, true, {0.03, 0, 0});
     Add(name + "_b", palm, true, {-0.03, 0, 0});
   }
-  HandPlace Find(const std::string& palm = "") {
+  HandCandidate Find(const std::string& palm = "") {
     return FindHand(hand, MakeForeignTree(hand), std::vector<bool>(hand.links.size(), true), palm,
                     "rig.urdf", problems);
   }
@@ -38,7 +38,7 @@ class TreeBuilder {
 TEST(FindHandTest, OneHandIsItsOwn) {
   TreeBuilder rig;
   rig.AddClaw("claw", -1, {0, 0, 0});
-  const HandPlace place = rig.Find();
+  const HandCandidate place = rig.Find();
   EXPECT_EQ(place.palm, 0);
   EXPECT_EQ(place.top, 0);
   EXPECT_EQ(rig.problems.Format(), "");
@@ -53,7 +53,7 @@ TEST(FindHandTest, TwoHandsAreListedAndOneIsChosen) {
   EXPECT_EQ(rig.problems.Format(),
             "rig.urdf: error: found 2 hands, with the palms \"left\", \"right\"; choose one with "
             "--palm");
-  const HandPlace place = rig.Find("right");
+  const HandCandidate place = rig.Find("right");
   EXPECT_EQ(rig.hand.links[place.palm].name, "right");
   EXPECT_EQ(rig.hand.links[place.top].name, "right");
 }
