@@ -43,8 +43,8 @@ std::vector<Damage> FindAllDamage(const fs::path& folder) {
   return state.damages;
 }
 
-/** A store may be written meanwhile: a manifest and a file that are read one after the other need not
-belong together then. Real damage is there a moment later, too. */
+/** A store may be written meanwhile: a manifest and a file that are read one after the other need
+not belong together then. Real damage is there a moment later, too. */
 std::vector<Damage> FindLastingDamage(const fs::path& folder) {
   constexpr std::chrono::milliseconds kMoment(100);
   std::vector<Damage> damages = FindAllDamage(folder);

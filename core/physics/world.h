@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 A hand, an object and, where there is one, a table in time: what every backend shows to a trial.
-The default backend is ImplicitWorld (implicit_world.h); another moves the same scene by other means (compliant_world.h),
-and the whole course of a trial runs on it unchanged.
+The default backend is ImplicitWorld (implicit_world.h); another moves the same scene by other
+means (compliant_world.h), and the whole course of a trial runs on it unchanged.
 
 The hand's base follows the commanded motion as its backend's arm does. A world refers to its hand
 and object, which must outlive it, and belongs to one thread. */

@@ -29,8 +29,8 @@ class SignedDistanceField {
   static constexpr double kMinCell = 0.0005;  ///< [m]
   static constexpr int kMaxNodes = 500000;    ///< sets the cell of all but the smallest objects
 
-  /** @pre every edge has as many triangles in either direction (core/shape/repair/mesh_check.h). Cells are
-  cubes. Costs about half a second for 5,000 triangles. */
+  /** @pre every edge has as many triangles in either direction (core/shape/repair/mesh_check.h).
+  Cells are cubes. Costs about half a second for 5,000 triangles. */
   static SignedDistanceField Build(const TriMesh& mesh);
 
   /** Build, or read what an earlier call stored under the mesh's hash in `cache_folder`. The file

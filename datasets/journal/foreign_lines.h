@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Lines of a journal that are whole and have a right checksum, and yet do not belong there: those of
-another kind of journal, different answers to one question of a search, and what somebody has added to
-a search that has its result. */
+another kind of journal, different answers to one question of a search, and what somebody has added
+to a search that has its result. */
 
 #include <filesystem>
 #include <string>
@@ -13,9 +13,10 @@ a search that has its result. */
 
 namespace graspbench {
 
-/** In the order of their lines; where two answer one question differently, both are named. Lines that
-are torn or whose checksum is wrong are not looked at.
-@param journal  from the folder, with slashes. @param manifest  of the folder. @throws Error(kNotFound, kIo). */
+/** In the order of their lines; where two answer one question differently, both are named. Lines
+that are torn or whose checksum is wrong are not looked at.
+@param journal  from the folder, with slashes. @param manifest  of the folder. @throws
+Error(kNotFound, kIo). */
 std::vector<Damage> FindForeignLines(const StoreKind& kind, const std::filesystem::path& folder,
                                      const std::string& journal, const Manifest& manifest);
 

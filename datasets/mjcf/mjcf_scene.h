@@ -22,7 +22,8 @@ The scene of a trial in MuJoCo's format (MJCF), for MuJoCo 3.
     key "start" where the trial begins: hand, drives, object
 
 Not the same as in graspbench: the inertia of the hand along the commanded motion loads the arm
-(some 0.1 mm), its moment has no limit (whoever steps the file ends there); hysteresis and friction of
+(some 0.1 mm), its moment has no limit (whoever steps the file ends there); hysteresis and friction
+of
 drives and yielding couplings (core/physics/imperfect_drive.h) are left out; contacts and stops are
 MuJoCo's own springs, critically damped with a time constant of 5 ms; what a joint's stop gives way
 is scaled to be alike. */

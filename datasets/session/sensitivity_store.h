@@ -41,7 +41,8 @@ TrialMeasures MakeTrialMeasures(const TrialResult& result);
 using VariedTrials = std::map<std::string, TrialMeasures>;
 using SensitivityData = std::map<std::string, VariedTrials>;  ///< by setting
 
-/** What is stored in the session's folder; of earlier programs damaged lines become `findings`. Nothing for a session
+/** What is stored in the session's folder; of earlier programs damaged lines become `findings`.
+Nothing for a session
 that stands in no folder. @throws Error(kFormat) for unequal duplicates, Error(kIo). */
 SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings);
 

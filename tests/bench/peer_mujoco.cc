@@ -1,7 +1,8 @@
 // The same trials in our engine and in MuJoCo: processor time of stepping per simulated second,
 // creep during the hold and penetration side by side. Arguments: pairs of runs (default 10).
 //   build/release/tests/bench/peer_mujoco
-// Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation and are
+// Both sides run the same course of a trial (core/trial/protocols/table_lift.h) without variation
+// and are
 // judged by the same rules. Then the commands of that trial are repeated in a plain loop of steps,
 // which is what is timed, ours and MuJoCo's in turns. What is equal and what is not:
 // mujoco_world.h.

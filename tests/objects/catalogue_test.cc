@@ -136,7 +136,8 @@ TEST_F(CatalogueTest, UnknownNamesAndBareMeshesAreExplained) {
             "no file \"" + (folder_ / "object.yaml").string() + "\"");
 }
 
-// What carries an object on the table is its lowest vertex; a round side of n equal sides, which lies
+// What carries an object on the table is its lowest vertex; a round side of n equal sides, which
+// lies
 // on one of them, carries by the circle through its corners, lower by r (1 - cos(pi / n)).
 TEST(Catalogue, EveryObjectRestsOnItsMesh) {
   const std::map<std::string, int> num_sides = {{"board_marker", 32}, {"light_bulb", 48}};

@@ -5,7 +5,8 @@
 namespace graspbench {
 namespace {
 
-/** Three factors of two levels, all combinations; under the second level of the third nobody fails. */
+/** Three factors of two levels, all combinations; under the second level of the third nobody
+fails. */
 Session MakeCubeSession() {
   Session session;
   const char* settings[] = {"model.mass_scale=2.0", "model.friction_scale=0.8", "sim.step_s=0.001"};

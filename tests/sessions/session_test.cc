@@ -10,8 +10,10 @@ holds cases of the form
     graspbench: no object "pencl" ...
 
 Commands run in a shell, in an empty folder, with stdout and stderr together; `# exit` (of the last
-command) is 0 when absent. `made FOLDER OPTIONS..` is `graspbench run OPTIONS.. --out FOLDER` without
-what it prints; the session is made once for all cases and copied. In the expected text "..." stands for any text within a line and, alone
+command) is 0 when absent. `made FOLDER OPTIONS..` is `graspbench run OPTIONS.. --out FOLDER`
+without
+what it prints; the session is made once for all cases and copied. In the expected text "..."
+stands for any text within a line and, alone
 on a line, for any number of lines. GRASPBENCH_UPDATE_SESSIONS=1 writes what the program prints now
 into the failing cases: read the difference before committing it. */
 
@@ -146,7 +148,10 @@ constexpr char kMade[] = R"(made() {
   store=$STORE/$(echo "$*" | cksum | cut -d ' ' -f 1)
   (
     flock 9
-    [ -d "$store" ] || { graspbench run "$@" --out "$store.new" >/dev/null 2>&1; mv "$store.new" "$store"; }
+    if ! [ -d "$store" ]; then
+      graspbench run "$@" --out "$store.new" >/dev/null 2>&1
+      mv "$store.new" "$store"
+    fi
   ) 9>"$store.lock"
   cp -r "$store" "$folder"
 }

@@ -1,7 +1,8 @@
 #pragma once
 /** @file
 A session's first trials of each cell again, on their own draws, with one digit delayed
-(datasets/analysis/conditions/delay_summary.h), the object as it was, lighter, more slippery and farther from
+(datasets/analysis/conditions/delay_summary.h), the object as it was, lighter, more slippery and
+farther from
 where the hand expects it. Late is the digit that touched last without delay, which makes the
 contacts less simultaneous by the delay, or the one that touched first, which makes them more so
 until it is the last. */

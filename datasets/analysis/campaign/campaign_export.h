@@ -54,7 +54,8 @@ struct VariantSummary {
 };
 std::vector<VariantSummary> SummariseVariants(const Session& benchmark);
 
-/** Writes summary.csv and, when there is one, comparison.csv, and seals them in the campaign's manifest.
+/** Writes summary.csv and, when there is one, comparison.csv, and seals them in the campaign's
+manifest.
 @throws Error(kIo). */
 void ExportCampaign(const std::filesystem::path& folder, const Campaign& campaign);
 

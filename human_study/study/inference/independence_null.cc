@@ -318,7 +318,8 @@ SharedTimingTrial MakeShared(const TimedTrial& timed, bool by_rise) {
   return shared;
 }
 
-/** Where a trial's rise was not seen the onset is the clock of all, its uncertainty what bounds it. */
+/** Where a trial's rise was not seen the onset is the clock of all, its uncertainty what bounds
+it. */
 std::vector<SharedTimingRun> ListRuns(const std::vector<Stratum>& strata) {
   bool by_rise = true;
   for (const Stratum& stratum : strata) {

@@ -20,7 +20,6 @@
 
 namespace graspbench {
 namespace {
-
 struct SweepOptions {
   SessionOptions session;
   std::vector<std::string> factors;
@@ -45,8 +44,7 @@ SweepConfig MakeSweepConfig(const SweepOptions& options) {
   return config;
 }
 
-/** Processor time of all trials, from the first one of each hand, with the judge some five times as
-much [s]; for a person, in no result. */
+/** Processor time, from the first trial of each hand, for a person, in no result [s]. */
 double EstimateTime(const PreparedSession& sweep, bool with_judge) {
   std::map<std::string, double> times;
   PlannedTrialRunner runner(sweep.config, sweep.inputs);
@@ -82,7 +80,6 @@ ExitCode Finish(const SweepOptions& options, const std::filesystem::path& folder
   for (const ConditionRow& row : summary.rows) num_failures += row.num_numerical;
   return num_failures > 0 ? kExitNumericalFailures : kExitOk;
 }
-
 ExitCode Sweep(const SweepOptions& options) {
   SessionRequest request;
   request.name = options.session.file().empty() ? "sweep" : options.session.name();
@@ -98,11 +95,10 @@ ExitCode Sweep(const SweepOptions& options) {
     throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder of a sweep");
   }
   const PreparedSession sweep = PrepareSession(request);
-  const size_t num_left = FindUnfinished(sweep.session).size();
   PrintMessage(sweep.folder.string() + ": " +
                FormatCount(static_cast<int>(sweep.config.conditions.size()) + 1, "condition") +
                ", " + FormatCount(static_cast<int>(sweep.session.plan.size()), "trial") + ", " +
-               std::to_string(num_left) + " to run");
+               std::to_string(FindUnfinished(sweep.session).size()) + " to run");
   if (options.plan_only) {
     RecordPlanning(sweep.folder);
     PrintMessage("about " + FormatFixed(EstimateTime(sweep, with_judge), 0) +
@@ -119,7 +115,6 @@ ExitCode Sweep(const SweepOptions& options) {
   DemandFinished(RunExperiment(sweep, rest, options.num_workers, observer, stop));
   return Finish(options, sweep.folder);
 }
-
 }  // namespace
 
 void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
@@ -152,5 +147,4 @@ void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
   command.add_flag("--json", options->json, "print the summary as one JSON object");
   command.callback([options, &exit_code] { exit_code = Sweep(*options); });
 }
-
 }  // namespace graspbench

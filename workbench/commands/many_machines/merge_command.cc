@@ -147,5 +147,4 @@ void AddMergeCommand(CLI::App& program, ExitCode& exit_code) {
   command.add_flag("--json", options->json, "print summary and machines as one JSON object");
   command.callback([options, &exit_code] { exit_code = Merge(*options); });
 }
-
 }  // namespace graspbench

@@ -39,7 +39,8 @@ TEST(Protocol, AnUnknownOneInASetupIsAResultWithItsReason) {
   EXPECT_NE(result.reason.find("juggling"), std::string::npos) << result.reason;
 }
 
-/** Where there is neither a table nor gravity, things stay; with gravity alone they fall for ever. */
+/** Where there is neither a table nor gravity, things stay; with gravity alone they fall for ever.
+*/
 TEST(Protocol, AWorldMayHaveNoTableAndNoGravity) {
   for (const double gravity : {0.0, 9.0}) {
     TrialSetup setup = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
