@@ -12,9 +12,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** "tum-can-g2-3". */
-std::string MakeFileName(const PlannedTrial& planned) {
-  std::string name = NameTrial(planned);
+/** "tum-can-g2-3"; under a condition, whose name may be long, with the trial's id. */
+std::string MakeFileName(PlannedTrial planned) {
+  const std::string id = planned.condition ? "-" + planned.id : "";
+  planned.condition.reset();
+  std::string name = NameTrial(planned) + id;
   std::replace(name.begin(), name.end(), ':', '-');
   return name;
 }

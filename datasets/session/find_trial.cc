@@ -16,7 +16,8 @@ const std::string& HowToName() {
   static const std::string text =
       "; a trial is named by the column trial_id of trials.csv, by the first four or more letters "
       "of it, or by hand, "
-      "object, grasp and number as tum-can-g2:3";
+      "object, grasp and number as tum-can-g2:3; of a sweep with its condition, "
+      "tum-can-g2:3@model.mass_scale=2.0";
   return text;
 }
 
@@ -45,8 +46,8 @@ const PlannedTrial& FindByNumber(const Session& session, const std::string& name
   int num_trials = 0;
   for (const PlannedTrial& planned : session.plan) {
     const std::string key = NameCell(planned);
-    if (NameTrial(planned) == cell + ":" + number) return planned;
-    if (key == cell) ++num_trials;
+    if (ToLower(NameTrial(planned)) == cell + ":" + number) return planned;
+    if (key == cell && !planned.condition) ++num_trials;
     if (cells.empty() || cells.back() != key) cells.push_back(key);
   }
   if (num_trials > 0) {
@@ -60,7 +61,8 @@ const PlannedTrial& FindByNumber(const Session& session, const std::string& name
 }  // namespace
 
 std::string NameTrial(const PlannedTrial& planned) {
-  return NameCell(planned) + ":" + std::to_string(planned.trial);
+  return NameCell(planned) + ":" + std::to_string(planned.trial) +
+         (planned.condition ? "@" + *planned.condition : "");
 }
 
 const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& given) {

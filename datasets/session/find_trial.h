@@ -8,12 +8,12 @@ One trial of a session, by the name that a person has for it. */
 
 namespace graspbench {
 
-/** "tum-can-g2:3", as FindPlannedTrial takes it. */
+/** "tum-can-g2:3", or "tum-can-g2:3@model.mass_scale=2.0" under a condition, as FindPlannedTrial
+takes it. */
 std::string NameTrial(const PlannedTrial& planned);
 
 /** The planned trial of an id, of the first letters of one (4 at least, as long as they belong to
-one trial only), or of a cell's key and the number within the cell, from 0: "tum-can-g2:3". Case
-does not matter.
+one trial only), or as NameTrial has it, numbers within the cell from 0. Case does not matter.
 @throws Error(kNotFound) with what is known; Error(kUsage) when several trials begin so. */
 const PlannedTrial& FindPlannedTrial(const Session& session, const std::string& name);
 

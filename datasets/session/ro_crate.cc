@@ -53,10 +53,16 @@ Json MakeRecords(const fs::path& folder) {
           {"identifier", CalcJournalSha256(folder, "journal/*.jsonl")}};
 }
 
-Json MakeRun(const Json& run, size_t number) {
+/** What runs a session with conditions, and one without. */
+std::string FindCommand(const fs::path& folder) {
+  const Json config = Json::parse(ReadFile(folder / "session.json")).at("config");
+  return config.contains("conditions") ? "graspbench sweep" : "graspbench run";
+}
+
+Json MakeRun(const Json& run, const std::string& command, size_t number) {
   Json action = {{"@id", "#run-" + std::to_string(number)},
                  {"@type", "CreateAction"},
-                 {"name", "graspbench run"},
+                 {"name", command},
                  {"instrument", Refer(kProgram)},
                  {"object", {Refer("session.json"), Refer("plan.jsonl")}},
                  {"result", Refer("journal/")},
@@ -111,7 +117,8 @@ Json MakeCrate(const fs::path& folder) {
     tables.push_back(Refer(id));
     add(MakeFile(id, file, FindForm(id)), parts);
   }
-  for (const Json& run : runs) add(MakeRun(run, actions.size()), actions);
+  const std::string command = FindCommand(folder);
+  for (const Json& run : runs) add(MakeRun(run, command, actions.size()), actions);
   add({{"@id", "#export"},
        {"@type", "CreateAction"},
        {"name", origin.command},

@@ -9,11 +9,13 @@
 #include "core/base/units.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/plan/conditions.h"
 #include "datasets/plan/scene_names.h"
 #include "datasets/plan/session_plan.h"
 #include "datasets/session/find_trial.h"
 #include "datasets/session/session_store.h"
 #include "objects/catalogue.h"
+#include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
@@ -249,10 +251,31 @@ std::string FindListed(const std::vector<std::string>& listed, size_t num_loaded
   return listed.size() == num_loaded ? listed[index] : id;
 }
 
+/** The session as it is configured, or under a condition.
+@throws Error(kUnsupported) for a condition that is no setting of a scene. */
+SessionConfig FindConfig(const Session& session, const PlannedTrial& planned) {
+  if (!planned.condition) {
+    SessionConfig config = session.config;
+    config.conditions.clear();
+    return config;
+  }
+  const auto condition =
+      std::find_if(session.config.conditions.begin(), session.config.conditions.end(),
+                   [&](const Condition& c) { return c.name == planned.condition; });
+  const ConditionInputs made = ApplyCondition(*condition, session.config);
+  if (made.late == LateDigit::kNone && !made.is_compliant) return made.config;
+  throw Error(
+      ErrorKind::kUnsupported,
+      "the trial " + NameTrial(planned) + " " +
+          (made.is_compliant ? "was simulated by the compliant backend" : "closes a digit late") +
+          ", which the shell does not do; see: graspbench trial " +
+          QuoteForShell(session.folder.string()) + " " + planned.id);
+}
+
 /** The session's own names of one trial's things, for which it holds copies of what is not ours. */
 SceneChoice NarrowTo(const Session& session, const PlannedTrial& planned) {
   SceneChoice choice;
-  choice.config = session.config;
+  choice.config = FindConfig(session, planned);
   choice.folder = session.folder.string();
   choice.draw = planned.trial;
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, choice.folder);

@@ -42,6 +42,23 @@ TEST(FindTrial, EveryTrialHasThreeNames) {
   EXPECT_EQ(NameTrial(session.plan[3]), "tum-mug-g2:3");
 }
 
+TEST(FindTrial, UnderAConditionTheNameHasIt) {
+  Session session = MakeSession(2);
+  for (PlannedTrial planned : std::vector<PlannedTrial>(session.plan)) {
+    planned.condition = "Heavy";
+    planned.id.front() = planned.id.front() == 'f' ? '0' : 'f';
+    session.plan.push_back(planned);
+  }
+  for (const PlannedTrial& planned : session.plan) {
+    EXPECT_EQ(FindPlannedTrial(session, NameTrial(planned)), planned);
+  }
+  EXPECT_EQ(FindPlannedTrial(session, "tum-mug-g2:1@heavy").condition, "Heavy");
+  EXPECT_FALSE(FindPlannedTrial(session, "tum-mug-g2:1").condition);
+  EXPECT_NE(FindMessage(session, "tum-mug-g2:2").find("has tum-mug-g2:0 to tum-mug-g2:1"),
+            std::string::npos);
+  EXPECT_NE(FindMessage(session, "tum-mug-g2:1@light"), "");
+}
+
 TEST(FindTrial, WhatIsNoneIsRefusedWithWhatThereIs) {
   Session session = MakeSession(3);
   EXPECT_NE(FindMessage(session, "tum-mug-g2:3").find("has tum-mug-g2:0 to tum-mug-g2:2"),

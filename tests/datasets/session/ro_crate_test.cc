@@ -64,6 +64,16 @@ TEST_F(RoCrate, ItsFilesAreWhatTheySay) {
   EXPECT_EQ(num_actions, 2) << "one run, one export";
 }
 
+TEST_F(RoCrate, ASweepIsNamed) {
+  EXPECT_NE(FormatRoCrate(folder_).find("\"graspbench run\""), std::string::npos);
+  Json session = Json::parse(ReadFile(folder_ / "session.json"));
+  session["config"]["conditions"] = {{{"name", "heavy"}, {"settings", {"model.mass_scale=2.0"}}}};
+  WriteFile(folder_ / "session.json", session.dump());
+  const std::string text = FormatRoCrate(folder_);
+  EXPECT_NE(text.find("\"graspbench sweep\""), std::string::npos);
+  EXPECT_EQ(text.find("\"graspbench run\""), std::string::npos);
+}
+
 TEST_F(RoCrate, ADamagedRunRecordIsNamed) {
   WriteFile(folder_ / "run.json", "{\"runs\":[{}]}");
   EXPECT_THROW(FormatRoCrate(folder_), Error);

@@ -3,7 +3,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/base/config.h"
 #include "core/base/text/text.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
@@ -20,6 +22,7 @@ namespace {
 
 struct OptimiseOptions {
   SceneConfig config;
+  std::vector<std::string> settings;
   std::optional<int> replay;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
@@ -48,6 +51,9 @@ ExitCode Optimise(OptimiseOptions options) {
   if (config.hand.empty() || config.object.empty()) {
     throw Error(ErrorKind::kUsage,
                 "--hand and --object say what to optimise\nsee: graspbench optimise --help");
+  }
+  for (const std::string& setting : options.settings) {
+    SetConfigValue(setting, static_cast<TrialConditions&>(config));
   }
   CheckOptimiseConfig(config.optimise);
   const SceneInputs inputs =
@@ -112,6 +118,7 @@ void AddOptions(CLI::App& command, OptimiseOptions& options) {
   command.add_option("--seed", config.seed, "another seed gives another search")
       ->option_text("N")
       ->capture_default_str();
+  AddSettingsOption(command, options.settings, "model.mass_scale=2");
   AddPlanOnlyOption(command, options.plan_only);
   AddJobsOption(command, options.num_workers);
   command
@@ -141,7 +148,7 @@ void AddOptimiseCommand(CLI::App& program, ExitCode& exit_code) {
     if (options->resume) {
       CheckResume(command, {"--hand", "--object", "--grasp", "--step", "--method", "--evaluations",
                             "--fitness-trials", "--search", "--grip", "--grip-limit", "--seed",
-                            "--plan-only", "--replay"});
+                            "--set", "--plan-only", "--replay"});
     }
     exit_code = options->replay ? Replay(*options) : Optimise(*options);
   });
