@@ -3,6 +3,7 @@
 // Keep this order: OSMesa brings the old GL header, which must find the types already there.
 #include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <sys/mman.h>
 
 #include <array>
 #include <cstdlib>
@@ -27,6 +28,17 @@ Function FindSymbol(void* handle, const char* name, const std::string& library) 
 }
 
 }  // namespace
+
+void DemandMemory(size_t size) {
+  void* const probe =
+      ::mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (probe == MAP_FAILED) {
+    throw Error(ErrorKind::kEnvironment,
+                "a picture takes up to " + std::to_string(size >> 20) +
+                    " MB, which the machine, or a limit (ulimit -v), does not give; allow more");
+  }
+  ::munmap(probe, size);
+}
 
 struct GlContext::Library {
   decltype(&::OSMesaMakeCurrent) make_current = nullptr;

@@ -79,6 +79,10 @@ struct GlFunctions {
 #undef GRASPBENCH_DECLARE
 };
 
+/** Mesa ends the program where it gets no memory, so it is asked before.
+@throws Error(kEnvironment) when so many bytes are not to be had. */
+void DemandMemory(size_t size);
+
 class GlContext {
  public:
   /** @throws Error(kEnvironment) when the library or one of its functions is missing, or it cannot

@@ -58,6 +58,11 @@ struct Target {
 
 }  // namespace
 
+/** Address space that a renderer may take, its pixels apart, and that drawing may: compiled shaders,
+Mesa's buffers, the arenas of its threads. Where 344 MB were left, pictures failed. */
+constexpr size_t kRendererMemory = 512u << 20, kDrawingMemory = 128u << 20;
+constexpr size_t kBytesOfPixel = 16;  // of colour and depth, twice: Mesa copies what it draws into
+
 struct Renderer::Impl {
   Impl(int width, int height, RenderQuality quality);
   Image Render(const Scene& scene, const StageView& view);
@@ -195,8 +200,11 @@ Target Renderer::Impl::MakeTarget(GLenum attachment, GLuint texture, int w, int 
   const GLenum buffer = attachment == GL_DEPTH_ATTACHMENT ? GL_NONE : attachment;
   gl.DrawBuffer(buffer);
   gl.ReadBuffer(buffer);
-  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
-  GRASPBENCH_DEMAND(status == GL_FRAMEBUFFER_COMPLETE, "status " + std::to_string(status));
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(ErrorKind::kEnvironment, "OSMesa refuses a picture of " + std::to_string(w) +
+                                             " x " + std::to_string(h) +
+                                             " samples; is memory scarce (ulimit -v)?");
+  }
   return target;
 }
 
@@ -480,21 +488,27 @@ Renderer::Renderer(int width, int height, RenderQuality quality) {
                                        std::to_string(height) + " pixels; expected 1 to " +
                                        std::to_string(kMaxSize) + " on each side");
   }
+  const auto num_pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  const auto num_samples = static_cast<size_t>(ChooseSamples(quality) * ChooseSamples(quality));
+  DemandMemory(kRendererMemory + kBytesOfPixel * num_samples * num_pixels);
   impl_ = std::make_unique<Impl>(width, height, quality);
 }
 
 Renderer::~Renderer() = default;
 
 Image Renderer::Render(const Scene& scene, const Camera& camera) {
+  DemandMemory(kDrawingMemory);
   return impl_->Render(scene,
                        MakeStageView(camera, static_cast<double>(impl_->width) / impl_->height));
 }
 
 Image Renderer::Render(const Scene& scene, const PinholeCamera& camera) {
+  DemandMemory(kDrawingMemory);
   return impl_->Render(scene, MakeStageView(camera, impl_->width, impl_->height));
 }
 
 GeometryPicture Renderer::RenderGeometry(const Scene& scene, const PinholeCamera& camera) {
+  DemandMemory(kDrawingMemory);
   return impl_->RenderGeometry(scene, camera);
 }
 

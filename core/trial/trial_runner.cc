@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <set>
 
 #include "core/base/config.h"
@@ -112,6 +113,8 @@ TrialRunner::~TrialRunner() = default;
 void TrialRunner::Prepare(const SimConfig& sim) {
   try {
     impl_->MakeWorld(sim, TablePresence::kPresent);
+  } catch (const std::bad_alloc&) {  // of the machine, not of the trial
+    throw;
   } catch (const std::exception&) {  // the trial will fail by it, as a result with its reason
   }
 }
@@ -165,6 +168,8 @@ JudgedTrial TrialRunner::Impl::Run(const TrialSetup& setup, bool is_judged,
       return trial;
     }
     if (is_judged && course->is_held()) trial.judgement = course->Judge();
+  } catch (const std::bad_alloc&) {  // of the machine, not of the trial
+    throw;
   } catch (const std::exception& e) {
     // Simbody reports impossible states this way.
     trial = JudgedTrial();

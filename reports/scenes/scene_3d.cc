@@ -106,18 +106,10 @@ std::string TrialViews::FindOrAddModel(const std::string& hash, const char* kind
   return anchor;
 }
 
-Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
-                            const Camera& camera) {
+Html TrialViews::DrawWherePossible(const std::function<Html()>& draw) {
   if (!can_draw_) return {};
   try {
-    if (!renderer_) renderer_ = std::make_unique<Renderer>(kPosterWidth, kPosterHeight);
-    const Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
-    return Element(
-        "img",
-        {{"src", MakeDataUri("image/webp", EncodeWebp(renderer_->Render(scene, camera)))},
-         {"width", std::to_string(kPosterWidth)},
-         {"height", std::to_string(kPosterHeight)},
-         {"alt", view.name + " at " + FormatFixed(shown.time, 3) + " s, " + NameOf(shown.phase)}});
+    return draw();
   } catch (const Error& fault) {
     if (fault.kind() != ErrorKind::kEnvironment) throw;
     can_draw_ = false;  // the page's pictures say why
@@ -125,10 +117,21 @@ Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
   }
 }
 
+Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
+                            const Camera& camera) {
+  if (!renderer_) renderer_ = std::make_unique<Renderer>(kPosterWidth, kPosterHeight);
+  const Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
+  return Element(
+      "img",
+      {{"src", MakeDataUri("image/webp", EncodeWebp(renderer_->Render(scene, camera)))},
+       {"width", std::to_string(kPosterWidth)},
+       {"height", std::to_string(kPosterHeight)},
+       {"alt", view.name + " at " + FormatFixed(shown.time, 3) + " s, " + NameOf(shown.phase)}});
+}
+
 /** The first instant, the end of each phase, and the forces that the shown one could bear. */
 Html TrialViews::DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,
                           const TraceInstant& shown, const Camera& camera) {
-  if (!can_draw_) return {};
   if (!film_renderer_) film_renderer_ = std::make_unique<Renderer>(kFilmWidth, kFilmHeight);
   std::vector<const TraceInstant*> instants = {&view.traced.trace.front()};
   instants.insert(instants.end(), ends.begin(), ends.end());
@@ -179,6 +182,8 @@ Html TrialViews::Add(const TrialView& view) {
                                           [&] { return MakeHandGlb(*view.hand); });
   const std::string object = FindOrAddModel(view.object->content_hash + view.object->id, "object ",
                                             [&] { return MakeObjectGlb(*view.object); });
+  const Html poster = DrawWherePossible([&] { return DrawPoster(view, shown, camera); });
+  const Html film = DrawWherePossible([&] { return DrawFilm(view, ends, shown, camera); });
   Html plots;
   for (const Html& plot : DrawTrialPlots(*view.hand, view.traced, view.name)) {
     plots += Element("div", {}, MakeScroll("Curves of " + view.name, plot));
@@ -193,8 +198,7 @@ Html TrialViews::Add(const TrialView& view) {
        {"data-motion", motion},
        {"data-camera", FormatCamera(camera)},
        {"data-time", FormatFixed(shown.time, 4)}},
-      Element("div", {{"class", "stage"}}, DrawPoster(view, shown, camera)) +
-          DrawFilm(view, ends, shown, camera) + DrawPhaseTable(view, ends) +
+      Element("div", {{"class", "stage"}}, poster) + film + DrawPhaseTable(view, ends) +
           MakeFigure("Forces and joints over the trial. Dashed lines: the phases.",
                      "forces that fall before lift-off; a digit that never presses; joints that go "
                      "on closing while the object is held.",

@@ -46,6 +46,8 @@ class TrialViews {
  private:
   std::string FindOrAddModel(const std::string& hash, const char* kind,
                              const std::function<std::string()>& make_glb);
+  /** @returns nothing from where on the machine cannot draw. */
+  Html DrawWherePossible(const std::function<Html()>& draw);
   Html DrawPoster(const TrialView& view, const TraceInstant& shown, const Camera& camera);
 
   Html DrawFilm(const TrialView& view, const std::vector<const TraceInstant*>& ends,

@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -45,16 +46,26 @@ class Pool : public std::enable_shared_from_this<Pool> {
   Pool(size_t num_tasks, const std::atomic<bool>& stop, double time_limit)
       : num_tasks_(num_tasks), stop_(stop), time_limit_(time_limit) {}
 
-  /** In a thread of its own. @param given_up  a task to give up before anything else. */
+  /** In a thread of its own. @param given_up  a task to give up before anything else.
+  @throws Error(kEnvironment) when the machine gives no thread; the pool is as it was. */
   void Start(const MakeTaskRunner& make_runner, std::optional<size_t> given_up = std::nullopt) {
     const std::lock_guard lock(mutex_);
     ++num_running_;
     seats_.push_back(std::make_unique<Seat>());
     Seat& seat = *seats_.back();
-    seat.thread = std::thread([pool = shared_from_this(), &make_runner, &seat, given_up,
-                               worker = static_cast<int>(seats_.size()) - 1] {
-      pool->Work(seat, worker, make_runner, given_up);
-    });
+    try {
+      seat.thread = std::thread([pool = shared_from_this(), &make_runner, &seat, given_up,
+                                 worker = static_cast<int>(seats_.size()) - 1] {
+        pool->Work(seat, worker, make_runner, given_up);
+      });
+    } catch (const std::system_error& fault) {
+      seats_.pop_back();
+      --num_running_;
+      throw Error(
+          ErrorKind::kEnvironment,
+          std::string("the machine, or a limit (ulimit -u, -v), gives no further thread (") +
+              fault.what() + "); use fewer workers (--jobs 1) or allow more");
+    }
   }
 
   /** In the caller's thread. */
@@ -80,12 +91,15 @@ class Pool : public std::enable_shared_from_this<Pool> {
       if (stop_) must_stop_ = true;
       const std::vector<size_t> overdue = AbandonOverdue();
       lock.unlock();
-      for (const size_t task : overdue) Start(make_runner, task);
+      for (const size_t task : overdue) Replace(make_runner, task);
       show();
       lock.lock();
       is_finished = is_finished && overdue.empty();
     }
   }
+
+  /** Workers end with the task that they have. */
+  void Stop() { must_stop_ = true; }
 
   /** Waits for the threads. @returns whether all tasks are done. */
   bool Finish() {
@@ -149,6 +163,15 @@ class Pool : public std::enable_shared_from_this<Pool> {
     return true;
   }
 
+  /** Of a worker that was given up. */
+  void Replace(const MakeTaskRunner& make_runner, size_t task) {
+    try {
+      Start(make_runner, task);
+    } catch (const Error&) {
+      KeepFailure();
+    }
+  }
+
   void CountDone() {
     const std::lock_guard lock(mutex_);
     ++num_done_;
@@ -209,7 +232,14 @@ bool RunTasks(size_t num_tasks, int num_workers, const MakeTaskRunner& make_runn
               const std::function<void()>& show, const std::atomic<bool>& stop, double time_limit) {
   num_workers = CalcNumWorkers(num_workers, num_tasks);
   const auto pool = std::make_shared<Pool>(num_tasks, stop, time_limit);
-  for (int worker = show ? 0 : 1; worker < num_workers; ++worker) pool->Start(make_runner);
+  try {
+    for (int worker = show ? 0 : 1; worker < num_workers; ++worker) pool->Start(make_runner);
+  } catch (const Error&) {  // those that have started still use what the caller gave
+    pool->Stop();
+    pool->Watch(make_runner, [] {});
+    pool->Finish();
+    throw;
+  }
   if (show) {
     pool->Watch(make_runner, show);
   } else {

@@ -1,0 +1,61 @@
+/** @file
+Commands under a limit of address space end well, or with 5 and a sentence: no signal, no record that
+says of a trial what is true of the machine alone. */
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "core/base/files/files.h"
+
+namespace graspbench {
+namespace {
+namespace fs = std::filesystem;
+
+class ScarceMemory : public testing::TestWithParam<int> {
+ protected:
+  ScarceMemory()
+      : top_(fs::path(testing::TempDir()) /
+             ("scarce_memory_" + std::to_string(GetParam()) + "_" + std::to_string(::getpid()))) {
+    fs::create_directories(top_);
+  }
+  ~ScarceMemory() override { fs::remove_all(top_); }
+
+  /** @param limit  of address space [MB]; 0: none. @returns the exit code, as a shell has it. */
+  int Run(const std::string& arguments, int limit) const {
+    const std::string bound = limit > 0 ? "ulimit -v " + std::to_string(limit * 1024) + " && " : "";
+    const std::string line = "cd '" + top_.string() + "' && " + bound + "exec '" +
+                             GRASPBENCH_PROGRAM + "' " + arguments + " > log 2>&1";
+    return WEXITSTATUS(std::system(("sh -c \"" + line + "\"").c_str()));
+  }
+  /** Exit code 0, or 5 with words about memory. */
+  bool EndsWell(const std::string& arguments) const {
+    const int code = Run(arguments, GetParam());
+    const std::string log = ReadFile(top_ / "log");
+    const bool is_said = log.find("memory") != log.npos || log.find("thread") != log.npos ||
+                         log.find("ulimit") != log.npos;
+    EXPECT_TRUE(code == 0 || (code == 5 && is_said)) << arguments << ": " << code << "\n" << log;
+    return code == 0;
+  }
+
+  fs::path top_;
+};
+
+TEST_P(ScarceMemory, IsNoOutcomeOfATrial) {
+  const std::string run = "run --hand tum --object can --trials 2 --jobs 2 --out s";
+  EndsWell(run);
+  const bool is_begun = fs::exists(top_ / "s/session.json");
+  EXPECT_EQ(Run(is_begun ? run + " --resume" : run, 0), 0) << ReadFile(top_ / "log");
+  EXPECT_EQ(ReadFile(top_ / "s/export/trials.csv").find("numerical failure"), std::string::npos);
+  EndsWell("trial s tum-can-g3:0 --render trial.png");
+  EXPECT_EQ(Run("verify s", 0), 0) << ReadFile(top_ / "log");
+}
+
+INSTANTIATE_TEST_SUITE_P(AddressSpace, ScarceMemory, testing::Values(120, 200, 300, 450, 600, 750));
+
+}  // namespace
+}  // namespace graspbench
