@@ -92,6 +92,15 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
   return text + FormatCoordinates(step2, space);
 }
 
+std::string ListSceneFiles(const std::filesystem::path& folder) {
+  std::string text;
+  for (const Variant variant : kNewVariants) {
+    const std::filesystem::path path = folder / (std::string(NameOf(variant)) + ".yaml");
+    if (std::filesystem::exists(path)) text += "grasp    " + path.string() + "\n";
+  }
+  return text + "data     " + (folder / "result.json").string() + "\n";
+}
+
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations) {
   constexpr int kMaxNamed = 10;
   std::string text;

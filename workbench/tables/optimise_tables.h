@@ -2,6 +2,7 @@
 /** @file
 What an optimisation decided, for the terminal. */
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace graspbench {
 angles. */
 std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& config,
                                const OptimisedGrasp& result);
+
+/** The grasps that were found and the data, a line each with a line feed. */
+std::string ListSceneFiles(const std::filesystem::path& folder);
 
 /** Which trials failed numerically, in a sentence each; endless ones are among them. Empty: none. */
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations);

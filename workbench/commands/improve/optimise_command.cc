@@ -16,9 +16,8 @@
 #include "workbench/terminal/terminal_observer.h"
 
 namespace graspbench {
-namespace fs = std::filesystem;
-
 namespace {
+namespace fs = std::filesystem;
 
 struct OptimiseOptions {
   SceneConfig config;
@@ -33,16 +32,10 @@ struct OptimiseOptions {
 
 ExitCode Finish(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
                 const OptimisedGrasp& result) {
-  std::string text = FormatOptimisation(inputs, config, result) + "\n";
-  for (const Variant variant : kNewVariants) {
-    const fs::path path = folder / (std::string(NameOf(variant)) + ".yaml");
-    if (fs::exists(path)) text += "grasp    " + path.string() + "\n";
-  }
-  PrintResult(text + "data     " + (folder / "result.json").string() + "\n");
+  PrintResult(FormatOptimisation(inputs, config, result) + "\n" + ListSceneFiles(folder));
   const std::string failures = DescribeNumericalFailures(LoadScene(folder).evaluations);
-  if (failures.empty()) return kExitOk;
-  PrintMessage(failures);
-  return kExitNumericalFailures;
+  if (!failures.empty()) PrintMessage(failures);
+  return failures.empty() ? kExitOk : kExitNumericalFailures;
 }
 
 ExitCode Optimise(OptimiseOptions options) {
@@ -75,9 +68,9 @@ ExitCode Optimise(OptimiseOptions options) {
       },
       stop);
   try {
-    const OptimisedGrasp result = RunSceneStage(folder, config, inputs, options.num_workers,
-                                                observer, stop, options.trial_time_limit);
-    return Finish(folder, config, inputs, result);
+    return Finish(folder, config, inputs,
+                  RunSceneStage(folder, config, inputs, options.num_workers, observer, stop,
+                                options.trial_time_limit));
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted) throw;
     throw Error(ErrorKind::kInterrupted,
