@@ -56,12 +56,12 @@ struct Target {
   int height = 0;
 };
 
-}  // namespace
-
 /** Address space that a renderer may take, its pixels apart, and that drawing may: compiled shaders,
 Mesa's buffers, the arenas of its threads. Where 344 MB were left, pictures failed. */
 constexpr size_t kRendererMemory = 512u << 20, kDrawingMemory = 128u << 20;
 constexpr size_t kBytesOfPixel = 16;  // of colour and depth, twice: Mesa copies what it draws into
+
+}  // namespace
 
 struct Renderer::Impl {
   Impl(int width, int height, RenderQuality quality);
