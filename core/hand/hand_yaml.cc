@@ -35,6 +35,8 @@ class HandYamlReader {
     }
     const YAML::Node surfaces = map.Child("surfaces", Needed::kNo);
     if (map.Has("surfaces")) ReadSurfaces(surfaces);
+    const YAML::Node pads = map.Child("pads", Needed::kNo);
+    if (map.Has("pads")) ReadPads(pads);
     if (map.Has("coupling")) ReadCoupling(map.Child("coupling", Needed::kNo));
     const YAML::Node mimic = map.Child("mimic", Needed::kNo);
     if (map.Has("mimic")) ReadMimic(mimic);
@@ -79,6 +81,7 @@ class HandYamlReader {
   void CheckCoupledTo();
   void ReadDrives(const YAML::Node& node);
   void ReadSurfaces(const YAML::Node& node);
+  void ReadPads(const YAML::Node& node);
   void ReadApart(const YAML::Node& node);
   void ReadFrames(const YAML::Node& node);
   void ReadCamera(const YAML::Node& node);
@@ -89,6 +92,7 @@ class HandYamlReader {
   Diagnostics& problems_;
   std::map<std::string, std::string> digit_of_link_;
   std::set<std::string> coupled_;
+  std::set<int> has_own_torsion_;  // links of surfaces: with a torsion radius
   std::vector<std::pair<int, int>> coupled_lines_;  // a coupled joint and where it is named
 };
 
@@ -312,9 +316,37 @@ void HandYamlReader::ReadSurfaces(const YAML::Node& node) {
       if (link < 0) continue;  // the URDF is broken, which has been reported
       const double pad_radius = hand_.links[link].surface.torsion_radius;
       hand_.links[link].surface = surface;
+      if (!std::isnan(surface.torsion_radius)) has_own_torsion_.insert(link);
       if (std::isnan(surface.torsion_radius)) {
         hand_.links[link].surface.torsion_radius = pad_radius;
       }
+    }
+  }
+}
+
+void HandYamlReader::ReadPads(const YAML::Node& node) {
+  std::set<int> has_pad;
+  int number = 0;
+  for (const YAML::Node& item : Items(node, "pads")) {
+    const std::string where = "pads, entry " + std::to_string(++number);
+    YamlMap map(item, file_, where, problems_, &ListHandKeys(), "pads.");
+    std::vector<std::string> links;
+    SoftPad pad;
+    std::string source;  // for people
+    map.Read("links", links);
+    map.Read("youngs_modulus_pa", pad.youngs_modulus);
+    map.Read("depth_m", pad.depth);
+    map.Read("source", source);
+    map.FinishKnownKeys();
+    for (const std::string& name : links) {
+      if (!CheckName(name, "link", LineOf(item), where)) continue;
+      const int link = hand_.FindLink(name);
+      if (link < 0) continue;  // the URDF is broken, which has been reported
+      if (!has_pad.insert(link).second) map.Fail("links", "\"" + name + "\" already has a pad");
+      SurfaceMaterial& surface = hand_.links[link].surface;
+      surface.pad = pad;
+      // That of its patch, unless the link itself says a limit.
+      if (has_own_torsion_.count(link) == 0) surface.torsion_radius = kUnset;
     }
   }
 }
@@ -444,6 +476,12 @@ const FileKeys& ListHandKeys() {
     };
     for (const FileKey& row : ListSurfaceKeys(Needed::kNo, "surfaces.")) rows.push_back(row);
     for (const FileKey& row : FileKeys{
+             {"pads", "", "list of links with a soft layer; their patch of contact gives torsion"},
+             {"pads.links", kRequired, "links of hand.urdf"},
+             {"pads.youngs_modulus_pa", kRequired, "of the layer; soft rubbers have 2e5 to 4e6",
+              1e4, 1e9},
+             {"pads.depth_m", kRequired, "how far it can be compressed", 1e-4, 0.02},
+             {"pads.source", kRequired, "where the numbers are from"},
              {"camera", "",
               "on the hand or the wrist, for positioning: camera; else none. The arm holds it "
               "above "

@@ -37,6 +37,11 @@ hand.yaml: what a URDF cannot say about a hand. Lengths are in metres, in the fr
         friction_static: 0.6             # with the object's: core/physics/combine_surfaces.h
         friction_dynamic: 0.5
         torsion_radius_m: 0.002
+    pads:                      # absent: none. Soft layers: core/physics/pad_contact.h
+      - links: [th_distal]
+        youngs_modulus_pa: 1.1e6
+        depth_m: 0.003         # how far it can be compressed
+        source: maker's data sheet, hardness 30 Shore A
     apart:                     # absent: none. Links that never touch each other
       - [palm, th_base]
     frames:                    # absent: none. Further frames of the description, for hand fk

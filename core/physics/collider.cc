@@ -169,6 +169,7 @@ void Collider::FindHandObject(const HandDynamics& dynamics, const Pose& X_WO,
       contact.link = group.link;
       contact.is_on_object = true;
       contact.memory = &hand_object_memory_[i];
+      SetRadius(sphere.radius, contact);
       PrepareContact(h_, step_number, contact);
       AddJointRows(dynamics, group.link, 1.0, contact);
       AddBodyRows(dynamics.num_dofs(), dynamics.p_WH(), contact.p_WC, 1.0, contact);
@@ -194,6 +195,7 @@ void Collider::FindHandTable(const HandDynamics& dynamics, int step_number,
       contact.depth = -gap;
       contact.link = group.link;
       contact.memory = &hand_table_memory_[i];
+      SetRadius(sphere.radius, contact);
       PrepareContact(h_, step_number, contact);
       AddJointRows(dynamics, group.link, 1.0, contact);
       AddBodyRows(dynamics.num_dofs(), dynamics.p_WH(), contact.p_WC, 1.0, contact);
@@ -266,6 +268,7 @@ void Collider::FindSelfContacts(const HandDynamics& dynamics, int step_number,
     contact.depth = radii - distance;
     contact.link = a.link;
     contact.memory = &self_memory_[p];
+    SetRadius(a.radius * b.radius / radii, contact);
     PrepareContact(h_, step_number, contact);
     // Both links hang on the base, whose motion cancels.
     AddJointRows(dynamics, a.link, 1.0, contact);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graspbench {
 namespace {
@@ -19,6 +20,17 @@ double CombineFriction(double a, double b) {
   });
 }
 
+PadMaterial CombinePads(const SoftPad& a, const SoftPad& b) {
+  constexpr double kPoisson = 0.5;
+  double compliance = 0.0;  // 1 / E*
+  for (const SoftPad* pad : {&a, &b}) {
+    if (pad->youngs_modulus > 0.0) {
+      compliance += (1.0 - kPoisson * kPoisson) / pad->youngs_modulus;
+    }
+  }
+  return {1.0 / compliance, a.depth + b.depth, std::min(a.torsion_scale, b.torsion_scale)};
+}
+
 }  // namespace
 
 ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial& b,
@@ -30,6 +42,14 @@ ContactMaterial CombineSurfaces(const SurfaceMaterial& a, const SurfaceMaterial&
   pair.friction_dynamic = CombineFriction(a.friction_dynamic, b.friction_dynamic);
   pair.torsion_radius = Combine(a.torsion_radius, b.torsion_radius, 0.0,
                                 [](double r_a, double r_b) { return std::min(r_a, r_b); });
+  if (a.pad.youngs_modulus > 0.0 || b.pad.youngs_modulus > 0.0) {
+    pair.pad = CombinePads(a.pad, b.pad);
+    // A pad's patch resists spin by its size, up to what the other side allows.
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (std::isnan(a.torsion_radius) && std::isnan(b.torsion_radius)) {
+      pair.torsion_radius = kInfinity;
+    }
+  }
   pair.tangential_stiffness =
       config.tangential_stiffness * (pair.stiffness / config.contact_stiffness);
   return pair;

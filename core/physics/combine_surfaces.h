@@ -8,6 +8,9 @@ The constants of a contact from the surfaces of its two sides: one rule for ever
                           mu = 2 muA muB / (muA + muB)
                           r = the smaller: the smaller patch of contact
 
+A soft pad stands in series with that spring, and its patch gives the torsion radius, if a side says
+one at most that (pad_contact.h).
+
 This is Simbody's rule for compliant contact (CompliantContactSubsystem, Sherman 2011), with what
 was left out read as "the other side decides". The tangential stiffness keeps the session's ratio to
 the normal one.

@@ -27,6 +27,11 @@ double CalcNorm(const Bristle& y) { return std::sqrt(y[0] * y[0] + y[1] * y[1] +
 
 }  // namespace
 
+void SetRadius(double radius, ContactPoint& contact) {
+  const PadMaterial& pad = contact.material.pad;
+  if (pad.is_soft()) contact.hertz = CalcHertzFactor(pad.modulus, radius);
+}
+
 void PrepareContact(double h, int step_number, ContactPoint& contact) {
   const Eigen::Vector3d& n = contact.nhat_BA_W;
   // The axis least along n gives a well-conditioned first tangent, the same one every time.
@@ -36,6 +41,8 @@ void PrepareContact(double h, int step_number, ContactPoint& contact) {
   contact.tangent2_W = n.cross(contact.tangent1_W);
   ContactMemory* memory = contact.memory;
   if (!memory) return;
+  const ContactMaterial& material = contact.material;
+  if (contact.hertz > 0.0 && material.tangential_stiffness > 0.0) ApplyPatch(contact);
   if (memory->last_step != step_number - 1) {
     const int last_slide = memory->last_slide;
     *memory = ContactMemory();
@@ -49,6 +56,12 @@ void PrepareContact(double h, int step_number, ContactPoint& contact) {
       flat > 0.0 ? Eigen::Vector3d(in_plane * (length / flat)) : Eigen::Vector3d::Zero();
   contact.stretch = {contact.tangent1_W.dot(stretch), contact.tangent2_W.dot(stretch)};
   contact.twist = memory->twist;
+  if (contact.hertz > 0.0 && memory->tangential_stiffness > 0.0) {
+    const double scale = std::sqrt(memory->tangential_stiffness / material.tangential_stiffness);
+    for (double& part : contact.stretch) part *= scale;
+    const double r = material.torsion_radius;
+    contact.twist = r > 0.0 ? contact.twist * scale * memory->torsion_radius / r : 0.0;
+  }
   contact.is_dynamic = h * (step_number - memory->last_slide) < kRestTime;
   contact.friction_limit = contact.mu() * memory->normal_force;
 }
@@ -57,10 +70,20 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   ContactForces result;
   const ContactMaterial& material = contact.material;
   const double vn = rates[kNormalRow];
-  const double push =
-      material.stiffness * (std::max(contact.depth, 0.0) -
-                            (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h));
-  if (push > 0.0) result.force[kNormalRow] = push;
+  const double ahead =
+      std::max(contact.depth, 0.0) -
+      (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h);
+  if (ahead > 0.0) {
+    if (contact.hertz > 0.0) {
+      const PadState pad =
+          CalcPadState(contact.hertz, material.stiffness, material.pad.depth, ahead);
+      result.force[kNormalRow] = pad.force;
+      result.normal_slope = pad.slope;
+    } else {
+      result.force[kNormalRow] = material.stiffness * ahead;
+      result.normal_slope = material.stiffness;
+    }
+  }
   if (!contact.memory) return result;
 
   const double limit = contact.friction_limit;
@@ -78,9 +101,7 @@ ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& r
                               const ContactForces& forces, double h) {
   ContactGains result;
   const ContactMaterial& material = contact.material;
-  if (forces.force[kNormalRow] > 0.0) {
-    result.normal = material.stiffness * (h + kContactRelaxationTime);
-  }
+  result.normal = forces.normal_slope * (h + kContactRelaxationTime);
   if (!contact.memory) return result;
 
   const double r = material.torsion_radius;
@@ -117,6 +138,8 @@ void FinishContact(const ContactPoint& contact, const ContactRates& rates,
   }
   memory->stretch = s1 * contact.tangent1_W + s2 * contact.tangent2_W;
   memory->twist = twist;
+  memory->tangential_stiffness = kt;
+  memory->torsion_radius = r;
   memory->normal_force = fn;
   memory->last_step = step_number;
   if (forces.is_at_limit) memory->last_slide = step_number;

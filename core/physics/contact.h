@@ -7,7 +7,8 @@ table). nhat points from B into A; relative velocity is that of A's point minus 
 normal rate separates. Everything below is evaluated at the END of the step, with v the speeds then
 and depth x0 the penetration at its middle:
 
-    normal     fn = k (x0+ - (h + tau) (vn - x0-/h))+     x0+ the depth or 0, x0- minus the gap or 0
+    normal     fn = F(x0+ - (h + tau) (vn - x0-/h))       x0+ the depth or 0, x0- minus the gap or 0
+                    F(x) = k x+ where both sides are bare, that of pad_contact.h where one is soft
     friction   (ft, m/r) = -clip(kt (s + h vt) + ct vt, mu fn)
                with s = (bristle, r phi) and vt = (tangential speed, r wn)
 
@@ -24,11 +25,14 @@ Tangential force and torsion have one limit together, the ellipsoid (ft / (mu fn
 mu is mu_d from when the contact slides until it has not slid for kRestTime, and else mu_s: static
 friction grows back with the time of rest (Dieterich 1972). Were it back at once, a contact would
 stick and break loose step by step, and slide the slower the shorter the steps. A bristle is really
-a spring: a sticking contact does not creep. Not modelled: rolling resistance, wear, adhesion. */
+a spring: a sticking contact does not creep. Where a pad's patch grows, kt and r grow: the bristle is
+then rescaled so that the energy in it stays, kt (s^2 + (r phi)^2) / 2. Not modelled: rolling resistance, wear, adhesion. */
 
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
+
+#include "core/physics/pad_contact.h"
 
 namespace graspbench {
 
@@ -40,13 +44,16 @@ struct ContactMaterial {
   double tangential_stiffness = 0.0;  ///< kt [N/m]; 0 = no friction
   double friction_static = 0.0;
   double friction_dynamic = 0.0;
-  double torsion_radius = 0.0;  ///< r [m]; 0 = no resistance to spin
+  double torsion_radius = 0.0;  ///< r [m]; 0 = no resistance to spin; of a pad the largest
+  PadMaterial pad;              ///< of one or both sides
 };
 
 /** What a contact remembers from step to step. */
 struct ContactMemory {
   Eigen::Vector3d stretch = Eigen::Vector3d::Zero();     ///< s, in W [m]
   double twist = 0.0;                                    ///< phi [rad]
+  double tangential_stiffness = 0.0;                     ///< kt of the last step [N/m]
+  double torsion_radius = 0.0;                           ///< r of the last step [m]
   double normal_force = 0.0;                             ///< of the last step [N]
   int last_step = -2;                                    ///< number of the last step it was alive
   int last_slide = std::numeric_limits<int>::min() / 2;  ///< of the last step it slid
@@ -62,7 +69,8 @@ struct ContactPoint {
   static constexpr int kMaxChain =
       kMaxDofs / 2;  ///< joints between root and link: two chains, or one, base and object
 
-  ContactMaterial material;
+  ContactMaterial material;  ///< with a pad, PrepareContact sets kt and r to those of the patch
+  double hertz = 0.0;        ///< pad_contact.h [N/m^1.5]; 0: bare
   Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();
   Eigen::Vector3d nhat_BA_W = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d tangent1_W = Eigen::Vector3d::UnitX();
@@ -93,6 +101,7 @@ struct ContactPoint {
 /** Forces on side A along the rows. */
 struct ContactForces {
   ContactRates force = {0.0, 0.0, 0.0, 0.0};
+  double normal_slope = 0.0;  ///< of F where the normal force was taken [N/m]
   bool is_at_limit = false;  ///< friction was clipped
 };
 
@@ -103,7 +112,10 @@ struct ContactGains {
   std::array<double, 6> friction = {0, 0, 0, 0, 0, 0};
 };
 
-/** Chooses tangents, turns the remembered bristle into them, and takes over the last normal force.
+/** Makes it that of a ball of this radius, which matters to a pad. @pre material is set. */
+void SetRadius(double radius, ContactPoint& contact);
+
+/** Chooses tangents, gives a pad its patch, turns the remembered bristle into them, and takes over the last normal force.
 A memory that was not alive in the last step is forgotten, but for when it slid. @param h  step [s]
 */
 void PrepareContact(double h, int step_number, ContactPoint& contact);

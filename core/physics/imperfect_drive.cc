@@ -6,11 +6,11 @@
 
 namespace graspbench {
 
-double FollowWithHysteresis(double width, double command, DriveMemory& memory) {
+void FollowWithHysteresis(double width, double command, DriveMemory& memory) {
   if (!memory.has_followed) memory.piston = command;
   memory.has_followed = true;
+  memory.piston_before = memory.piston;
   memory.piston = std::clamp(memory.piston, command - 0.5 * width, command + 0.5 * width);
-  return memory.piston;
 }
 
 ScalarForce MakeDriveFriction(const JointDrive& drive, const DriveMemory& memory, int dof,

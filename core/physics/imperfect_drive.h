@@ -11,6 +11,7 @@ width w; the load does not drive the piston back.
 
     z <- clamp(z, q_cmd - w/2, q_cmd + w/2)        tau = clamp(k (z - theta) - d v, +-limit)
 
+z and theta are the means of the step's start and end (implicit_world.h).
 A command that goes back and forth by more than w leads the joint around a loop exactly w wide. At
 the start z is the first command.
 
@@ -48,15 +49,15 @@ inline constexpr double kCouplingDampingTime = 0.01;       ///< T_c [s]
 
 /** What a drive remembers from step to step. */
 struct DriveMemory {
-  double piston = 0.0;  ///< z [rad]
+  double piston = 0.0;         ///< z at the step's end [rad]
+  double piston_before = 0.0;  ///< and at its start
   bool has_followed = false;
   double stretch = 0.0;  ///< s [rad]
   bool slides = false;
 };
 
-/** Returns z of a drive whose loop has this width, and remembers it; of width 0, z is the
-command. */
-double FollowWithHysteresis(double width, double command, DriveMemory& memory);
+/** Moves z of a drive whose loop has this width to the step's end; of width 0, z is the command. */
+void FollowWithHysteresis(double width, double command, DriveMemory& memory);
 
 /** @param h  step [s]. */
 ScalarForce MakeDriveFriction(const JointDrive& drive, const DriveMemory& memory, int dof,

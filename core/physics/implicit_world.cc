@@ -119,15 +119,18 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
       continue;
     }
     const JointDrive& drive = hand_->joints[joint].drive;
-    const double followed =
-        FollowWithHysteresis(drive.hysteresis_width, command.q[joint], drives_[dof]);
+    DriveMemory& memory = drives_[dof];
+    FollowWithHysteresis(drive.hysteresis_width, command.q[joint], memory);
+    const double followed = 0.5 * (memory.piston_before + memory.piston);
     double theta = middle_.q[joint];
     if (distal >= 0 && hand_->coupling == CouplingRule::kMiddleFirst) {
       theta += middle_.q[distal] - middle_.deviation[distal];
     }
-    problem_.scalars.push_back({dof, drive.stiffness * (followed - theta),
-                                0.5 * drive.stiffness * h + drive.damping, -drive.torque_limit,
-                                drive.torque_limit});
+    // The mean angle is that of the middle and h (v - u) / 4.
+    const double mean_gain = 0.25 * drive.stiffness * h;
+    problem_.scalars.push_back(
+        {dof, drive.stiffness * (followed - theta) + mean_gain * problem_.u[dof],
+         mean_gain + drive.damping, -drive.torque_limit, drive.torque_limit});
   }
   first_friction_ = static_cast<int>(problem_.scalars.size());
   for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
@@ -397,7 +400,8 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
     report.worst_contact_force = std::max(report.worst_contact_force, fn);
     report.worst_penetration =
         std::max(report.worst_penetration,
-                 contact.depth - 0.5 * problem_.h * solver_.rates()[c][kNormalRow]);
+                 contact.depth - 0.5 * problem_.h * solver_.rates()[c][kNormalRow] -
+                     contact.material.pad.depth);
   }
   Eigen::Matrix<double, 6, 1> arm;
   for (int k = 0; k < 6; ++k) arm[k] = CalcScalarForce(problem_.scalars[num_drives_ + k], v);

@@ -9,8 +9,9 @@ One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
    speeds (u + v) / 2, so that the smooth part is second order and keeps its energy;
 4. positions move by h v / 2.
 
-Drives act by the command, the angle and the speed of the step's end, so that a finger lags behind
-a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
+Drives act by the means of command and angle at the step's start and end (the trapezoidal rule: a
+drive without damping swings on, whatever its stiffness) and by the speed of its end; so a finger
+lags behind a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
 middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
 
 What rolls on the table under the force N is braked by a moment of at most

@@ -16,6 +16,8 @@ constexpr double kLimitForce = 1e-6;  ///< [N]
 constexpr double kMostMixing = 10.0;
 /** Nor below this share of what the pass gave. */
 constexpr double kLeastShare = 0.5;
+/** The factor serves on while a pad's gains change by less than this share. */
+constexpr double kPadGainShare = 1e-3;
 /** A factor of an earlier step that leaves more of the residual is of no more use. */
 constexpr double kStaleShare = 0.01;
 
@@ -88,6 +90,17 @@ void AddStiffness(const ContactPoint& contact, const ContactGains& gains, double
     double* column = H.col(contact.dofs[j]).data();
     for (int i = j; i < n; ++i) column[contact.dofs[i]] += sum[i];
   }
+}
+
+/** Whether gains differ by no more than this share of the largest one. */
+bool AreAlike(const ContactGains& a, const ContactGains& b, double share) {
+  if (share == 0.0) return a.normal == b.normal && a.friction == b.friction;
+  double largest = 0.0, change = 0.0;
+  for (size_t i = 0; i < a.friction.size(); ++i) {
+    largest = std::max(largest, std::abs(b.friction[i]));
+    change = std::max(change, std::abs(a.friction[i] - b.friction[i]));
+  }
+  return std::abs(a.normal - b.normal) <= share * b.normal && change <= share * largest;
 }
 
 bool IsInsideClamp(const ScalarForce& scalar, double v) {
@@ -164,8 +177,8 @@ bool StepSolver::UpdateFactor(const StepProblem& problem, const Eigen::VectorXd&
                          CalcContactGains(contact, rates_[c], forces_[c], problem.h)};
     GainKey& last = gains_[c];
     is_same = is_same && key.link == last.link && key.num_dofs == last.num_dofs &&
-              key.gains.normal == last.gains.normal && key.gains.friction == last.gains.friction;
-    last = key;
+              AreAlike(key.gains, last.gains, contact.hertz > 0.0 ? kPadGainShare : 0.0);
+    if (!is_same || contact.hertz == 0.0) last = key;
   }
   is_inside_.resize(problem.scalars.size());
   scalar_gains_.resize(problem.scalars.size());

@@ -10,8 +10,9 @@ are taken from the new normal forces until they agree, a fixed point that Anders
 last two passes reaches quickly where contacts are wedged (Walker and Ni 2011). Both details are
 needed: without them light objects blow up and slipping heavy ones stall. Cost: a dense Cholesky
 factor of at most 36 unknowns per iteration, none when the last speeds solve the step already. The
-factor serves on while no contact's or drive's gain has changed, from step to step too: mass matrix
-and contacts move so little that the next residual shows whether it still does. */
+factor serves on while no contact's or drive's gain has changed, of a pad by more than a thousandth,
+from step to step too: mass matrix and contacts move so little that the next residual shows whether
+it still does. */
 
 #include <Eigen/Core>
 #include <vector>

@@ -17,12 +17,21 @@ enum class Needed;
 struct FileKey;
 class YamlMap;
 
+/** A soft layer on the surface, of a rubber that keeps its volume (Poisson's ratio 1/2). How it
+gives way: core/physics/pad_contact.h. */
+struct SoftPad {
+  double youngs_modulus = 0.0;  ///< [Pa]; 0: there is none, the surface is bare
+  double depth = 0.0;           ///< beyond which it yields no more [m]
+  double torsion_scale = 1.0;   ///< on the torsion radius of its patch of contact
+};
+
 /** Values that were left out are NaN: the other side of the contact, or the session, gives them. */
 struct SurfaceMaterial {
   double friction_static = kUnset;   ///< Coulomb coefficient
   double friction_dynamic = kUnset;  ///< <= friction_static
   double stiffness = kUnset;         ///< k, normal, per contact point [N/m]
   double torsion_radius = kUnset;    ///< r: resists spin up to mu fn r [m]
+  SoftPad pad;                       ///< of links of a hand: hand.yaml
 
   /** v(key in files, value, least, most). */
   template <class V>

@@ -21,6 +21,8 @@ constexpr double kLongestTimestep = 0.001;
 // Contacts: time constant and damping ratio; impedance from .. to .. over a depth [m].
 constexpr const char* kContactSolref = "0.005 1";
 constexpr const char* kContactSolimp = "0.95 0.99 0.001";
+/** The patch of a soft pad is that under this force [N]. */
+constexpr double kPatchForce = 1.0;
 // Stops, ties and locks. For a finger's inertia some 200 N m/rad, as the stops of graspbench.
 constexpr const char* kStopSolimp = "0.998 0.998 0.001";
 
@@ -267,9 +269,14 @@ void SceneWriter::WriteSurface(int link) {
       CombineSurfaces(hand_.links[link].surface, object_.surface, setup_.sim);
   const bool is_pad = material.torsion_radius > 0.0;
   const double mu = material.friction_static;
-  const auto set_friction = [&] {
+  const auto set_friction = [&](double radius) {
+    double torsion = material.torsion_radius;
+    if (material.pad.is_soft()) {
+      torsion = std::min(torsion, material.pad.torsion_scale * kHertzTorsionShare *
+                                      CalcPatchRadius(material.pad.modulus, radius, kPatchForce));
+    }
     Set("condim", is_pad ? "4" : "3");
-    Set("friction", Format(std::vector<double>{mu, mu * material.torsion_radius, 0.0}));
+    Set("friction", Format(std::vector<double>{mu, mu * torsion, 0.0}));
   };
   const std::string name =
       (digit >= 0 ? hand_.digits[digit].id : "palm") + "/" + hand_.links[link].name + "/";
@@ -283,7 +290,7 @@ void SceneWriter::WriteSurface(int link) {
     Set("size", capsule.radius);
     Set(is_ball ? "pos" : "fromto",
         FormatVector(capsule.p_LA) + (is_ball ? "" : " " + FormatVector(capsule.p_LB)));
-    set_friction();
+    set_friction(capsule.radius);
     Set("rgba", is_pad ? "0.75 0.6 0.5 1" : "0.6 0.6 0.6 1");
     xml_.CloseElement();
   }
@@ -294,7 +301,7 @@ void SceneWriter::WriteSurface(int link) {
     Set("type", "sphere");
     Set("size", sphere.radius);
     Set("pos", FormatVector(sphere.p_LS));
-    set_friction();
+    set_friction(sphere.radius);
     Set("group", "3");
     Set("contype", "0");
     Set("conaffinity", "0");

@@ -25,7 +25,8 @@ Not the same as in graspbench: the inertia of the hand along the commanded motio
 (some 0.1 mm), its moment has no limit (whoever steps the file ends there); hysteresis and friction
 of
 drives and yielding couplings (core/physics/imperfect_drive.h) are left out; contacts and stops are
-MuJoCo's own springs, critically damped with a time constant of 5 ms; what a joint's stop gives way
+MuJoCo's own springs, critically damped with a time constant of 5 ms, of soft pads too, whose patch
+is that of 1 N; what a joint's stop gives way
 is scaled to be alike. */
 
 #include <string>

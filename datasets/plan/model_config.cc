@@ -8,6 +8,8 @@ void Scale(const ModelConfig& model, SurfaceMaterial& surface) {
   surface.friction_static *= model.friction_scale;
   surface.friction_dynamic *= model.friction_scale;
   surface.torsion_radius *= model.pad_torsion_scale;
+  surface.pad.torsion_scale *= model.pad_torsion_scale;
+  surface.pad.youngs_modulus *= model.pad_stiffness_scale;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct ModelConfig {
   double mass_scale = 1.0;               ///< of the object's mass and inertia
   double friction_scale = 1.0;           ///< of the coefficients of objects and links
   double pad_torsion_scale = 1.0;        ///< of every torsion radius
+  double pad_stiffness_scale = 1.0;      ///< of the modulus of every soft pad
   double drive_torque_scale = 1.0;       ///< of the drives' torque limits
   double joint_error_scale = 1.0;        ///< of the drives' error from trial to trial
   std::string coupling_rule = kOwnRule;  ///< of coupled joints (core/hand/coupling.h)
@@ -26,6 +27,7 @@ struct ModelConfig {
     v("mass_scale", mass_scale);
     v("friction_scale", friction_scale);
     v("pad_torsion_scale", pad_torsion_scale);
+    v("pad_stiffness_scale", pad_stiffness_scale);
     v("drive_torque_scale", drive_torque_scale);
     v("joint_error_scale", joint_error_scale);
     v("coupling_rule", coupling_rule);

@@ -84,6 +84,7 @@ const FileKeys& ListSessionKeys() {
       {"model.mass_scale", "", "factor on every object's mass and inertia", 0.01, 100},
       {"model.friction_scale", "", "factor on the friction of objects and links", 0, 10},
       {"model.pad_torsion_scale", "", "factor on every torsion radius", 0, 10},
+      {"model.pad_stiffness_scale", "", "factor on the modulus of soft pads", 0.01, 1e4},
       {"model.drive_torque_scale", "", "factor on the drives' torque limits", 0.01, 100},
       {"model.joint_error_scale", "", "factor on the drives' error from trial to trial", 0, 10},
       {"model.coupling_rule", "",

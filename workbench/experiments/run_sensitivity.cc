@@ -19,6 +19,7 @@ const std::vector<Factors> kFactors = {
     {"variation.yaw_rad", {0.0, 2.0}},
     {"model.joint_error_scale", {0.0, 2.0}},
     {"model.pad_torsion_scale", {0.5, 2.0}},
+    {"model.pad_stiffness_scale", {0.5, 2.0}},
     {"model.friction_scale", {0.8, 1.25}},
     {"model.mass_scale", {0.5, 2.0}},
     {"model.drive_torque_scale", {0.5, 2.0}},

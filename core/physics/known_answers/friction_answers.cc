@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/physics/known_answers/known_answer.h"
 #include "core/physics/known_answers/small_scenes.h"
+#include "core/physics/known_answers/squeeze_scene.h"
 #include "core/shape/primitives.h"
 
 namespace graspbench {
 namespace {
 
 using Eigen::Vector3d;
-
-const Vector3d kDown_W(0.0, 0.0, -kStandardGravity);
 
 std::string FormatShort(double value) { return FormatSignificant(value, 6); }
 
@@ -50,69 +48,6 @@ void TiltTable(double angle, const Incline& incline, SmallWorld& body) {
     body.world().SetGravity(kStandardGravity * Vector3d(std::sin(now), 0.0, -std::cos(now)));
     body.Step();
   }
-}
-
-struct Squeeze {
-  int num_fingers = 2;
-  double force = 5.0;  ///< of each finger [N]
-  double mass = 0.1;
-  double mu = 0.5;
-  double torsion_radius = 0.0;
-  double off_centre = 0.0;  ///< of the fingers along y from the object's centre [m]
-  double step = 0.002;
-};
-
-/** Squeezed without weight for 0.3 s, then the weight comes slowly. */
-class SqueezeScene {
- public:
-  /** @param half_width  of the object between the fingers. */
-  SqueezeScene(const Squeeze& squeeze, GraspObject object, double half_width)
-      : world_(
-            MakeSqueezeHand(squeeze.num_fingers, half_width, squeeze.force, squeeze.torsion_radius),
-            SetMaterial(std::move(object), squeeze), MakeConfig(squeeze)) {
-    world_.start().X_WH = MakePose(Vector3d(0.0, squeeze.off_centre, kHeight + kSqueezeLever));
-    world_.start().p_WOcm = Vector3d(0.0, 0.0, kHeight);
-    world_.start().gravity_W.setZero();
-    world_.Reset(Eigen::VectorXd::Ones(squeeze.num_fingers));
-    world_.Run(0.3);
-    world_.RampGravity(kDown_W, 0.3);
-  }
-
-  SmallWorld& world() { return world_; }
-  double CalcFall() const { return kHeight - world_.state().p_WOcm.z(); }  ///< [m]
-  double CalcTilt() const {  ///< of the object's y axis from the horizontal [rad]
-    return std::abs(std::asin(std::clamp(world_.state().R_WO(2, 1), -1.0, 1.0)));
-  }
-
- private:
-  static constexpr double kHeight = 1.0;
-
-  static GraspObject SetMaterial(GraspObject object, const Squeeze& squeeze) {
-    const double scale = squeeze.mass / object.mass_properties.mass;
-    object.mass_properties.mass = squeeze.mass;
-    object.mass_properties.I_OOcm *= scale;
-    object.surface.friction_static = object.surface.friction_dynamic = squeeze.mu;
-    return object;
-  }
-  static SimConfig MakeConfig(const Squeeze& squeeze) {
-    SimConfig config;
-    config.step = squeeze.step;
-    return config;
-  }
-
-  SmallWorld world_;
-};
-
-/** The value between `low` and `high` at which `holds` changes, to one part in 500 of their
-difference. */
-double FindThreshold(double low, double high, const std::function<bool(double)>& holds) {
-  const bool holds_at_low = holds(low);
-  if (holds(high) == holds_at_low) return std::nan("");
-  while (high - low > 0.002 * std::abs(high)) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) == holds_at_low ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
 }
 
 }  // namespace

@@ -331,4 +331,34 @@ std::vector<KnownAnswer> CheckDampedSwing() {
   return answers;
 }
 
+std::vector<KnownAnswer> CheckUndampedDrive() {
+  constexpr double kFrequency = 8.7, kAmplitude = 0.2, kMass = 0.02, kLength = 0.05;
+  constexpr int kSwings = 17;
+  Hand hand = MakeBareHand();
+  AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitX(), kMass, kLength);
+  const HandLink& rod = hand.links.back();
+  const double inertia = rod.I_LLcm(0, 0) + kMass * rod.p_LLcm.squaredNorm();
+  const double rate = 2.0 * kPi * kFrequency;
+  hand.joints[0].drive = {inertia * rate * rate, 0.0, 100.0};
+  std::vector<KnownAnswer> answers;
+  for (double step : {0.0005, 0.001, 0.002, 0.004}) {
+    SimConfig config;
+    config.step = step;
+    SmallWorld world(hand, MakeBlock(0.1), config);
+    world.start().gravity_W.setZero();
+    world.start().q[0] = kAmplitude;
+    world.Reset(VectorXd::Zero(1));
+    world.Run((kSwings - 0.5) / kFrequency);
+    double amplitude = 0.0;
+    for (long i = std::lround(1.0 / (kFrequency * step)); i >= 0; --i) {
+      world.Step();
+      amplitude = std::max(amplitude, std::abs(world.state().q[0]));
+    }
+    answers.push_back({"8.7 Hz, step " + std::to_string(std::lround(step * 1e6)) +
+                           " us: amplitude left after 17 swings",
+                       "", 1.0, amplitude / kAmplitude, 0.05});
+  }
+  return answers;
+}
+
 }  // namespace graspbench

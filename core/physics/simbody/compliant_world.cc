@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/physics/combine_surfaces.h"
 #include "core/physics/simbody/simtk_conversions.h"
 
 namespace graspbench {
@@ -187,8 +188,8 @@ struct Model {
  private:
   SimTK::ContactMaterial MakeMaterial(const SimConfig& sim, double mu_s, double mu_d) const;
   void AddTable(const GraspObject& grasp_object, const SimConfig& sim);
-  void AddLinks(const Hand& hand, const SimTK::ContactMaterial& skin, const Pose& X_WH,
-                const Course& course);
+  void AddLinks(const Hand& hand, const SimConfig& sim, const SimTK::ContactMaterial& skin,
+                const Pose& X_WH, const Course& course);
   void AddObject(const GraspObject& grasp_object, const SimTK::ContactMaterial& skin);
 };
 
@@ -200,7 +201,7 @@ Model::Model(const Hand& hand, const GraspObject& grasp_object, const SimConfig&
   const SimTK::ContactMaterial skin = MakeMaterial(sim, grasp_object.surface.friction_static,
                                                    grasp_object.surface.friction_dynamic);
   AddTable(grasp_object, sim);
-  AddLinks(hand, skin, X_WH, course);
+  AddLinks(hand, sim, skin, X_WH, course);
   AddObject(grasp_object, skin);
   joint_forces = new JointForces(hand, links, dynamics, course);
   joint_forces->Prepare();
@@ -227,17 +228,20 @@ void Model::AddTable(const GraspObject& grasp_object, const SimConfig& sim) {
                             MakeMaterial(sim, std::max(mu_s, mu_d), mu_d)));
 }
 
-void Model::AddLinks(const Hand& hand, const SimTK::ContactMaterial& skin, const Pose& X_WH,
-                     const Course& course) {
+void Model::AddLinks(const Hand& hand, const SimConfig& sim, const SimTK::ContactMaterial& skin,
+                     const Pose& X_WH, const Course& course) {
   const SimTK::ContactCliqueId clique = SimTK::ContactSurface::createNewContactClique();
   for (size_t i = 0; i < hand.links.size(); ++i) {
     const HandLink& link = hand.links[i];
     SimTK::Body::Rigid body(MakeMassProperties(link.mass, link.p_LLcm, link.I_LLcm));
+    const PadMaterial pad = CombineSurfaces(link.surface, SurfaceMaterial(), sim).pad;
+    SimTK::ContactMaterial surface = skin;
+    if (pad.is_soft()) surface.setStiffness(pad.modulus);
     for (const ContactSphere& sphere : hand.contact_spheres) {
       if (sphere.link != static_cast<int>(i)) continue;
       body.addContactSurface(
           SimTK::Transform(ToSimTK(sphere.p_LS)),
-          SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(sphere.radius), skin)
+          SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(sphere.radius), surface)
               .joinClique(clique));
     }
     if (link.parent < 0) {
@@ -465,7 +469,8 @@ void CompliantWorld::TakeSphereDepths(StepReport& report) const {
     if (!report.link_touches_object[sphere.link]) continue;
     const Vector3d p_OS = X_OH * (X_HL[sphere.link] * sphere.p_LS);
     report.worst_penetration =
-        std::max(report.worst_penetration, sphere.radius - object_.field->Query(p_OS).distance);
+        std::max(report.worst_penetration, sphere.radius - object_.field->Query(p_OS).distance -
+                     hand_->links[sphere.link].surface.pad.depth);
   }
 }
 
