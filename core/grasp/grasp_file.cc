@@ -5,6 +5,7 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "core/base/text/yaml_text.h"
 #include "core/base/units.h"
 #include "core/grasp/grasp_keys.h"
 #include "core/grasp/placement.h"
@@ -161,11 +162,14 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
 
 std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::string& made_from) {
   std::string digits;
-  for (const std::string& digit : grasp.digits) digits += (digits.empty() ? "" : ", ") + digit;
+  for (const std::string& digit : grasp.digits) {
+    digits += (digits.empty() ? "" : ", ") + FormatYamlWord(digit);
+  }
   std::string text = std::string("format: ") + kFormat +
-                     "\nformat_version: " + std::to_string(kFormatVersion) + "\nid: " + grasp.id +
-                     "\nhand: " + hand.id + "\nmade_from: " + made_from;
-  if (!grasp.object.empty()) text += "\nobject: " + grasp.object;
+                     "\nformat_version: " + std::to_string(kFormatVersion) +
+                     "\nid: " + FormatYamlWord(grasp.id) + "\nhand: " + FormatYamlWord(hand.id) +
+                     "\nmade_from: " + made_from;
+  if (!grasp.object.empty()) text += "\nobject: " + FormatYamlWord(grasp.object);
   text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixed(DegFromRad(grasp.tilt), 6) +
           "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false");
   if (grasp.palm_gap != kPalmGap) text += "\npalm_gap_m: " + FormatFixed(grasp.palm_gap, 6);
@@ -196,14 +200,14 @@ std::string FormatIsaacGrasp(const Hand& hand, const Grasp& grasp, const std::st
   const auto format_joints = [&](const Eigen::VectorXd& angles) {
     std::string lines;
     for (int joint = 0; joint < hand.num_joints(); ++joint) {
-      lines += "      " + hand.joints[static_cast<size_t>(joint)].name + ": " +
+      lines += "      " + FormatYamlWord(hand.joints[static_cast<size_t>(joint)].name) + ": " +
                FormatFixed(angles[joint], 9) + "\n";
     }
     return lines;
   };
-  return "format: isaac_grasp\nformat_version: 1.0\n\nobject_frame: " + object_id +
-         "\ngripper_frame: " + hand.links.front().name + "\n\ngrasps:\n  \"" + grasp.id +
-         "\":\n    confidence: " + FormatFixed(confidence, 3) +
+  return "format: isaac_grasp\nformat_version: 1.0\n\nobject_frame: " + FormatYamlWord(object_id) +
+         "\ngripper_frame: " + FormatYamlWord(hand.links.front().name) + "\n\ngrasps:\n  " +
+         QuoteYaml(grasp.id) + ":\n    confidence: " + FormatFixed(confidence, 3) +
          "\n    position: " + FormatList({p.x(), p.y(), p.z()}) +
          "\n    orientation: {w: " + FormatFixed(q.w(), 9) +
          ", xyz: " + FormatList({q.x(), q.y(), q.z()}) + "}\n    cspace_position:\n" +

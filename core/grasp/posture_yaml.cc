@@ -43,7 +43,7 @@ void ReadPosture(const Hand& hand, const YAML::Node& node, const std::string& fi
 std::string FormatPosture(const Hand& hand, const Eigen::VectorXd& q, int decimals) {
   std::string text;
   for (const Digit& digit : hand.digits) {
-    text += (text.empty() ? "" : ", ") + digit.id + ": [";
+    text += (text.empty() ? "" : ", ") + FormatYamlWord(digit.id) + ": [";
     const char* separator = "";
     for (const int joint : FindDrivenJoints(hand, digit)) {
       text += fmt::format("{}{:.{}f}", separator, ToDisplayUnits(hand.joints[joint], q[joint]),

@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <utility>
 
@@ -56,10 +57,12 @@ struct Target {
   int height = 0;
 };
 
-/** Address space that a renderer may take, its pixels apart, and that drawing may: compiled shaders,
-Mesa's buffers, the arenas of its threads. Where 344 MB were left, pictures failed. */
-constexpr size_t kRendererMemory = 512u << 20, kDrawingMemory = 128u << 20;
-constexpr size_t kBytesOfPixel = 16;  // of colour and depth, twice: Mesa copies what it draws into
+// Address space that making a renderer takes: up to 500 MB for the first one, which loads Mesa with
+// its compiler and starts threads with arenas of their own; 10 MB for others. Drawing takes 22 MB.
+constexpr size_t kFirstMemory = 512u << 20, kFurtherMemory = 64u << 20, kDrawingMemory = 32u << 20;
+// Colour and depth of a sample, with the copies that Mesa makes; pixels that are read back; a
+// triangle, here and as Mesa has it.
+constexpr size_t kBytesOfSample = 10, kBytesOfPixel = 9, kBytesOfTriangle = 168;
 
 }  // namespace
 
@@ -72,6 +75,7 @@ struct Renderer::Impl {
   Target MakeTarget(GLenum attachment, GLuint texture, int w, int h);
   void MakeLightMaps(int picture_size);
   void MakeWhiteTableLight();
+  void BeginPicture(const Scene& scene);
   void DropUnusedMeshes();
   /** @param share  of its triangles that is drawn at least. */
   const GpuMesh& FindOrUpload(const Drawable& drawable, double share);
@@ -377,10 +381,18 @@ Image Renderer::Impl::ReadPicture() {
   return image;
 }
 
-Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
+/** Every picture begins here. */
+void Renderer::Impl::BeginPicture(const Scene& scene) {
+  size_t num_triangles = 0;
+  for (const Drawable& drawable : scene.drawables) num_triangles += drawable.mesh->triangles.size();
+  DemandMemory(kDrawingMemory + kBytesOfTriangle * num_triangles +
+               kBytesOfPixel * static_cast<size_t>(width) * static_cast<size_t>(height));
   context.MakeCurrent();
   DropUnusedMeshes();
+}
 
+Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
+  BeginPicture(scene);
   int num_triangles = 0;
   for (const Drawable& drawable : scene.drawables) num_triangles += drawable.mesh->num_triangles();
   const double share =
@@ -441,8 +453,7 @@ void Renderer::Impl::MakeGeometryTarget() {
 }
 
 GeometryPicture Renderer::Impl::RenderGeometry(const Scene& scene, const PinholeCamera& camera) {
-  context.MakeCurrent();
-  DropUnusedMeshes();
+  BeginPicture(scene);
   if (geometry.id == 0) MakeGeometryTarget();
   const StageView view = MakeStageView(camera, width, height);
   Begin(geometry_target, geometry);
@@ -490,25 +501,25 @@ Renderer::Renderer(int width, int height, RenderQuality quality) {
   }
   const auto num_pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
   const auto num_samples = static_cast<size_t>(ChooseSamples(quality) * ChooseSamples(quality));
-  DemandMemory(kRendererMemory + kBytesOfPixel * num_samples * num_pixels);
+  static std::atomic<bool> is_loaded{false};
+  DemandMemory((is_loaded ? kFurtherMemory : kFirstMemory) +
+               kBytesOfSample * num_samples * num_pixels);
   impl_ = std::make_unique<Impl>(width, height, quality);
+  is_loaded = true;
 }
 
 Renderer::~Renderer() = default;
 
 Image Renderer::Render(const Scene& scene, const Camera& camera) {
-  DemandMemory(kDrawingMemory);
   return impl_->Render(scene,
                        MakeStageView(camera, static_cast<double>(impl_->width) / impl_->height));
 }
 
 Image Renderer::Render(const Scene& scene, const PinholeCamera& camera) {
-  DemandMemory(kDrawingMemory);
   return impl_->Render(scene, MakeStageView(camera, impl_->width, impl_->height));
 }
 
 GeometryPicture Renderer::RenderGeometry(const Scene& scene, const PinholeCamera& camera) {
-  DemandMemory(kDrawingMemory);
   return impl_->RenderGeometry(scene, camera);
 }
 

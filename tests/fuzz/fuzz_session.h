@@ -7,10 +7,13 @@ anything is refused with an Error or understood and written back. */
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "datasets/records/judgement_line.h"
 #include "datasets/records/trial_table.h"
+#include "datasets/scene/development_store.h"
 #include "datasets/scene/evaluation_journal.h"
 #include "datasets/session/session_index.h"
 #include "datasets/session/session_store.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 
@@ -26,19 +29,26 @@ inline void FuzzRecordLine(const std::string& line) {
   }
 }
 
-inline void FuzzEvaluationLine(const std::string& line) {
+/** What is read is written, and that is read as the same. */
+template <class Parse, class Format>
+void FuzzLine(const std::string& line, Parse&& parse, Format&& format) {
   try {
-    const std::string written = FormatEvaluationLine(ParseEvaluationLine(line));
-    GRASPBENCH_DEMAND(FormatEvaluationLine(ParseEvaluationLine(written)) == written, written);
+    const std::string written = format(parse(line));
+    GRASPBENCH_DEMAND(format(parse(written)) == written, written);
   } catch (const Error&) {
   }
 }
 
-/** Once as it is, once with a valid checksum, so that the record behind it is reached. */
+/** A line of any journal: once as it is, once with a valid checksum, so that the record behind it is reached. */
 inline void FuzzJournalLine(const std::string& text) {
   for (const std::string& line : {text, text + ",\"xxh64\":\"" + CalcHashHex(text) + "\"}"}) {
     FuzzRecordLine(line);
-    FuzzEvaluationLine(line);
+    FuzzLine(line, ParseEvaluationLine, FormatEvaluationLine);
+    FuzzLine(line, ParseDevelopmentLine, FormatDevelopmentLine);
+    FuzzLine(line, ParseWorkerLine,
+             [](const WorkerStart& start) { return FormatWorkerLine(start); });
+    FuzzLine(line, ParseJudgementLine,
+             [](const Judgement& judgement) { return FormatJudgementLine("trial", judgement); });
   }
 }
 

@@ -1,5 +1,5 @@
 /** @file
-libFuzzer target: a line of a session's journal. */
+libFuzzer target: a line of a journal: of trials, judgements, evaluations, developments, workers. */
 
 #include <cstddef>
 #include <cstdint>

@@ -2,6 +2,8 @@
 // random.
 // GRASPBENCH_FAULTS="SEED PROBABILITY TEXT": opening for writing, write (at times half of it is
 // written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
+// GRASPBENCH_FAULTS="at N EIO|ENOSPC TEXT": the Nth of these operations fails with that reason, and no
+// other; GRASPBENCH_COUNT names a file for how many there were.
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -16,8 +18,12 @@
 
 namespace {
 
+std::atomic<uint64_t> num_operations{0};
+
 struct Faults {
   uint64_t seed = 0;
+  uint64_t only = 0;  // the number of the operation that fails
+  int reason = 0;     // of that one
   double probability = 0.0;
   char text[4096] = "";
 };
@@ -27,8 +33,12 @@ const Faults& Read() {
     Faults read;
     unsigned long long seed = 0;
     const char* setting = std::getenv("GRASPBENCH_FAULTS");
-    if (setting &&
-        std::sscanf(setting, "%llu %lf %4095s", &seed, &read.probability, read.text) == 3) {
+    char reason[16] = "";
+    if (setting && std::sscanf(setting, "at %llu %15s %4095s", &seed, reason, read.text) == 3) {
+      read.only = seed;
+      read.reason = std::strcmp(reason, "EIO") == 0 ? EIO : ENOSPC;
+    } else if (setting &&
+               std::sscanf(setting, "%llu %lf %4095s", &seed, &read.probability, read.text) == 3) {
       read.seed = seed;
     }
     return read;
@@ -47,7 +57,8 @@ double Draw() {
 
 bool FailsName(const char* name) {
   const Faults& faults = Read();
-  return faults.text[0] && std::strstr(name, faults.text) && Draw() < faults.probability;
+  if (!faults.text[0] || !std::strstr(name, faults.text)) return false;
+  return faults.reason != 0 ? ++num_operations == faults.only : Draw() < faults.probability;
 }
 
 bool FailsFile(int file) {
@@ -61,9 +72,19 @@ bool FailsFile(int file) {
 }
 
 int Fail(int reason) {
-  errno = reason;
+  errno = Read().reason != 0 ? Read().reason : reason;
   return -1;
 }
+
+struct Counter {
+  ~Counter() {
+    const char* file = std::getenv("GRASPBENCH_COUNT");
+    std::FILE* stream = file ? std::fopen(file, "w") : nullptr;
+    if (!stream) return;
+    std::fprintf(stream, "%llu\n", static_cast<unsigned long long>(num_operations));
+    std::fclose(stream);
+  }
+} counter;
 
 int Open(const char* name, int flags, va_list rest) {
   const int mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, int) : 0;
@@ -93,7 +114,7 @@ int open64(const char* name, int flags, ...) {
 
 ssize_t write(int file, const void* bytes, size_t size) {
   if (FailsFile(file)) {
-    if (Draw() < 0.5) return Fail(ENOSPC);
+    if (Read().reason != 0 || Draw() < 0.5) return Fail(ENOSPC);
     size = (size + 1) / 2;
   }
   return ::syscall(SYS_write, file, bytes, size);

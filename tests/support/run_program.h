@@ -21,10 +21,13 @@ The program as a process that is started, killed and waited for, and its folders
 
 namespace graspbench {
 
-inline pid_t Start(std::vector<std::string> arguments) {
+/** @param prepare  called in the new process before the program. */
+inline pid_t Start(
+    std::vector<std::string> arguments, const std::function<void()>& prepare = [] {}) {
   arguments.insert(arguments.begin(), GRASPBENCH_PROGRAM);
   const pid_t child = ::fork();
   if (child != 0) return child;
+  prepare();
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);

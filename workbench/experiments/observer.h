@@ -60,6 +60,7 @@ struct BatchStatus {
   int num_done = 0;                               ///< trials, in this run
   std::map<Outcome, int> outcomes;                ///< of those
   std::vector<std::optional<PlannedTrial>> busy;  ///< each worker's current trial
+  std::map<int, std::string> preparing;           ///< by worker: the object of its next trial
 };
 
 /** Called in the thread that started the experiment. */
@@ -84,6 +85,11 @@ class StatusBoard {
     const auto place = static_cast<size_t>(worker);
     if (place >= status_.busy.size()) status_.busy.resize(place + 1);
     status_.busy[place] = std::move(trial);
+    status_.preparing.erase(worker);
+  }
+  void SetPreparing(int worker, const std::string& object) {
+    const std::lock_guard lock(mutex_);
+    status_.preparing[worker] = object;
   }
   void Count(Outcome outcome) {
     const std::lock_guard lock(mutex_);

@@ -120,6 +120,12 @@ std::string FormatLine(const ProgressState& state) {
     line += ", " + FormatFixed(state.rate, 1) + " " + state.counted + "/s";
   }
   if (!remaining.empty()) line += ", " + remaining;
+  if (!state.preparing.empty()) {
+    line += ", preparing the mesh of ";
+    for (const std::string& object : state.preparing) {
+      line += (object == *state.preparing.begin() ? "" : ", ") + object;
+    }
+  }
   if (!state.tells_success) return line;
   return line + "; success " + FormatSuccess(state) +
          "; failed: " + FormatFailures(state, std::string::npos).front();
@@ -148,6 +154,12 @@ ProgressState Progress::MakeState() const {
                     "  #" + std::to_string(trial->trial)
               : "");
   }
+  for (const auto& [worker, object] : status_.preparing) {
+    const std::string name = EscapeForTerminal(object, LineFeeds::kEscape);
+    state.preparing.insert(name);
+    const auto place = static_cast<size_t>(worker);
+    if (place < state.workers.size()) state.workers[place] = "prepares the mesh of " + name;
+  }
   state.rate = pace_.rate();
   return state;
 }
@@ -170,6 +182,7 @@ void Progress::Show(const BatchStatus& status, double time) {
 
 void Progress::Finish() {
   status_.busy.clear();
+  status_.preparing.clear();
   Draw();
 }
 

@@ -8,6 +8,7 @@ The rate is that of the last half minute, so that it follows what the machine do
 #include <cstdio>
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ struct ProgressState {
   int num_done = 0;
   std::map<Outcome, int> outcomes;
   std::vector<std::string> workers;  ///< what each is doing; empty: idle
+  std::set<std::string> preparing;   ///< objects whose mesh workers make ready for contacts
   double rate = 0.0;                 ///< [1/s]; NaN: not known yet
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/base/text/json.h"
 #include "core/base/text/text.h"
+#include "core/base/text/yaml_text.h"
 #include "core/base/units.h"
 #include "core/shape/obj_file.h"
 
@@ -326,8 +327,6 @@ std::string FormatReadme(const ImportedHand& imported, const std::string& source
 }
 
 }  // namespace
-
-std::string QuoteYaml(const std::string& text) { return Json(text).dump(); }
 
 std::map<std::string, std::string> FormatHandFiles(const ImportedHand& imported,
                                                    const std::string& source,

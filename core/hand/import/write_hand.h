@@ -16,7 +16,4 @@ std::map<std::string, std::string> FormatHandFiles(const ImportedHand& imported,
                                                    const std::string& source,
                                                    const Diagnostics& problems);
 
-/** Text in double quotes as YAML and JSON have it. */
-std::string QuoteYaml(const std::string& text);
-
 }  // namespace graspbench

@@ -219,8 +219,9 @@ class Checker {
     std::vector<int> duplicates, shared;
     TriMesh single = {mesh_.vertices, {}};  // without copies
     for (const auto& [corners, pile] : piles) {
+      const bool first = IsEven(mesh_.triangles[pile[0]]);
       const bool is_alike = std::all_of(pile.begin(), pile.end(), [&](int face) {
-        return IsEven(mesh_.triangles[face]) == IsEven(mesh_.triangles[pile[0]]);
+        return IsEven(mesh_.triangles[face]) == first;
       });
       std::vector<int>& found = is_alike && is_whole_ ? shared : duplicates;
       found.insert(found.end(), pile.begin() + 1, pile.end());

@@ -62,6 +62,22 @@ TEST(GraspFile, GivesBackWhatWasWritten) {
   }
 }
 
+TEST(GraspFile, NamesOfPeopleAreReadAsTheyAre) {
+  Hand hand = TumHand();
+  hand.id = "=my: hand #2";
+  Grasp grasp = MakeOptimisedGrasp(hand);
+  grasp.id = "{new}";
+  grasp.object = "cup: \"blue\"\nid: g1";
+  const GraspFile file = ParseGraspFile(FormatGraspFile(hand, grasp, "g3"), "x.yaml", {&hand});
+  EXPECT_EQ(file.hand, hand.id);
+  EXPECT_EQ(file.grasp.id, grasp.id);
+  EXPECT_EQ(file.grasp.object, grasp.object);
+  const YAML::Node node =
+      YAML::Load(FormatIsaacGrasp(hand, grasp, grasp.object, kSize, Vector3d::Zero(), 1.0));
+  EXPECT_EQ(node["object_frame"].as<std::string>(), grasp.object);
+  EXPECT_TRUE(node["grasps"][grasp.id].IsMap());
+}
+
 TEST(GraspFile, ItsPlacementIsTakenAsItStands) {
   const Grasp grasp = MakeOptimisedGrasp(TumHand());
   const Placement placement = CalcPlacement(TumHand(), grasp, {0.1, 0.1, 0.1}, Vector3d::Zero());

@@ -74,6 +74,14 @@ TEST(FormatBlock, BreaksTheListOfFailures) {
   EXPECT_EQ(lines[4], "           pushed away 9");
 }
 
+TEST(FormatLine, SaysWhoseMeshIsPrepared) {
+  ProgressState state = MakeState();
+  state.tells_success = false;
+  state.preparing = {"cup", "can"};
+  EXPECT_EQ(FormatLine(state),
+            "132 of 420 trials, 3.2 trials/s, 1 min 30 s left, preparing the mesh of can, cup");
+}
+
 TEST(FormatLine, IsOneLineBeforeTheFirstTrialToo) {
   ProgressState state;
   state.num_planned = 10;

@@ -20,7 +20,10 @@ bool RunBatch(const std::vector<PlannedTrial>& trials, int num_workers,
   const auto make_runner = [&](int worker, const std::atomic<bool>&) -> TaskRunner {
     const auto tools = std::make_shared<BatchWorker>(make_worker(worker));
     const auto record = std::make_shared<TrialRecord>();  // of the trial that has just run
-    const RunTask prepare = [&trials, tools](size_t task) { tools->prepare(trials[task]); };
+    const RunTask prepare = [&board, &trials, worker, tools](size_t task) {
+      board.SetPreparing(worker, trials[task].object);
+      tools->prepare(trials[task]);
+    };
     const RunTask run = [&board, &trials, worker, tools, record](size_t task) {
       board.SetBusy(worker, trials[task]);
       record->plan = trials[task];

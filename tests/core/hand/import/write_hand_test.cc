@@ -12,10 +12,6 @@
 namespace graspbench {
 namespace {
 
-TEST(WriteHandTest, QuotesNames) {
-  EXPECT_EQ(QuoteYaml("a \"b\" \\ ü: #"), R"("a \"b\" \\ ü: #")");
-}
-
 TEST(WriteHandTest, WhatIsWrittenIsTheHand) {
   Diagnostics problems;
   std::string urdf = ReplaceOnce(kSmallGripper, "name=\"left\"", "name=\"l: #&quot;&lt;\"");

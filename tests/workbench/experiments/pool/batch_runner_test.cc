@@ -176,5 +176,30 @@ TEST_F(BatchRunnerTest, ShowsWhatTheWorkersAreDoing) {
   EXPECT_EQ(seen.back(), "idle");
 }
 
+TEST_F(BatchRunnerTest, ShowsWhichObjectsArePrepared) {
+  std::atomic<bool> is_seen{false};
+  const auto make_worker = [&](int) {
+    BatchWorker worker = MakeWorker();
+    worker.prepare = [&](const PlannedTrial&) {
+      while (!is_seen) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    return worker;
+  };
+  const std::vector<PlannedTrial> trials = MakeTrials(1);
+  std::map<int, std::string> last;
+  RunBatch(
+      trials, 1, make_worker,
+      [&](const BatchStatus& status) {
+        last = status.preparing;
+        if (last.empty()) return;
+        EXPECT_EQ(last, (std::map<int, std::string>{{0, trials[0].object}}));
+        EXPECT_FALSE(status.busy[0]);
+        is_seen = true;
+      },
+      stop_);
+  EXPECT_TRUE(is_seen);
+  EXPECT_TRUE(last.empty());
+}
+
 }  // namespace
 }  // namespace graspbench
