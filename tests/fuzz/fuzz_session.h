@@ -28,8 +28,9 @@ inline void FuzzRecordLine(const std::string& line) {
 
 inline void FuzzEvaluationLine(const std::string& line) {
   try {
-    const std::string written = FormatEvaluationLine(ParseEvaluationLine(line));
-    GRASPBENCH_DEMAND(FormatEvaluationLine(ParseEvaluationLine(written)) == written, written);
+    const std::string written = EvaluationRecord::Format(EvaluationRecord::Parse(line));
+    GRASPBENCH_DEMAND(EvaluationRecord::Format(EvaluationRecord::Parse(written)) == written,
+                      written);
   } catch (const Error&) {
   }
 }
