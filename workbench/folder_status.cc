@@ -7,7 +7,8 @@
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_progress.h"
 #include "datasets/journal/sealed_store.h"
-#include "datasets/session/check_records.h"
+#include "datasets/journal/unverified_files.h"
+#include "datasets/campaign/check_records.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/progress_tables.h"
@@ -140,6 +141,9 @@ FolderStatus ReadFolderStatus(const fs::path& folder, double stale_after, Status
   if (status.is_checked) {
     status.damage.clear();  // of counting; it is among these
     AddDamage(folder, FindLastingDamage(folder), 0, status);
+    for (const std::string& file : FindUnverified(folder)) {
+      AddNote(DescribeUnverified(file), status);
+    }
   }
   status.json["checked"] = status.is_checked;
   status.json["damaged"] = !status.damage.empty();

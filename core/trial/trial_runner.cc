@@ -52,7 +52,7 @@ struct TrialRunner::Impl {
     TrialSetup setup;
     TrialResult result;
   };
-  std::optional<Undelayed> undelayed;  // the last trial that one with a late digit asked for
+  std::optional<Undelayed> undelayed;  // the last trial that one with a late digit may ask for
 
   Impl(std::shared_ptr<const Hand> the_hand, std::shared_ptr<const GraspObject> the_object)
       : hand(std::move(the_hand)),
@@ -119,7 +119,14 @@ void TrialRunner::Prepare(const SimConfig& sim) {
   }
 }
 
-TrialResult TrialRunner::Run(const TrialSetup& setup) { return impl_->Run(setup, false).result; }
+TrialResult TrialRunner::Run(const TrialSetup& setup) {
+  TrialResult result = impl_->Run(setup, false).result;
+  // In a plan the same trial with a late digit follows.
+  if (setup.keeps_closing && setup.late == LateDigit::kNone && !setup.is_compliant) {
+    impl_->undelayed = Impl::Undelayed{setup, result};
+  }
+  return result;
+}
 
 TrialResult TrialRunner::Run(const TrialSetup& setup,
                              const std::function<void(TrialCourse&)>& observe) {

@@ -37,7 +37,8 @@ void CountEvaluations(const std::vector<ComparisonRun*>& runs) {
 }
 
 /** The journals of the comparison, in the order of the configuration. */
-std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const CampaignConfig& config) {
+std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const CampaignConfig& config,
+                                          OnDamage on_damage) {
   std::vector<ComparisonRun> runs;
   for (const std::string& scene : config.comparison.scenes) {
     const std::string hand = scene.substr(0, scene.find('/'));
@@ -47,10 +48,12 @@ std::vector<ComparisonRun> LoadComparison(const fs::path& folder, const Campaign
         const fs::path path = FindComparisonFolder(folder, hand, object) /
                               (method + "-" + std::to_string(seed) + ".jsonl");
         Diagnostics findings;
+        std::vector<Damage> damage;
         ComparisonRun run{hand, object, method, seed, {}, 0};
-        for (const EvaluationRecord& record : LoadEvaluations(path, findings)) {
+        for (const auto& record : LoadAnswers<EvaluationRecord>(path, findings, damage)) {
           run.fitness.push_back(record.individual.fitness);
         }
+        RefuseAnswers(path.parent_path(), damage, on_damage);
         if (!run.fitness.empty()) runs.push_back(std::move(run));
       }
     }
@@ -256,7 +259,7 @@ Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
   if (HasSession(folder / "benchmark")) {
     campaign.benchmark = LoadSession(folder / "benchmark", on_damage);
   }
-  campaign.comparison = LoadComparison(folder, campaign.config);
+  campaign.comparison = LoadComparison(folder, campaign.config, on_damage);
   campaign.real = LoadRealTrials(folder);
   return campaign;
 }

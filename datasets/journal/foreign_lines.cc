@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/files/files.h"
 #include "core/base/hash.h"
 #include "core/base/text/json_cursor.h"
 #include "datasets/journal/checked_line.h"
@@ -15,14 +16,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/** Whose value is FindJournalId's in the lines of a search; older ones lack it. */
+constexpr char kJournalKey[] = "search";
+
 /** Keys and values of an object, as they are written. */
 using Members = std::vector<std::pair<std::string, std::string>>;
 
-/** @param wanted  the only key whose value is kept: the others are long. */
-Members ListMembers(std::string_view line, std::string_view wanted) {
+/** With the values of the keys that the kind asks for: the others are long. */
+Members ListMembers(std::string_view line, const LineKind& kind) {
   Members members;
   const auto add = [&](std::string_view key, std::string_view value) {
-    members.emplace_back(key, key == wanted ? value : std::string_view());
+    const bool is_kept = key == kind.question_key || key == kJournalKey;
+    members.emplace_back(key, is_kept ? value : std::string_view());
   };
   JsonCursor text(line);
   text.Demand("{");
@@ -72,6 +77,14 @@ std::optional<uintmax_t> FindLastLength(const LineKind& kind, const std::string&
   return has_result ? length : std::nullopt;
 }
 
+/** Of the frozen configuration, whichever program has written it. */
+std::string CalcJournalId(const StoreKind& kind, const fs::path& folder,
+                          const std::string& journal) {
+  Json frozen = Json::parse(ReadFile(folder / kind.file), nullptr, /*allow_exceptions=*/false);
+  if (frozen.is_object()) frozen.erase("program_version");
+  return CalcHashHex(FormatJson(Json{frozen, journal}));
+}
+
 struct Answer {
   int line = 0;
   uint64_t hash = 0;
@@ -87,6 +100,9 @@ std::vector<Damage> FindForeignLines(const StoreKind& kind, const fs::path& fold
   if (!lines) return foreign;
   const std::optional<uintmax_t> last_length = FindLastLength(*lines, journal, manifest);
   std::map<std::string, Answer> answers;  // by question
+  const std::string id =
+      *lines->question_key ? FormatJson(CalcJournalId(kind, folder, journal)) : std::string();
+  bool has_ids = false;  // the lines say where they belong from here on
   ForEachLineOfFile(folder / journal, [&](const FileLine& line) {
     if (!line.is_whole || !IsCheckedLine(line.text)) return;
     if (last_length && line.start >= *last_length) {
@@ -94,11 +110,17 @@ std::vector<Damage> FindForeignLines(const StoreKind& kind, const fs::path& fold
           {journal, line.number, std::string("it was added after ") + lines->result + " was made"});
       return;
     }
-    const Members members = ListMembers(line.text, lines->question_key);
+    const Members members = ListMembers(line.text, *lines);
     if (!IsOfKind(members, *lines)) {
       foreign.push_back({journal, line.number, "it is a line of another kind of journal"});
       return;
     }
+    const std::string* said = FindMember(members, kJournalKey);
+    if (!id.empty() && (said ? *said != id : has_ids)) {
+      foreign.push_back({journal, line.number, "it is a line of another search"});
+      return;
+    }
+    has_ids = said;
     const std::string* question = FindMember(members, lines->question_key);
     if (!question) return;
     const uint64_t hash = CalcHash64(line.text);
@@ -115,6 +137,16 @@ std::vector<Damage> FindForeignLines(const StoreKind& kind, const fs::path& fold
   std::stable_sort(foreign.begin(), foreign.end(),
                    [](const Damage& a, const Damage& b) { return a.line < b.line; });
   return foreign;
+}
+
+std::optional<std::string> FindJournalId(const fs::path& journal) {
+  for (fs::path folder = journal.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+    const std::string name = journal.lexically_relative(folder).generic_string();
+    const StoreKind* kind = FindStoreKind(folder);
+    if (kind && IsMatch(name, kind->journals)) return CalcJournalId(*kind, folder, name);
+    if (folder == folder.parent_path()) break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace graspbench

@@ -1,10 +1,11 @@
 #pragma once
 /** @file
 Lines of a journal that are whole and have a right checksum, and yet do not belong there: those of
-another kind of journal, different answers to one question of a search, and what somebody has added
-to a search that has its result. */
+another kind of journal or of another search, different answers to one question of a search, and
+what somebody has added to a search that has its result. */
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,10 @@ that are torn or whose checksum is wrong are not looked at.
 Error(kNotFound, kIo). */
 std::vector<Damage> FindForeignLines(const StoreKind& kind, const std::filesystem::path& folder,
                                      const std::string& journal, const Manifest& manifest);
+
+/** What every line of a search's journal says of it: a hash of the frozen configuration of its store
+and of its name there, so that an answer to another search is not taken. None where no store is
+around it. @param journal  a path. */
+std::optional<std::string> FindJournalId(const std::filesystem::path& journal);
 
 }  // namespace graspbench

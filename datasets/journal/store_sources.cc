@@ -62,8 +62,13 @@ std::vector<ManifestSource> ListSources(const StoreKind& kind, const fs::path& f
     const bool is_of_results = name.rfind("workers/", 0) != 0;
     if (is_of_results && is_asked_for(name)) add(name, CalcJournalSha256(folder, name));
   }
-  for (const std::string& name : ListMatches(folder, kind.stores)) {
-    if (is_asked_for(name)) add(name, CalcSourceSha256(folder / name));
+  for (const std::string& pattern : kind.stores) {
+    const bool all = std::find(only.begin(), only.end(), pattern) != only.end();
+    const std::vector<std::string> names = ListMatches(folder, {pattern});
+    if (all && IsPattern(pattern)) add(pattern, CalcSha256(FormatJson(names)));
+    for (const std::string& name : names) {
+      if (all || is_asked_for(name)) add(name, CalcSourceSha256(folder / name));
+    }
   }
   return sources;
 }

@@ -22,7 +22,8 @@ std::string CalcJournalSha256(const std::filesystem::path& folder, const std::st
 /** Files, kinds of files and journals of the store, and the stores in it, by the names that
 StoreKind has for them; a file that is not there is left out, a journal that is not has the hash of
 nothing. Who worked on it (workers/) is no part.
-@param only  of those names; empty: all. @throws Error(kIo). */
+@param only  of those names; with the pattern of stores all of them, and as one more source which
+there are; empty: all. @throws Error(kIo). */
 std::vector<ManifestSource> ListSources(const StoreKind& kind, const std::filesystem::path& folder,
                                         const std::vector<std::string>& only = {});
 

@@ -65,11 +65,11 @@ void WriteDevelopmentResult(const fs::path& folder, const Hand& hand,
   SealStore(kDevelopmentStore, folder);
 }
 
-std::string FormatDevelopmentLine(const DevelopmentRecord& record) {
+std::string DevelopmentRecord::Format(const DevelopmentRecord& record) {
   return FormatCheckedLine(RecordToJson(record));
 }
 
-DevelopmentRecord ParseDevelopmentLine(std::string_view line) {
+DevelopmentRecord DevelopmentRecord::Parse(std::string_view line) {
   const Json json = ParseCheckedLine(line);
   try {
     DevelopmentRecord record;
@@ -78,31 +78,6 @@ DevelopmentRecord ParseDevelopmentLine(std::string_view line) {
   } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
     throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
   }
-}
-
-DevelopmentJournal::DevelopmentJournal(const fs::path& path) : file_(path) {
-  uintmax_t end = 0;
-  ForEachLineOfFile(path, [&](const FileLine& line) {
-    if (!line.is_whole) return;
-    end = line.start + line.text.size() + 1;
-    try {
-      DevelopmentRecord record = ParseDevelopmentLine(line.text);
-      stored_.emplace(record.request, std::move(record));
-    } catch (const Error&) {  // asked again
-    }
-  });
-  file_.Truncate(end);
-}
-
-const DevelopmentRecord* DevelopmentJournal::Find(int request) const {
-  const auto found = stored_.find(request);
-  return found == stored_.end() ? nullptr : &found->second;
-}
-
-void DevelopmentJournal::Append(const std::vector<DevelopmentRecord>& records) {
-  std::string lines;
-  for (const DevelopmentRecord& record : records) lines += FormatDevelopmentLine(record) + "\n";
-  file_.Append(lines);
 }
 
 }  // namespace graspbench

@@ -10,21 +10,17 @@ How a hand's grasps were developed (core/develop), the folder development/ of a 
 A journal line:
 
     {"request":57,"stage":"search","id":"0123456789abcdef","trials":[{"outcome":"success",
-     "score":1.21},..],"xxh64":".."}
+     "score":1.21},..],"search":"..","xxh64":".."}
 
-The development is deterministic: the same answers lead to the same questions. So it is resumed by
-asking again from the start, and answering from the journal what is there. `id` is a hash of the
-question: an answer to another one is never taken. */
+`id` is a hash of the question: an answer to another one is never taken. See answer_journal.h. */
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "core/base/diagnostics.h"
 #include "core/develop/develop_grasp.h"
-#include "datasets/journal/append_file.h"
 #include "datasets/plan/session_config.h"
+#include "datasets/scene/answer_journal.h"
 
 namespace graspbench {
 
@@ -58,6 +54,7 @@ struct DevelopmentRecord {
   std::string stage;
   std::string id;
   std::vector<DevelopTrial> trials;
+  std::optional<std::string> search = {};  ///< older lines have none
 
   template <class V>
   static void ListFields(V&& field) {
@@ -65,27 +62,14 @@ struct DevelopmentRecord {
     field("stage", &DevelopmentRecord::stage);
     field("id", &DevelopmentRecord::id);
     field("trials", &DevelopmentRecord::trials);
+    field("search", &DevelopmentRecord::search);
   }
+
+  static std::string Format(const DevelopmentRecord& record);
+  /** @throws Error(kFormat). */
+  static DevelopmentRecord Parse(std::string_view line);
 };
 
-std::string FormatDevelopmentLine(const DevelopmentRecord& record);
-/** @throws Error(kFormat). */
-DevelopmentRecord ParseDevelopmentLine(std::string_view line);
-
-class DevelopmentJournal {
- public:
-  /** A line is good when its checksum is right, whatever the lines before it are; what a crash has
-  left of a line at the end is cut off. @throws Error(kIo), also when another process writes it. */
-  explicit DevelopmentJournal(const std::filesystem::path& path);
-
-  /** The stored answer to a question; null: not there. */
-  const DevelopmentRecord* Find(int request) const;
-  /** Behind the stored ones, on the disk when it returns. */
-  void Append(const std::vector<DevelopmentRecord>& records);
-
- private:
-  AppendFile file_;
-  std::map<int, DevelopmentRecord> stored_;  // by request
-};
+using DevelopmentJournal = AnswerJournal<DevelopmentRecord>;
 
 }  // namespace graspbench

@@ -1,14 +1,10 @@
 #include "datasets/scene/evaluation_journal.h"
 
-#include <algorithm>
-
-#include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 
 namespace graspbench {
-namespace fs = std::filesystem;
 
-std::string FormatEvaluationLine(const EvaluationRecord& record) {
+std::string EvaluationRecord::Format(const EvaluationRecord& record) {
   Json json = {{"request", record.request}, {"stage", NameOf(record.stage)}};
   if (RowOf(kLearningStages, record.stage).has_individual) {
     Individual individual = record.individual;
@@ -22,14 +18,16 @@ std::string FormatEvaluationLine(const EvaluationRecord& record) {
     trials.push_back(std::move(trial));
   }
   json["trials"] = trials;
+  if (record.search) json["search"] = *record.search;
   return FormatCheckedLine(json);
 }
 
-EvaluationRecord ParseEvaluationLine(std::string_view line) {
+EvaluationRecord EvaluationRecord::Parse(std::string_view line) {
   const Json json = ParseCheckedLine(line);
   try {
     EvaluationRecord record;
     record.request = json.contains("request") ? IntFrom(json.at("request")) : -1;
+    if (json.contains("search")) record.search = json.at("search").get<std::string>();
     const LearningStageRow& stage =
         RowFromName(kLearningStages, json.at("stage").get<std::string>(), "stage");
     record.stage = stage.value;
@@ -45,47 +43,6 @@ EvaluationRecord ParseEvaluationLine(std::string_view line) {
   } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
     throw Error(ErrorKind::kFormat, std::string("it is no record of this version: ") + e.what());
   }
-}
-
-std::vector<EvaluationRecord> LoadEvaluations(const fs::path& path, Diagnostics& findings) {
-  std::vector<EvaluationRecord> records;
-  if (!fs::exists(path)) return records;
-  ForEachLineOfFile(path, [&](const FileLine& line) {
-    try {
-      if (!line.is_whole) {
-        throw Error(ErrorKind::kFormat, "the line was not finished when the program stopped");
-      }
-      records.push_back(ParseEvaluationLine(line.text));
-      if (records.back().request < 0) records.back().request = line.number - 1;
-    } catch (const Error& e) {
-      findings.Warn(path.filename().string(), line.number,
-                    std::string(e.what()) + "; it counts as not run");
-    }
-  });
-  std::stable_sort(
-      records.begin(), records.end(),
-      [](const EvaluationRecord& a, const EvaluationRecord& b) { return a.request < b.request; });
-  return records;
-}
-
-const EvaluationRecord* FindEvaluation(const std::vector<EvaluationRecord>& records, int request) {
-  const auto found = std::lower_bound(
-      records.begin(), records.end(), request,
-      [](const EvaluationRecord& record, int number) { return record.request < number; });
-  return found != records.end() && found->request == request ? &*found : nullptr;
-}
-
-EvaluationJournal::EvaluationJournal(const fs::path& path) : file_(path) {
-  Diagnostics findings;  // verified by whoever reads the store
-  stored_ = LoadEvaluations(path, findings);
-  const std::string text = ReadFile(path);
-  file_.Truncate(text.rfind('\n') + 1);  // npos + 1 is 0: no whole line
-}
-
-void EvaluationJournal::Append(const std::vector<EvaluationRecord>& records) {
-  std::string lines;
-  for (const EvaluationRecord& record : records) lines += FormatEvaluationLine(record) + "\n";
-  file_.Append(lines);
 }
 
 }  // namespace graspbench

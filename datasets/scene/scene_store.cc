@@ -223,7 +223,9 @@ void WriteSceneResult(const fs::path& folder, const SceneConfig& config, const S
 SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   SceneRecord scene;
   scene.config = ParseSceneConfig(folder, on_damage);
-  scene.evaluations = LoadEvaluations(folder / "journal.jsonl", scene.findings);
+  std::vector<Damage> damage;
+  scene.evaluations = LoadAnswers<EvaluationRecord>(folder / "journal.jsonl", scene.findings, damage);
+  RefuseAnswers(folder, damage, on_damage);
   const fs::path path = folder / kResult;
   if (!fs::exists(path)) return scene;
   try {

@@ -7,6 +7,7 @@
 #include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
 #include "datasets/journal/journal_files.h"
+#include "datasets/journal/read_journal.h"
 #include "datasets/records/judgement_line.h"
 
 namespace graspbench {
@@ -38,12 +39,12 @@ class Joiner {
     const auto id = json.at("trial_id").get<std::string>();
     const auto found = places_.find(id);
     if (found == places_.end() && !IsPlanned(id)) {
-      const std::string& file = session_.lines.files.at(static_cast<size_t>(place.file));
-      session_.damage.push_back({file, place.number, DescribeForeign(id)});
-      return true;
+      throw Error(ErrorKind::kFormat, DescribeForeign(id));
     }
-    if (found == places_.end()) {
-      throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
+    if (found == places_.end()) {  // its record was set aside
+      const std::string& file = session_.lines.files.at(static_cast<size_t>(place.file));
+      session_.findings.Warn(file, place.number, "skipped: " + DescribeUnfinished(id));
+      return true;
     }
     Judgement judgement;
     ReadRecord(json.at("judgement"), judgement);
@@ -110,29 +111,22 @@ void LoadJudgements(const std::filesystem::path& folder, Session& session) {
     const std::string file = std::string(kFolder) + "/" + path.filename().string();
     session.lines.files.push_back(file);
     const int index = static_cast<int>(session.lines.files.size()) - 1;
-    ForEachLineOfFile(path, [&](const FileLine& line) {
-      if (line.text.empty()) return;
-      if (!line.is_whole) {
-        session.findings.Warn(file, line.number,
-                              "the last line was not finished; its trial counts as "
-                              "not judged");
-        return;
+    const auto take = [&](const FileLine& line) {
+      if (!joiner.Add(line.text, {index, line.number, line.start, line.text.size()})) {
+        conflicts.Fail(file, line.number, "a trial has two different judgements");
       }
-      try {
-        if (!joiner.Add(line.text, {index, line.number, line.start, line.text.size()})) {
-          conflicts.Fail(file, line.number, "a trial has two different judgements");
-        }
-      } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-        session.findings.Warn(file, line.number,
-                              std::string("skipped: ") + e.what() + "; it counts as not judged");
-      }
-    });
+    };
+    ReadJournal(folder, file, take, session.findings, session.damage);
   }
   conflicts.ThrowIfErrors(
       ErrorKind::kFormat,
       "two machines or versions of the program have judged this session or a file was edited; "
       "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and keeps it "
       "beside, then judge again");
+}
+
+std::string DescribeUnfinished(const std::string& trial_id) {
+  return "trial " + trial_id + " is not finished; it counts as not there";
 }
 
 bool HasBegunJudge(const std::filesystem::path& folder) {

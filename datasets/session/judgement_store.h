@@ -33,6 +33,9 @@ findings, lines of trials that are not in the plan session.damage.
 @throws Error(kFormat) for unequal duplicates, Error(kIo). */
 void LoadJudgements(const std::filesystem::path& folder, Session& session);
 
+/** What becomes of a line about a trial that has no record. */
+std::string DescribeUnfinished(const std::string& trial_id);
+
 /** Whether somebody has begun to judge the session in the folder. */
 bool HasBegunJudge(const std::filesystem::path& folder);
 

@@ -2,10 +2,10 @@
 
 #include <map>
 #include <set>
-#include <string_view>
 #include <vector>
 
-#include "datasets/journal/checked_line.h"
+#include "datasets/journal/read_journal.h"
+#include "datasets/session/judgement_store.h"
 
 namespace graspbench {
 namespace {
@@ -13,13 +13,8 @@ namespace {
 constexpr char kSensitivityFolder[] = "sensitivity";
 
 /** False: the line's trial has other measures already. @throws Json::exception, Error(kFormat). */
-bool AddLine(std::string_view line, const std::set<std::string>& known_ids, SensitivityData& data) {
-  const Json json = ParseCheckedLine(line);
+bool AddLine(const Json& json, const std::string& id, SensitivityData& data) {
   const auto setting = json.at("setting").get<std::string>();
-  const auto id = json.at("trial_id").get<std::string>();
-  if (known_ids.count(id) == 0) {
-    throw Error(ErrorKind::kFormat, "trial " + id + " is not finished");
-  }
   TrialMeasures measures;
   ReadRecord(json.at("measures"), measures);
   const auto [known, is_new] = data[setting].emplace(id, measures);
@@ -81,22 +76,18 @@ SensitivityData LoadSensitivity(const Session& session, Diagnostics& findings) {
   Diagnostics conflicts;
   for (const std::filesystem::path& path : journals) {
     const std::string file = std::string(kSensitivityFolder) + "/" + path.filename().string();
-    ForEachLineOfFile(path, [&](const FileLine& line) {
-      if (line.text.empty()) return;
-      if (!line.is_whole) {
-        findings.Warn(file, line.number,
-                      "the last line was not finished; its trial counts as not run");
-        return;
+    const auto take = [&](const FileLine& line) {
+      const Json json = ParseCheckedLine(line.text);
+      const auto id = json.at("trial_id").get<std::string>();
+      if (ids.count(id) == 0) {  // its record was set aside
+        findings.Warn(file, line.number, "skipped: " + DescribeUnfinished(id));
+      } else if (!AddLine(json, id, data)) {
+        conflicts.Fail(file, line.number, "a trial has two different results under one setting");
       }
-      try {
-        if (!AddLine(line.text, ids, data)) {
-          conflicts.Fail(file, line.number, "a trial has two different results under one setting");
-        }
-      } catch (const std::exception& e) {  // of the JSON library, or an Error of a value
-        findings.Warn(file, line.number,
-                      std::string("skipped: ") + e.what() + "; it counts as not run");
-      }
-    });
+    };
+    std::vector<Damage> damage;
+    ReadJournal(session.folder, file, take, findings, damage);
+    for (const Damage& one : damage) conflicts.Fail(file, one.line, one.text);
   }
   for (const std::string& store : ListMatches(session.folder, {"sensitivity/*"})) {
     if (HasSession(session.folder / store)) {

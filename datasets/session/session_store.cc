@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/journal/checked_line.h"
+#include "datasets/journal/read_journal.h"
 #include "datasets/plan/frozen_folder.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
@@ -82,9 +83,10 @@ class Merger {
 
   void AddFile(const std::string& file) {
     lines_.files.push_back(file);
-    ForEachLineOfFile(lines_.folder / file, [&](const FileLine& line) {
-      if (!line.text.empty()) AddLine(line);
-    });
+    ReadJournal(
+        lines_.folder, file,
+        [&](const FileLine& line) { AddRecord(ParseJournalLine(line.text), line); },
+        session_.findings, session_.damage);
   }
 
   /** @throws Error(kFormat) when a trial has two different results. */
@@ -119,32 +121,11 @@ class Merger {
   }
 
  private:
-  void AddLine(const FileLine& line) {
-    const std::string& file = lines_.files.back();
-    if (!line.is_whole) {
-      session_.findings.Warn(file, line.number,
-                             "the last line was not finished when the program stopped; "
-                             "its trial counts as not run");
-      return;
-    }
-    try {
-      AddRecord(ParseJournalLine(line.text), line);
-    } catch (const Error& e) {
-      if (IsCheckedLine(line.text)) {
-        session_.damage.push_back({file, line.number, e.what()});
-        return;
-      }
-      session_.findings.Warn(file, line.number,
-                             std::string("skipped: ") + e.what() + "; its trial counts as not run");
-    }
-  }
-
   void AddRecord(TrialRecord record, const FileLine& line) {
     const std::string& file = lines_.files.back();
     const auto found = place_of_.find(record.plan.id);
     if (found == place_of_.end() || !(session_.plan[found->second] == record.plan)) {
-      session_.damage.push_back({file, line.number, DescribeForeign(record.plan.id)});
-      return;
+      throw Error(ErrorKind::kFormat, DescribeForeign(record.plan.id));
     }
     LinePlace& place = places_[found->second];
     if (place.file < 0) {
@@ -197,17 +178,15 @@ void CreateSession(const fs::path& folder, const SessionConfig& config,
 
 namespace {
 
-/** Lines that do not belong to the session are damage, which its hashes cannot show. */
+/** @param num_known  of the damages, which its hashes have shown. */
 void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage) {
-  if (session.damage.size() == num_known || on_damage == OnDamage::kAccept) return;
-  throw Error(
-      ErrorKind::kFormat,
-      "the session in \"" + session.folder.string() + "\" holds what is not its own" +
-          FormatDamage({session.damage.begin() + static_cast<std::ptrdiff_t>(num_known),
-                        session.damage.end()}) +
-          "\ngraspbench merge DIR --set-aside FILE leaves out what one of these files holds "
-          "and keeps it beside; report, export, judge and run --resume go on without these "
-          "lines with --accept-damage");
+  RefuseDamage("the session", session.folder,
+               {session.damage.begin() + static_cast<std::ptrdiff_t>(num_known),
+                session.damage.end()},
+               on_damage,
+               "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and "
+               "keeps it beside; report, export, judge and run --resume go on without these lines "
+               "with --accept-damage");
 }
 
 /** Settings of another physics as far as they are still settings: those that it did not have stand

@@ -43,8 +43,8 @@ void FuzzLine(const std::string& line, Parse&& parse, Format&& format) {
 inline void FuzzJournalLine(const std::string& text) {
   for (const std::string& line : {text, text + ",\"xxh64\":\"" + CalcHashHex(text) + "\"}"}) {
     FuzzRecordLine(line);
-    FuzzLine(line, ParseEvaluationLine, FormatEvaluationLine);
-    FuzzLine(line, ParseDevelopmentLine, FormatDevelopmentLine);
+    FuzzLine(line, EvaluationRecord::Parse, EvaluationRecord::Format);
+    FuzzLine(line, DevelopmentRecord::Parse, DevelopmentRecord::Format);
     FuzzLine(line, ParseWorkerLine,
              [](const WorkerStart& start) { return FormatWorkerLine(start); });
     FuzzLine(line, ParseJudgementLine,

@@ -54,29 +54,27 @@ class GraspTrials {
  public:
   GraspTrials(std::shared_ptr<const Hand> hand, const DevelopmentConfig& config,
               std::vector<std::shared_ptr<const GraspObject>> shapes, DevelopmentJournal& journal,
-              TrialPool& pool, int& num_asked)
+              TrialPool& pool)
       : hand_(std::move(hand)),
         coupled_hands_(MakeCoupledHands(hand_, config.develop.any_coupling)),
         config_(config),
         shapes_(std::move(shapes)),
         journal_(journal),
-        pool_(pool),
-        num_asked_(num_asked) {}
+        pool_(pool) {}
 
   std::vector<std::vector<DevelopTrial>> Run(const std::vector<DevelopRequest>& requests) {
-    std::vector<DevelopmentRecord> records;
+    std::vector<DevelopmentRecord> questions;
     for (const DevelopRequest& request : requests) {
-      DevelopmentRecord record{num_asked_++, request.stage, CalcId(request), {}};
-      if (const DevelopmentRecord* stored = journal_.Find(record.request)) {
-        CheckSame(*stored, record);
-        record.trials = stored->trials;
-      }
-      records.push_back(std::move(record));
+      questions.push_back({0, request.stage, CalcId(request), {}});
     }
-    Simulate(requests, records);
-    std::vector<std::vector<DevelopTrial>> answers;
-    for (DevelopmentRecord& record : records) answers.push_back(std::move(record.trials));
-    return answers;
+    const auto recall = [&](size_t i, const DevelopmentRecord& stored) {
+      CheckSame(stored, questions[i]);
+    };
+    const auto simulate = [&](std::vector<DevelopmentRecord>& records,
+                              const std::vector<size_t>& left) {
+      Simulate(requests, left, records);
+    };
+    return journal_.Answer(questions, recall, simulate);
   }
 
  private:
@@ -117,20 +115,18 @@ class GraspTrials {
   }
 
   /** Shape by shape, as a worker keeps the world of its last one. */
-  void Simulate(const std::vector<DevelopRequest>& requests,
+  void Simulate(const std::vector<DevelopRequest>& requests, const std::vector<size_t>& left,
                 std::vector<DevelopmentRecord>& records) {
     struct Place {
       size_t request, trial;
       int shape;
     };
     std::vector<Place> places;
-    for (size_t r = 0; r < requests.size(); ++r) {
-      if (!records[r].trials.empty()) continue;
+    for (const size_t r : left) {
       for (size_t t = 0; t < requests[r].trials.size(); ++t) {
         places.push_back({r, t, requests[r].trials[t].shape});
       }
     }
-    if (places.empty()) return;
     std::stable_sort(places.begin(), places.end(),
                      [](const Place& a, const Place& b) { return a.shape < b.shape; });
     std::vector<TrialSetup> setups;
@@ -139,17 +135,12 @@ class GraspTrials {
       setups.push_back(MakeSetup(request, request.trials[place.trial]));
     }
     const std::vector<TrialResult> results = pool_.Run(setups);
-    std::vector<DevelopmentRecord> added;
     for (size_t k = 0; k < places.size(); ++k) {
       const auto& [r, t, shape] = places[k];
       records[r].trials.resize(requests[r].trials.size());
       records[r].trials[t] =
           MakeDevelopTrial(requests[r].grasp, *shapes_[static_cast<size_t>(shape)], results[k]);
     }
-    for (const DevelopmentRecord& record : records) {
-      if (!journal_.Find(record.request)) added.push_back(record);
-    }
-    journal_.Append(added);
   }
 
   std::shared_ptr<const Hand> hand_;
@@ -158,7 +149,6 @@ class GraspTrials {
   std::vector<std::shared_ptr<const GraspObject>> shapes_;
   DevelopmentJournal& journal_;
   TrialPool& pool_;
-  int& num_asked_;
 };
 
 std::vector<const GraspTaxon*> FindTaxa(const Hand& hand) {
@@ -252,7 +242,6 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   observer.BeginStage(stage);
   BatchStatus status;
   const std::vector<Eigen::Vector3d> judges = ListJudges();
-  int num_asked = 0;
   std::vector<DevelopedGrasp> developed;
   for (size_t k = 0; k < taxa.size(); ++k) {
     const GraspTaxon* taxon = taxa[k];
@@ -261,7 +250,7 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
         ProposeGrasps(*hand, *taxon, kNumDrawn, kNumKept, request.config.any_coupling,
                       RandomStream(stream, "proposals"));
     GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
-                       journal, pool, num_asked);
+                       journal, pool);
     const auto run = [&](const std::vector<DevelopRequest>& requests) {
       auto answers = trials.Run(requests);
       for (const auto& answer : answers) {

@@ -7,12 +7,9 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "datasets/plan/input_copies.h"
-#include "datasets/session/judgement_store.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/experiments/pool/learning_batch.h"
-#include "workbench/experiments/pool/session_worker.h"
-#include "workbench/experiments/run_record.h"
-#include "workbench/experiments/run_session.h"
+#include "workbench/experiments/run_round.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -117,39 +114,14 @@ class CampaignRun {
     PlanBenchmark();
     const SessionConfig config = MakeBenchmarkConfig(config_);
     const SessionInputs inputs = AddSceneGrasps(inputs_, scenes_);
-    const std::vector<PlannedTrial> plan = MakePlan(config, inputs);
-    const Session session = LoadSession(folder);
-    CheckSameSession(session, config, plan);
-    const std::vector<PlannedTrial> trials = FindUnfinished(session);
-    SealStore(kSessionStore, folder);
-    const bool is_complete = Record(!trials.empty(), [&](Observer& observer) {
-      return RunBatchStage(MakeSessionStage(StageKind::kBenchmark, session, trials.size()), trials,
-                           num_workers_, MakeSessionWorkers(config, inputs, folder), observer,
-                           stop_, trial_time_limit_);
-    });
-    SealStore(kSessionStore, folder);
-    if (!is_complete || !Judge(inputs)) return false;
+    CheckSameSession(LoadPlannedSession(folder), config, MakePlan(config, inputs));
+    for (const RoundKind& round : {kBenchmarkRound, kJudgeRound}) {
+      const RunRecord run = RunRound(round, LoadSession(folder), inputs, num_workers_, observer_,
+                                     stop_, trial_time_limit_);
+      if (run.ending != RunEnding::kFinished) return false;
+    }
     ExportSession(folder, LoadSession(folder));
     return true;
-  }
-
-  /** Breaks what the benchmark held. */
-  bool Judge(const SessionInputs& inputs) {
-    const fs::path folder = folder_ / "benchmark";
-    const Session session = LoadSession(folder);
-    return Record(!FindUnjudged(session).empty(), [&](Observer& observer) {
-      return JudgeSession(session, inputs, folder, num_workers_, observer, stop_,
-                          trial_time_limit_);
-    });
-  }
-
-  /** Runs `work(observer)` and, where there is work to do, adds it to run.json. */
-  template <class Work>
-  bool Record(bool has_work, const Work& work) {
-    RunRecorder recorder(folder_, num_workers_, observer_);
-    const bool is_complete = work(recorder);
-    if (has_work) recorder.Keep(is_complete);
-    return is_complete;
   }
 
   const CampaignConfig config_;

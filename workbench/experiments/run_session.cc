@@ -2,9 +2,7 @@
 
 #include "core/base/hash.h"
 #include "datasets/plan/input_copies.h"
-#include "datasets/session/judgement_store.h"
 #include "workbench/experiments/output_folder.h"
-#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -50,27 +48,10 @@ PreparedSession PrepareSession(const SessionRequest& request) {
   return prepared;
 }
 
-Stage MakeSessionStage(StageKind kind, const Session& session, size_t num_unfinished) {
-  Stage stage;
-  stage.kind = kind;
-  stage.num_all = stage.num_trials = static_cast<int>(session.plan.size());
-  stage.num_left = static_cast<int>(num_unfinished);
-  for (const TrialRecord& finished : session.records) ++stage.before[finished.result.outcome];
-  return stage;
-}
-
 RunRecord RunSession(const PreparedSession& prepared, int num_workers, Observer& observer,
                      const std::atomic<bool>& stop, double trial_time_limit) {
-  const std::vector<PlannedTrial> trials = FindUnfinished(prepared.session);
-  const Stage stage = MakeSessionStage(StageKind::kRun, prepared.session, trials.size());
-  RunRecorder recorder(prepared.folder, num_workers, observer);
-  SealStore(kSessionStore, prepared.folder);
-  const bool is_complete =
-      RunBatchStage(stage, trials, num_workers,
-                    MakeSessionWorkers(prepared.config, prepared.inputs, prepared.folder), recorder,
-                    stop, trial_time_limit);
-  SealStore(kSessionStore, prepared.folder);
-  return recorder.Keep(is_complete);
+  return RunRound(kTrialRound, prepared.session, prepared.inputs, num_workers, observer, stop,
+                  trial_time_limit);
 }
 
 bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
@@ -78,22 +59,8 @@ bool JudgeSession(const fs::path& folder, int num_workers, Observer& observer,
   const Session session = LoadSession(folder, on_damage, RecordParts::kBrief);
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, folder);
   CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  return JudgeSession(session, inputs, folder, num_workers, observer, stop, trial_time_limit);
-}
-
-bool JudgeSession(const Session& session, const SessionInputs& inputs, const fs::path& folder,
-                  int num_workers, Observer& observer, const std::atomic<bool>& stop,
-                  double trial_time_limit) {
-  const std::vector<PlannedTrial> trials = FindUnjudged(session);
-  Stage stage;
-  stage.kind = StageKind::kJudge;
-  stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
-  SealStore(kSessionStore, folder);
-  const bool is_complete =
-      RunBatchStage(stage, trials, num_workers, MakeJudgeWorkers(session, inputs, folder), observer,
-                    stop, trial_time_limit);
-  SealStore(kSessionStore, folder);
-  return is_complete;
+  return RunRound(kJudgeRound, session, inputs, num_workers, observer, stop, trial_time_limit)
+             .ending == RunEnding::kFinished;
 }
 
 }  // namespace graspbench

@@ -11,9 +11,7 @@ A session from its configuration to the last trial in its folder. */
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"
 #include "datasets/session/session_store.h"
-#include "workbench/experiments/observer.h"
-#include "workbench/experiments/pool/batch_runner.h"
-#include "workbench/experiments/run_record.h"
+#include "workbench/experiments/run_round.h"
 
 namespace graspbench {
 
@@ -54,13 +52,5 @@ objects or physics have changed since. */
 bool JudgeSession(const std::filesystem::path& folder, int num_workers, Observer& observer,
                   const std::atomic<bool>& stop, OnDamage on_damage = OnDamage::kRefuse,
                   double trial_time_limit = kTrialTimeLimit);
-
-/** The same for a session that is loaded with its inputs. */
-bool JudgeSession(const Session& session, const SessionInputs& inputs,
-                  const std::filesystem::path& folder, int num_workers, Observer& observer,
-                  const std::atomic<bool>& stop, double trial_time_limit = kTrialTimeLimit);
-
-/** A stage of trials that continues what `session` holds. */
-Stage MakeSessionStage(StageKind kind, const Session& session, size_t num_unfinished);
 
 }  // namespace graspbench

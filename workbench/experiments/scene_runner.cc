@@ -22,27 +22,22 @@ class JournaledTrials {
       : config_(config), inputs_(inputs), journal_(journal), pool_(pool), observe_(observe) {}
 
   std::vector<std::vector<LearningTrial>> Run(const std::vector<LearningRequest>& requests) {
-    std::vector<EvaluationRecord> records;
-    for (const LearningRequest& request : requests) {
-      records.push_back(MakeRecord(request));
-      const EvaluationRecord* stored = journal_.Find(records.back().request);
-      if (!stored) continue;
-      CheckSame(*stored, records.back());
-      records.back().trials = stored->trials;
-      for (const LearningTrial& trial : stored->trials) observe_(request, trial);
-    }
-    Simulate(requests, records);
-    std::vector<std::vector<LearningTrial>> trials;
-    for (size_t i = 0; i < records.size(); ++i) {
-      trials.push_back(std::move(records[i].trials));
-    }
-    return trials;
+    std::vector<EvaluationRecord> questions;
+    for (const LearningRequest& request : requests) questions.push_back(MakeQuestion(request));
+    const auto recall = [&](size_t i, const EvaluationRecord& stored) {
+      CheckSame(stored, questions[i]);
+      for (const LearningTrial& trial : stored.trials) observe_(requests[i], trial);
+    };
+    const auto simulate = [&](std::vector<EvaluationRecord>& records,
+                              const std::vector<size_t>& left) {
+      Simulate(requests, left, records);
+    };
+    return journal_.Answer(questions, recall, simulate);
   }
 
  private:
-  EvaluationRecord MakeRecord(const LearningRequest& request) {
+  EvaluationRecord MakeQuestion(const LearningRequest& request) const {
     EvaluationRecord record;
-    record.request = num_asked_++;
     record.stage = request.stage;
     record.individual = request.individual;
     for (const int draw : request.draws) {
@@ -59,34 +54,25 @@ class JournaledTrials {
                     "program; optimise anew into another folder");
   }
 
-  /** Runs the requests whose records have no trials yet and appends these to the journal. */
-  void Simulate(const std::vector<LearningRequest>& requests,
+  void Simulate(const std::vector<LearningRequest>& requests, const std::vector<size_t>& left,
                 std::vector<EvaluationRecord>& records) {
     std::vector<TrialSetup> setups;
     std::vector<std::pair<size_t, int>> asked;  // request and draw of each setup
-    for (size_t i = 0; i < requests.size(); ++i) {
-      if (!records[i].trials.empty()) continue;
+    for (const size_t i : left) {
       for (const int draw : requests[i].draws) {
         setups.push_back(MakeLearningSetup(config_, inputs_, requests[i], draw));
         asked.push_back({i, draw});
       }
     }
-    if (setups.empty()) return;
     const std::vector<TrialResult> results =
         pool_.Run(setups, [&](size_t setup, const TrialResult& result) {
           const auto [request, draw] = asked[setup];
           observe_(requests[request], MakeLearningTrial(draw, result, false));
         });
-    auto result = results.begin();
-    std::vector<EvaluationRecord> added;
-    for (size_t i = 0; i < requests.size(); ++i) {
-      if (!records[i].trials.empty()) continue;
-      for (const int draw : requests[i].draws) {
-        records[i].trials.push_back(MakeLearningTrial(draw, *result++, requests[i].keep_postures));
-      }
-      added.push_back(records[i]);
+    for (size_t k = 0; k < asked.size(); ++k) {
+      const auto [i, draw] = asked[k];
+      records[i].trials.push_back(MakeLearningTrial(draw, results[k], requests[i].keep_postures));
     }
-    journal_.Append(added);
   }
 
   const SceneConfig& config_;
@@ -94,7 +80,6 @@ class JournaledTrials {
   EvaluationJournal& journal_;
   TrialPool& pool_;
   ObserveLearning observe_;
-  int num_asked_ = 0;
 };
 
 /** A session of one trial of the scene. */
@@ -206,7 +191,7 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
   const auto answer = [&](const std::vector<LearningRequest>& requests) {
     std::vector<std::vector<LearningTrial>> trials;
     for (const LearningRequest& asked : requests) {
-      const EvaluationRecord* stored = FindEvaluation(scene.evaluations, next++);
+      const EvaluationRecord* stored = FindAnswer(scene.evaluations, next++);
       if (!stored) {
         throw Error(ErrorKind::kFormat, "the journal in \"" + folder.string() +
                                             "\" lacks an evaluation; continue the optimisation, "
@@ -241,7 +226,7 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
   replayed.grasp.id = "individual-" + std::to_string(number);
   replayed.stored_fitness = CalcFitness(stored.trials);
   replayed.fitness = CalcFitness(again.trials);
-  replayed.is_same = FormatEvaluationLine(stored) == FormatEvaluationLine(again);
+  replayed.is_same = EvaluationRecord::Format(stored) == EvaluationRecord::Format(again);
   return replayed;
 }
 

@@ -83,6 +83,27 @@ TEST_F(StoreSources, AStoreHasAHashAndAnyFileToo) {
   EXPECT_EQ(CalcSourceSha256(folder_ / "nothing"), "");
 }
 
+// An experiment that came after a page was written makes it stale as one that has gone on does.
+TEST_F(StoreSources, AStoreThatIsNewIsAChangeOfItsPattern) {
+  const fs::path output = folder_ / "report";
+  MakeFolder(output);
+  WriteFile(output / "index.html", "page");
+  const std::vector<std::string> shown = {"journal/*.jsonl", "sensitivity/*"};
+  const auto seal = [&] {
+    SealOutput(output, {"index.html"}, MakeOutputOrigin(folder_, "graspbench report .", shown));
+  };
+  seal();
+  EXPECT_TRUE(ListStale().empty());
+  CreateFakeSession(folder_ / "sensitivity" / "0a", 1);
+  EXPECT_EQ(ListStale(), std::vector<std::string>{"report ../sensitivity/*"});
+  seal();
+  EXPECT_TRUE(ListStale().empty());
+  CreateFakeSession(folder_ / "numerics" / "0b", 1);  // is not shown
+  EXPECT_TRUE(ListStale().empty());
+  JournalWriter(folder_ / "sensitivity" / "0a", 0).Append(MakeFakeRecord(plan_[0]));
+  EXPECT_EQ(ListStale(), std::vector<std::string>{"report ../sensitivity/0a"});
+}
+
 TEST_F(StoreSources, WhatWasMovedAwaySaysNothing) {
   Append(0, {0});
   const fs::path result = temporary_.path() / "result";

@@ -17,17 +17,17 @@ DevelopmentRecord MakeDevelopmentRecord(int request) {
 }
 
 TEST(DevelopmentLine, IsReadAsItWasWritten) {
-  const std::string line = FormatDevelopmentLine(MakeDevelopmentRecord(7));
-  const DevelopmentRecord read = ParseDevelopmentLine(line);
-  EXPECT_EQ(FormatDevelopmentLine(read), line);
+  const std::string line = DevelopmentRecord::Format(MakeDevelopmentRecord(7));
+  const DevelopmentRecord read = DevelopmentRecord::Parse(line);
+  EXPECT_EQ(DevelopmentRecord::Format(read), line);
   EXPECT_EQ(read.trials[0].score, MakeDevelopmentRecord(7).trials[0].score);
   EXPECT_EQ(read.trials[1].outcome, Outcome::kKnockedOver);
 }
 
 TEST(DevelopmentLine, DamageIsTold) {
-  std::string line = FormatDevelopmentLine(MakeDevelopmentRecord(7));
+  std::string line = DevelopmentRecord::Format(MakeDevelopmentRecord(7));
   line[20] ^= 1;
-  EXPECT_THROW(ParseDevelopmentLine(line), Error);
+  EXPECT_THROW(DevelopmentRecord::Parse(line), Error);
 }
 
 class DevelopmentStoreTest : public testing::Test {

@@ -37,24 +37,24 @@ TEST(EvaluationLine, IsReadAsItWasWritten) {
        {LearningStage::kSearch, LearningStage::kFinalist, LearningStage::kCheckAfter}) {
     EvaluationRecord record = MakeRecord(7);
     record.stage = stage;
-    const std::string line = FormatEvaluationLine(record);
-    const EvaluationRecord read = ParseEvaluationLine(line);
-    EXPECT_EQ(FormatEvaluationLine(read), line);
+    const std::string line = EvaluationRecord::Format(record);
+    const EvaluationRecord read = EvaluationRecord::Parse(line);
+    EXPECT_EQ(EvaluationRecord::Format(read), line);
     EXPECT_EQ(read.stage, stage);
     EXPECT_EQ(read.trial_ids, record.trial_ids);
   }
-  const EvaluationRecord read = ParseEvaluationLine(FormatEvaluationLine(MakeRecord(7)));
+  const EvaluationRecord read = EvaluationRecord::Parse(EvaluationRecord::Format(MakeRecord(7)));
   EXPECT_EQ(read.individual.genome, MakeRecord(7).individual.genome);
   EXPECT_EQ(read.individual.parents, MakeRecord(7).individual.parents);
   EXPECT_EQ(read.individual.fitness, 1.0 + 0.1 * 7);
 }
 
 TEST(EvaluationLine, DamageIsTold) {
-  std::string line = FormatEvaluationLine(MakeRecord(7));
-  EXPECT_THROW(ParseEvaluationLine(line.substr(0, line.size() - 3)), Error);
+  std::string line = EvaluationRecord::Format(MakeRecord(7));
+  EXPECT_THROW(EvaluationRecord::Parse(line.substr(0, line.size() - 3)), Error);
   line[20] ^= 1;
   try {
-    ParseEvaluationLine(line);
+    EvaluationRecord::Parse(line);
     FAIL();
   } catch (const Error& e) {
     EXPECT_STREQ(e.what(), "its bytes do not match their checksum");
@@ -78,7 +78,13 @@ class EvaluationJournalTest : public testing::Test {
     return ReadFile(path());
   }
 
+  std::vector<EvaluationRecord> Load() {
+    return LoadAnswers<EvaluationRecord>(path(), findings_, damage_);
+  }
+
   TemporaryFolder folder_;
+  Diagnostics findings_;
+  std::vector<Damage> damage_;
 };
 
 TEST_F(EvaluationJournalTest, IsContinuedWithTheSameBytesFromWhereverItWasCut) {
@@ -95,16 +101,15 @@ TEST_F(EvaluationJournalTest, ADamagedLineCostsItselfOnly) {
   std::string damaged = whole;
   damaged[damaged.find('\n') + 30] ^= 1;  // in the second line
   WriteFileAtomically(path(), damaged);
-  Diagnostics findings;
-  EXPECT_EQ(LoadEvaluations(path(), findings).size(), 9u);
-  EXPECT_EQ(
-      findings.Format(),
-      "journal.jsonl:2: warning: its bytes do not match their checksum; it counts as not run");
-  EXPECT_EQ(FindEvaluation(LoadEvaluations(path(), findings), 1), nullptr);
+  EXPECT_EQ(Load().size(), 9u);
+  EXPECT_EQ(findings_.Format(),
+            "journal.jsonl:2: warning: skipped: its bytes do not match their checksum; it counts "
+            "as not there");
+  EXPECT_EQ(FindAnswer(Load(), 1), nullptr);
   // The missing answer is given again, behind the others, which are all still there.
   const std::string continued = Finish();
-  EXPECT_EQ(continued, damaged + FormatEvaluationLine(MakeRecord(1)) + "\n");
-  const auto records = LoadEvaluations(path(), findings);
+  EXPECT_EQ(continued, damaged + EvaluationRecord::Format(MakeRecord(1)) + "\n");
+  const auto records = Load();
   ASSERT_EQ(records.size(), 10u);
   for (int number = 0; number < 10; ++number) {
     EXPECT_EQ(records[static_cast<size_t>(number)].individual.number, number);
@@ -114,17 +119,16 @@ TEST_F(EvaluationJournalTest, ADamagedLineCostsItselfOnly) {
 TEST_F(EvaluationJournalTest, InOlderJournalsTheLinesPlaceIsTheNumber) {
   std::string text;
   for (int number = 0; number < 3; ++number) {
-    Json json = Json::parse(FormatEvaluationLine(MakeRecord(number)));
+    Json json = Json::parse(EvaluationRecord::Format(MakeRecord(number)));
     json.erase("request");
     json.erase("xxh64");
     text += number == 1 ? "damaged\n" : FormatCheckedLine(json) + "\n";
   }
   WriteFileAtomically(path(), text);
-  Diagnostics findings;
-  const auto records = LoadEvaluations(path(), findings);
+  const auto records = Load();
   ASSERT_EQ(records.size(), 2u);
-  EXPECT_EQ(FindEvaluation(records, 2)->individual.number, 2);
-  EXPECT_EQ(FindEvaluation(records, 1), nullptr);
+  EXPECT_EQ(FindAnswer(records, 2)->individual.number, 2);
+  EXPECT_EQ(FindAnswer(records, 1), nullptr);
 }
 
 TEST_F(EvaluationJournalTest, HasOneWriter) {

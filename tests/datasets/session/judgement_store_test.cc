@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
+#include "datasets/journal/checked_line.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -69,7 +70,8 @@ TEST_F(JudgementStore, DamageCostsTheLineAlone) {
   EXPECT_EQ(FindUnjudged(session).size(), unjudged.size() - 1);
   const std::string text = session.findings.Format();
   EXPECT_NE(text.find("judge/0.jsonl:2"), std::string::npos) << text;
-  EXPECT_NE(text.find("the last line was not finished; its trial counts as not judged"),
+  EXPECT_NE(text.find("the last line was not finished when the program stopped; it counts as not "
+                      "there"),
             std::string::npos)
       << text;
 }
@@ -85,6 +87,20 @@ TEST_F(JudgementStore, TwoDifferentJudgementsAreRefused) {
     EXPECT_EQ(e.kind(), ErrorKind::kFormat);
     EXPECT_NE(std::string(e.what()).find("--set-aside FILE"), std::string::npos) << e.what();
   }
+}
+
+// Its checksum is right, so that no disk has changed it.
+TEST_F(JudgementStore, ALineThatIsNoJudgementIsDamage) {
+  const std::vector<PlannedTrial> unjudged = FindUnjudged(LoadSession(folder()));
+  AppendText(FormatCheckedLine({{"trial_id", unjudged[0].id},
+                                {"judge_version", kJudgeVersion},
+                                {"judgement", {{"breaking_force_n", "much"}}}}) +
+             "\n");
+  EXPECT_THROW(LoadSession(folder()), Error);
+  const Session session = LoadSession(folder(), OnDamage::kAccept);
+  ASSERT_EQ(session.damage.size(), 1u);
+  EXPECT_EQ(session.damage[0].path, "judge/0.jsonl");
+  EXPECT_EQ(FindUnjudged(session).size(), unjudged.size());
 }
 
 TEST_F(JudgementStore, ALineOfATrialThatIsNotPlannedIsDamage) {

@@ -77,7 +77,7 @@ TEST_F(SensitivityStore, DamageCostsTheLineAlone) {
   EXPECT_EQ(data.at(kHalf).size(), 1u);
   const std::string text = findings_.Format();
   EXPECT_NE(text.find("sensitivity/0.jsonl:2: warning: skipped: trial 0123456789abcdef is not "
-                      "finished; it counts as not run"),
+                      "finished; it counts as not there"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("sensitivity/0.jsonl:3: "), std::string::npos) << text;

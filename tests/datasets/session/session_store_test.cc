@@ -262,7 +262,7 @@ TEST_F(SessionStore, CutAnywhereTheJournalLosesTheCutTrialOnly) {
     ASSERT_EQ(session.records.size(), plan.size() - 1) << length;
     ASSERT_EQ(session.findings.Format(),
               "journal/0.jsonl:4: warning: the last line was not finished when the program "
-              "stopped; its trial counts as not run");
+              "stopped; it counts as not there");
   }
   // The next line starts on a line of its own, and the torn one stays as a finding.
   WriteText(journal(0), whole.substr(0, whole.size() - 20));
@@ -292,7 +292,7 @@ TEST_F(SessionStore, AFlippedByteCostsItsTrialOnly) {
     ASSERT_EQ(unfinished.size(), 1u);
     ASSERT_EQ(unfinished[0], plan[1]);
     ExpectHas(session.findings.Format(), "journal/0.jsonl:2: warning: skipped: ");
-    ExpectHas(session.findings.Format(), "its trial counts as not run");
+    ExpectHas(session.findings.Format(), "it counts as not there");
   }
 }
 

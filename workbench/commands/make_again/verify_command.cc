@@ -3,7 +3,8 @@
 #include <string>
 
 #include "datasets/journal/sealed_store.h"
-#include "datasets/session/check_records.h"
+#include "datasets/journal/unverified_files.h"
+#include "datasets/campaign/check_records.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {
@@ -37,6 +38,7 @@ Json MakeVerifyJson(const VerifyOptions& options, const StoreRepair& repair) {
           {"manifest_made_anew", repair.state.is_made_anew},
           {"repaired", repair.actions},
           {"damage", damage},
+          {"unverified", FindUnverified(options.folder)},
           {"stale", stale}};
 }
 
@@ -51,6 +53,9 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
     text += "; its manifest was lost and made anew: what had changed before is not noticed";
   }
   text += FormatDamage(repair.state.damages) + "\n";
+  for (const std::string& file : FindUnverified(options.folder)) {
+    text += DescribeUnverified(file) + "\n";
+  }
   for (const StaleResult& stale : repair.state.stale) {
     text += stale.path + " is stale: " + stale.input + " has changed since";
     if (!stale.command.empty()) text += "; anew: " + stale.command;

@@ -8,11 +8,10 @@
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_store.h"
-#include "datasets/session/judgement_store.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/machines/campaign_shard.h"
-#include "workbench/experiments/pool/session_worker.h"
 #include "workbench/experiments/pool/worker_pool.h"
+#include "workbench/experiments/run_round.h"
 #include "workbench/experiments/scene_runner.h"
 
 namespace graspbench {
@@ -67,6 +66,7 @@ class SessionShard {
  public:
   SessionShard(const ShardRequest& request, Observer& observer, const std::atomic<bool>& stop)
       : request_(request),
+        round_(request.judge ? kJudgeRound : kTrialRound),
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
         budget_(request.time_budget, observer, stop),
@@ -77,14 +77,13 @@ class SessionShard {
 
   ShardResult Work(const std::optional<SessionInputs>& inputs) {
     const std::vector<PlannedTrial> own = PartitionPlan(session_.plan, request_.shard);
-    const std::vector<PlannedTrial> trials =
-        Intersect(request_.judge ? FindUnjudged(session_) : FindUnfinished(session_), own);
+    const std::vector<PlannedTrial> trials = Intersect(round_.find_left(session_), own);
     if (request_.judge) CheckSomeFinished(own);
     ShardResult result;
     result.num_all = static_cast<int>(request_.judge ? trials.size() : own.size());
     result.num_left = static_cast<int>(trials.size());
-    if (request_.judge) result.unit = "held grasp";
-    const std::string label = request_.judge ? kJudgeLabel + label_ : label_;
+    result.unit = round_.unit;
+    const std::string label = round_.label + label_;
     if (trials.empty() && !IsUnchecked(label)) return result;
     ShardPresence presence(folder_, label, result.num_left);
     const std::vector<PlannedTrial> sentinels = presence.ListMissingSentinels(session_.plan);
@@ -94,10 +93,12 @@ class SessionShard {
       return result;
     }
     if (trials.empty()) return result;
-    RunBatchStage(MakeStage(trials), trials, request_.num_workers,
-                  request_.judge ? MakeJudgeWorkers(session_, inputs_, folder_, label_)
-                                 : MakeSessionWorkers(session_.config, inputs_, folder_, label_),
-                  budget_, budget_.stop(), request_.trial_time_limit);
+    Stage stage;
+    stage.kind = round_.stage;
+    stage.num_all = stage.num_left = stage.num_trials = result.num_left;
+    RunBatchStage(stage, trials, request_.num_workers,
+                  round_.make_workers(session_, inputs_, folder_, label_), budget_, budget_.stop(),
+                  request_.trial_time_limit);
     result.num_left -= budget_.num_done();
     return result;
   }
@@ -129,14 +130,8 @@ class SessionShard {
     CheckSameTrials(all, config, inputs_);
   }
 
-  Stage MakeStage(const std::vector<PlannedTrial>& trials) const {
-    Stage stage;
-    stage.kind = request_.judge ? StageKind::kJudge : StageKind::kRun;
-    stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(trials.size());
-    return stage;
-  }
-
   const ShardRequest request_;
+  const RoundKind& round_;
   const fs::path folder_;
   const std::string label_;
   TimeBudget budget_;

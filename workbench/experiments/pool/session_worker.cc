@@ -23,10 +23,10 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
 
 }  // namespace
 
-MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
+MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,
                                    const std::filesystem::path& folder, const std::string& label) {
-  return [&config, &inputs, folder, label](int worker) {
-    const auto runner = std::make_shared<PlannedTrialRunner>(config, inputs);
+  return [&session, &inputs, folder, label](int worker) {
+    const auto runner = std::make_shared<PlannedTrialRunner>(session.config, inputs);
     const auto journal = std::make_shared<JournalWriter>(folder, worker, label);
     return BatchWorker{[runner](const PlannedTrial& planned) { return runner->Run(planned); },
                        [journal](const TrialRecord& record) { journal->Append(record); },

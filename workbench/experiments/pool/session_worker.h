@@ -40,16 +40,14 @@ class PlannedTrialRunner {
 };
 
 /** @param label  of a shard's journals; empty: the session has one process.
-@pre config, inputs and folder outlive the workers, and the plan was made from them. */
-MakeBatchWorker MakeSessionWorkers(const SessionConfig& config, const SessionInputs& inputs,
-                                   const std::filesystem::path& folder,
-                                   const std::string& label = "");
+@pre session and inputs outlive the workers and belong together. */
+MakeBatchWorker MakeSessionWorkers(const Session& session, const SessionInputs& inputs,
+                                   const std::filesystem::path& folder, const std::string& label);
 
 /** Workers that run finished trials again, with the judge, and write what it finds.
 @pre session and inputs outlive the workers.
 @throws (in a worker) Error(kVersion) when a trial gives another result than its record. */
 MakeBatchWorker MakeJudgeWorkers(const Session& session, const SessionInputs& inputs,
-                                 const std::filesystem::path& folder,
-                                 const std::string& label = "");
+                                 const std::filesystem::path& folder, const std::string& label);
 
 }  // namespace graspbench

@@ -1,4 +1,4 @@
-#include "datasets/session/check_records.h"
+#include "datasets/campaign/check_records.h"
 
 #include <gtest/gtest.h>
 

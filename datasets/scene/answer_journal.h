@@ -1,0 +1,123 @@
+#pragma once
+/** @file
+The journal of a search, which is deterministic: the same answers lead to the same questions. So it
+is resumed by asking again from the start and answering from the journal what is there, and a
+resumed journal has the same bytes as one that was never interrupted. A line is good when its
+checksum is right, whatever the lines before it are: `request` says which question it answers, and
+`search` in which journal it was written (foreign_lines.h). What a crash has left of a line at the
+end is cut off when the journal is opened for writing. */
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "datasets/journal/append_file.h"
+#include "datasets/journal/foreign_lines.h"
+#include "datasets/journal/read_journal.h"
+
+namespace graspbench {
+
+/** The good lines by `request`; of several with one, that which stands first. No file: none.
+@tparam Record  as of AnswerJournal. @throws Error(kIo). */
+template <class Record>
+std::vector<Record> LoadAnswers(const std::filesystem::path& path, Diagnostics& findings,
+                                std::vector<Damage>& damage) {
+  std::vector<Record> records;
+  if (!std::filesystem::exists(path)) return records;
+  const auto take = [&](const FileLine& line) {
+    records.push_back(Record::Parse(line.text));
+    if (records.back().request < 0) records.back().request = line.number - 1;
+  };
+  ReadJournal(path.parent_path(), path.filename().string(), take, findings, damage);
+  std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
+    return a.request < b.request;
+  });
+  return records;
+}
+
+/** The answer to a question; null: not there. @param records  as LoadAnswers gives them. */
+template <class Record>
+const Record* FindAnswer(const std::vector<Record>& records, int request) {
+  const auto found = std::lower_bound(
+      records.begin(), records.end(), request,
+      [](const Record& record, int number) { return record.request < number; });
+  return found != records.end() && found->request == request ? &*found : nullptr;
+}
+
+/** @throws Error(kFormat) as RefuseDamage. */
+inline void RefuseAnswers(const std::filesystem::path& folder, const std::vector<Damage>& damage,
+                          OnDamage on_damage) {
+  RefuseDamage("the search", folder, damage, on_damage,
+               "move these lines elsewhere; what they answer is asked again");
+}
+
+/** @tparam Record  with `request`, `search`, and the static functions Parse and Format of a line. */
+template <class Record>
+class AnswerJournal {
+ public:
+  /** @throws Error(kIo), also when another process writes it; Error(kFormat) for damage. */
+  explicit AnswerJournal(const std::filesystem::path& path)
+      : file_(path), search_(FindJournalId(path)) {
+    Diagnostics findings;  // verified by whoever reads the store
+    std::vector<Damage> damage;
+    stored_ = LoadAnswers<Record>(path, findings, damage);
+    RefuseAnswers(path.parent_path(), damage, OnDamage::kRefuse);
+    uintmax_t end = 0;
+    ForEachLineOfFile(path, [&](const FileLine& line) {
+      if (line.is_whole) end = line.start + line.text.size() + 1;
+    });
+    file_.Truncate(end);
+  }
+
+  /** The stored answer to a question; null: not there. */
+  const Record* Find(int request) const { return FindAnswer(stored_, request); }
+  /** Behind the stored ones, on the disk when it returns. */
+  void Append(std::vector<Record> records) {
+    std::string lines;
+    for (Record& record : records) {
+      record.search = search_;
+      lines += Record::Format(record) + "\n";
+    }
+    file_.Append(lines);
+  }
+
+  /** Answers the next questions, in their order: from the journal, else by simulation, and then it
+  keeps the answers.
+  @param questions  records without number and trials.
+  @param recall  (i, stored): takes note of a stored answer to question i; throws when it is one to
+  another question.
+  @param simulate  (records, left): fills the trials of the records with these numbers.
+  @returns the trials of each question. */
+  template <class Recall, class Simulate>
+  auto Answer(std::vector<Record> questions, Recall&& recall, Simulate&& simulate) {
+    std::vector<size_t> left;
+    for (size_t i = 0; i < questions.size(); ++i) {
+      questions[i].request = num_asked_++;
+      if (const Record* stored = Find(questions[i].request)) {
+        recall(i, *stored);
+        questions[i].trials = stored->trials;
+      } else {
+        left.push_back(i);
+      }
+    }
+    std::vector<Record> added;
+    if (!left.empty()) simulate(questions, left);
+    for (const size_t i : left) added.push_back(questions[i]);
+    if (!added.empty()) Append(std::move(added));
+    std::vector<decltype(Record::trials)> trials;
+    for (Record& record : questions) trials.push_back(std::move(record.trials));
+    return trials;
+  }
+
+ private:
+  AppendFile file_;
+  std::optional<std::string> search_;
+  std::vector<Record> stored_;
+  int num_asked_ = 0;
+};
+
+}  // namespace graspbench

@@ -1,0 +1,67 @@
+#include "workbench/experiments/run_round.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/session/judgement_store.h"
+#include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/run_session.h"
+
+namespace graspbench {
+namespace {
+
+class RunRoundTest : public testing::Test {
+ protected:
+  RunRoundTest() {
+    SessionRequest request;
+    request.config.emplace();
+    request.config->hands = {"tum"};
+    request.config->objects = {"golf_ball"};
+    request.config->trials = 2;
+    request.out = temporary_.path() / "session";
+    prepared_ = PrepareSession(request);
+  }
+  RunRecord Run(const RoundKind& kind) {
+    return RunRound(kind, Load(), prepared_.inputs, 1, observer_, stop_);
+  }
+  Session Load() const {
+    return LoadSession(prepared_.folder, OnDamage::kRefuse, RecordParts::kBrief);
+  }
+
+  TemporaryFolder temporary_;
+  PreparedSession prepared_;
+  Observer observer_;
+  std::atomic<bool> stop_ = false;
+};
+
+// What the judge is asked for follows from the records of the trials before it.
+TEST_F(RunRoundTest, AsksForWhatTheRecordsOfEarlierRoundsLeave) {
+  EXPECT_TRUE(kJudgeRound.find_left(Load()).empty());
+  EXPECT_EQ(kTrialRound.find_left(Load()).size(), 2u);
+  const RunRecord trials = Run(kTrialRound);
+  EXPECT_EQ(trials.num_trials, 2);
+  EXPECT_EQ(trials.ending, RunEnding::kFinished);
+  EXPECT_TRUE(kTrialRound.find_left(Load()).empty());
+  const size_t num_held = kJudgeRound.find_left(Load()).size();
+  ASSERT_GT(num_held, 0u);
+  const RunRecord judged = Run(kJudgeRound);
+  EXPECT_EQ(judged.num_trials, static_cast<int>(num_held));
+  EXPECT_TRUE(kJudgeRound.find_left(Load()).empty());
+  EXPECT_EQ(ListBuilds(prepared_.folder).size(), 2u);
+}
+
+TEST_F(RunRoundTest, WithNothingLeftIsFinishedAndNoRun) {
+  const RunRecord nothing = Run(kJudgeRound);
+  EXPECT_EQ(nothing.num_trials, 0);
+  EXPECT_EQ(nothing.ending, RunEnding::kFinished);
+  EXPECT_TRUE(ListBuilds(prepared_.folder).empty());
+}
+
+TEST_F(RunRoundTest, IsInterruptedAndSealed) {
+  stop_ = true;
+  EXPECT_EQ(Run(kTrialRound).ending, RunEnding::kInterrupted);
+  EXPECT_EQ(kTrialRound.find_left(Load()).size(), 2u);
+  EXPECT_TRUE(CheckStore(prepared_.folder).damages.empty());
+}
+
+}  // namespace
+}  // namespace graspbench

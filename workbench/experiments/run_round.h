@@ -1,0 +1,50 @@
+#pragma once
+/** @file
+The one runner of what a session asks for. A plan has rounds: first its trials; then, of what they
+held, the judge. What a round asks for is computed from configuration, plan and the records of
+earlier rounds alone, so that every machine has the same, and its own part of it from its shard. A
+round can be stopped anywhere: what is kept is not asked for again.
+
+A kind of round is one row: what it asks for, and what a worker does with it. Sessions, experiments
+on their draws, the benchmark of a campaign and the shards of all of them run the same rounds. */
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "datasets/plan/session_inputs.h"
+#include "datasets/session/session_store.h"
+#include "workbench/experiments/observer.h"
+#include "workbench/experiments/pool/batch_runner.h"
+#include "workbench/experiments/run_record.h"
+
+namespace graspbench {
+
+struct RoundKind {
+  StageKind stage;
+  const char* unit;   ///< "trial": what it asks for
+  const char* label;  ///< before that of a shard in the files of its worker
+  /** What is left, in the plan's order. */
+  std::vector<PlannedTrial> (*find_left)(const Session& session);
+  /** Each keeps what it finds in a file of its own. @param label  of a shard; empty: it has none.
+  @pre session, inputs and folder outlive the workers. */
+  MakeBatchWorker (*make_workers)(const Session& session, const SessionInputs& inputs,
+                                  const std::filesystem::path& folder, const std::string& label);
+};
+
+extern const RoundKind kTrialRound;      ///< the trials of a session
+extern const RoundKind kBenchmarkRound;  ///< those of a campaign's benchmark
+extern const RoundKind kJudgeRound;      ///< breaks what they held
+
+/** Runs what is left, seals the session before and after, and adds the run to run.json when there
+was something to run. @pre session and inputs belong together.
+@param trial_time_limit  of a trial [s of processor time]; a grasp whose judge has not ended by then
+stays unjudged. @returns the run; finished: nothing is left but those.
+@throws Error(kVersion) when a trial that is judged gives another result than its record; as RunTasks
+of worker_pool.h; Error(kIo). */
+RunRecord RunRound(const RoundKind& kind, const Session& session, const SessionInputs& inputs,
+                   int num_workers, Observer& observer, const std::atomic<bool>& stop,
+                   double trial_time_limit = kTrialTimeLimit);
+
+}  // namespace graspbench
