@@ -60,6 +60,9 @@ struct BatchStatus {
   int num_done = 0;                               ///< trials, in this run
   std::map<Outcome, int> outcomes;                ///< of those
   std::vector<std::optional<PlannedTrial>> busy;  ///< each worker's current trial
+  /** Of trials that cost differently, in any unit: what was computed in this run, and what is left.
+  0: all cost the same. */
+  double work_done = 0.0, work_left = 0.0;
 };
 
 /** Called in the thread that started the experiment. */
