@@ -233,10 +233,10 @@ Html DrawSummary(const PosturePageData& data) {
   return table.ToHtml();
 }
 
-Html DrawWarnings(const std::vector<DevelopedGrasp>& developed) {
+Html DrawWarnings(const Hand& hand, const std::vector<DevelopedGrasp>& developed) {
   Html list;
   for (const DevelopedGrasp& one : developed) {
-    for (const std::string& warning : ListDevelopmentWarnings(one)) {
+    for (const std::string& warning : ListDevelopmentWarnings(hand, one)) {
       list += MakeParagraph(one.grasp.id + ": " + warning + ".");
     }
   }
@@ -258,7 +258,7 @@ std::string MakePosturePage(const PosturePageData& data) {
                         "above 1 means that all was held. Seed " +
                         std::to_string(data.config.seed) + ", budget " +
                         std::to_string(data.config.budget) + " trials.") +
-          DrawWarnings(data.developed) + DrawSummary(data));
+          DrawWarnings(hand, data.developed) + DrawSummary(data));
   std::unique_ptr<Renderer> renderer;
   try {
     renderer = std::make_unique<Renderer>(kWidth, kHeight);

@@ -25,9 +25,11 @@ struct Plan {
            num_shapes / 2;
   }
   int CountFinals() const {
-    return (num_finalists + 1 + 2 * KeepThird(num_finalists + 1)) * num_shapes + kNumTrainingShapes;
+    return (num_finalists + 1 + 2 * KeepLast(num_finalists + 1)) * num_shapes + kNumTrainingShapes;
   }
   static int KeepThird(int count) { return count / 3 + 1; }
+  /** The start stays to the end, so that it is beaten on the same trials. */
+  static int KeepLast(int count) { return std::max(2, KeepThird(count)); }
 };
 
 Plan MakePlan(int budget) {
@@ -112,6 +114,12 @@ class Contest {
     left_.resize(std::min(left_.size(),
                           static_cast<size_t>(Plan::KeepThird(static_cast<int>(left_.size())))));
   }
+  /** The best, `always` among them. */
+  void KeepLast(size_t always) {
+    const auto count = static_cast<size_t>(Plan::KeepLast(static_cast<int>(left_.size())));
+    left_.resize(std::min(left_.size(), count));
+    if (std::count(left_.begin(), left_.end(), always) == 0) left_.back() = always;
+  }
   size_t winner() const { return left_.front(); }
   /** Mean of one that is left. */
   double CalcScore(size_t k) const { return sums_[k] / num_trials_; }
@@ -157,9 +165,9 @@ std::vector<Grasp> ListFinalists(const SearchResult& search, const PostureChange
 
 }  // namespace
 
-int CountDevelopTrials(int budget) {
+DevelopTrialCounts CountDevelopTrials(int budget) {
   const Plan plan = MakePlan(budget);
-  return plan.CountRace() + plan.num_evaluations * plan.num_shapes / 2 + plan.CountFinals();
+  return {plan.CountRace() + plan.num_evaluations * plan.num_shapes / 2, plan.CountFinals()};
 }
 
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,
@@ -190,9 +198,9 @@ DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& 
   finalists.insert(finalists.begin(), developed.proposed.grasp);
   Contest finals(finalists.size(), course);
   finals.Run("finals", finalists, 0, plan.num_shapes, {kFirstFinalsDraw});
-  developed.proposed_score = finals.CalcScore(0);
-  finals.KeepThird();
+  finals.KeepLast(0);
   finals.Run("finals", finalists, 0, plan.num_shapes, {kFirstFinalsDraw + 1, kFirstFinalsDraw + 2});
+  developed.proposed_score = finals.CalcScore(0);
   developed.score = finals.CalcScore(finals.winner());
   developed.grasp = finalists[finals.winner()];
   developed.check =

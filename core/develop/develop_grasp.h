@@ -6,8 +6,9 @@ Develops one grasp of a hand: geometry proposes, simulation on training shapes d
               ones all of them again with other draws
     search    CMA-ES among small changes of the winner's postures (posture_changes.h), mean score of
               half of the shapes, of other ones with other draws in every generation
-    finals    the best of the search's later half and the winner as it was, on draws that neither
-              has seen; the best third of them once more
+    finals    the best of the search's later half and the winner as it was, the start, on draws that
+              neither has seen; the best third of them once more, the start among them, so that
+              nothing is chosen that scores lower on the same trials
     check     the chosen one on shapes that nothing has seen
 
 How it scores is in develop_trial.h, the shapes in training_shapes.h. The simulation is asked, so
@@ -59,7 +60,7 @@ inline constexpr int kNumTrainingShapes = 24;
 struct DevelopedGrasp {
   ProposedGrasp proposed;           ///< what geometry gave, and the race chose
   Grasp grasp;                      ///< what came of it
-  double proposed_score = 0.0;      ///< in the first finals
+  double proposed_score = 0.0;      ///< in the finals
   double score = 0.0;               ///< in the finals
   int num_trials = 0;               ///< in all
   int num_numerical_failures = 0;   ///< of these; they score 0
@@ -67,7 +68,12 @@ struct DevelopedGrasp {
 };
 
 /** About how many trials DevelopGrasp asks for. */
-int CountDevelopTrials(int budget);
+struct DevelopTrialCounts {
+  int draft = 0;  ///< race and search
+  int fine = 0;   ///< finals and check
+  int all() const { return draft + fine; }
+};
+DevelopTrialCounts CountDevelopTrials(int budget);
 
 /** @param budget  of trials of this grasp.  @pre `proposals` is not empty, best first. */
 DevelopedGrasp DevelopGrasp(const Hand& hand, const std::vector<ProposedGrasp>& proposals,

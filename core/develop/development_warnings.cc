@@ -2,15 +2,19 @@
 
 #include <fmt/core.h>
 
+#include "core/develop/digit_opposition.h"
+
 namespace graspbench {
 namespace {
 
 constexpr double kMostFailures = 0.01;  // numerical ones, of the trials
 constexpr double kLeastHeld = 0.1;      // of the check's shapes
+constexpr double kHalf = 0.5;           // of them, below which two digits are asked why
 
 }  // namespace
 
-std::vector<std::string> ListDevelopmentWarnings(const DevelopedGrasp& developed) {
+std::vector<std::string> ListDevelopmentWarnings(const Hand& hand,
+                                                 const DevelopedGrasp& developed) {
   std::vector<std::string> warnings;
   const int num_held = CountSuccesses(developed.check);
   const auto num_shapes = static_cast<double>(developed.check.size());
@@ -20,11 +24,10 @@ std::vector<std::string> ListDevelopmentWarnings(const DevelopedGrasp& developed
         "--seed may find a better one)",
         num_held, developed.check.size()));
   }
-  if (developed.score < developed.proposed_score) {
-    warnings.push_back(fmt::format(
-        "it scores {:.2f} in the finals, the geometric start {:.2f} in their first part: the "
-        "search found nothing better (another --seed or a larger --budget may)",
-        developed.score, developed.proposed_score));
+  if (num_held < kHalf * num_shapes && developed.grasp.digits.size() == 2) {
+    for (const std::string& pair : ListPairsApart(hand, developed.grasp.digits)) {
+      warnings.push_back(pair);
+    }
   }
   const int num_failed = developed.num_numerical_failures;
   if (num_failed > kMostFailures * developed.num_trials) {

@@ -12,9 +12,9 @@ namespace graspbench {
 
     - more than 1 % of the trials failed numerically, which counts as not held;
     - less than a tenth of the check's shapes was held;
-    - the chosen posture scores lower than the geometric start.
+    - two digits held less than half of them and cannot oppose (digit_opposition.h).
 
 The limits are proposed by graspbench. */
-std::vector<std::string> ListDevelopmentWarnings(const DevelopedGrasp& developed);
+std::vector<std::string> ListDevelopmentWarnings(const Hand& hand, const DevelopedGrasp& developed);
 
 }  // namespace graspbench

@@ -51,7 +51,7 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
     std::string digits;
     for (const std::string& id : grasp.digits) digits += (digits.empty() ? "" : ", ") + id;
     text += "  " + grasp.id + ":\n";
-    for (const std::string& warning : ListDevelopmentWarnings(one)) {
+    for (const std::string& warning : ListDevelopmentWarnings(hand, one)) {
       text += "    # WARNING: " + warning + "\n";
     }
     text += fmt::format("    digits: [{}]\n    tilt_deg: {:.{}f}\n", digits, DegFromRad(grasp.tilt),

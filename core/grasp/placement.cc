@@ -246,19 +246,26 @@ Placement CalcPlacement(const Hand& hand, const Grasp& grasp, const Vector3d& ob
 
 namespace {
 
-/** Back along the approach until nothing is in the way, with whether it still reaches the object. */
-Placement StopBefore(const Hand& hand, const Grasp& grasp, const GraspObject& object,
-                     const CalcObstacle& calc_obstacle, Placement placement) {
-  const double back = CalcWayBack(hand, grasp, object, calc_obstacle, placement);
-  if (back == 0.0) return placement;
-  placement.X_WH.pretranslate(-back * placement.approach_W);
+/** By how much the pads, where they would meet the object, stay off what they need to hold it [m];
+negative: they reach it. */
+double CalcShortfall(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                     const Placement& placement) {
   const Pads pads =
       CalcPads(hand, grasp,
                CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, placement.closing_at_contact)));
   const Vector3d p_WG = placement.X_WH * Vector3d(0.5 * (pads.p_HThumb + pads.p_HFingers));
   const bool from_side = std::abs(placement.approach_W.z()) < 0.5;
   const double near_face = from_side ? -0.5 * object.size.y() : -object.size.z();
-  placement.reaches_object = placement.approach_W.dot(p_WG) >= near_face + kLeastHold;
+  return near_face + kLeastHold - placement.approach_W.dot(p_WG);
+}
+
+/** Back along the approach until nothing is in the way, with whether it still reaches the object. */
+Placement StopBefore(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                     const CalcObstacle& calc_obstacle, Placement placement) {
+  const double back = CalcWayBack(hand, grasp, object, calc_obstacle, placement);
+  if (back == 0.0) return placement;
+  placement.X_WH.pretranslate(-back * placement.approach_W);
+  placement.reaches_object = CalcShortfall(hand, grasp, object, placement) <= 0.0;
   return placement;
 }
 
@@ -301,6 +308,11 @@ Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject&
   return StopBefore(
       hand, grasp, object, [&](const Vector3d& p_O) { return object.field->CalcDistance(p_O); },
       placement);
+}
+
+double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
+  const Placement placement = CalcPlacement(hand, grasp, object);
+  return placement.reaches_object ? 0.0 : CalcShortfall(hand, grasp, object, placement);
 }
 
 bool ReachesBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object) {

@@ -36,6 +36,7 @@ void AddRows(const CollisionShape& shape, double radius, int along, int wide, bo
     for (double position : Spread(half_along, spacing)) {
       hand.contact_spheres.push_back({shape.link, place(position), radius});
     }
+    if (shape.is_cover) continue;
     hand.capsules.push_back({shape.link, place(-half_along), place(half_along), radius});
   }
 }

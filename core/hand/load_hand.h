@@ -5,7 +5,7 @@ Reads a hand: `hand.urdf` (kinematics, inertia, collision and visual shapes, lim
 
 Collision shapes become contact: a sphere stays one; a cylinder is taken as the capsule of the same
 axis and radius and is sampled by spheres; a box is filled by rows of capsules of its half
-thickness (contact_shape.h). */
+thickness (contact_shape.h). One that is named "cover" is met by objects and the table alone. */
 
 #include <filesystem>
 #include <string>

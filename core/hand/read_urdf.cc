@@ -135,6 +135,7 @@ class UrdfReader {
     CollisionShape& shape = shapes_.emplace_back();
     shape.link = link;
     shape.X_LS = PoseFrom(collision.origin);
+    shape.is_cover = collision.name == "cover";
     if (collision.geometry->type == urdf::Geometry::SPHERE) {
       shape.kind = CollisionShape::Kind::kSphere;
       shape.size.setConstant(2.0 * static_cast<const urdf::Sphere&>(*collision.geometry).radius);

@@ -15,6 +15,7 @@
 #include "core/trial/basin.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/grasp_choice.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -76,72 +77,6 @@ void CheckNamesFit(const std::string& what, const std::vector<std::string>& name
   }
 }
 
-/** The hand's grasp of this id that may be used on the object. */
-const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const std::string& id) {
-  const auto grasp = std::find_if(hand.grasps.begin(), hand.grasps.end(), [&](const Grasp& g) {
-    return g.id == id && (g.object.empty() || g.object == object.id);
-  });
-  return grasp == hand.grasps.end() ? nullptr : &*grasp;
-}
-
-/** What an open hand needs beside an object that lies up to 5 mm aside [m]. */
-constexpr double kRoomBetweenPads = 0.01;
-
-/** The geometry of the placement alone decides; a distance field is made when its bounding box
-leaves it open. */
-bool CanReach(const SessionHand& hand, const Grasp& grasp,
-              const std::shared_ptr<const GraspObject>& object) {
-  return ReachesBoundingBox(*hand.hand, grasp, *object) ||
-         CalcPlacement(*hand.hand, grasp, *CompleteObject(object)).reaches_object;
-}
-
-const Grasp& FindBestGrasp(const SessionHand& hand,
-                           const std::shared_ptr<const GraspObject>& object) {
-  const auto best = object->best_grasp.find(hand.hand->id);
-  if (best != object->best_grasp.end()) {
-    if (const Grasp* grasp = FindGrasp(hand, *object, best->second)) return *grasp;
-  }
-  const Grasp *first = nullptr, *first_reaching = nullptr;
-  for (const std::string& id : object->grasp_order) {
-    const Grasp* grasp = FindGrasp(hand, *object, id);
-    if (!grasp) continue;
-    if (grasp->placement) return *grasp;
-    if (!first) first = grasp;
-    const double width = CalcPreGraspWidth(*hand.hand, *grasp);
-    const bool is_wide = width >= object->size.y() + kRoomBetweenPads;
-    if ((!is_wide && first_reaching) || !CanReach(hand, *grasp, object)) continue;
-    if (is_wide) return *grasp;
-    first_reaching = grasp;
-  }
-  if (first_reaching) return *first_reaching;
-  return first ? *first : hand.grasps.front();
-}
-
-/** The id that a name in the configuration stands for. */
-std::string FindGraspId(const SessionInputs& inputs, const std::string& name) {
-  const auto file = inputs.grasp_files.find(name);
-  return file == inputs.grasp_files.end() ? name : file->second;
-}
-
-std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
-                                     const SessionHand& hand,
-                                     const std::shared_ptr<const GraspObject>& object) {
-  std::vector<const Grasp*> grasps;
-  if (hand.grasps.empty()) return grasps;
-  if (config.grasps.front() == "all") {
-    for (const Grasp& grasp : hand.grasps) grasps.push_back(&grasp);
-    return grasps;
-  }
-  for (const std::string& name : config.grasps) {
-    const Grasp* grasp = name == "best" ? &FindBestGrasp(hand, object)
-                                        : FindGrasp(hand, *object, FindGraspId(inputs, name));
-    if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
-      grasps.push_back(grasp);
-    }
-  }
-  return grasps;
-}
-
 void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) {
   std::vector<std::string> known;
   for (const SessionHand& hand : inputs.hands) {
@@ -154,7 +89,7 @@ void CheckGraspsExist(const SessionConfig& config, const SessionInputs& inputs) 
                 "none of the session's hands has any grasp; graspbench hand develop finds some");
   for (const std::string& name : config.grasps) {
     if (name == "best" || name == "all") continue;
-    const std::string id = FindGraspId(inputs, name);
+    const std::string id = ResolveGraspName(inputs, name);
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       throw Error(ErrorKind::kNotFound, "none of the session's hands can do a grasp \"" + id +
                                             "\"" + SuggestNames(id, known));

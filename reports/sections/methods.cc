@@ -1,6 +1,7 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/grasp/grasp_taxonomies.h"
 #include "reports/page/layout.h"
 #include "reports/sections/section.h"
 
@@ -65,6 +66,21 @@ Html DrawOrigins() {
   return table.ToHtml();
 }
 
+Html DrawTaxonomies() {
+  std::vector<Column> columns = {{"Taxonomy"}};
+  for (const GraspType type : kGraspTypes) {
+    columns.push_back({std::string(CodeOf(type)) + " " + NameOf(type), Align::kProse});
+  }
+  Table table("What earlier taxonomies call the four grasp types (Röthling 2007).", columns);
+  for (const GraspTaxonomy& taxonomy : ListGraspTaxonomies()) {
+    std::vector<Html> row = {
+        Text(taxonomy.author + std::string(" ") + std::to_string(taxonomy.year))};
+    for (const char* name : taxonomy.names) row.push_back(Text(name));
+    table.AddRow(row);
+  }
+  return table.ToHtml();
+}
+
 Html DrawHands(const ReportData& data) {
   const Align number = Align::kNumber;
   Table table("Hands as they were when this page was made.",
@@ -115,7 +131,7 @@ Html DrawObjects(const ReportData& data) {
 
 Html DrawMethods(const ReportData& data) {
   Html html = MakeMethodsText({DescribeMethod(data)}) + DrawMeasures() + DrawOrigins();
-  html += DrawHands(data) + DrawObjects(data);
+  html += DrawTaxonomies() + DrawHands(data) + DrawObjects(data);
   return html + MakeDetails("The session's complete configuration",
                             MakeConfigTable("The session's complete configuration.",
                                             ToJson(data.session.config)));

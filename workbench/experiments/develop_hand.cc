@@ -49,6 +49,13 @@ std::vector<std::shared_ptr<const Hand>> MakeCoupledHands(const std::shared_ptr<
   return hands;
 }
 
+bool IsDraft(const std::string& stage) { return stage == "race" || stage == "search"; }
+
+/** In trials of the search; a step half as long costs twice as much. */
+double CalcWork(const std::string& stage, int num_trials) {
+  return IsDraft(stage) ? num_trials : kDraftStep / SimConfig().step * num_trials;
+}
+
 /** Answers what the development of one grasp asks: from the journal, else by simulation. */
 class GraspTrials {
  public:
@@ -62,7 +69,9 @@ class GraspTrials {
         journal_(journal),
         pool_(pool) {}
 
-  std::vector<std::vector<DevelopTrial>> Run(const std::vector<DevelopRequest>& requests) {
+  /** Adds what had to be simulated to `work`. */
+  std::vector<std::vector<DevelopTrial>> Run(const std::vector<DevelopRequest>& requests,
+                                             double& work) {
     std::vector<DevelopmentRecord> questions;
     for (const DevelopRequest& request : requests) {
       questions.push_back({0, request.stage, CalcId(request), {}});
@@ -72,6 +81,9 @@ class GraspTrials {
     };
     const auto simulate = [&](std::vector<DevelopmentRecord>& records,
                               const std::vector<size_t>& left) {
+      for (const size_t i : left) {
+        work += CalcWork(requests[i].stage, static_cast<int>(requests[i].trials.size()));
+      }
       Simulate(requests, left, records);
     };
     return journal_.Answer(questions, recall, simulate);
@@ -106,7 +118,7 @@ class GraspTrials {
     ApplyCoupling(*setup.hand, setup.grasp.q_target);
     setup.strategy = config_.strategy;
     setup.sim = config_.sim;
-    if (request.stage == "race" || request.stage == "search") setup.sim.step = kDraftStep;
+    if (IsDraft(request.stage)) setup.sim.step = kDraftStep;
     const Json names = {config_.develop.seed, setup.object->id, trial.draw};
     setup.draw = DrawVariation(config_.variation, *hand_,
                                RandomStream(FormatJson(names), "object pose of development"),
@@ -177,6 +189,10 @@ std::vector<int> ShareBudget(int budget, const std::vector<const GraspTaxon*>& t
   return budgets;
 }
 
+double CalcWork(const DevelopTrialCounts& counts) {
+  return CalcWork("search", counts.draft) + CalcWork("finals", counts.fine);
+}
+
 /** A new folder with a copy of the hand, or the same development in it. */
 void PrepareFolder(const DevelopHandRequest& request, const Hand& hand,
                    const DevelopmentConfig& config) {
@@ -238,7 +254,7 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
   stage.kind = StageKind::kDevelopment;
   stage.num_all = stage.num_left = static_cast<int>(taxa.size());
   const std::vector<int> budgets = ShareBudget(request.config.budget, taxa);
-  for (const int budget : budgets) stage.num_trials += CountDevelopTrials(budget);
+  for (const int budget : budgets) stage.num_trials += CountDevelopTrials(budget).all();
   observer.BeginStage(stage);
   BatchStatus status;
   const std::vector<Eigen::Vector3d> judges = ListJudges();
@@ -251,8 +267,16 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
                       RandomStream(stream, "proposals"));
     GraspTrials trials(hand, config, MakeAllShapes(*taxon, request.config.seed, proposals, judges),
                        journal, pool);
+    double left = CalcWork(CountDevelopTrials(budgets[k])), following = 0.0;
+    for (size_t later = k + 1; later < taxa.size(); ++later) {
+      following += CalcWork(CountDevelopTrials(budgets[later]));
+    }
     const auto run = [&](const std::vector<DevelopRequest>& requests) {
-      auto answers = trials.Run(requests);
+      auto answers = trials.Run(requests, status.work_done);
+      for (const DevelopRequest& request : requests) {
+        left -= CalcWork(request.stage, static_cast<int>(request.trials.size()));
+      }
+      status.work_left = std::max(0.0, left) + following;
       for (const auto& answer : answers) {
         status.num_done += static_cast<int>(answer.size());
         for (const DevelopTrial& trial : answer) ++status.outcomes[trial.outcome];

@@ -61,6 +61,9 @@ struct BatchStatus {
   std::map<Outcome, int> outcomes;                ///< of those
   std::vector<std::optional<PlannedTrial>> busy;  ///< each worker's current trial
   std::map<int, std::string> preparing;           ///< by worker: the object of its next trial
+  /** Of trials that cost differently, in any unit: what was computed in this run, and what is left.
+  0: all cost the same. */
+  double work_done = 0.0, work_left = 0.0;
 };
 
 /** Called in the thread that started the experiment. */

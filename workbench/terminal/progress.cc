@@ -22,6 +22,7 @@ constexpr size_t kMaxWorkersShown = 8;
 std::string FormatRemaining(const ProgressState& state) {
   const int num_left = state.num_planned - state.num_done;
   if (num_left == 0) return "done";
+  if (std::isfinite(state.remaining)) return FormatDuration(state.remaining) + " left";
   if (!(state.rate > 0.0)) return "";
   return FormatDuration(num_left / state.rate) + " left";
 }
@@ -161,6 +162,7 @@ ProgressState Progress::MakeState() const {
     if (place < state.workers.size()) state.workers[place] = "prepares the mesh of " + name;
   }
   state.rate = pace_.rate();
+  if (status_.work_done > 0.0) state.remaining = time_ * status_.work_left / status_.work_done;
   return state;
 }
 
@@ -174,6 +176,7 @@ void Progress::Draw() {
 
 void Progress::Show(const BatchStatus& status, double time) {
   status_ = status;
+  time_ = time;
   pace_.Add(time, status.num_done);
   if (time - last_shown_ < (region_.can_redraw() ? kTerminalInterval : kPlainInterval)) return;
   last_shown_ = time;

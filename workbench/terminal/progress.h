@@ -3,10 +3,12 @@
 How far a batch is: on a terminal one block of lines redrawn in place, at most ten times a second;
 elsewhere (pipe, file, TERM=dumb) a plain line from time to time, without any escape byte.
 
-The rate is that of the last half minute, so that it follows what the machine does now. */
+The rate is that of the last half minute, so that it follows what the machine does now. Where trials
+cost differently, the time that is left follows from the work of the whole run. */
 
 #include <cstdio>
 #include <deque>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -39,6 +41,8 @@ struct ProgressState {
   std::vector<std::string> workers;  ///< what each is doing; empty: idle
   std::set<std::string> preparing;   ///< objects whose mesh workers make ready for contacts
   double rate = 0.0;                 ///< [1/s]; NaN: not known yet
+  /** Of the whole; NaN: as the rate says [s]. */
+  double remaining = std::numeric_limits<double>::quiet_NaN();
 };
 
 /** Lines of the block, none longer than `width` characters. */
@@ -73,6 +77,7 @@ class Progress {
   BatchStatus status_;
   Pace pace_;
   double last_shown_;
+  double time_ = 0.0;  ///< of status_, since the start [s]
 };
 
 }  // namespace graspbench

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/hand/import/checks/find_implausible.h"
+#include "core/hand/import/cover_links.h"
 #include "core/hand/import/free_joints.h"
 #include "core/hand/import/guess_hand.h"
 #include "core/hand/import/import_record.h"
@@ -39,6 +40,7 @@ ImportedFiles ImportInOrder(const std::string& text, const HandSource& source,
   GuessHand(source.file, source.palm_normal, imported, problems);
   if (has_failed()) return {};
   FreeJoints(source.file, imported, problems);
+  CoverLinks(source.file, imported, problems);
   FindImplausible(source.file, imported, problems);
 
   ImportedFiles result;

@@ -281,6 +281,9 @@ void Welder::MoveRootFrame(const Pose& X_NR, ImportedHand& imported) {
   for (CollisionShape& shape : imported.shapes) {
     if (shape.link == 0) shape.X_LS = X_NR * shape.X_LS;
   }
+  for (TriMesh& solid : imported.solids[0]) {
+    for (Vector3d& p : solid.vertices) p = X_NR * p;
+  }
   for (auto& [link, visual] : imported.visuals) {
     if (link != 0) continue;
     visual.solid.X_LS = X_NR * visual.solid.X_LS;
@@ -353,6 +356,7 @@ ImportedHand Welder::Weld(int palm) {
       HandLink& link = hand.links.emplace_back();
       link.name = foreign_.links[member].name;
       imported.notes.emplace_back();
+      imported.solids.emplace_back();
       if (j >= 0) {
         const ForeignJoint& joint = foreign_.joints[j];
         link.parent = link_of[joint.parent];
@@ -380,6 +384,10 @@ ImportedHand Welder::Weld(int palm) {
       shape.link = index;
       shape.X_LS = X_LM[member] * shape.X_LS;
       imported.shapes.push_back(shape);
+    }
+    for (TriMesh solid : shapes.solids) {
+      for (Vector3d& p : solid.vertices) p = X_LM[member] * p;
+      imported.solids[index].push_back(std::move(solid));
     }
     for (ImportedVisual visual : shapes.visuals) {
       visual.solid.X_LS = X_LM[member] * visual.solid.X_LS;

@@ -23,6 +23,7 @@ struct ImportedHand {
   drives are guessed later. */
   Hand hand;
   std::vector<CollisionShape> shapes;
+  std::vector<std::vector<TriMesh>> solids;  ///< that the shapes stand for, by link, in its frame
   struct Visual {
     int link = -1;
     ImportedVisual visual;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/roll_pitch_yaw.h"
 #include "core/base/text/json.h"
 #include "core/base/text/text.h"
 #include "core/base/text/yaml_text.h"
@@ -39,13 +40,6 @@ std::string FormatPlace(const Vector3d& p) {
   return "[" + text + "]";
 }
 
-/** One angle after the other is taken out, so that they stay exact where the pitch is 90 degrees. */
-Vector3d CalcRpy(const Eigen::Matrix3d& R) {
-  const double yaw = std::atan2(R(1, 0), R(0, 0));
-  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(-yaw, Vector3d::UnitZ()) * R;
-  return {std::atan2(-tilted(1, 2), tilted(1, 1)), std::atan2(-tilted(2, 0), tilted(0, 0)), yaw};
-}
-
 class UrdfWriter {
  public:
   explicit UrdfWriter(const ImportedHand& imported) : imported_(imported), hand_(imported.hand) {}
@@ -69,7 +63,7 @@ class UrdfWriter {
   void WriteOrigin(const Pose& X) {
     Open("origin");
     Set("xyz", FormatExactly(X.translation()));
-    Set("rpy", FormatExactly(CalcRpy(X.linear())));
+    Set("rpy", FormatExactly(CalcRollPitchYaw(X.linear())));
     xml_.CloseElement();
   }
   void WriteSolid(const CollisionShape& shape) {
@@ -99,6 +93,7 @@ class UrdfWriter {
     for (const CollisionShape& shape : imported_.shapes) {
       if (shape.link != index) continue;
       Open("collision");
+      if (shape.is_cover) Set("name", "cover");
       WriteOrigin(shape.X_LS);
       WriteSolid(shape);
       xml_.CloseElement();
@@ -297,7 +292,7 @@ std::string FormatYaml(const Hand& hand, const std::string& source) {
     text += "  - name: " + QuoteYaml(frame.name) +
             "\n    link: " + QuoteYaml(hand.links[frame.link].name) + "\n    position_m: [" +
             FormatExactly(frame.X_LF.translation(), ", ") + "]\n    rpy_rad: [" +
-            FormatExactly(CalcRpy(frame.X_LF.linear()), ", ") + "]\n";
+            FormatExactly(CalcRollPitchYaw(frame.X_LF.linear()), ", ") + "]\n";
   }
   return text + "\n# grasps: none yet; graspbench hand develop FOLDER --out DIR finds them.\n";
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hand/load_hand.h"
+
 namespace graspbench {
 namespace {
 
@@ -16,7 +18,8 @@ DevelopedGrasp MakeDeveloped(int num_held, int num_shapes, int num_failed, int n
 }
 
 size_t CountWarnings(int num_held, int num_shapes, int num_failed, int num_trials) {
-  return ListDevelopmentWarnings(MakeDeveloped(num_held, num_shapes, num_failed, num_trials))
+  return ListDevelopmentWarnings(Hand(),
+                                 MakeDeveloped(num_held, num_shapes, num_failed, num_trials))
       .size();
 }
 
@@ -26,27 +29,30 @@ TEST(DevelopmentWarnings, NamesWhatHeldLessThanATenth) {
   EXPECT_EQ(CountWarnings(3, 24, 0, 500), 0u);  // 12.5 %
   EXPECT_EQ(CountWarnings(2, 20, 0, 500), 0u);  // a tenth
   EXPECT_EQ(CountWarnings(0, 0, 0, 500), 0u);   // not checked
-  EXPECT_NE(ListDevelopmentWarnings(MakeDeveloped(0, 24, 0, 500)).front().find("0 of 24 shapes"),
-            std::string::npos);
+  EXPECT_NE(
+      ListDevelopmentWarnings(Hand(), MakeDeveloped(0, 24, 0, 500)).front().find("0 of 24 shapes"),
+      std::string::npos);
 }
 
-TEST(DevelopmentWarnings, NamesAScoreBelowThatOfTheGeometricStart) {
-  DevelopedGrasp developed = MakeDeveloped(24, 24, 0, 500);
-  developed.proposed_score = 0.625;
-  developed.score = 0.625;
-  EXPECT_TRUE(ListDevelopmentWarnings(developed).empty());
-  developed.score = 0.5;
-  ASSERT_EQ(ListDevelopmentWarnings(developed).size(), 1u);
-  EXPECT_EQ(ListDevelopmentWarnings(developed)[0].find(
-                "it scores 0.50 in the finals, the geometric start 0.62"),
-            0u);
+// tum's thumb and index oppose; two fingers side by side on a palm do not.
+TEST(DevelopmentWarnings, TwoDigitsThatFailAreAskedWhetherTheyCanOppose) {
+  const Hand hand = LoadHand("tum");
+  DevelopedGrasp developed = MakeDeveloped(5, 24, 0, 500);
+  developed.grasp.digits = {"TH", hand.digits.front().id};
+  EXPECT_TRUE(ListDevelopmentWarnings(hand, developed).empty());
+  developed.grasp.digits = {hand.digits[0].id, hand.digits[1].id};
+  const auto warnings = ListDevelopmentWarnings(hand, developed);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find(" cannot oppose: "), std::string::npos);
+  developed.check = MakeDeveloped(12, 24, 0, 500).check;
+  EXPECT_TRUE(ListDevelopmentWarnings(hand, developed).empty());
 }
 
 TEST(DevelopmentWarnings, NamesNumericalFailuresAboveOnePercent) {
   EXPECT_EQ(CountWarnings(24, 24, 5, 500), 0u);  // 1 %
   EXPECT_EQ(CountWarnings(24, 24, 6, 500), 1u);
   EXPECT_EQ(CountWarnings(0, 24, 6, 500), 2u);
-  EXPECT_NE(ListDevelopmentWarnings(MakeDeveloped(24, 24, 8, 500))
+  EXPECT_NE(ListDevelopmentWarnings(Hand(), MakeDeveloped(24, 24, 8, 500))
                 .front()
                 .find("8 of 500 trials (1.6 %) failed numerically"),
             std::string::npos);

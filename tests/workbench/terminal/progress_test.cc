@@ -47,6 +47,15 @@ TEST(FormatBlock, ShowsAllThatMatters) {
   EXPECT_EQ(lines[5], "  worker 2 idle");
 }
 
+// Trials of a development cost differently: their number says less than their work.
+TEST(FormatBlock, WhatIsLeftFollowsFromTheWorkWhereThatIsKnown) {
+  ProgressState state = MakeState();
+  state.remaining = 601.0;
+  EXPECT_EQ(FormatBlock(state, 200)[1], "  pace     3.2 trials/s, 10 min 1 s left");
+  state.num_done = state.num_planned;
+  EXPECT_EQ(FormatBlock(state, 200)[1], "  pace     3.2 trials/s, done");
+}
+
 // What the judge runs again has succeeded before; that is no result of the judge's.
 TEST(FormatBlock, OutcomesThatSayNothingAreLeftOut) {
   ProgressState state = MakeState();

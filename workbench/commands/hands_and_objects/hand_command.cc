@@ -9,6 +9,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/pictures/hand_picture.h"
+#include "workbench/tables/grasp_tables.h"
 #include "workbench/tables/hand_tables.h"
 #include "workbench/terminal/diagnostics_output.h"
 #include "workbench/text/forward_kinematics.h"
@@ -34,6 +35,13 @@ ExitCode CheckHandCommand(const std::string& path, bool json) {
                 FormatFindingCounts(problems) + "\n");
   }
   return problems.num_errors() == 0 ? kExitOk : kExitBadInput;
+}
+
+void ShowGrasps(const Hand& hand, const std::string& csv) {
+  const std::vector<Grasp> grasps = LoadStandardGrasps(hand);
+  const std::vector<GraspNumber> numbers = ListGraspNumbers(hand, grasps);
+  if (!csv.empty()) WriteOutputFile(csv, FormatGraspCsv(numbers));
+  PrintResult(FormatGraspNumbers(grasps, numbers) + (csv.empty() ? "" : "\n" + csv + "\n"));
 }
 
 }  // namespace
@@ -68,14 +76,24 @@ void AddHandCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App* show = add("show", "Show joints, limits, drives and grasps of a hand.",
                        "  graspbench hand show shadow\n"
                        "  graspbench hand show my_hand/ --collision my_hand.png\n"
+                       "  graspbench hand show tum --grasps --csv grasps.csv\n"
                        "  graspbench hand show my_hand/ --json");
   add_hand(show);
   const auto collision = std::make_shared<std::string>();
   show->add_option("--collision", *collision,
                    "also draw what of the hand touches beside its pictures, into a new file")
       ->option_text("FILE");
-  show->callback([id, collision, json] {
+  const auto grasps = std::make_shared<bool>(false);
+  const auto csv = std::make_shared<std::string>();
+  CLI::Option* show_grasps = show->add_flag(
+      "--grasps", *grasps, "show placement, pre-grasp and target of all standard grasps instead");
+  show->add_option("--csv", *csv, "also write those numbers into a new file")
+      ->needs(show_grasps)
+      ->option_text("FILE");
+  show_grasps->excludes("--json");
+  show->callback([id, collision, grasps, csv, json] {
     const auto hand = std::make_shared<const Hand>(LoadHand(*id));
+    if (*grasps) return ShowGrasps(*hand, *csv);
     if (!collision->empty()) CheckOutputFile(*collision);
     if (!collision->empty()) WriteFileAtomically(*collision, EncodePng(DrawHandShapes(hand)));
     *json ? PrintJson(MakeHandJson(*hand)) : PrintResult(FormatHand(*hand));

@@ -65,8 +65,9 @@ void Develop(const DevelopHandRequest& request) {
   try {
     const std::vector<DevelopedGrasp> developed = DevelopHand(request, observer, stop);
     const std::filesystem::path page = WritePage(request, developed);
+    const Hand hand = LoadHand(request.out.string());
     for (const DevelopedGrasp& one : developed) {
-      for (const std::string& warning : ListDevelopmentWarnings(one)) {
+      for (const std::string& warning : ListDevelopmentWarnings(hand, one)) {
         PrintMessage("warning: " + one.grasp.id + ": " + warning);
       }
     }

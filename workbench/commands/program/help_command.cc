@@ -9,10 +9,13 @@
 #include "core/base/text/text.h"
 #include "datasets/plan/presets.h"
 #include "workbench/commands/command.h"
+#include "workbench/tables/grasp_tables.h"
 #include "workbench/text/file_formats.h"
 
 namespace graspbench {
 namespace {
+
+constexpr char kGraspTypesTopic[] = "grasp-types";
 
 Json MakeFormatJson(const FileFormat& format) {
   Json keys = Json::array();
@@ -45,7 +48,8 @@ std::string FormatOverview(const CLI::App& program, const std::vector<std::strin
   const std::string help =
       program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
   return help + "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
-         presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) + "\n";
+         presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) +
+         "\n\nGrasp types and what others call them: graspbench help grasp-types\n";
 }
 
 /** What "graspbench WORDS --help" prints. @throws Error(kUsage) when there is no such command. */
@@ -56,6 +60,7 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
     std::vector<std::string> names;
     if (command == &program) {
       for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
+      names.push_back(kGraspTypesTopic);
     }
     const CLI::App* next = nullptr;
     for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; })) {
@@ -74,7 +79,7 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
 
 /** Completion takes it from the option's type. */
 std::string JoinForCompletion(const std::vector<std::string>& files, const CLI::App& program) {
-  std::string names;
+  std::string names = kGraspTypesTopic;
   for (const std::string& file : files) names += (names.empty() ? "" : ",") + file;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     names += "," + command->get_name();
@@ -96,13 +101,17 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
   const auto words = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false);
   command
-      .add_option("topic", *words,
-                  "a command, or one of " + ListNames(files) + "; absent: all there is")
+      .add_option(
+          "topic", *words,
+          "a command, grasp-types, or one of " + ListNames(files) + "; absent: all there is")
       ->type_name("{" + JoinForCompletion(files, program) + "}")
       ->option_text("COMMAND|FILE");
   command.add_flag("--json", *json, "of a file: print one JSON object");
   command.callback([&program, files, words, json] {
     if (words->empty()) return PrintResult(FormatOverview(program, files));
+    if (words->front() == kGraspTypesTopic) {
+      return *json ? PrintJson(MakeGraspTypesJson()) : PrintResult(FormatGraspTypes());
+    }
     const bool is_file = std::find(files.begin(), files.end(), words->front()) != files.end();
     is_file ? PrintFormat(words->front(), *json) : PrintResult(FindCommandHelp(program, *words));
   });

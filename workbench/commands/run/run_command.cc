@@ -9,6 +9,7 @@
 #include "core/base/text/text.h"
 #include "datasets/analysis/export_result.h"
 #include "datasets/analysis/session_summary.h"
+#include "datasets/plan/grasp_choice.h"
 #include "reports/session_report.h"
 #include "workbench/commands/command.h"
 #include "workbench/commands/options/session_options.h"
@@ -98,8 +99,11 @@ ExitCode Run(const RunOptions& options) {
   request.on_damage = options.on_damage;
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   PreparedSession work = PrepareSession(request);
-  if (options.plan_only) return Plan(work, options.json);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
+  for (const UnreachedObject& unreached : FindUnreached(work.config, work.inputs)) {
+    PrintMessage("warning: " + DescribeUnreached(unreached));
+  }
+  if (options.plan_only) return Plan(work, options.json);
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));
   PrintStart(work, num_trials, num_workers);
   if (num_trials == 0) return Finish(work, options);

@@ -15,6 +15,12 @@ using Eigen::Vector3d;
 
 constexpr double kHeaviestPalm = 50.0;  // times the digits' mass
 constexpr double kParallel = 0.9;       // cosine
+constexpr double kLikeLimits = 0.05;    // [rad] between limits of joints of one build
+constexpr double kBend = 0.3;           // [rad] by which a joint is tried
+constexpr double kMoves = 0.001;        // [m] of a tip, to count
+constexpr double kLightest = 0.01;      // [kg] of a hand
+constexpr double kNarrowest = 0.0175;   // [rad] between a joint's limits
+constexpr double kShortest = 0.0005;    // [m] between those of a slide
 
 /** A digit's joints that bend it, from base to tip, and how it stands with all joints at zero. */
 struct Row {
@@ -75,6 +81,93 @@ void FindMirroredAxes(const std::string& file, const Hand& hand, Diagnostics& pr
   }
 }
 
+/** By how much a digit's tip comes nearer to the middle of the others' when one joint closes [m]. */
+double CalcApproach(const Hand& hand, const Digit& digit, int joint, int closing) {
+  Eigen::VectorXd q = CalcClosedPosture(hand, {}, 0.0);
+  const auto calc_distance = [&] {
+    const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+    Vector3d middle = Vector3d::Zero(), own = Vector3d::Zero();
+    for (const Digit& each : hand.digits) {
+      const Vector3d p_HTip = X_HL[each.distal_link] * each.p_LTip;
+      if (&each == &digit) {
+        own = p_HTip;
+      } else {
+        middle += p_HTip / (static_cast<double>(hand.digits.size()) - 1.0);
+      }
+    }
+    return (own - middle).norm();
+  };
+  const double before = calc_distance();
+  q[joint] += closing * kBend;
+  return before - calc_distance();
+}
+
+/** Copies of one digit about a hub: their joints are described alike but for the sign of an axis,
+and with it one of them closes away from the others. Digits that face each other may have opposite
+axes: there both close towards each other. */
+void FindOutwardCopies(const std::string& file, const Hand& hand, Diagnostics& problems) {
+  const std::vector<int> closing = FindClosing(hand);
+  const std::vector<Row> rows = MakeRows(hand);
+  const auto is_of_one_build = [&](int a, int b) {
+    const HandJoint &ja = hand.joints[a], &jb = hand.joints[b];
+    return hand.links[ja.link].axis.dot(hand.links[jb.link].axis) < -kParallel &&
+           std::abs(ja.lower - jb.lower) < kLikeLimits &&
+           std::abs(ja.upper - jb.upper) < kLikeLimits;
+  };
+  for (const Row& row : rows) {
+    for (size_t k = 0; k < row.joints.size(); ++k) {
+      std::string inward;
+      int num_outward = 0;
+      for (const Row& other : rows) {
+        if (&other == &row || other.joints.size() != row.joints.size()) continue;
+        const int j = other.joints[k];
+        if (!is_of_one_build(row.joints[k], j)) continue;
+        const double approach = CalcApproach(hand, *other.digit, j, closing[j]);
+        num_outward += approach < kMoves;
+        if (approach > kMoves)
+          inward += (inward.empty() ? "\"" : ", \"") + hand.joints[j].name + "\"";
+      }
+      const int j = row.joints[k];
+      if (inward.empty() || num_outward > 0) continue;
+      if (CalcApproach(hand, *row.digit, j, closing[j]) > -kMoves) continue;
+      problems.Warn(file, 0,
+                    "joint \"" + hand.joints[j].name +
+                        "\": its axis is the mirror image of that of " + inward +
+                        " of another digit of its build, and it closes away from the other "
+                        "digits, which they do not; is the sign of its axis wrong?");
+    }
+  }
+}
+
+/** Equal limits are fixed before. */
+void FindNarrowLimits(const std::string& file, const Hand& hand, Diagnostics& problems) {
+  std::vector<const HandJoint*> narrow;
+  for (const HandJoint& joint : hand.joints) {
+    const double range = joint.upper - joint.lower;
+    if (range < (joint.is_prismatic ? kShortest : kNarrowest)) narrow.push_back(&joint);
+  }
+  if (narrow.empty()) return;
+  std::string names;
+  for (const HandJoint* joint : narrow)
+    names += (names.empty() ? "\"" : ", \"") + joint->name + "\"";
+  const HandJoint& first = *narrow.front();
+  problems.Warn(file, 0,
+                FormatCount(static_cast<int64_t>(narrow.size()), "joint") + " next to stuck, " +
+                    names + ": the first moves by " +
+                    FormatSignificant(ToDisplayUnits(first, first.upper - first.lower), 2) + " " +
+                    DisplayUnitOf(first) + "; are its limits in another unit?");
+}
+
+void FindLightHand(const std::string& file, const Hand& hand, Diagnostics& problems) {
+  double mass = 0.0;
+  for (const HandLink& link : hand.links) mass += link.mass;
+  if (mass >= kLightest) return;
+  problems.Warn(
+      file, 0,
+      "the hand has a mass of " + FormatSignificant(GFromKg(mass), 2) +
+          " g in all, which no hand has; are its masses in another unit than the kilogram?");
+}
+
 void FindHeavyPalm(const std::string& file, const Hand& hand, Diagnostics& problems) {
   double palm = 0.0, digits = 0.0;
   for (int link = 0; link < static_cast<int>(hand.links.size()); ++link) {
@@ -92,6 +185,9 @@ void FindHeavyPalm(const std::string& file, const Hand& hand, Diagnostics& probl
 
 void FindImplausible(const std::string& file, const ImportedHand& imported, Diagnostics& problems) {
   FindMirroredAxes(file, imported.hand, problems);
+  FindOutwardCopies(file, imported.hand, problems);
+  FindNarrowLimits(file, imported.hand, problems);
+  FindLightHand(file, imported.hand, problems);
   FindHeavyPalm(file, imported.hand, problems);
 }
 

@@ -311,7 +311,9 @@ double MjcfCouplingReader::ShareDrive(const XMLElement& at, const std::string& w
 
 void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
   const std::string kind = node.xml->Name(), name = TextOf(document_, node, "name");
-  const std::string where = "actuator \"" + name + "\"";
+  const std::string moved = TextOf(document_, node, "joint");
+  const std::string where = name.empty() && !moved.empty() ? "actuator of joint \"" + moved + "\""
+                                                           : "actuator \"" + name + "\"";
   if (kind == "plugin" || kind == "adhesion") {
     document_.Warn(*node.xml, where + " of kind <" + kind + "> is not read; left out");
     return;
@@ -345,6 +347,9 @@ void MjcfCouplingReader::ReadActuator(const MjcfNode& node) {
     document_.Warn(*node.xml, where + ": the forcerange or ctrlrange is reversed; exchanged");
   }
   if (force) drive.effort = std::max(std::abs((*force)[0]), std::abs((*force)[1]));
+  if (force && drive.effort == 0.0) {
+    document_.Warn(*node.xml, where + ": a force of 0 moves nothing; guessed instead");
+  }
   // Force times arm is the joint's; its position times arm the actuator's.
   ForeignDrive& of_joint = hand_.joints[leaders[0].first].drive;
   const double effort = std::abs(arm) * drive.effort;

@@ -66,6 +66,22 @@ std::string ListTried(const FoundMesh& found) {
   return text;
 }
 
+/** The surface of what the description has there. */
+TriMesh MakeSolid(ForeignShape::Kind kind, const CollisionShape& solid) {
+  const double r = 0.5 * solid.size.x(), h = 0.5 * solid.size.z();
+  TriMesh mesh;
+  if (kind == ForeignShape::Kind::kBox) {
+    mesh = MakeRoundedBox(solid.size, 0.0);
+  } else if (kind == ForeignShape::Kind::kCylinder) {
+    mesh = MakeRevolution({{0.0, -h}, {r, -h}, {r, h}, {0.0, h}});
+  } else {
+    const Vector3d end(0.0, 0.0, std::max(0.0, h - r));
+    mesh = MakeTaperedCapsule(-end, r, end, r);
+  }
+  for (Vector3d& p : mesh.vertices) p = solid.X_LS * p;
+  return mesh;
+}
+
 CollisionShape MakeCapsuleShape(const FittedCapsule& capsule) {
   CollisionShape shape;
   const Vector3d axis = capsule.p_B - capsule.p_A;
@@ -297,6 +313,7 @@ void ShapeLoader::AddMesh(const TriMesh& mesh, const std::string& where, int lin
   const double extent = CalcLargestExtent(mesh);
   const double tolerance = std::max(kLeastTolerance, kRelativeTolerance * extent);
   const CapsuleFit fit = FitCapsules(mesh, tolerance, kMostCapsules);
+  loaded.solids.push_back(mesh);
   for (const FittedCapsule& capsule : fit.capsules) {
     loaded.collisions.push_back(MakeCapsuleShape(capsule));
   }
@@ -330,11 +347,13 @@ void ShapeLoader::AddSolid(const ForeignShape& shape, const std::string& where,
     loaded.collisions.pop_back();
     return;
   }
-  if (longest <= kMostElongated * solid.size.minCoeff()) return;
-  problems_.Warn(source_.file, shape.line,
-                 where + ": " + FormatSignificant(longest / solid.size.minCoeff(), 3) +
-                     " times as long as thick; made thicker, a 25th of its length");
-  solid.size = solid.size.cwiseMax(longest / kMostElongated);
+  if (longest > kMostElongated * solid.size.minCoeff()) {
+    problems_.Warn(source_.file, shape.line,
+                   where + ": " + FormatSignificant(longest / solid.size.minCoeff(), 3) +
+                       " times as long as thick; made thicker, a 25th of its length");
+    solid.size = solid.size.cwiseMax(longest / kMostElongated);
+  }
+  loaded.solids.push_back(MakeSolid(shape.kind, solid));
 }
 
 namespace {
@@ -349,6 +368,7 @@ TriMesh MakeEllipsoid(const ForeignShape& shape) {
 
 LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   LoadedShapes loaded;
+  std::vector<TriMesh> seen;  // surfaces of the visuals
   const std::string where = "link \"" + link.name + "\"";
   for (const ForeignShape& shape : link.visuals) {
     ImportedVisual visual;
@@ -367,6 +387,8 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
       AddSolid(shape, where + ", visual", one);
       if (one.collisions.empty()) continue;
       visual.solid = one.collisions.front();
+      seen.resize(loaded.visuals.size());
+      seen.push_back(one.solids.front());
     }
     loaded.visuals.push_back(visual);
   }
@@ -388,9 +410,11 @@ LoadedShapes ShapeLoader::Load(const ForeignLink& link) {
   loaded.notes.push_back("guess: it touches with its picture");
   problems_.Warn(source_.file, link.line,
                  where + " has no collision shape that can be used; it touches with its picture");
-  for (const ImportedVisual& visual : loaded.visuals) {
+  for (size_t k = 0; k < loaded.visuals.size(); ++k) {
+    const ImportedVisual& visual = loaded.visuals[k];
     if (visual.mesh.triangles.empty()) {
       loaded.collisions.push_back(visual.solid);
+      loaded.solids.push_back(seen[k]);
     } else {
       AddMesh(visual.mesh, where + ", visual", link.line, loaded);
     }

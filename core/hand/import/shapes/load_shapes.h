@@ -40,6 +40,7 @@ struct ImportedVisual {
 
 struct LoadedShapes {
   std::vector<CollisionShape> collisions;  ///< of link -1, in the foreign link's frame
+  std::vector<TriMesh> solids;             ///< that these stand for, likewise
   std::vector<ImportedVisual> visuals;
   std::vector<std::string> notes;  ///< what was fitted to a mesh, and how well
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
+
 namespace graspbench {
 namespace {
 
@@ -47,6 +49,53 @@ TEST(FindImplausibleTest, AnAxisAgainstItsNeighboursIsTold) {
   EXPECT_NE(Tell(MakeRow(-1.0, 0.0, 1.5)).find("joint \"bend_1\": its axis is the mirror image"),
             std::string::npos);
   EXPECT_EQ(Tell(MakeRow(-1.0, -1.5, 0.0)), "");  // the limits are mirrored as well: same motion
+}
+
+/** Three fingers of one joint about a hub, each turned to it. */
+ImportedHand MakeRing(double axis_of_second) {
+  ImportedHand imported = MakeRow(axis_of_second, 0.0, 1.5);
+  for (int i = 0; i < 3; ++i) {
+    HandLink& link = imported.hand.links[static_cast<size_t>(i + 1)];
+    const double angle = 2.0 * kPi / 3.0 * i;
+    link.X_PJ = MakePose(MakeRotationRpy(0, 0, angle),
+                         Eigen::Vector3d(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.05));
+    link.axis = -link.axis;
+  }
+  return imported;
+}
+
+TEST(FindImplausibleTest, ACopyThatClosesAwayFromTheOthersIsTold) {
+  EXPECT_EQ(Tell(MakeRing(1.0)), "");
+  const std::string told = Tell(MakeRing(-1.0));
+  EXPECT_NE(told.find("joint \"bend_1\": its axis is the mirror image of that of \"bend_0\", "
+                      "\"bend_2\" of another digit"),
+            std::string::npos)
+      << told;
+  EXPECT_EQ(told.find("bend_0\":"), std::string::npos);
+}
+
+// Two jaws whose frames are not turned to each other: opposite axes, and both close.
+TEST(FindImplausibleTest, DigitsThatFaceEachOtherMayHaveOppositeAxes) {
+  ImportedHand imported = MakeRow(-1.0, 0.0, 1.5);
+  imported.hand.digits.pop_back();
+  imported.hand.joints.pop_back();
+  imported.hand.links.pop_back();
+  imported.hand.links[1].X_PJ = MakePose(Eigen::Vector3d(-0.04, 0, 0.05));
+  imported.hand.links[2].X_PJ = MakePose(Eigen::Vector3d(0.04, 0, 0.05));
+  EXPECT_EQ(Tell(imported), "");
+}
+
+TEST(FindImplausibleTest, AJointThatHardlyMovesIsTold) {
+  EXPECT_EQ(Tell(MakeRow(1.0, 0.0, 0.02)), "");
+  EXPECT_NE(Tell(MakeRow(1.0, 0.0, 0.004))
+                .find("1 joint next to stuck, \"bend_1\": the first moves by 0.23 deg"),
+            std::string::npos);
+}
+
+TEST(FindImplausibleTest, AHandOfLessThanTenGramsIsTold) {
+  ImportedHand imported = MakeRow(1.0, 0.0, 1.5);
+  for (HandLink& link : imported.hand.links) link.mass *= 1e-6;
+  EXPECT_NE(Tell(imported).find("a mass of 0.00046 g in all"), std::string::npos) << Tell(imported);
 }
 
 TEST(FindImplausibleTest, APalmOfFiftyTimesTheDigitsIsTold) {

@@ -1,0 +1,84 @@
+#include "datasets/plan/grasp_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "core/grasp/placement.h"
+#include "core/hand/load_hand.h"
+#include "core/shape/primitives.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+std::shared_ptr<GraspObject> MakeBlock(const std::string& id, double width) {
+  auto block = MakeFakeObject(id);
+  block->size = Eigen::Vector3d(0.2, width, 0.04);
+  block->mesh = MakeRoundedBox(block->size, 1e-5);
+  block->grasp_order = {"g4", "g1"};
+  return block;
+}
+
+/** A hand of a user's, whose fingers do not span 200 mm but 30. */
+SessionInputs MakeInputsOf(const std::vector<std::shared_ptr<const GraspObject>>& objects) {
+  auto hand = std::make_shared<Hand>(LoadHand("tum-developed"));
+  hand->id = "mine";
+  SessionInputs inputs = MakeFakeInputs();
+  inputs.hands = {{hand, LoadStandardGrasps(*hand)}};
+  inputs.objects = objects;
+  return inputs;
+}
+
+TEST(GraspChoice, WhatNoGraspReachesIsKnownBeforeTheSession) {
+  const SessionInputs inputs = MakeInputsOf({MakeBlock("bar", 0.03), MakeBlock("slab", 0.2)});
+  const std::vector<UnreachedObject> unreached = FindUnreached(SessionConfig(), inputs);
+  ASSERT_EQ(unreached.size(), 1u);
+  EXPECT_EQ(unreached[0].hand, "mine");
+  EXPECT_EQ(unreached[0].object, "slab");
+  EXPECT_EQ(unreached[0].tried, (std::vector<std::string>{"g4", "g1"}));
+  EXPECT_EQ(DescribeUnreached({"mine", "slab", {"g4", "g1"}, "g1", 0.00625}),
+            "mine, slab: none of g4, g1 reaches it, so every trial will be unreachable; nearest is "
+            "g1, whose pads stop 6.2 mm short");
+  EXPECT_EQ(DescribeUnreached({"mine", "slab", {"g1"}, "g1", 0.01}),
+            "mine, slab: g1 does not reach it, so every trial will be unreachable; its pads stop "
+            "10.0 mm short");
+}
+
+// The pads must pass the slab's top by 3 mm: their middle where they would meet it, by forward
+// kinematics alone.
+TEST(GraspChoice, TheMissIsThatOfThePads) {
+  const SessionInputs inputs = MakeInputsOf({MakeBlock("slab", 0.2)});
+  const UnreachedObject unreached = FindUnreached(SessionConfig(), inputs).at(0);
+  const Hand& hand = *inputs.hands[0].hand;
+  const auto slab = CompleteObject(inputs.objects[0]);
+  double nearest = 1.0;
+  for (const std::string& id : unreached.tried) {
+    const Grasp& grasp = *FindGrasp(inputs.hands[0], *slab, id);
+    const Placement placement = CalcPlacement(hand, grasp, *slab);
+    EXPECT_FALSE(placement.reaches_object);
+    const std::vector<Pose> X_HL =
+        CalcLinkPoses(hand, CalcClosingPosture(hand, grasp, placement.closing_at_contact));
+    double height = 0.0, num_fingers = static_cast<double>(grasp.digits.size()) - 1.0;
+    for (const Digit& digit : hand.digits) {
+      if (!std::count(grasp.digits.begin(), grasp.digits.end(), digit.id)) continue;
+      const double z = (placement.X_WH * (X_HL[digit.distal_link] * digit.p_LPad)).z();
+      height += 0.5 * (digit.is_thumb ? z : z / num_fingers);
+    }
+    const double miss = height - (slab->size.z() - 0.003);
+    EXPECT_NEAR(CalcReachMiss(hand, grasp, *slab), miss, 1e-9) << id;
+    nearest = std::min(nearest, miss);
+  }
+  EXPECT_NEAR(unreached.miss, nearest, 1e-9);
+}
+
+// The catalogue says which grasp of a shipped hand is best; that is believed.
+TEST(GraspChoice, AnObjectThatNamesItsGraspIsNotAskedAbout) {
+  auto slab = MakeBlock("slab", 0.2);
+  slab->best_grasp["mine"] = "g1";
+  EXPECT_TRUE(FindUnreached(SessionConfig(), MakeInputsOf({slab})).empty());
+  SessionConfig config;
+  config.grasps = {"g1"};
+  EXPECT_EQ(FindUnreached(config, MakeInputsOf({slab})).size(), 1u);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,152 @@
+#include "workbench/tables/grasp_tables.h"
+
+#include "core/base/roll_pitch_yaw.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/grasp/grasp_taxonomies.h"
+#include "core/grasp/placement.h"
+#include "workbench/tables/text_table.h"
+
+namespace graspbench {
+namespace {
+
+constexpr char kPlacement[] = "placement", kPreGrasp[] = "pre-grasp", kTarget[] = "target";
+
+void AddPlacement(const Hand& hand, const Grasp& grasp, std::vector<GraspNumber>& numbers) {
+  const auto add = [&](const char* name, const char* unit, double value) {
+    numbers.push_back({grasp.id, kPlacement, name, unit, value + 0.0});
+  };
+  const Placement placement = CalcPlacement(hand, grasp, Eigen::Vector3d::Constant(kReferenceBlock),
+                                            Eigen::Vector3d::Zero());
+  const Eigen::Vector3d p_OH =
+      placement.X_WH.translation() - Eigen::Vector3d(0.0, 0.0, 0.5 * kReferenceBlock);
+  const Eigen::Vector3d rpy = CalcRollPitchYaw(placement.X_WH.linear());
+  add("x", "mm", MmFromM(p_OH.x()));
+  add("y", "mm", MmFromM(p_OH.y()));
+  add("z", "mm", MmFromM(p_OH.z()));
+  add("roll", "deg", DegFromRad(rpy.x()));
+  add("pitch", "deg", DegFromRad(rpy.y()));
+  add("yaw", "deg", DegFromRad(rpy.z()));
+  add("approach x", "", placement.approach_W.x());
+  add("approach y", "", placement.approach_W.y());
+  add("approach z", "", placement.approach_W.z());
+  add("distance", "mm", MmFromM(grasp.approach_distance));
+  add("alpha", "deg", DegFromRad(grasp.alpha));
+  add("tilt", "deg", DegFromRad(grasp.tilt));
+}
+
+std::string NameRow(const GraspNumber& number) {
+  return number.unit.empty() ? number.name : number.name + " [" + number.unit + "]";
+}
+
+/** The numbers of the first grasp name the rows: all grasps have the same ones in one order. */
+std::vector<const GraspNumber*> SelectNumbers(const std::vector<GraspNumber>& numbers,
+                                              const std::string& grasp, const std::string& part) {
+  std::vector<const GraspNumber*> selected;
+  for (const GraspNumber& number : numbers) {
+    if (number.grasp == grasp && number.part == part) selected.push_back(&number);
+  }
+  return selected;
+}
+
+std::string FormatParts(const std::vector<Grasp>& grasps, const std::vector<GraspNumber>& numbers,
+                        const std::string& head, const std::vector<std::string>& parts) {
+  std::vector<std::string> heads = {head};
+  std::vector<std::vector<const GraspNumber*>> columns;
+  for (const Grasp& grasp : grasps) {
+    for (const std::string& part : parts) {
+      heads.push_back(parts.size() == 1 ? grasp.id : grasp.id + " " + part);
+      columns.push_back(SelectNumbers(numbers, grasp.id, part));
+    }
+  }
+  TextTable table(heads);
+  for (size_t row = 0; row < columns.front().size(); ++row) {
+    std::vector<std::string> cells = {NameRow(*columns.front()[row])};
+    for (const auto& column : columns) {
+      const int num_decimals = column[row]->unit.empty() ? 2 : 1;
+      cells.push_back(FormatFixed(column[row]->value, num_decimals));
+    }
+    table.AddRow(cells);
+  }
+  return table.Format();
+}
+
+}  // namespace
+
+std::vector<GraspNumber> ListGraspNumbers(const Hand& hand, const std::vector<Grasp>& grasps) {
+  std::vector<GraspNumber> numbers;
+  for (const Grasp& grasp : grasps) {
+    AddPlacement(hand, grasp, numbers);
+    for (const auto& [part, q] : {std::pair(kPreGrasp, &grasp.q_pre), {kTarget, &grasp.q_target}}) {
+      for (int j = 0; j < hand.num_joints(); ++j) {
+        const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+        numbers.push_back({grasp.id, part, joint.name, DisplayUnitOf(joint),
+                           ToDisplayUnits(joint, (*q)[j]) + 0.0});
+      }
+    }
+  }
+  return numbers;
+}
+
+std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
+                               const std::vector<GraspNumber>& numbers) {
+  if (grasps.empty()) return "no standard grasps; graspbench hand develop finds some\n";
+  std::string text;
+  for (const Grasp& grasp : grasps) {
+    text += grasp.id + "  " + FindGraspTaxon(grasp.id).name + ", with";
+    for (const std::string& digit : grasp.digits) text += " " + digit;
+    text += "\n";
+  }
+  return text +
+         "\nPlacement of the palm's frame to the middle of a block of 50 mm, axes of the "
+         "world:\n\n" +
+         FormatParts(grasps, numbers, "", {kPlacement}) + "\n" +
+         FormatParts(grasps, numbers, "joint", {kPreGrasp, kTarget});
+}
+
+std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers) {
+  using N = GraspNumber;
+  const std::vector<CsvColumn<N>> columns = {
+      {"grasp", "string", "", "standard grasp", [](const N& n) { return Json(n.grasp); }},
+      {"part", "string", "", "placement, pre-grasp or target",
+       [](const N& n) { return Json(n.part); }},
+      {"name", "string", "", "what of it, or the joint", [](const N& n) { return Json(n.name); }},
+      {"unit", "string", "", "of the value", [](const N& n) { return Json(n.unit); }},
+      {"value", "number", "", "the number", [](const N& n) { return JsonNumber(n.value); }}};
+  return FormatCsv(columns, numbers);
+}
+
+std::string FormatGraspTypes() {
+  std::vector<std::string> heads = {"taxonomy"};
+  for (const GraspType type : kGraspTypes) {
+    heads.push_back(CodeOf(type) + std::string(" ") + NameOf(type));
+  }
+  TextTable table(heads);
+  for (const GraspTaxonomy& taxonomy : ListGraspTaxonomies()) {
+    std::vector<std::string> row = {taxonomy.author + std::string(" ") +
+                                    std::to_string(taxonomy.year)};
+    row.insert(row.end(), taxonomy.names.begin(), taxonomy.names.end());
+    table.AddRow(row);
+  }
+  return "Grasp types, and what earlier taxonomies call them. Standard grasps g1 to g4 are of the "
+         "types t1\nto t4; g5, three finger special, is of type t1.\n\n" +
+         table.Format();
+}
+
+Json MakeGraspTypesJson() {
+  Json types = Json::array();
+  for (const GraspType type : kGraspTypes) {
+    Json elsewhere = Json::array();
+    for (const GraspTaxonomy& taxonomy : ListGraspTaxonomies()) {
+      const std::string name = taxonomy.names[static_cast<size_t>(type)];
+      elsewhere.push_back({{"author", taxonomy.author},
+                           {"year", taxonomy.year},
+                           {"name", name == "-" ? Json(nullptr) : Json(name)}});
+    }
+    types.push_back({{"type", CodeOf(type)}, {"name", NameOf(type)}, {"taxonomies", elsewhere}});
+  }
+  return {{"grasp_types", types}};
+}
+
+}  // namespace graspbench
