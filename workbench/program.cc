@@ -327,22 +327,28 @@ std::string ListNames(const std::vector<std::string>& names) {
   return text;
 }
 
-int RunProgram(int argc, const char* const* argv) {
-  ExitCode exit_code = kExitOk;
-  CLI::App program("Grasping experiments with simulated robot hands.", "graspbench");
-  try {
-    program.formatter(std::make_shared<HelpFormatter>());
-    program.footer(
-        "  graspbench run                       both hands, 21 objects, then a report\n"
-        "  graspbench render shadow can g3 --at closed --out can.png");
-    program.require_subcommand(1);
-    program.set_version_flag("--version,-V", std::string("graspbench ") + program_version(),
-                             "Print the version of the program and exit");
+void AddCommands(CLI::App& program, ExitCode& exit_code) {
+  program.name("graspbench");
+  program.description("Grasping experiments with simulated robot hands.");
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.footer(
+      "  graspbench run                       both hands, 21 objects, then a report\n"
+      "  graspbench render shadow can g3 --at closed --out can.png");
+  program.require_subcommand(1);
+  program.set_version_flag("--version,-V", std::string("graspbench ") + program_version(),
+                           "Print the version of the program and exit");
 #define GRASPBENCH_COMMAND(Name, room) AddToRoom(#room, &Add##Name##Command, program, exit_code);
 #include "workbench/commands/command_list.inc"
 #undef GRASPBENCH_COMMAND
-    RefuseEmptyNames(program);
-    AcceptNames(program);
+  RefuseEmptyNames(program);
+  AcceptNames(program);
+}
+
+int RunProgram(int argc, const char* const* argv) {
+  ExitCode exit_code = kExitOk;
+  CLI::App program;
+  try {
+    AddCommands(program, exit_code);
     RefuseLineFeeds(argc, argv);
     if (argc == 1 && ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)) {
       program.parse(std::vector<std::string>{"shell"});

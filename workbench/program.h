@@ -3,7 +3,17 @@
 The command line program: finds the command, runs it, turns every fault into one message on stderr
 and an exit code of core/base/error.h. */
 
+#include "core/base/error.h"
+
+namespace CLI {
+class App;
+}
+
 namespace graspbench {
+
+/** Makes an empty parser that of graspbench: its name, help and every command, whose callbacks leave
+the exit code. */
+void AddCommands(CLI::App& program, ExitCode& exit_code);
 
 int RunProgram(int argc, const char* const* argv);
 

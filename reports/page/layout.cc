@@ -164,7 +164,28 @@ std::string CalcScriptHash(const std::string& script) {
   return EncodeBase64(bytes);
 }
 
+/** @param provenance  for machines; empty: none */
+std::string RenderPage(const PlainPage& plain, const std::string& provenance) {
+  // The comments make the script a part of XML, too.
+  const std::string script = "//<![CDATA[\n" + std::string(assets::kScript) + "//]]>";
+  kainjow::mustache::mustache page{std::string(assets::kPage)};
+  kainjow::mustache::data data;
+  data.set("title", Text(plain.title).markup());
+  data.set("subtitle", Text(plain.subtitle).markup());
+  data.set("style", std::string(assets::kStyle) + std::string(assets::kPlotStyle));
+  data.set("script", script);
+  data.set("script_hash", CalcScriptHash(script));
+  if (!provenance.empty()) data.set("provenance", provenance);
+  data.set("contents", plain.navigation.markup());
+  data.set("body", NumberParts(plain.body.markup()));
+  std::string html = page.render(data);
+  GRASPBENCH_DEMAND(page.is_valid(), page.error_message());
+  return html;
+}
+
 }  // namespace
+
+std::string MakePlainPage(const PlainPage& page) { return RenderPage(page, {}); }
 
 std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents,
                      const Html& body) {
@@ -176,21 +197,7 @@ std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& conten
   links += Element("li", {}, LinkTo(kProvenance, kProvenanceTitle));
   const Html last = Element("section", {{"id", kProvenance}},
                             Element("h2", {}, kProvenanceTitle) + DrawProvenance(frame));
-  // The comments make the script a part of XML, too.
-  const std::string script = "//<![CDATA[\n" + std::string(assets::kScript) + "//]]>";
-  kainjow::mustache::mustache page{std::string(assets::kPage)};
-  kainjow::mustache::data data;
-  data.set("title", Text(frame.title).markup());
-  data.set("subtitle", Text(frame.subtitle).markup());
-  data.set("style", std::string(assets::kStyle) + std::string(assets::kPlotStyle));
-  data.set("script", script);
-  data.set("script_hash", CalcScriptHash(script));
-  data.set("provenance", MakeJsonLd(frame));
-  data.set("contents", links.markup());
-  data.set("body", NumberParts((body + last).markup()));
-  std::string html = page.render(data);
-  GRASPBENCH_DEMAND(page.is_valid(), page.error_message());
-  return html;
+  return RenderPage({frame.title, frame.subtitle, links, body + last}, MakeJsonLd(frame));
 }
 
 }  // namespace graspbench

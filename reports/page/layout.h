@@ -62,9 +62,19 @@ struct PageLink {
   std::string title;
 };
 
-/** The whole page: head with a strict content security policy and the style sheet inside, skip
-link, contents, body, provenance, and the script of assets/page.js, the only one that the policy
-allows. Figures and tables are numbered here. */
+/** A page of text, which shows no results. */
+struct PlainPage {
+  std::string title;
+  std::string subtitle;
+  Html navigation;  ///< items of a list
+  Html body;
+};
+
+/** Head with a strict content security policy and the style sheet inside, skip link, navigation,
+body, and the script of assets/page.js, the only one that the policy allows. */
+std::string MakePlainPage(const PlainPage& page);
+
+/** A page of results, as MakePlainPage: contents, body, provenance. Figures and tables are numbered here. */
 std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents,
                      const Html& body);
 

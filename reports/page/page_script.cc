@@ -1,6 +1,7 @@
 #include "reports/page/page_script.h"
 
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/sha256.h"
@@ -26,10 +27,17 @@ std::string FormatSource(const std::string& script) {
 
 }  // namespace
 
+std::string AddStyle(std::string page, const std::string& style) {
+  constexpr std::string_view kHeadEnd = "</head>";
+  InsertAt(page, page.find(kHeadEnd), kHeadEnd, "<style>\n" + style + "</style>\n");
+  return page;
+}
+
 std::string AddScript(std::string page, const PageScript& added) {
   constexpr std::string_view kHeadEnd = "</head>", kBodyEnd = "</body>",
                              kPolicy = "default-src 'none'; ", kScripts = "script-src ";
   if (added.script.empty()) return page;
+  page = AddStyle(std::move(page), added.style);
   GRASPBENCH_DEMAND(added.script.find("</script") == std::string::npos &&
                         added.script.find("]]>") == std::string::npos,
                     "the script of the page");
@@ -37,7 +45,6 @@ std::string AddScript(std::string page, const PageScript& added) {
   const std::string script = "//<![CDATA[\n" + added.script + "\n//]]>\n";
   InsertAt(page, page.rfind(kBodyEnd), kBodyEnd, "<script>" + script + "</script>\n");
   const size_t head_end = page.find(kHeadEnd);
-  InsertAt(page, head_end, kHeadEnd, "<style>\n" + added.style + "</style>\n");
   const size_t scripts = page.find(kScripts), policy = page.find(kPolicy);
   if (scripts < head_end) {
     page.insert(scripts + kScripts.size(), FormatSource(script) + " ");

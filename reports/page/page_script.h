@@ -5,6 +5,9 @@
 
 namespace graspbench {
 
+/** The page of MakePage or MakePlainPage with a style sheet of its own. */
+std::string AddStyle(std::string page, const std::string& style);
+
 /** Both are ours, never from a file. */
 struct PageScript {
   std::string style;   ///< sheet

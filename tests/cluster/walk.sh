@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The README's five commands, as it prints them, by somebody without root in a Slurm of one node.
+# The five commands of the manual's page machines, as it prints them, by somebody without root in a Slurm of one node.
 # Usage, as root: walk.sh URL FOLDER [USER]. Not part of the suite: it builds the program. FOLDER must
 # be reachable for the user, and its home is FOLDER/home.
 set -euo pipefail
@@ -9,14 +9,14 @@ user=${3:-nobody}
 rm -rf "$folder"
 mkdir -p "$folder/home"
 chown "$user" "$folder/home"
-readme=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../README.md")
+page=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../workbench/manual/pages/machines.md")
 source "$(dirname "${BASH_SOURCE[0]}")/cluster.sh"
 export PATH=$PATH:/usr/sbin
 start_cluster
 
 # The block that begins with the clone, each line a command of the person's.
-mapfile -t commands < <(sed -n '/^    git clone URL/,/^$/s/^    //p' "$readme")
-[[ ${#commands[@]} -ge 4 && ${#commands[@]} -le 5 ]] || { echo "no such block in $readme"; exit 1; }
+mapfile -t commands < <(sed -n '/^git clone URL/,/^```$/{/^```$/!p}' "$page")
+[[ ${#commands[@]} -ge 4 && ${#commands[@]} -le 5 ]] || { echo "no such block in $page"; exit 1; }
 cd "$folder/home"
 for command in "${commands[@]}"; do
   command=${command//URL/$url}

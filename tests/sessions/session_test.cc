@@ -29,6 +29,7 @@ into the failing cases: read the difference before committing it. */
 #include <vector>
 
 #include "core/base/files/files.h"
+#include "tests/support/transcript.h"
 
 namespace graspbench {
 namespace {
@@ -41,23 +42,6 @@ struct SessionCase {
   std::string commands;
   std::vector<std::string> expected;
 };
-
-std::vector<std::string> SplitLines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string JoinLines(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
-}
-
-void DropEmptyTail(std::vector<std::string>& lines) {
-  while (!lines.empty() && lines.back().empty()) lines.pop_back();
-}
 
 /** The text after "# key: "; false when the line is another one. */
 bool ReadField(const std::string& line, const std::string& key, std::string& value) {
@@ -102,29 +86,6 @@ std::string FormatSessions(const std::vector<SessionCase>& cases) {
             "----\n" + JoinLines(c.expected);
   }
   return text;
-}
-
-bool MatchesLine(std::string_view line, std::string_view pattern) {
-  const size_t dots = pattern.find("...");
-  if (dots == std::string_view::npos) return line == pattern;
-  if (line.substr(0, dots) != pattern.substr(0, dots)) return false;
-  for (size_t start = dots; start <= line.size(); ++start) {
-    if (MatchesLine(line.substr(start), pattern.substr(dots + 3))) return true;
-  }
-  return false;
-}
-
-bool Matches(const std::vector<std::string>& lines, size_t line,
-             const std::vector<std::string>& patterns, size_t pattern) {
-  if (pattern == patterns.size()) return line == lines.size();
-  if (patterns[pattern] == "...") {
-    for (size_t next = line; next <= lines.size(); ++next) {
-      if (Matches(lines, next, patterns, pattern + 1)) return true;
-    }
-    return false;
-  }
-  return line < lines.size() && MatchesLine(lines[line], patterns[pattern]) &&
-         Matches(lines, line + 1, patterns, pattern + 1);
 }
 
 struct Answer {

@@ -1,0 +1,30 @@
+#pragma once
+/** @file The manual as pages for a browser: read by double click, without a network. */
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace graspbench {
+
+struct ManualPage {
+  std::string room;  ///< "tutorials"
+  std::string id;    ///< "failed-trial"
+};
+
+/** In the order of the contents (workbench/manual/contents.inc). */
+const std::vector<ManualPage>& ListManualPages();
+
+/** Writes index.html, with contents and search, and <id>.html for every page. The same sources, the
+same bytes.
+@param source  workbench/manual
+@param folder  is made; other files in it stay
+@throws Error(kFormat) naming page and line of what is wrong, also for links that lead nowhere. */
+void WriteManual(const CLI::App& program, const std::filesystem::path& source,
+                 const std::filesystem::path& folder);
+
+}  // namespace graspbench
