@@ -92,7 +92,7 @@ class HandYamlReader {
   Diagnostics& problems_;
   std::map<std::string, std::string> digit_of_link_;
   std::set<std::string> coupled_;
-  std::set<int> has_own_torsion_;  // links of surfaces: with a torsion radius
+  std::set<int> has_own_torsion_;                   // links of surfaces: with a torsion radius
   std::vector<std::pair<int, int>> coupled_lines_;  // a coupled joint and where it is named
 };
 

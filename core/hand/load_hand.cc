@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "core/base/hash.h"
+#include "core/base/text/text.h"
 #include "core/hand/hand_yaml.h"
 #include "core/hand/read_urdf.h"
 #include "core/hand/tactile_yaml.h"
@@ -80,6 +81,21 @@ void SortJoints(Hand& hand) {
   hand.joints = std::move(sorted);
 }
 
+/** A ball that is compressed to its middle would stand on the other side of a thin object. */
+void CheckPadDepths(const Hand& hand, const std::string& file, Diagnostics& problems) {
+  std::vector<bool> is_reported(hand.links.size(), false);
+  for (const ContactSphere& ball : hand.contact_spheres) {
+    const HandLink& link = hand.links[ball.link];
+    if (link.surface.pad.depth < ball.radius || is_reported[ball.link]) continue;
+    is_reported[ball.link] = true;
+    problems.Fail(file, 0,
+                  "pads, link \"" + link.name + "\": depth_m is " +
+                      FormatSignificant(link.surface.pad.depth, 4) +
+                      "; expected less than the radius of its thinnest shape, " +
+                      FormatSignificant(ball.radius, 4) + " m");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> ListHands() {
@@ -120,6 +136,7 @@ Hand ParseHand(const std::string& urdf, const std::string& yaml, const fs::path&
     if (is_pad) ++num_shapes[digit];
     AddContact(shape, is_pad, hand);
   }
+  CheckPadDepths(hand, yaml_file, problems);
   for (size_t d = 0; d < num_shapes.size(); ++d) {
     if (num_shapes[d] == 0) {
       const Digit& digit = hand.digits[d];

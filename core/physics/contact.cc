@@ -7,8 +7,10 @@
 namespace graspbench {
 namespace {
 
-/** Damping of bristles as a time over their stiffness [s]. */
-constexpr double kBristleDampingTime = 1e-3;
+/** Damping of bristles as a time over their stiffness; a pad loses along as it does across [s]. */
+double CalcDampingTime(const ContactPoint& contact) {
+  return contact.hertz > 0.0 ? kContactRelaxationTime : 1e-3;
+}
 /** Static friction is back after this time without sliding [s]. */
 constexpr double kRestTime = 0.02;
 
@@ -17,7 +19,7 @@ using Bristle = std::array<double, 3>;
 
 Bristle CalcBristle(const ContactPoint& contact, const ContactRates& rates, double h) {
   const double kt = contact.material.tangential_stiffness, r = contact.material.torsion_radius;
-  const double gain = kt * (h + kBristleDampingTime);
+  const double gain = kt * (h + CalcDampingTime(contact));
   return {kt * contact.stretch[0] + gain * rates[kTangentRow1],
           kt * contact.stretch[1] + gain * rates[kTangentRow2],
           r > 0.0 ? r * (kt * contact.twist + gain * rates[kSpinRow]) : 0.0};
@@ -70,9 +72,8 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
   ContactForces result;
   const ContactMaterial& material = contact.material;
   const double vn = rates[kNormalRow];
-  const double ahead =
-      std::max(contact.depth, 0.0) -
-      (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h);
+  const double ahead = std::max(contact.depth, 0.0) -
+                       (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h);
   if (ahead > 0.0) {
     if (contact.hertz > 0.0) {
       const PadState pad =
@@ -105,7 +106,7 @@ ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& r
   if (!contact.memory) return result;
 
   const double r = material.torsion_radius;
-  const double gain = material.tangential_stiffness * (h + kBristleDampingTime);
+  const double gain = material.tangential_stiffness * (h + CalcDampingTime(contact));
   if (!forces.is_at_limit) {
     result.friction = {gain, 0.0, gain, 0.0, 0.0, gain * r * r};
     return result;
@@ -121,16 +122,16 @@ ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& r
   return result;
 }
 
-void FinishContact(const ContactPoint& contact, const ContactRates& rates,
+void FinishContact(const ContactPoint& contact, const ContactRates& mean_rates,
                    const ContactForces& forces, double h, int step_number) {
   ContactMemory* memory = contact.memory;
   const double fn = forces.force[kNormalRow];
   if (!memory || fn <= 0.0) return;  // a broken contact forgets
   const ContactMaterial& material = contact.material;
   const double kt = material.tangential_stiffness, r = material.torsion_radius;
-  double s1 = contact.stretch[0] + h * rates[kTangentRow1];
-  double s2 = contact.stretch[1] + h * rates[kTangentRow2];
-  double twist = contact.twist + (r > 0.0 ? h * rates[kSpinRow] : 0.0);
+  double s1 = contact.stretch[0] + h * mean_rates[kTangentRow1];
+  double s2 = contact.stretch[1] + h * mean_rates[kTangentRow2];
+  double twist = contact.twist + (r > 0.0 ? h * mean_rates[kSpinRow] : 0.0);
   if (forces.is_at_limit) {
     s1 = -forces.force[kTangentRow1] / kt;
     s2 = -forces.force[kTangentRow2] / kt;

@@ -102,7 +102,7 @@ struct ContactPoint {
 struct ContactForces {
   ContactRates force = {0.0, 0.0, 0.0, 0.0};
   double normal_slope = 0.0;  ///< of F where the normal force was taken [N/m]
-  bool is_at_limit = false;  ///< friction was clipped
+  bool is_at_limit = false;   ///< friction was clipped
 };
 
 /** Negative derivatives of the forces by the rates. */
@@ -128,8 +128,10 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
 ContactGains CalcContactGains(const ContactPoint& contact, const ContactRates& rates,
                               const ContactForces& forces, double h);
 
-/** Moves the bristles to the end of the step and remembers. */
-void FinishContact(const ContactPoint& contact, const ContactRates& rates,
+/** Moves the bristles to the end of the step and remembers. @param mean_rates  of the speeds at the
+step's start and end: where a body turns, those of its end alone would let a bristle that sticks
+slip by h / 2 times the turn of its place. */
+void FinishContact(const ContactPoint& contact, const ContactRates& mean_rates,
                    const ContactForces& forces, double h, int step_number);
 
 }  // namespace graspbench

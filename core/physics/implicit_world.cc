@@ -273,10 +273,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
     const int dof = problem_.scalars[i].dof;
     FinishDriveFriction(problem_.scalars[i], v_[dof], h, drives_[dof]);
   }
-  for (size_t c = 0; c < problem_.contacts.size(); ++c) {
-    FinishContact(problem_.contacts[c], solver_.rates()[c], solver_.forces()[c], h, step_number_);
-  }
-  AccountEnergy(v_);
+  FinishForces(v_);
   StepReport report = MakeReport(v_, converged);
   UpdateBlocks(report.link_touches_object);
 
@@ -298,7 +295,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   return report;
 }
 
-void ImplicitWorld::AccountEnergy(const VectorXd& v) {
+void ImplicitWorld::FinishForces(const VectorXd& v) {
   const double h = config_.step;
   const VectorXd mean = 0.5 * (problem_.u + v);
   // Momentum along W's axes of unit speeds, times gravity: the weight's generalised force.
@@ -321,14 +318,17 @@ void ImplicitWorld::AccountEnergy(const VectorXd& v) {
   for (size_t c = 0; c < problem_.contacts.size(); ++c) {
     const ContactPoint& contact = problem_.contacts[c];
     const ContactForces& forces = solver_.forces()[c];
-    for (int row = 0; row < contact.num_rows(); ++row) {
-      if (forces.force[row] == 0.0) continue;
-      double rate = 0.0;
-      for (int i = 0; i < contact.num_dofs; ++i) {
-        rate += contact.jacobian[row][i] * mean[contact.dofs[i]];
+    if (forces.force == ContactRates()) continue;
+    ContactRates rates = {0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < contact.num_dofs; ++i) {
+      for (int row = 0; row < contact.num_rows(); ++row) {
+        rates[row] += contact.jacobian[row][i] * mean[contact.dofs[i]];
       }
-      energy_.contacts += h * forces.force[row] * rate;
     }
+    for (int row = 0; row < contact.num_rows(); ++row) {
+      energy_.contacts += h * forces.force[row] * rates[row];
+    }
+    FinishContact(contact, rates, forces, h, step_number_);
   }
 }
 
@@ -399,9 +399,9 @@ StepReport ImplicitWorld::MakeReport(const VectorXd& v, bool converged) const {
         std::max(report.touch_age[contact.link], CalcTouchAge(contact));
     report.worst_contact_force = std::max(report.worst_contact_force, fn);
     report.worst_penetration =
-        std::max(report.worst_penetration,
-                 contact.depth - 0.5 * problem_.h * solver_.rates()[c][kNormalRow] -
-                     contact.material.pad.depth);
+        std::max(report.worst_penetration, contact.depth -
+                                               0.5 * problem_.h * solver_.rates()[c][kNormalRow] -
+                                               contact.material.pad.depth);
   }
   Eigen::Matrix<double, 6, 1> arm;
   for (int k = 0; k < 6; ++k) arm[k] = CalcScalarForce(problem_.scalars[num_drives_ + k], v);

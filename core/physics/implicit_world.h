@@ -91,7 +91,8 @@ class ImplicitWorld : public World {
   void AddRollingResistance();
   void AddStops(int dof, double rate, double q, double lower, double upper, double stiffness);
   void CalcBias(const Eigen::VectorXd& mean_speeds, const Eigen::Vector3d& acceleration_W);
-  void AccountEnergy(const Eigen::VectorXd& v);
+  /** Accounts for the work of all forces and moves what contacts remember. */
+  void FinishForces(const Eigen::VectorXd& v);
   double CalcTouchAge(const ContactPoint& contact) const;
   StepReport MakeReport(const Eigen::VectorXd& v, bool converged) const;
   void UpdateBlocks(const std::vector<bool>& link_touches_object);

@@ -47,8 +47,8 @@ void ApplyPatch(ContactPoint& contact) {
                        std::sqrt(std::max(state.compression, kLeastCompression));
   const double along = 4.0 / 3.0 * material.pad.modulus * patch;
   material.tangential_stiffness = 1.0 / (1.0 / along + 1.0 / material.tangential_stiffness);
-  material.torsion_radius = std::min(material.torsion_radius,
-                                     material.pad.torsion_scale * kHertzTorsionShare * patch);
+  material.torsion_radius =
+      std::min(material.torsion_radius, material.pad.torsion_scale * kHertzTorsionShare * patch);
 }
 
 }  // namespace graspbench

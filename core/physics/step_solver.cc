@@ -249,8 +249,8 @@ void StepSolver::MoveAlong(double share, Eigen::VectorXd& v) {
 bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
   CalcResidual(problem, v);
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    const double miss = residual_.cwiseAbs().maxCoeff();
-    if (!(miss > kTolerance)) return residual_.allFinite();
+    const double miss = CalcMiss();
+    if (!(miss > 1.0)) return residual_.allFinite();
 
     if (!UpdateFactor(problem, v)) return false;
     direction_ = -residual_;
@@ -271,9 +271,9 @@ bool StepSolver::SolvePass(StepProblem& problem, Eigen::VectorXd& v) {
       MoveAlong(SearchAlong(problem, v, slope_at_start, slope) - 1.0, v);
       CalcResidual(problem, v);
     }
-    if (!is_fresh_ && residual_.cwiseAbs().maxCoeff() > kStaleShare * miss) Forget();
+    if (!is_fresh_ && CalcMiss() > kStaleShare * miss) Forget();
   }
-  return residual_.cwiseAbs().maxCoeff() <= kTolerance;
+  return CalcMiss() <= 1.0;
 }
 
 bool StepSolver::RefreshFrictionLimits(StepProblem& problem) {

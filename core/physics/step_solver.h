@@ -43,6 +43,9 @@ struct StepProblem {
 class StepSolver {
  public:
   static constexpr double kTolerance = 1e-9;  ///< largest impulse residual [N s, N m s]
+  /** And at most what gives a degree of freedom alone this speed: a thin disc of 1 g would turn by
+  3e-3 rad/s for the other, in every step anew [m/s, rad/s]. */
+  static constexpr double kSpeedTolerance = 1e-5;
   static constexpr int kMaxIterations = 50;   ///< of Newton, per pass
   static constexpr int kMaxPasses = 30;       ///< of friction limits and bias
 
@@ -52,6 +55,7 @@ class StepSolver {
   template <class RefreshBias>
   bool Solve(StepProblem& problem, Eigen::VectorXd& v, RefreshBias&& refresh_bias) {
     limits_.clear();
+    tolerance_ = (kSpeedTolerance * problem.M.diagonal()).cwiseMin(kTolerance);
     CalcMotion(problem, v);
     for (int pass = 0; pass < kMaxPasses; ++pass) {
       const bool converged = SolvePass(problem, v);
@@ -89,6 +93,8 @@ class StepSolver {
   /** @pre CalcMotion at v. */
   void CalcResidual(const StepProblem& problem, const Eigen::VectorXd& v);
   double CalcSlope(const StepProblem& problem, const Eigen::VectorXd& v, double alpha) const;
+  /** Largest residual over its tolerance: at most 1 when solved. */
+  double CalcMiss() const { return (residual_.array().abs() / tolerance_.array()).maxCoeff(); }
 
   struct FrictionLimit {
     double used = 0.0;  ///< in the last pass [N]
@@ -112,6 +118,7 @@ class StepSolver {
   bool is_fresh_ = false;     // the factor is of this iteration
   Eigen::VectorXd momentum_;  // M (v - u)
   Eigen::VectorXd residual_, direction_, M_direction_;
+  Eigen::VectorXd tolerance_;  // of the residual
   Eigen::MatrixXd H_;  // its lower triangle; then the factor
 };
 

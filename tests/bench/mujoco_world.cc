@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/physics/combine_surfaces.h"
 
 namespace graspbench {
 namespace {
@@ -65,9 +66,9 @@ class SceneWriter {
   std::string Write(const Pose& X_WRoot, const std::vector<Vector3d>& slides_W,
                     const LinkPairs& apart) {
     const double mu = object_.surface.friction_static;
-    double torsion_radius = 0.0;  // of the pads
+    double torsion_radius = 0.0;  // of the pads; all have the largest
     for (const HandLink& link : hand_.links) {
-      torsion_radius = std::fmax(torsion_radius, link.surface.torsion_radius);
+      torsion_radius = std::fmax(torsion_radius, CalcTorsionRadius(link));
     }
     text_ << "<mujoco>\n<compiler angle='radian'/>\n<size njmax='800' nconmax='200'/>\n"
           << "<option timestep='" << config_.step << "' gravity='0 0 " << -config.gravity
@@ -94,6 +95,14 @@ class SceneWriter {
   }
 
  private:
+  /** A soft pad twists as its patch does under 1 N on a fingertip; NaN: the link has neither. */
+  static double CalcTorsionRadius(const HandLink& link) {
+    constexpr double kFingertip = 0.007;
+    const PadMaterial pad = CombineSurfaces(link.surface, {}, SimConfig()).pad;
+    return pad.is_soft() ? kHertzTorsionShare * CalcPatchRadius(pad.modulus, kFingertip, 1.0)
+                         : link.surface.torsion_radius;
+  }
+
   void WriteLink(int link, const Pose& X_PL, const std::vector<Vector3d>& slides_W) {
     const HandLink& data = hand_.links[link];
     text_ << "<body name='" << LinkName(link) << "' " << FormatPose(X_PL) << ">\n";
@@ -111,7 +120,7 @@ class SceneWriter {
   }
 
   void WriteSurface(int link) {
-    const int dimension = hand_.links[link].surface.torsion_radius > 0.0 ? 4 : 3;
+    const int dimension = CalcTorsionRadius(hand_.links[link]) > 0.0 ? 4 : 3;
     for (const ContactSphere& sphere : hand_.contact_spheres) {
       if (sphere.link != link || config_.has_capsules_only) continue;
       text_ << "<geom type='sphere' size='" << sphere.radius << "' pos='" << Format(sphere.p_LS)

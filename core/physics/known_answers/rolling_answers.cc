@@ -138,8 +138,6 @@ std::vector<KnownAnswer> CheckRollingDisc() {
                                   (T * s * I_axis + mass * T * a * (a * s + b * c));
     const double speed = std::abs(a * spin - b * T * s);
     for (double step : kRollingSteps) {
-      // Below 2 ms the lean drifts by 0.6 deg/s: see the README of core/physics.
-      if (inclination != 90.0 && step < 0.002) continue;
       SmallWorld body(disc, MakeRollingConfig(step));
       // Along x, the way up to its middle in the plane of y and z.
       const Vector3d up(0.0, c, s), axis(0.0, -s, c);

@@ -470,7 +470,7 @@ void CompliantWorld::TakeSphereDepths(StepReport& report) const {
     const Vector3d p_OS = X_OH * (X_HL[sphere.link] * sphere.p_LS);
     report.worst_penetration =
         std::max(report.worst_penetration, sphere.radius - object_.field->Query(p_OS).distance -
-                     hand_->links[sphere.link].surface.pad.depth);
+                                               hand_->links[sphere.link].surface.pad.depth);
   }
 }
 

@@ -105,6 +105,49 @@ TEST(LoadHandTest, ReadsSlidesAndLinkages) {
             "damping_nms_per_rad and torque_limit_nm");
 }
 
+TEST(LoadHandTest, ReadsPads) {
+  const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  const std::string pads =
+      "pads:\n  - {links: [distal], youngs_modulus_pa: 1e6, depth_m: 0.002, source: a test}\n";
+  Diagnostics problems;
+  const Hand hand = ParseHand(urdf, yaml + pads, kGood, problems);
+  ASSERT_EQ(problems.Format(), "");
+  const SurfaceMaterial& surface = hand.links[hand.FindLink("distal")].surface;
+  EXPECT_EQ(surface.pad.youngs_modulus, 1e6);
+  EXPECT_EQ(surface.pad.depth, 0.002);
+  EXPECT_TRUE(std::isnan(surface.torsion_radius));  // that of its patch
+  EXPECT_EQ(hand.links[hand.FindLink("proximal")].surface.pad.youngs_modulus, 0.0);
+  EXPECT_EQ(LoadHand(kGood.string()).links[hand.FindLink("distal")].surface.torsion_radius, 0.004);
+}
+
+TEST(LoadHandTest, RefusesPadsThatAreNone) {
+  const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
+  const auto read = [&](const std::string& pad) {
+    Diagnostics problems;
+    ParseHand(urdf, yaml + "pads:\n  - {" + pad + "}\n", kGood, problems);
+    return problems.Format();
+  };
+  const std::string good =
+      "links: [distal], youngs_modulus_pa: 1e6, depth_m: 0.002, source: a test";
+  EXPECT_EQ(read(good), "");
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string pad = good;
+    pad.replace(pad.find(from), from.size(), to);
+    return read(pad);
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  // Megapascals, millimetres, no source, another link.
+  EXPECT_TRUE(says(changed("1e6", "1.1"), "expected 10000 to 1e+09"));
+  EXPECT_TRUE(says(changed("0.002", "2"), "expected 0.0001 to 0.02"));
+  EXPECT_TRUE(says(changed(", source: a test", ""), "\"source\" is missing"));
+  EXPECT_TRUE(says(changed("distal", "distale"), "did you mean \"distal\"?"));
+  EXPECT_TRUE(says(changed("[distal]", "[distal, distal]"), "already has a pad"));
+  // Deeper than a ball of 8 mm.
+  EXPECT_TRUE(says(changed("0.002", "0.009"), "depth_m is 0.009; expected less than the radius"));
+}
+
 TEST(LoadHandTest, TheHashFollowsBothFiles) {
   const std::string urdf = ReadFile(kGood / "hand.urdf"), yaml = ReadFile(kGood / "hand.yaml");
   const auto hash = [](const std::string& u, const std::string& y) {
@@ -414,13 +457,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "hand.yaml:1: error: hand: unknown key \"nmae\"; did you mean \"name\"? Known: "
                 "name, palm, "
                 "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-                "coupling, mimic, drives, apart, frames, camera, grasps"},
+                "pads, coupling, mimic, drives, apart, frames, camera, grasps"},
         BadHand{
             "yaml", "joint_accuracy_deg: 1", "joint_accuracy_deg: -1\nspeed: 3",
             "hand.yaml:6: error: hand, joint_accuracy_deg: -1 is out of range; expected 0 to 45\n"
             "hand.yaml:7: error: hand: unknown key \"speed\". Known: name, palm, "
             "joint_accuracy_deg, slide_accuracy_mm, pad_torsion_radius_m, digits, surfaces, "
-            "coupling, mimic, drives, apart, frames, camera, grasps"},
+            "pads, coupling, mimic, drives, apart, frames, camera, grasps"},
         BadHand{"yaml", "link: palm", "link: plam",
                 "hand.yaml:3: error: palm: hand.urdf has no link \"plam\"; did you mean \"palm\"? "
                 "Known: palm, proximal, "

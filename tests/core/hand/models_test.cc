@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <set>
 
 #include "core/base/units.h"
@@ -69,9 +70,14 @@ TEST_P(EveryHand, HasCompleteDigits) {
     // The pad lies on the balls within a millimetre, and the tip is the far end of the last one.
     double pad_gap = 1e9, reach = 0.0;
     for (const ContactSphere& sphere : hand_.contact_spheres) {
-      EXPECT_EQ(hand_.links[sphere.link].surface.torsion_radius > 0.0,
-                hand_.FindDigitOfLink(sphere.link) >= 0 &&
-                    hand_.links[sphere.link].name.find("distal") != std::string::npos);
+      const SurfaceMaterial& surface = hand_.links[sphere.link].surface;
+      const bool is_tip = hand_.FindDigitOfLink(sphere.link) >= 0 &&
+                          hand_.links[sphere.link].name.find("distal") != std::string::npos;
+      if (surface.pad.youngs_modulus > 0.0) {
+        EXPECT_TRUE(std::isnan(surface.torsion_radius));  // that of its patch
+      } else {
+        EXPECT_EQ(surface.torsion_radius > 0.0, is_tip);
+      }
       if (sphere.link != digit.distal_link) continue;
       pad_gap = std::min(pad_gap, std::abs((sphere.p_LS - digit.p_LPad).norm() - sphere.radius));
       reach = std::max(reach, sphere.p_LS.z() + sphere.radius);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace graspbench {
 namespace {
 
@@ -48,6 +50,23 @@ TEST(CombineSurfaces, TheHandHasFrictionAgainstItself) {
   EXPECT_EQ(CombineSurfaces(plain, plain, config).torsion_radius, 0.0);
   EXPECT_DOUBLE_EQ(CombineSurfaces(MakeSelfSurface(rubber, config), plain, config).friction_static,
                    2.0 / 3.0);
+}
+
+TEST(CombineSurfaces, APadYieldsBesideTheSpringsAndTwistsByItsPatch) {
+  SurfaceMaterial flesh;
+  flesh.pad = {1.2e6, 0.003};
+  const ContactMaterial pair = CombineSurfaces(flesh, {}, SimConfig());
+  EXPECT_DOUBLE_EQ(pair.pad.modulus, 1.6e6);  // E / (1 - 1/4)
+  EXPECT_EQ(pair.pad.depth, 0.003);
+  EXPECT_EQ(pair.stiffness, SimConfig().contact_stiffness);
+  EXPECT_TRUE(std::isinf(pair.torsion_radius));
+  SurfaceMaterial limited;
+  limited.torsion_radius = 0.002;
+  EXPECT_EQ(CombineSurfaces(limited, flesh, SimConfig()).torsion_radius, 0.002);
+  const ContactMaterial both = CombineSurfaces(flesh, flesh, SimConfig());
+  EXPECT_DOUBLE_EQ(both.pad.modulus, 0.8e6);
+  EXPECT_EQ(both.pad.depth, 0.006);
+  EXPECT_FALSE(CombineSurfaces({}, limited, SimConfig()).pad.is_soft());
 }
 
 TEST(CombineSurfaces, TwoSlipperySidesHaveNoFriction) {

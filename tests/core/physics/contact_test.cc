@@ -70,6 +70,23 @@ TEST(CalcContactForces, GainsAreTheDerivativesOfTheForces) {
   EXPECT_GT(num_sliding, 100);
 }
 
+TEST(CalcContactForces, GainsOfAPadAreTheDerivativesOfItsForces) {
+  ContactMemory memory;
+  for (const double depth : {-3e-4, 1e-5, 8e-4, 4e-3}) {
+    ContactPoint contact = MakeContact(depth, 1.0, memory);
+    contact.material.pad = {1.5e6, 0.003, 1.0};
+    SetRadius(0.007, contact);
+    PrepareContact(kStep, 0, contact);
+    contact.friction_limit = 2.0;
+    contact.stretch = {1e-5, -2e-5};
+    for (const double normal : {-0.31, -0.013, 0.0072, 0.3}) {
+      for (const double tangent : {-0.2, 0.004}) {
+        ExpectGainsAreDerivatives(contact, {normal, tangent, 0.003, 0.9});
+      }
+    }
+  }
+}
+
 // With its limit fixed a contact's force is minus the gradient of a convex function of the rates:
 // along any line it falls monotonically.
 TEST(CalcContactForces, IsMonotone) {

@@ -23,9 +23,10 @@ SessionInputs LoadWith(const std::vector<std::string>& settings) {
 
 TEST(ModelConfig, EachFactorChangesItsNumbersAlone) {
   const SessionInputs plain = LoadWith({});
-  const SessionInputs scaled = LoadWith(
-      {"model.mass_scale=2", "model.friction_scale=0.5", "model.pad_torsion_scale=3",
-       "model.drive_torque_scale=0.25", "model.joint_error_scale=4", "model.coupling_rule=even"});
+  const SessionInputs scaled =
+      LoadWith({"model.mass_scale=2", "model.friction_scale=0.5", "model.pad_torsion_scale=3",
+                "model.pad_stiffness_scale=5", "model.drive_torque_scale=0.25",
+                "model.joint_error_scale=4", "model.coupling_rule=even"});
   const GraspObject &can = *plain.objects[0], &other = *scaled.objects[0];
   EXPECT_EQ(other.mass_properties.mass, 2.0 * can.mass_properties.mass);
   EXPECT_EQ(other.mass_properties.I_OOcm, 2.0 * can.mass_properties.I_OOcm);
@@ -37,14 +38,14 @@ TEST(ModelConfig, EachFactorChangesItsNumbersAlone) {
   EXPECT_EQ(changed.joint_accuracy, 4.0 * hand.joint_accuracy);
   int num_pads = 0;
   for (size_t i = 0; i < hand.links.size(); ++i) {
-    const double before = hand.links[i].surface.torsion_radius;
+    const SoftPad &before = hand.links[i].surface.pad, &after = changed.links[i].surface.pad;
     EXPECT_EQ(changed.links[i].mass, hand.links[i].mass);
-    EXPECT_EQ(std::isnan(changed.links[i].surface.torsion_radius), std::isnan(before));
-    if (std::isnan(before)) continue;
-    EXPECT_EQ(changed.links[i].surface.torsion_radius, 3.0 * before);
-    ++num_pads;
+    EXPECT_EQ(after.youngs_modulus, 5.0 * before.youngs_modulus);
+    EXPECT_EQ(after.depth, before.depth);
+    EXPECT_EQ(after.torsion_scale, 3.0);
+    if (before.youngs_modulus > 0.0) ++num_pads;
   }
-  EXPECT_EQ(num_pads, 5);
+  EXPECT_EQ(num_pads, 17);
   for (size_t i = 0; i < hand.joints.size(); ++i) {
     EXPECT_EQ(changed.joints[i].drive.torque_limit, 0.25 * hand.joints[i].drive.torque_limit);
     EXPECT_EQ(changed.joints[i].drive.stiffness, hand.joints[i].drive.stiffness);
