@@ -6,9 +6,9 @@
 
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_progress.h"
+#include "datasets/campaign/check_records.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/journal/unverified_files.h"
-#include "datasets/campaign/check_records.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/progress_tables.h"

@@ -85,6 +85,13 @@ std::string CalcJournalId(const StoreKind& kind, const fs::path& folder,
   return CalcHashHex(FormatJson(Json{frozen, journal}));
 }
 
+/** Whether the frozen configuration is what it was: of a damaged one no line is judged. */
+bool IsSealed(const StoreKind& kind, const fs::path& folder, const Manifest& manifest) {
+  return std::any_of(manifest.files.begin(), manifest.files.end(), [&](const ManifestFile& file) {
+    return file.path == kind.file && file.sha256 == SealFile(folder, kind.file).sha256;
+  });
+}
+
 struct Answer {
   int line = 0;
   uint64_t hash = 0;
@@ -100,8 +107,9 @@ std::vector<Damage> FindForeignLines(const StoreKind& kind, const fs::path& fold
   if (!lines) return foreign;
   const std::optional<uintmax_t> last_length = FindLastLength(*lines, journal, manifest);
   std::map<std::string, Answer> answers;  // by question
-  const std::string id =
-      *lines->question_key ? FormatJson(CalcJournalId(kind, folder, journal)) : std::string();
+  const std::string id = *lines->question_key && IsSealed(kind, folder, manifest)
+                             ? FormatJson(CalcJournalId(kind, folder, journal))
+                             : std::string();
   bool has_ids = false;  // the lines say where they belong from here on
   ForEachLineOfFile(folder / journal, [&](const FileLine& line) {
     if (!line.is_whole || !IsCheckedLine(line.text)) return;
@@ -140,11 +148,12 @@ std::vector<Damage> FindForeignLines(const StoreKind& kind, const fs::path& fold
 }
 
 std::optional<std::string> FindJournalId(const fs::path& journal) {
-  for (fs::path folder = journal.parent_path(); !folder.empty(); folder = folder.parent_path()) {
-    const std::string name = journal.lexically_relative(folder).generic_string();
+  const fs::path path = fs::absolute(journal);
+  for (fs::path folder = path.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    const std::string name = path.lexically_relative(folder).generic_string();
     const StoreKind* kind = FindStoreKind(folder);
     if (kind && IsMatch(name, kind->journals)) return CalcJournalId(*kind, folder, name);
-    if (folder == folder.parent_path()) break;
   }
   return std::nullopt;
 }

@@ -37,8 +37,8 @@ void RefuseDamage(const std::string& store, const std::filesystem::path& folder,
                   const std::string& remedy) {
   if (damage.empty() || on_damage == OnDamage::kAccept) return;
   throw Error(ErrorKind::kFormat, store + " in \"" + folder.string() +
-                                      "\" holds what is not its own" + FormatDamage(damage) +
-                                      "\n" + remedy);
+                                      "\" holds what is not its own" + FormatDamage(damage) + "\n" +
+                                      remedy);
 }
 
 }  // namespace graspbench

@@ -33,18 +33,17 @@ std::vector<Record> LoadAnswers(const std::filesystem::path& path, Diagnostics& 
     if (records.back().request < 0) records.back().request = line.number - 1;
   };
   ReadJournal(path.parent_path(), path.filename().string(), take, findings, damage);
-  std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
-    return a.request < b.request;
-  });
+  std::stable_sort(records.begin(), records.end(),
+                   [](const Record& a, const Record& b) { return a.request < b.request; });
   return records;
 }
 
 /** The answer to a question; null: not there. @param records  as LoadAnswers gives them. */
 template <class Record>
 const Record* FindAnswer(const std::vector<Record>& records, int request) {
-  const auto found = std::lower_bound(
-      records.begin(), records.end(), request,
-      [](const Record& record, int number) { return record.request < number; });
+  const auto found =
+      std::lower_bound(records.begin(), records.end(), request,
+                       [](const Record& record, int number) { return record.request < number; });
   return found != records.end() && found->request == request ? &*found : nullptr;
 }
 

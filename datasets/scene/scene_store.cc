@@ -224,7 +224,8 @@ SceneRecord LoadScene(const fs::path& folder, OnDamage on_damage) {
   SceneRecord scene;
   scene.config = ParseSceneConfig(folder, on_damage);
   std::vector<Damage> damage;
-  scene.evaluations = LoadAnswers<EvaluationRecord>(folder / "journal.jsonl", scene.findings, damage);
+  scene.evaluations =
+      LoadAnswers<EvaluationRecord>(folder / "journal.jsonl", scene.findings, damage);
   RefuseAnswers(folder, damage, on_damage);
   const fs::path path = folder / kResult;
   if (!fs::exists(path)) return scene;

@@ -180,13 +180,13 @@ namespace {
 
 /** @param num_known  of the damages, which its hashes have shown. */
 void RefuseForeign(const Session& session, size_t num_known, OnDamage on_damage) {
-  RefuseDamage("the session", session.folder,
-               {session.damage.begin() + static_cast<std::ptrdiff_t>(num_known),
-                session.damage.end()},
-               on_damage,
-               "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and "
-               "keeps it beside; report, export, judge and run --resume go on without these lines "
-               "with --accept-damage");
+  RefuseDamage(
+      "the session", session.folder,
+      {session.damage.begin() + static_cast<std::ptrdiff_t>(num_known), session.damage.end()},
+      on_damage,
+      "graspbench merge DIR --set-aside FILE leaves out what one of these files holds and "
+      "keeps it beside; report, export, judge and run --resume go on without these lines "
+      "with --accept-damage");
 }
 
 /** Settings of another physics as far as they are still settings: those that it did not have stand

@@ -97,19 +97,19 @@ TEST_P(GRASPBENCH_SUITE, EndsWithTheSameBytesWheneverItIsKilled) {
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, GRASPBENCH_SUITE,
-    testing::Values(
-        Command{"judge", {}},
-        Command{"sensitivity",
-                {"--set", "model.mass_scale=2", "--set", "model.joint_error_scale=0"}},
-        Command{"check-numerics", {}}, Command{"simultaneity", {"--delay"}},
-        Command{"basin", {"--hand", "tum", "--object", "golf_ball", "--samples", "8"}},
-        Command{"sweep",
-                {"--hand", "tum", "--object", "golf_ball,tea_light", "--trials", "2", "--factor",
-                 "model.mass_scale=1,2", "--factor", "delay.last=0,0.1", "--resume"}},
-        Command{"export", {"--records"}}, Command{"report", {}},
-        Command{"optimise",
-                {"--hand", "tum", "--object", "golf_ball", "--evaluations", "4", "--fitness-trials",
-                 "1"}}),
+    testing::Values(Command{"judge", {}},
+                    Command{"sensitivity",
+                            {"--set", "model.mass_scale=2", "--set", "model.joint_error_scale=0"}},
+                    Command{"check-numerics", {}}, Command{"simultaneity", {"--delay"}},
+                    Command{"basin", {"--hand", "tum", "--object", "golf_ball", "--samples", "8"}},
+                    Command{"sweep",
+                            {"--hand", "tum", "--object", "golf_ball,tea_light", "--trials", "2",
+                             "--factor", "model.mass_scale=1,2", "--factor", "delay.last=0,0.1",
+                             "--resume"}},
+                    Command{"export", {"--records"}}, Command{"report", {}},
+                    Command{"optimise",
+                            {"--hand", "tum", "--object", "golf_ball", "--evaluations", "4",
+                             "--fitness-trials", "1"}}),
     [](const auto& instance) {
       std::string name = instance.param.name;
       std::replace(name.begin(), name.end(), '-', '_');

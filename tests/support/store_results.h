@@ -21,8 +21,8 @@ inline std::vector<std::filesystem::path> ListResults(const std::filesystem::pat
     const bool is_of_a_run = in.filename() == "journal" || in.filename() == "judge" ||
                              in.filename() == "workers" || in.filename() == "progress" ||
                              path.filename() == "run.json";
-    const bool is_store = std::filesystem::exists(in / "session.json") ||
-                          std::filesystem::exists(in / "scene.json");
+    const bool is_store =
+        std::filesystem::exists(in / "session.json") || std::filesystem::exists(in / "scene.json");
     if (!entry.is_regular_file() || is_of_a_run) continue;
     if (is_store && path.filename() == "manifest.json") continue;
     files.push_back(path.lexically_relative(folder));

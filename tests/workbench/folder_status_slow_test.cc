@@ -3,9 +3,9 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "datasets/campaign/check_records.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/journal/unverified_files.h"
-#include "datasets/campaign/check_records.h"
 #include "tests/datasets/journal/store_mutations.h"
 #include "tests/datasets/session/fake_session.h"
 #include "workbench/folder_status.h"

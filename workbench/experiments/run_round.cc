@@ -1,6 +1,7 @@
 #include "workbench/experiments/run_round.h"
 
 #include "datasets/session/judgement_store.h"
+#include "datasets/shards/worker_log.h"
 #include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
@@ -31,10 +32,9 @@ RunRecord RunRound(const RoundKind& kind, const Session& session, const SessionI
   const std::vector<PlannedTrial> trials = kind.find_left(session);
   RunRecorder recorder(session.folder, num_workers, observer);
   SealStore(kSessionStore, session.folder);
-  const bool is_complete =
-      RunBatchStage(MakeStage(kind, session, trials.size()), trials, num_workers,
-                    kind.make_workers(session, inputs, session.folder, ""), recorder, stop,
-                    trial_time_limit);
+  const bool is_complete = RunBatchStage(
+      MakeStage(kind, session, trials.size()), trials, num_workers,
+      kind.make_workers(session, inputs, session.folder, ""), recorder, stop, trial_time_limit);
   SealStore(kSessionStore, session.folder);
   if (trials.empty()) return {{}, 0.0, num_workers, 0, RunEnding::kFinished};
   return recorder.Keep(is_complete);

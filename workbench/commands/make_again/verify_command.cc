@@ -2,9 +2,9 @@
 #include <memory>
 #include <string>
 
+#include "datasets/campaign/check_records.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/journal/unverified_files.h"
-#include "datasets/campaign/check_records.h"
 #include "workbench/commands/command.h"
 
 namespace graspbench {

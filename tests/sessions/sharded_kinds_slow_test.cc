@@ -24,7 +24,7 @@ struct Kind {
 
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
 
-class ShardsSlow : public testing::TestWithParam<Kind> {
+class ShardedKindsSlow : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
     top_ = fs::path(testing::TempDir()) /
@@ -58,7 +58,7 @@ class ShardsSlow : public testing::TestWithParam<Kind> {
   fs::path top_;
 };
 
-TEST_P(ShardsSlow, AreOneRun) {
+TEST_P(ShardedKindsSlow, AreOneRun) {
   RunKind("whole", false);
   const fs::path planned = RunKind("planned", true);
   std::vector<int> order(kNumShards);
@@ -95,28 +95,28 @@ TEST_P(ShardsSlow, AreOneRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Kinds, ShardsSlow,
-    testing::Values(
-        Kind{"run",
-             {"run", "--hand", "tum,shadow", "--object", "golf_ball,tea_light", "--trials", "4",
-              "--out", "SESSION"},
-             ""},
-        Kind{"judge", {"judge", "SESSION"}, "."},
-        Kind{"sensitivity",
-             {"sensitivity", "SESSION", "--set", "model.mass_scale=2", "--set",
-              "model.joint_error_scale=0"},
-             "sensitivity"},
-        Kind{"numerics", {"check-numerics", "SESSION", "--trials", "1"}, "numerics"},
-        Kind{"delay", {"simultaneity", "SESSION", "--delay", "--trials", "1"}, "delays"},
-        Kind{"basin",
-             {"basin", "--hand", "tum", "--object", "golf_ball", "--samples", "16", "--out",
-              "SESSION"},
-             ""},
-        Kind{"sweep",
-             {"sweep", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials", "2",
-              "--factor", "model.mass_scale=1,2", "--factor", "delay.last=0,0.1", "--out",
-              "SESSION"},
-             ""}),
+    Kinds, ShardedKindsSlow,
+    testing::Values(Kind{"run",
+                         {"run", "--hand", "tum,shadow", "--object", "golf_ball,tea_light",
+                          "--trials", "4", "--out", "SESSION"},
+                         ""},
+                    Kind{"judge", {"judge", "SESSION"}, "."},
+                    Kind{"sensitivity",
+                         {"sensitivity", "SESSION", "--set", "model.mass_scale=2", "--set",
+                          "model.joint_error_scale=0"},
+                         "sensitivity"},
+                    Kind{"numerics", {"check-numerics", "SESSION", "--trials", "1"}, "numerics"},
+                    Kind{
+                        "delay", {"simultaneity", "SESSION", "--delay", "--trials", "1"}, "delays"},
+                    Kind{"basin",
+                         {"basin", "--hand", "tum", "--object", "golf_ball", "--samples", "16",
+                          "--out", "SESSION"},
+                         ""},
+                    Kind{"sweep",
+                         {"sweep", "--hand", "tum", "--object", "golf_ball,tea_light", "--trials",
+                          "2", "--factor", "model.mass_scale=1,2", "--factor", "delay.last=0,0.1",
+                          "--out", "SESSION"},
+                         ""}),
     [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
