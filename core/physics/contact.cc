@@ -76,8 +76,8 @@ ContactForces CalcContactForces(const ContactPoint& contact, const ContactRates&
                        (h + kContactRelaxationTime) * (vn - std::min(contact.depth, 0.0) / h);
   if (ahead > 0.0) {
     if (contact.hertz > 0.0) {
-      const PadState pad =
-          CalcPadState(contact.hertz, material.stiffness, material.pad.depth, ahead);
+      const PadCompression pad =
+          CalcPadCompression(contact.hertz, material.stiffness, material.pad.depth, ahead);
       result.force[kNormalRow] = pad.force;
       result.normal_slope = pad.slope;
     } else {

@@ -45,7 +45,7 @@ struct ContactMaterial {
   double friction_static = 0.0;
   double friction_dynamic = 0.0;
   double torsion_radius = 0.0;  ///< r [m]; 0 = no resistance to spin; of a pad the largest
-  PadMaterial pad;              ///< of one or both sides
+  PadMaterial pad = {};         ///< of one or both sides
 };
 
 /** What a contact remembers from step to step. */

@@ -21,7 +21,7 @@ double CalcPatchRadius(double modulus, double radius, double force) {
   return std::cbrt(0.75 * force * radius / modulus);
 }
 
-PadState CalcPadState(double hertz, double stiffness, double pad_depth, double x) {
+PadCompression CalcPadCompression(double hertz, double stiffness, double pad_depth, double x) {
   if (!(x > 0.0)) return {};
   const double full = hertz * pad_depth * std::sqrt(pad_depth);
   if (x >= pad_depth + full / stiffness) {
@@ -40,8 +40,8 @@ PadState CalcPadState(double hertz, double stiffness, double pad_depth, double x
 
 void ApplyPatch(ContactPoint& contact) {
   ContactMaterial& material = contact.material;
-  const PadState state =
-      CalcPadState(contact.hertz, material.stiffness, material.pad.depth, contact.depth);
+  const PadCompression state =
+      CalcPadCompression(contact.hertz, material.stiffness, material.pad.depth, contact.depth);
   // hertz / (4/3 E*) is the root of R.
   const double patch = contact.hertz / (4.0 / 3.0 * material.pad.modulus) *
                        std::sqrt(std::max(state.compression, kLeastCompression));

@@ -36,7 +36,7 @@ struct PadMaterial {
 };
 
 /** How a pad of force over compression F = hertz y^1.5 and a spring share a depth. */
-struct PadState {
+struct PadCompression {
   double compression = 0.0;  ///< y [m]
   double force = 0.0;        ///< [N]
   double slope = 0.0;        ///< dF / dx [N/m]
@@ -44,7 +44,7 @@ struct PadState {
 
 /** @param hertz  4/3 E* sqrt(R) [N/m^1.5]   @param stiffness  k [N/m]
 @param pad_depth  D [m]   @param x  depth [m]; no force at or below zero. */
-PadState CalcPadState(double hertz, double stiffness, double pad_depth, double x);
+PadCompression CalcPadCompression(double hertz, double stiffness, double pad_depth, double x);
 
 /** Of the radius of Hertz's patch, all of which slips: M / (mu F a). */
 inline constexpr double kHertzTorsionShare = 3.0 * kPi / 16.0;

@@ -46,8 +46,8 @@ class StepSolver {
   /** And at most what gives a degree of freedom alone this speed: a thin disc of 1 g would turn by
   3e-3 rad/s for the other, in every step anew [m/s, rad/s]. */
   static constexpr double kSpeedTolerance = 1e-5;
-  static constexpr int kMaxIterations = 50;   ///< of Newton, per pass
-  static constexpr int kMaxPasses = 30;       ///< of friction limits and bias
+  static constexpr int kMaxIterations = 50;  ///< of Newton, per pass
+  static constexpr int kMaxPasses = 30;      ///< of friction limits and bias
 
   /** Solves for v, starting from its value. `refresh_bias(v)` is called between passes and may
   change problem.bias; it returns whether it did. False when the tolerance was not reached or limits
@@ -119,7 +119,7 @@ class StepSolver {
   Eigen::VectorXd momentum_;  // M (v - u)
   Eigen::VectorXd residual_, direction_, M_direction_;
   Eigen::VectorXd tolerance_;  // of the residual
-  Eigen::MatrixXd H_;  // its lower triangle; then the factor
+  Eigen::MatrixXd H_;          // its lower triangle; then the factor
 };
 
 }  // namespace graspbench

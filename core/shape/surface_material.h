@@ -31,7 +31,7 @@ struct SurfaceMaterial {
   double friction_dynamic = kUnset;  ///< <= friction_static
   double stiffness = kUnset;         ///< k, normal, per contact point [N/m]
   double torsion_radius = kUnset;    ///< r: resists spin up to mu fn r [m]
-  SoftPad pad;                       ///< of links of a hand: hand.yaml
+  SoftPad pad = {};                  ///< of links of a hand: hand.yaml
 
   /** v(key in files, value, least, most). */
   template <class V>

@@ -139,7 +139,7 @@ TEST(LoadHandTest, RefusesPadsThatAreNone) {
     return text.find(part) != std::string::npos;
   };
   // Megapascals, millimetres, no source, another link.
-  EXPECT_TRUE(says(changed("1e6", "1.1"), "expected 10000 to 1e+09"));
+  EXPECT_TRUE(says(changed("1e6", "1.1"), "is out of range; expected 10000 to 1000000000"));
   EXPECT_TRUE(says(changed("0.002", "2"), "expected 0.0001 to 0.02"));
   EXPECT_TRUE(says(changed(", source: a test", ""), "\"source\" is missing"));
   EXPECT_TRUE(says(changed("distal", "distale"), "did you mean \"distal\"?"));

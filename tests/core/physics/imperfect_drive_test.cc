@@ -135,13 +135,13 @@ Jumps FindJumps(const Hand& hand, double step, double speed, double end) {
 
 // Sticks until the drive pulls with the breakaway torque, then jumps as the header says; and again.
 TEST(ImperfectDriveTest, ASlowCommandSticksAndSlips) {
-  constexpr double kBreak = 0.05, kSlide = 0.03, kSpeed = 0.005;  // N m, rad/s
+  constexpr double kBreak = 0.05, kSlide = 0.03, kSpeed = 0.003;  // N m, rad/s
   Hand hand = MakeOneJoint();
   JointDrive& drive = hand.joints[0].drive;
   drive.friction_static = kBreak;
   drive.friction_dynamic = kSlide;
   for (const double step : {0.0005, 0.001, 0.002}) {
-    const Jumps jumps = FindJumps(hand, step, kSpeed, 12.0);
+    const Jumps jumps = FindJumps(hand, step, kSpeed, 20.0);
     ASSERT_GE(jumps.lengths.size(), 4u);
     const double yield = kBreak / kDriveBristleStiffness;  // before it breaks loose
     const double length = ((kBreak - kSlide) - kDamping * kStribeckSpeed) / kStiffness;

@@ -23,38 +23,38 @@ ContactPoint MakePad(double depth, ContactMemory& memory) {
 }
 
 // Pad and spring bear the same force, and their compressions add up to the depth.
-TEST(CalcPadState, PadAndSpringShareTheDepth) {
+TEST(CalcPadCompression, PadAndSpringShareTheDepth) {
   for (const double stiffness : {2e3, 1e5, 1e7}) {
     const double hertz = CalcHertzFactor(kModulus, kRadius);
     for (double x = 1e-9; x < 0.01; x *= 1.7) {
-      const PadState state = CalcPadState(hertz, stiffness, 1.0, x);
+      const PadCompression state = CalcPadCompression(hertz, stiffness, 1.0, x);
       EXPECT_NEAR(state.compression + state.force / stiffness, x, 1e-12 * x);
       EXPECT_NEAR(state.force, hertz * std::pow(state.compression, 1.5), 1e-9 * state.force);
-      const double more = CalcPadState(hertz, stiffness, 1.0, x * (1.0 + 1e-6)).force;
+      const double more = CalcPadCompression(hertz, stiffness, 1.0, x * (1.0 + 1e-6)).force;
       EXPECT_NEAR(state.slope, (more - state.force) / (1e-6 * x), 1e-5 * state.slope);
     }
   }
 }
 
-TEST(CalcPadState, HasNoForceBeforeItTouches) {
-  EXPECT_EQ(CalcPadState(1e5, 1e5, 0.003, 0.0).force, 0.0);
-  EXPECT_EQ(CalcPadState(1e5, 1e5, 0.003, -0.001).force, 0.0);
-  EXPECT_EQ(CalcPadState(1e5, 1e5, 0.003, std::nan("")).force, 0.0);
+TEST(CalcPadCompression, HasNoForceBeforeItTouches) {
+  EXPECT_EQ(CalcPadCompression(1e5, 1e5, 0.003, 0.0).force, 0.0);
+  EXPECT_EQ(CalcPadCompression(1e5, 1e5, 0.003, -0.001).force, 0.0);
+  EXPECT_EQ(CalcPadCompression(1e5, 1e5, 0.003, std::nan("")).force, 0.0);
 }
 
-TEST(CalcPadState, CompressedByAllOfItsDepthItIsBare) {
+TEST(CalcPadCompression, CompressedByAllOfItsDepthItIsBare) {
   const double hertz = CalcHertzFactor(kModulus, kRadius), k = 1e5, pad_depth = 0.003;
   const double full = pad_depth + hertz * std::pow(pad_depth, 1.5) / k;
-  const PadState below = CalcPadState(hertz, k, pad_depth, full - 1e-9);
-  const PadState beyond = CalcPadState(hertz, k, pad_depth, full + 1e-4);
+  const PadCompression below = CalcPadCompression(hertz, k, pad_depth, full - 1e-9);
+  const PadCompression beyond = CalcPadCompression(hertz, k, pad_depth, full + 1e-4);
   EXPECT_NEAR(below.compression, pad_depth, 1e-8);
   EXPECT_EQ(beyond.compression, pad_depth);
   EXPECT_NEAR(beyond.force - below.force, k * 1e-4, 1e-3);
   EXPECT_EQ(beyond.slope, k);
 }
 
-TEST(CalcPadState, AStiffPadIsTheBareSpring) {
-  const PadState state = CalcPadState(1e15, 1e5, 0.003, 2e-4);
+TEST(CalcPadCompression, AStiffPadIsTheBareSpring) {
+  const PadCompression state = CalcPadCompression(1e15, 1e5, 0.003, 2e-4);
   EXPECT_NEAR(state.force, 20.0, 1e-4);
 }
 
@@ -67,7 +67,7 @@ TEST(PrepareContact, GivesAPadThePatchOfItsDepth) {
   ContactMemory memory;
   ContactPoint contact = MakePad(5e-4, memory);
   PrepareContact(kStep, 0, contact);
-  const PadState state = CalcPadState(contact.hertz, 1e5, 0.003, 5e-4);
+  const PadCompression state = CalcPadCompression(contact.hertz, 1e5, 0.003, 5e-4);
   const double a = std::sqrt(kRadius * state.compression);
   EXPECT_NEAR(contact.material.torsion_radius, kHertzTorsionShare * a, 1e-9);
   EXPECT_NEAR(1.0 / contact.material.tangential_stiffness, 1.0 / (4.0 / 3.0 * kModulus * a) + 1e-5,
