@@ -1,6 +1,8 @@
 #include "core/base/diagnostics.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "core/base/text/escape.h"
 
@@ -27,16 +29,35 @@ std::string IndentLines(const std::string& text) {
   return indented;
 }
 
+/** The lines behind the first, the last of many. */
+std::string DescribeMore(const std::vector<int>& lines) {
+  constexpr size_t kNamed = 3;
+  if (lines.size() < 2) return "";
+  std::string text;
+  for (size_t i = 1; i < lines.size() && i <= kNamed && lines[i] > 0; ++i) {
+    text += (text.empty() ? ": " : ", ") + std::to_string(lines[i]);
+  }
+  if (!text.empty() && lines.size() > kNamed + 1) text += " ..";
+  const size_t num_more = lines.size() - 1;
+  return " (and " + std::to_string(num_more) + (num_more == 1 ? " line more" : " lines more") +
+         text + ")";
+}
+
 }  // namespace
 
 std::string Diagnostics::Format() const {
+  std::map<std::tuple<Severity, std::string, std::string>, std::vector<int>> lines;  // of equals
+  for (const Diagnostic& d : entries_) lines[{d.severity, d.file, d.text}].push_back(d.line);
   std::string text;
   for (const Diagnostic& d : entries_) {
+    std::vector<int>& equals = lines[{d.severity, d.file, d.text}];
+    if (equals.empty()) continue;  // said at the first of them
     if (!text.empty()) text += '\n';
     text += EscapeForTerminal(d.file, LineFeeds::kEscape);
     if (d.line > 0) text += ":" + std::to_string(d.line);
     text += d.severity == Severity::kError ? ": error: " : ": warning: ";
-    text += IndentLines(EscapeForTerminal(d.text));
+    text += IndentLines(EscapeForTerminal(d.text)) + DescribeMore(equals);
+    equals.clear();
   }
   return text;
 }

@@ -25,6 +25,15 @@ void CheckNotNegative(const char* key, double value) {
               std::string(key) + " is " + std::to_string(value) + "; expected 0 (off) or more");
 }
 
+void CheckUp(const LiftOffOptions& lift_off) {
+  const double length = std::hypot(lift_off.up_x, lift_off.up_y, lift_off.up_z);
+  if (length > 0.0 && std::isfinite(length)) return;
+  throw Error(ErrorKind::kRange,
+              fmt::format("lift_off.up_z is {:g}, up_x {:g} and up_y {:g}, which is no direction; "
+                          "expected the one of the lift in the recording, for instance up_z: 1",
+                          lift_off.up_z, lift_off.up_x, lift_off.up_y));
+}
+
 void CheckCutoff(const char* key, double cutoff, double rate) {
   const double limit = 0.4 * rate;  // as MakeLowPass
   if (cutoff < limit) return;
@@ -230,8 +239,7 @@ void CheckOptions(const AnalysisOptions& options) {
   CheckPositive("lift_off.rise_m", options.lift_off.rise);
   CheckPositive("lift_off.speed_m_per_s", options.lift_off.speed);
   CheckPositive("lift_off.displacement_m", options.lift_off.displacement);
-  CheckPositive("the length of lift_off.up_x, up_y, up_z",
-                std::hypot(options.lift_off.up_x, options.lift_off.up_y, options.lift_off.up_z));
+  CheckUp(options.lift_off);
   CheckPositive("hold.cutoff_hz", options.hold.cutoff);
   CheckPositive("hold.speed_threshold_m_per_s", options.hold.speed_threshold);
   CheckPositive("opening.cutoff_hz", options.opening.cutoff);
@@ -301,6 +309,7 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   analysis.speed = CalcSpeed(Smooth(transport, options.movement.cutoff));
   analysis.movement =
       FindMovement(analysis.speed, trial.times.front(), FindReachEnd(analysis), options.movement);
+  analysis.phases = FindPhases(analysis.speed, analysis.movement);
   const std::vector<SmoothPath>& tips = filtered.FilterTips(options.hold.cutoff);
   if (trial.object.IsRecorded() && !lift_off.IsFound()) {
     for (Doubt& doubt :
@@ -375,6 +384,17 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return a.movement.peak_speed; }},
       {"time_to_peak_speed_s", "onset to peak speed", "s",
        [](const A& a) { return a.movement.peak_time - a.movement.onset.time; }},
+      {"high_velocity_phase_s", "onset to re-acceleration (high-velocity phase)", "s",
+       [](const A& a) { return Between(a.movement.onset, a.phases.reacceleration); }},
+      {"low_velocity_phase_s", "re-acceleration to end (low-velocity phase)", "s",
+       [](const A& a) { return Between(a.phases.reacceleration, a.movement.end); }},
+      {"relative_reacceleration", "onset to re-acceleration / movement time", "1",
+       [](const A& a) {
+         return Between(a.movement.onset, a.phases.reacceleration) /
+                Between(a.movement.onset, a.movement.end);
+       }},
+      {"reacceleration_to_peak_opening_s", "re-acceleration to peak opening", "s",
+       [](const A& a) { return Between(a.phases.reacceleration, a.closure_start); }},
       {"contact_to_lift_s", "last contact to lift-off", "s",
        [](const A& a) { return a.object.lift_off.time - FindLastContact(a.contacts); }},
   };

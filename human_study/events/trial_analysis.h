@@ -19,6 +19,7 @@ measures. */
 #include "human_study/events/lift_off.h"
 #include "human_study/events/movement.h"
 #include "human_study/events/peak_opening.h"
+#include "human_study/events/phases.h"
 #include "human_study/events/reach_trial.h"
 
 namespace graspbench {
@@ -65,6 +66,7 @@ struct TrialAnalysis {
   ObjectEvents object;
   Hold hold;
   Movement movement;
+  MovementPhases phases;
   ScalarCurve speed;    ///< of the wrist, filtered [m/s]
   ScalarCurve opening;  ///< the chosen measure, filtered [m]
   PeakOpening peak_opening;

@@ -89,7 +89,10 @@ Html DrawMarks(const std::vector<StripChart::Mark>& unsorted, double y, double l
   double free_from = left - kMark;
   for (const StripChart::Mark& mark : marks) {
     const double x = std::max(free_from, place_x(mark.at));
-    free_from = x + kMark * static_cast<double>(mark.symbol.size());
+    const auto num_letters = std::count_if(mark.symbol.begin(), mark.symbol.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8
+    });
+    free_from = x + kMark * static_cast<double>(num_letters);
     content += Element("text", {{"class", "middle small"}, {"x", Px(x)}, {"y", Px(y)}},
                        Text(mark.symbol) + Hint(mark.hint));
   }
@@ -279,7 +282,8 @@ Html DrawStripChart(const StripChart& chart) {
   const Axis axis(range.low, range.high, 10);
   const double left = CalcLabelWidth(labels) + kPlotGap;
   const auto place_x = [&](double time) { return left + kPlot * axis.CalcShare(time); };
-  const double legend = chart.kinds.empty() ? 0.0 : kHead;
+  const double kinds = chart.kinds.empty() ? 0.0 : kHead;
+  const double legend = kinds + (chart.symbols.empty() ? 0.0 : kHead);
   const double head = chart.phases.empty() ? 0.0 : kHead;
   const double top = legend + head;
   const double bottom = top + kRow * static_cast<double>(chart.rows.size());
@@ -290,6 +294,11 @@ Html DrawStripChart(const StripChart& chart) {
     content += Rect("part part" + std::to_string(k), key, 3.0, kKey, kSpan);
     content += Label("start small", key + kKey + kPlotGap / 2.0, kHead / 2.0 - 1.0, chart.kinds[k]);
     key += kKey + kPlotGap + CalcLabelWidth({chart.kinds[k]});
+  }
+  double symbol = left;
+  for (const auto& [sign, word] : chart.symbols) {
+    content += Label("start small", symbol, kinds + kHead / 2.0 - 1.0, sign + " " + word);
+    symbol += kPlotGap + kSmall * CalcLabelWidth({sign + " " + word});
   }
   for (const StripChart::Phase& phase : chart.phases) {
     const double from = place_x(phase.from), to = place_x(phase.to);
@@ -314,7 +323,7 @@ Html DrawStripChart(const StripChart& chart) {
     }
     content += DrawMarks(row.marks, y, left, place_x);
   }
-  const double width = std::max(left + kPlot + 3.0 * kPlotGap, key);
+  const double width = std::max({left + kPlot + 3.0 * kPlotGap, key, symbol});
   return Svg("img", width, bottom + kAxis, chart.text, content);
 }
 

@@ -4,6 +4,7 @@ Plots over continuous axes: curves with bands, estimates with intervals, and str
 SVG by the same rules as svg_plot.h. */
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/page/html.h"
@@ -74,6 +75,7 @@ struct StripChart {
   PlotText text;
   std::string axis;                ///< "time since the start of closure [s]"
   std::vector<std::string> kinds;  ///< legend of the fills; at most 8
+  std::vector<std::pair<std::string, std::string>> symbols;  ///< of the marks: "o", "surface"
   std::vector<Phase> phases;
   std::vector<Row> rows;
 };

@@ -84,7 +84,8 @@ void ReviewPages::WriteTrial(const StudyTrial& trial, const ReachTrial& reach,
                              const std::vector<Factor>& factors, const AnalysisOptions& options) {
   const PageFrame frame = {"Trial " + trial.id, DescribeTrial(trial, factors)};
   const Html body = DrawTrialTips(trial, reach, options) + DrawTrialContacts(trial) +
-                    DrawDigits(trial) + DrawTrialOpening(trial);
+                    DrawDigits(trial) + DrawTrialSpeed(trial, options.movement) +
+                    DrawTrialOpening(trial);
   WriteFile(folder_ / "trials" / NameOfPage(trial), MakePage(frame, {}, body));
 }
 

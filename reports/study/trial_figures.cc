@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/text/text.h"
+#include "human_study/study/run/removal_advice.h"
 #include "human_study/study/run/trial_flags.h"
 #include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"
@@ -26,16 +28,39 @@ ScalarCurve CalcFromHold(const TipAgainstObject& tip, const Hold& hold) {
   return curve;
 }
 
-LinePlot::Series MakeSeries(const std::string& label, const ScalarCurve& curve) {
+LinePlot::Series MakeSeries(const std::string& label, const ScalarCurve& curve, size_t max_points) {
   LinePlot::Series series;
   series.label = label;
-  const size_t stride = std::max<size_t>(1, curve.size() / kMaxTipPoints);
+  const size_t stride = std::max<size_t>(1, curve.size() / max_points);
   for (size_t i = 0; i < curve.size(); i += stride) {
     series.x.push_back(curve.times[i]);
     series.y.push_back(curve.IsValid(i) ? 1e3 * curve.values[static_cast<Eigen::Index>(i)]
                                         : std::nan(""));
   }
   return series;
+}
+
+void AddMark(const EventTime& event, const std::string& label, LinePlot& plot) {
+  if (event.IsFound()) plot.marks.push_back({event.time, label});
+}
+
+/** A curve of the whole hand over the trial. */
+LinePlot MakeCurvePlot(const std::string& title, const char* axis, const char* label,
+                       const ScalarCurve& curve, const StudyTrial& trial) {
+  LinePlot plot;
+  plot.text.title = title + ", trial " + trial.id;
+  plot.text.description = title + " over time with the events that the measures rest on.";
+  plot.x_axis = "time [s]";
+  plot.y_axis = axis;
+  plot.series.push_back(MakeSeries(label, curve, kMaxPoints));
+  return plot;
+}
+
+/** Speed at which the rule of the onset decides [m/s]; NaN: it has none. */
+double FindThresholdOf(const Movement& movement, const MovementOptions& options) {
+  if (options.rule == "threshold" || options.rule == "longest_run") return options.speed_threshold;
+  if (options.rule == "peak_fraction") return options.peak_fraction * movement.peak_speed;
+  return std::nan("");
 }
 
 LinePlot MakeTipPlot(const StudyTrial& trial, const char* title, const char* axis) {
@@ -45,46 +70,57 @@ LinePlot MakeTipPlot(const StudyTrial& trial, const char* title, const char* axi
   plot.x_axis = "time [s]";
   plot.y_axis = axis;
   for (const DigitContactEvents& digit : trial.analysis->contacts) {
-    if (digit.contact.IsFound()) {
-      plot.marks.push_back({digit.contact.time, NameOfDigit(digit.digit)});
-    }
+    AddMark(digit.contact, NameOfDigit(digit.digit), plot);
   }
   return plot;
 }
 
+/** A sign for the detector of that place in the list. */
+const char* SignOfDetector(size_t place) {
+  constexpr const char* kSigns[] = {"\u25CB", "\u25B3", "\u25C7", "\u25A1", "\u00D7", "+"};
+  return kSigns[place % std::size(kSigns)];
+}
+
 }  // namespace
+
+Html DrawTrialSpeed(const StudyTrial& trial, const MovementOptions& options) {
+  const TrialAnalysis& analysis = *trial.analysis;
+  LinePlot plot =
+      MakeCurvePlot("Speed of the wrist", "speed [mm/s]", "speed", analysis.speed, trial);
+  const double level = FindThresholdOf(analysis.movement, options);
+  if (std::isfinite(level) && analysis.speed.size() > 0) {
+    const std::vector<double>& times = analysis.speed.times;
+    plot.series.push_back(
+        {"threshold", {times.front(), times.back()}, {1e3 * level, 1e3 * level}, {}, {}});
+  }
+  AddMark(analysis.movement.onset, "onset", plot);
+  if (std::isfinite(analysis.movement.peak_time)) {
+    plot.marks.push_back({analysis.movement.peak_time, "peak"});
+  }
+  AddMark(analysis.movement.end, "end", plot);
+  return MakeScroll(plot.text.title, DrawLinePlot(plot));
+}
 
 Html DrawTrialOpening(const StudyTrial& trial) {
   const TrialAnalysis& analysis = *trial.analysis;
-  LinePlot plot;
-  plot.text.title = "Hand opening, trial " + trial.id;
-  plot.text.description = "Opening over time with the events that the measures rest on.";
-  plot.x_axis = "time [s]";
-  plot.y_axis = "opening [mm]";
+  LinePlot plot = MakeCurvePlot("Hand opening", "opening [mm]", "opening", analysis.opening, trial);
   plot.is_y_from_zero = false;
-  LinePlot::Series series;
-  series.label = "opening";
-  const ScalarCurve& curve = analysis.opening;
-  const size_t stride = std::max<size_t>(1, curve.size() / kMaxPoints);
-  for (size_t i = 0; i < curve.size(); i += stride) {
-    series.x.push_back(curve.times[i]);
-    series.y.push_back(1e3 * curve.values[static_cast<Eigen::Index>(i)]);
+  AddMark(analysis.movement.onset, "onset", plot);
+  AddMark(analysis.closure_start, "widest", plot);
+  for (const DigitContactEvents& digit : analysis.contacts) {
+    AddMark(digit.contact, NameOfDigit(digit.digit), plot);
   }
-  plot.series.push_back(series);
-  const auto mark = [&](const EventTime& event, const char* label) {
-    if (event.IsFound()) plot.marks.push_back({event.time, label});
-  };
-  mark(analysis.movement.onset, "onset");
-  mark(analysis.closure_start, "widest");
-  mark(analysis.object.lift_off, "lift-off");
+  AddMark(analysis.object.lift_off, "lift-off", plot);
   if (!analysis.object.lift_off.IsFound() && analysis.hold.IsFound()) {
     plot.marks.push_back({analysis.hold.time, "hold"});
   }
   return MakeScroll(plot.text.title, DrawLinePlot(plot));
 }
 
-std::string CodeOfDetector(const ContactDetector& detector) {
-  return std::string(detector.id).substr(0, 2);
+Html DrawDecidingCurve(const StudyTrial& trial, const MovementOptions& options) {
+  const bool is_speed =
+      !trial.IsKept() && FindRemovalAdvice(trial.removed_code).curve == RemovalCurve::kSpeed;
+  return is_speed ? DrawTrialSpeed(trial, options) : DrawTrialOpening(trial);
 }
 
 Html DrawTrialContacts(const StudyTrial& trial) {
@@ -94,6 +130,15 @@ Html DrawTrialContacts(const StudyTrial& trial) {
   chart.text.description = "Contact times of each digit by each detector.";
   chart.axis = "time [s]";
   chart.kinds = {"believed: 95 % of its uncertainty"};
+  for (size_t i = 0; i < detectors.size(); ++i) {
+    const auto has_found = [&](const DigitContactEvents& digit) {
+      return digit.by_detector[i].IsFound();
+    };
+    const std::vector<DigitContactEvents>& contacts = trial.analysis->contacts;
+    if (std::any_of(contacts.begin(), contacts.end(), has_found)) {
+      chart.symbols.emplace_back(SignOfDetector(i), detectors[i].id);
+    }
+  }
   for (const DigitContactEvents& digit : trial.analysis->contacts) {
     StripChart::Row row;
     row.label = NameOfDigit(digit.digit);
@@ -105,7 +150,7 @@ Html DrawTrialContacts(const StudyTrial& trial) {
     for (size_t i = 0; i < detectors.size(); ++i) {
       const EventTime& event = digit.by_detector[i];
       if (!event.IsFound()) continue;
-      row.marks.push_back({event.time, CodeOfDetector(detectors[i]),
+      row.marks.push_back({event.time, SignOfDetector(i),
                            std::string(detectors[i].id) + ": " + FormatValue(event.time, "s") +
                                " ms" + (event.is_in_gap ? ", in a gap" : "") +
                                (event.is_filled ? ", filled" : "")});
@@ -147,9 +192,10 @@ Html DrawTrialTips(const StudyTrial& trial, const ReachTrial& reach,
                                    "distance [mm]");
   for (size_t i = 0; i < tips.size(); ++i) {
     const std::string name = NameOfDigit(reach.digits[i].digit);
-    speeds.series.push_back(MakeSeries(name, tips[i].speed));
-    distances.series.push_back(MakeSeries(
-        name, has_shape ? tips[i].distance : CalcFromHold(tips[i], trial.analysis->hold)));
+    speeds.series.push_back(MakeSeries(name, tips[i].speed, kMaxTipPoints));
+    distances.series.push_back(
+        MakeSeries(name, has_shape ? tips[i].distance : CalcFromHold(tips[i], trial.analysis->hold),
+                   kMaxTipPoints));
   }
   return MakeScroll(speeds.text.title, DrawLinePlot(speeds)) +
          MakeScroll(distances.text.title, DrawLinePlot(distances));

@@ -9,10 +9,14 @@
 
 namespace graspbench {
 
-// All but CodeOfDetector: @pre the trial was analysed.
+// @pre the trial was analysed.
 
+/** Speed of the wrist with the threshold of the onset, where the rule has one. */
+Html DrawTrialSpeed(const StudyTrial& trial, const MovementOptions& options);
 /** Hand opening over time with the events that the measures rest on. */
 Html DrawTrialOpening(const StudyTrial& trial);
+/** The curve that shows why it does not count, or the opening of one that does. */
+Html DrawDecidingCurve(const StudyTrial& trial, const MovementOptions& options);
 /** One row a digit: a mark a detector, a span of the believed one's 95 %. */
 Html DrawTrialContacts(const StudyTrial& trial);
 /** Speed of every tip against the object, and its distance: from the surface where the shape is
@@ -20,8 +24,6 @@ known, else from its place in the hold; with the contacts believed.
 @param reach  what the trial was analysed from. */
 Html DrawTrialTips(const StudyTrial& trial, const ReachTrial& reach,
                    const AnalysisOptions& options);
-/** Two letters, as many as tell them apart. */
-std::string CodeOfDetector(const ContactDetector& detector);
 /** "P1-3, diameter 30 mm: GFT 31 ms, ..", with flags or the reason of its removal. */
 std::string DescribeTrial(const StudyTrial& trial, const std::vector<Factor>& factors);
 

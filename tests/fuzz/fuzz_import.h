@@ -36,14 +36,21 @@ inline void FuzzImport(const std::string& id, const std::string& bytes) {
     return std::nullopt;
   };
   const Importer& importer = FindImporter(id, "", "");
-  for (const bool lenient : {false, true}) {
-    // A lenient table has no heading.
+  struct Pass {
+    bool lenient;
+    const char* mapping;  // of a table
+  };
+  std::vector<Pass> passes = {{false, "tests/fuzz/table_mapping.yaml"},
+                              {true, "tests/fuzz/table_mapping_bare.yaml"}};
+  if (id == "table") {
+    passes.push_back({true, "human_study/examples/deeplabcut/columns.yaml"});
+    passes.push_back({false, "human_study/examples/freemocap/columns.yaml"});
+  }
+  for (const Pass& pass : passes) {
     ImportOptions options;
-    options.accept_truncated = lenient;
-    options.trust_residuals = lenient;
-    if (id == "table")
-      options.mapping = FindDataRoot() / (lenient ? "tests/fuzz/table_mapping_bare.yaml"
-                                                  : "tests/fuzz/table_mapping.yaml");
+    options.accept_truncated = pass.lenient;
+    options.trust_residuals = pass.lenient;
+    if (id == "table") options.mapping = FindDataRoot() / pass.mapping;
     std::istringstream stream(parts[0]);
     try {
       const Recording recording = ImportRecording(

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "human_study/study/run/removal_advice.h"
 #include "human_study/study/run/trial_removal.h"
 
 namespace graspbench {
@@ -18,20 +20,68 @@ std::string FormatErrors(const Answer<Summary>& errors) {
          std::to_string(errors->count);
 }
 
+/** Which trials, and what would change it. */
+std::string FormatGroup(const RemovalGroup& group) {
+  constexpr size_t kNamed = 6;
+  std::string names;
+  for (size_t i = 0; i < group.trials.size() && i < kNamed; ++i) {
+    names += (i > 0 ? ", " : "") + group.trials[i];
+  }
+  if (group.trials.size() > kNamed) names += " ..";
+  return "         trials: " + names + "\n         keys: " + FindRemovalAdvice(group.code).keys +
+         "\n";
+}
+
 }  // namespace
 
 std::string FormatRemoved(const StudyResult& result) {
   std::string text = result.CountKept() == 0 ? "no trial counts:\n" : "";
   for (const RemovalGroup& group : GroupRemoved(result.trials)) {
-    text += fmt::format("removed  {} [{}] {}\n", group.trials.size(), group.code, group.text);
+    text += fmt::format("removed  {} [{}] {}\n", group.trials.size(), group.code, group.text) +
+            FormatGroup(group);
+  }
+  return text;
+}
+
+std::string FormatSuggestions(const StudySuggestions& suggestions) {
+  std::string text = fmt::format("now      {} of {} count", suggestions.num_kept,
+                                 FormatCount(suggestions.num_trials, "trial"));
+  if (suggestions.num_rows < suggestions.num_all_rows) {
+    text += fmt::format(", tried on {} of {} rows of trials.csv", suggestions.num_rows,
+                        suggestions.num_all_rows);
+  }
+  text += "\n";
+  for (const Suggestion& suggestion : suggestions.suggestions) {
+    for (const std::string& setting : suggestion.settings) {
+      const size_t equals = setting.find('=');
+      text +=
+          fmt::format("suggest  {}: {}\n", setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    text +=
+        fmt::format("         why: {}\n         cost: {}\n         then {} count\n",
+                    suggestion.reason, suggestion.cost, FormatCount(suggestion.num_kept, "trial"));
+  }
+  if (suggestions.suggestions.empty()) text += "suggest  nothing: no key makes more trials count\n";
+  text += fmt::format("then     {} of {} count\n", suggestions.num_kept_then,
+                      FormatCount(suggestions.num_trials_then, "trial"));
+  for (const RemovalGroup& group : suggestions.others) {
+    text += fmt::format("left     {} [{}] {}\n", group.trials.size(), group.code, group.text) +
+            FormatGroup(group);
   }
   return text;
 }
 
 std::string FormatWarnings(const StudyResult& result) {
+  constexpr int kShown = 3;  // of a kind
+  std::map<std::string, int> counts;
   std::string text;
   for (const StudyWarning& warning : result.warnings) {
-    text += fmt::format("warning  [{}] {}\n", warning.code, warning.text);
+    if (++counts[warning.code] <= kShown) {
+      text += fmt::format("warning  [{}] {}\n", warning.code, warning.text);
+    }
+  }
+  for (const auto& [code, count] : counts) {
+    if (count > kShown) text += fmt::format("warning  [{}] and {} more\n", code, count - kShown);
   }
   return text;
 }

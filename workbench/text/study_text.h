@@ -5,6 +5,7 @@ What a human study found, for the terminal. */
 #include <string>
 
 #include "human_study/study/run/run_study.h"
+#include "human_study/study/suggest/suggest_settings.h"
 #include "human_study/study/synthetic/demo_study.h"
 
 namespace graspbench {
@@ -12,8 +13,12 @@ namespace graspbench {
 /** Whether the choices are the frozen ones, a line for each that is not; empty without a freeze. */
 std::string FormatFreeze(const Study& study);
 
-/** A line for each reason by which trials were removed; first that none is left, if so. */
+/** A line for each reason by which trials were removed, with the keys that would change it; first
+that none is left, if so. */
 std::string FormatRemoved(const StudyResult& result);
+
+/** Each setting with why, what it costs and how many trials count then; what none mends. */
+std::string FormatSuggestions(const StudySuggestions& suggestions);
 
 /** A line for each warning about the study as a whole. */
 std::string FormatWarnings(const StudyResult& result);

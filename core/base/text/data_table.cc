@@ -6,6 +6,7 @@
 
 #include "core/base/text/csv.h"
 #include "core/base/text/delimited_text.h"
+#include "core/base/text/utf16.h"
 
 namespace graspbench {
 namespace {
@@ -24,6 +25,13 @@ char FindDelimiter(std::string_view heading) {
 
 DataTable::DataTable(const std::string& text, const std::string& file, Diagnostics& problems)
     : file_(file), problems_(&problems) {
+  if (IsUtf16(text)) {
+    problems.Fail(
+        file, 0,
+        "is UTF-16 (\"Unicode text\" of a spreadsheet); save it as UTF-8, for instance as "
+        "\"CSV UTF-8\"");
+    return;
+  }
   std::istringstream stream(text);
   LineReader reader(stream, file);
   std::string_view line;

@@ -35,6 +35,16 @@ bool ParsePlain(std::string_view cell, double& value) {
   return fault == std::errc() && end == cell.data() + cell.size();
 }
 
+/** "-350,09": a number but for its comma. */
+bool HasDecimalComma(std::string_view cell) {
+  std::string text(cell.substr(0, 40));
+  const size_t comma = text.find(',');
+  if (comma == std::string::npos) return false;
+  text[comma] = '.';
+  double value = 0.0;
+  return ParsePlain(text, value);
+}
+
 struct QuotedCell {
   std::string_view text;  // without its quotes
   bool is_quoted = false;
@@ -117,7 +127,8 @@ double ParseNumber(const Cells& cells, size_t column, const LineReader& reader) 
   if (cell.empty() || ParsePlain(cell, value)) return value;
   const std::string lower = ToLower(cell);
   if (lower == "n/a" || lower == "na") return std::nan("");
-  reader.Fail("column " + std::to_string(column + 1) + ": " + Quote(cell) + " is not a number");
+  reader.Fail("column " + std::to_string(column + 1) + ": " + Quote(cell) + " is not a number" +
+              (HasDecimalComma(cell) ? ": it has a decimal comma; export with points" : ""));
 }
 
 std::optional<double> ParseFiniteNumber(std::string_view text) {

@@ -96,8 +96,9 @@ double FindFastest(const std::vector<DigitTrack>& digits) {
   return fastest;
 }
 
-/** The mistake that makes lengths wrong by about this factor. */
-const char* NameConfusion(double factor) {
+/** The mistake that makes lengths wrong by about this factor, and what to do. */
+std::string NameConfusion(double factor) {
+  constexpr double kNear = 2.2;  // hands and openings differ by as much
   struct Confusion {
     double factor;
     const char* text;
@@ -111,9 +112,16 @@ const char* NameConfusion(double factor) {
                                        {1.0 / 100.0, "metres read as centimetres (unit: m)"},
                                        {1.0 / 1000.0, "metres read as millimetres (unit: m)"}};
   const auto how_far = [&](const Confusion& c) { return std::abs(std::log(c.factor / factor)); };
-  return std::min_element(std::begin(kConfusions), std::end(kConfusions),
-                          [&](const auto& a, const auto& b) { return how_far(a) < how_far(b); })
-      ->text;
+  const auto* nearest =
+      std::min_element(std::begin(kConfusions), std::end(kConfusions),
+                       [&](const auto& a, const auto& b) { return how_far(a) < how_far(b); });
+  const bool is_near = how_far(*nearest) < std::log(kNear);
+  return std::string("likely ") + nearest->text +
+         (is_near ? ""
+                  : ", or a marker's columns (mapping) or two markers' labels are exchanged, or a "
+                    "marker is not on the hand") +
+         ". Say the unit in the file, its mapping or study.yaml (recording.unit, for files that "
+         "state none)";
 }
 
 /** How far a digit goes from one sample to another beyond what the others do, coordinate by
@@ -150,10 +158,8 @@ std::vector<Doubt> FindWrongUnit(const std::vector<DigitTrack>& digits) {
   const double largest = spans.back(), most = CalcSortedQuantile(spans, 0.75);
   const double fastest = FindFastest(digits);
   const auto doubt = [](const std::string& found, double factor) -> std::vector<Doubt> {
-    return {{"wrong_unit", "the recording's unit of length is wrong: " + found + "; likely " +
-                               NameConfusion(factor) +
-                               ". Say the unit in the file, its mapping or study.yaml "
-                               "(recording.unit, for files that state none)"}};
+    return {{"wrong_unit",
+             "the recording's lengths are wrong: " + found + "; " + NameConfusion(factor)}};
   };
   const bool is_large = most > kMost;
   for (size_t d = 0; is_large && digits.size() > 2 && d < digits.size(); ++d) {
@@ -242,6 +248,7 @@ std::vector<Doubt> FindNoMovement(const std::vector<DigitTrack>& digits) {
 
 std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits) {
   constexpr double kNearOrigin = 0.15, kTravel = 0.05;  // [m]; no reach ends so near its start
+  size_t num_shown = 0;
   double farthest = 0.0;
   Vector3d low = Vector3d::Constant(INFINITY), high = -low;
   for (size_t i = 0; i < digits.front().tip.size(); ++i) {
@@ -252,11 +259,14 @@ std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits) {
       middle += digit.tip.p.col(static_cast<Column>(i)) / static_cast<double>(digits.size());
     }
     if (!shows_all) continue;
+    ++num_shown;
     farthest = std::max(farthest, middle.norm());
     low = low.cwiseMin(middle);
     high = high.cwiseMax(middle);
   }
   const double travel = (high - low).norm();
+  // The few samples that show all digits of a recording full of gaps are near each other.
+  if (2 * num_shown < digits.front().tip.size()) return {};
   if (!(farthest > 0.0 && farthest < kNearOrigin && travel < kTravel)) return {};
   return {
       {"hand_centred",

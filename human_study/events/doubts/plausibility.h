@@ -78,7 +78,8 @@ std::vector<Doubt> FindLabelJump(const std::vector<DigitTrack>& digits);
 std::vector<Doubt> FindNoMovement(const std::vector<DigitTrack>& digits);
 
 /** Doubt about what the places are counted from: the middle of the digits stays within 0.15 m of the
-origin and within 0.05 m of its own place in every sample that shows all digits. */
+origin and within 0.05 m of its own place in every sample that shows all digits, which are at least
+half of them. */
 std::vector<Doubt> FindHandCentred(const std::vector<DigitTrack>& digits);
 
 /** Doubt about the object's shape, from where the markers are in the hold.

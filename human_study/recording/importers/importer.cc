@@ -9,6 +9,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/delimited_text.h"
 #include "core/base/text/text.h"
+#include "core/base/text/utf16.h"
 #include "human_study/recording/importers/importer_list.h"
 
 namespace graspbench {
@@ -103,6 +104,12 @@ const std::vector<Importer>& ImporterList() {
 
 const Importer& FindImporter(const std::string& format, std::string_view head,
                              const fs::path& path) {
+  if (IsUtf16(head)) {
+    throw Error(ErrorKind::kFormat,
+                path.string() +
+                    ": is UTF-16 (\"Unicode text\" of a spreadsheet); no format of motion "
+                    "capture is: save it as UTF-8, or export it again");
+  }
   std::vector<std::string> ids;
   for (const Importer& importer : ImporterList()) ids.emplace_back(importer.id);
   if (!format.empty()) {

@@ -1,7 +1,8 @@
 /** @file
 Qualisys Track Manager's TSV export of 3-D trajectories: key-value lines, then one row a frame, with
 or without the columns Frame and Time and their heading. Lengths are millimetres by QTM's
-convention; the file does not state it. A missing sample is empty, "nan" or 0 0 0. */
+convention; the file does not state it, so a unit that a person states counts. A missing sample is
+empty, "nan" or 0 0 0. */
 
 #include <cmath>
 #include <map>
@@ -73,14 +74,17 @@ std::vector<std::string> FindLabels(const QualisysHeader& header, const LineRead
 }
 
 void MakePoints(const std::vector<std::string>& labels, const QualisysHeader& header,
-                Recording& recording) {
+                const std::string& unit, Recording& recording) {
   for (const std::string& label : labels) {
     recording.points.emplace_back();
     recording.points.back().label = label;
   }
-  SetLengthUnit(recording, "mm", "file");
-  recording.Note("unit_by_convention", "file",
-                 "Qualisys exports millimetres and does not say so; millimetres are taken");
+  SetLengthUnit(recording, unit.empty() ? "mm" : unit, "file");
+  if (unit.empty()) {
+    recording.Note("unit_by_convention", "file",
+                   "Qualisys exports millimetres and does not say so; millimetres are taken "
+                   "(--unit changes it, recording.unit in a study)");
+  }
   MakeLabelsUnique(recording, "MARKER_NAMES");
   for (size_t i = 0; i < std::min(header.types.size(), recording.points.size()); ++i) {
     if (header.types[i] == "Mixed") {
@@ -124,7 +128,7 @@ Recording ImportQualisysTsv(const ImportSource& source, const ImportOptions& opt
   }
   const size_t num_points = labels.size();
   const size_t first_column = FindFirstColumn(cells, num_points, reader);
-  MakePoints(labels, header, recording);
+  MakePoints(labels, header, options.unit, recording);
   const bool has_times = first_column == 2;
   const int first_line = reader.line();
   std::vector<double> times;

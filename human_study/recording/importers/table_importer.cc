@@ -7,9 +7,11 @@ its heading, or by their numbers. Tabs, semicolons, commas or blanks between the
 #include <fstream>
 #include <optional>
 
+#include "core/base/text/text.h"
 #include "core/base/text/yaml.h"
 #include "human_study/recording/importers/import_errors.h"
 #include "human_study/recording/importers/importer_list.h"
+#include "human_study/recording/importers/table_layouts.h"
 #include "human_study/recording/importers/table_mapping.h"
 #include "human_study/recording/importers/text_rows.h"
 
@@ -45,10 +47,18 @@ constexpr size_t kNoColumn = SIZE_MAX;
 /** Index of a column of the heading; kNoColumn for no name. All absent ones are told at once. */
 class Heading {
  public:
-  /** Reads the first line; that of a table without heading is still to be read as a row. */
-  Heading(LineReader& reader, bool has_heading)
-      : line_(reader.Require(has_heading ? "the names of its columns" : "its first row")),
-        delimiter_(FindDelimiter(line_)) {
+  /** Reads the heading; the first row of a table without one is still to be read. */
+  Heading(LineReader& reader, const TableMapping& mapping) {
+    if (const TableLayout* layout = FindTableLayout(mapping.layout)) {
+      delimiter_ = ',';
+      names_ = layout->read_names(reader, delimiter_);
+      num_lines_ = reader.line();
+      return;
+    }
+    const bool has_heading = mapping.has_heading;
+    num_lines_ = has_heading ? 1 : 0;
+    line_ = reader.Require(has_heading ? "the names of its columns" : "its first row");
+    delimiter_ = FindDelimiter(line_);
     Cells cells;
     SplitRow(line_, delimiter_, cells);
     names_.assign(cells.begin(), cells.end());
@@ -62,6 +72,9 @@ class Heading {
     for (size_t i = 0; i < names_.size(); ++i) names_[i] = std::to_string(i + 1);
     has_numbers_ = false;
   }
+  const std::vector<std::string>& names() const { return names_; }
+  /** Before the first row. */
+  int num_lines() const { return num_lines_; }
   char delimiter() const { return delimiter_; }
   size_t size() const { return names_.size(); }
   size_t Find(const std::string& name) {
@@ -86,7 +99,8 @@ class Heading {
 
  private:
   std::string line_;
-  char delimiter_;
+  char delimiter_ = ',';
+  int num_lines_ = 0;
   bool has_numbers_ = false;
   std::vector<std::string> names_, absent_;
 };
@@ -219,20 +233,43 @@ void CheckTrialIsNamed(const TableMapping& mapping, const ImportOptions& options
 }
 
 /** From the start, behind the heading. */
-LineReader OpenRows(std::istream& stream, const std::string& file, bool has_heading) {
+LineReader OpenRows(std::istream& stream, const std::string& file, int num_heading_lines) {
   stream.clear();
   stream.seekg(0);
   LineReader reader(stream, file);
   std::string_view line;
-  if (has_heading) reader.Next(line);
+  while (reader.line() < num_heading_lines && reader.Next(line)) {
+  }
   return reader;
 }
 
+/** What a layout has and a mapping has not named. */
+TableMapping AddLayoutPoints(TableMapping mapping, const Heading& heading,
+                             const LineReader& reader) {
+  if (mapping.layout.empty() || !mapping.points.empty()) return mapping;
+  for (const std::string& point : FindLayoutPoints(heading.names(), reader)) {
+    mapping.points.push_back({point, {point + "_x", point + "_y", point + "_z"}});
+  }
+  return mapping;
+}
+
+/** A length of the file is so many of its unit. */
+void ScaleLengths(double scale, Recording& recording) {
+  if (scale == 1.0 || recording.points.empty()) return;
+  for (RecordedPoint& point : recording.points) {
+    for (float& coordinate : point.xyz) coordinate = static_cast<float>(scale * coordinate);
+  }
+  recording.Note("scaled_lengths", "mapping",
+                 "a length of 1 in the file is " + FormatSignificant(scale, 6) + " " +
+                     recording.points.front().unit + ", as the mapping says");
+}
+
 Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
-                       const TableMapping& mapping) {
+                       const TableMapping& stated) {
   Recording recording;
   LineReader head(source.stream, source.name);
-  Heading heading(head, mapping.has_heading);
+  Heading heading(head, stated);
+  const TableMapping mapping = AddLayoutPoints(stated, heading, head);
   const std::vector<std::array<size_t, 3>> columns = AddPoints(mapping, heading, recording);
   const std::vector<size_t> channels = AddChannels(mapping, heading, recording);
   const GloveRows glove(mapping, heading, recording);
@@ -245,7 +282,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   if (mapping.rate > 0) recording.rate = mapping.rate;
   CheckTrialIsNamed(mapping, options);
 
-  LineReader reader = OpenRows(source.stream, source.name, mapping.has_heading);
+  LineReader reader = OpenRows(source.stream, source.name, heading.num_lines());
   std::string_view line;
   Cells cells;
   std::vector<double> times;
@@ -279,6 +316,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     ++recording.num_frames;
   }
   CheckTrial(source, options, trials, recording);
+  ScaleLengths(mapping.scale, recording);
   NoteZeros(num_zeros, recording);
   if (num_occluded > 0) {
     recording.Note(
@@ -342,6 +380,27 @@ void ReadGlove(YamlMap& map, const std::filesystem::path& path, TableMapping& ma
   }
 }
 
+void ReadLayout(YamlMap& map, TableMapping& mapping) {
+  map.Read("layout", mapping.layout, Needed::kNo);
+  map.Read("scale", mapping.scale, Needed::kNo);
+  if (!(mapping.scale > 0.0 && std::isfinite(mapping.scale))) {
+    map.Fail("scale", "is no positive number; expected how many of its unit one coordinate is");
+  }
+  if (mapping.layout.empty()) return;
+  const TableLayout* layout = FindTableLayout(mapping.layout);
+  if (layout == nullptr) {
+    std::vector<std::string> known;
+    for (const TableLayout& one : TableLayoutList()) known.emplace_back(one.id);
+    map.Fail("layout",
+             "\"" + mapping.layout + "\" is not known" + SuggestNames(mapping.layout, known));
+    mapping.layout.clear();
+  } else if (layout->needs_scale && !map.Has("scale")) {
+    map.Fail("scale",
+             "is missing: DeepLabCut counts lengths in squares of its checkerboard; say how long "
+             "one is (scale: 25 and unit: mm), or scale: 1 when they were put into the unit since");
+  }
+}
+
 void ReadChannels(YamlMap& map, TableMapping& mapping) {
   if (!map.Has("channels")) return;
   const YAML::Node channels = map.Child("channels");
@@ -369,6 +428,7 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
     map.Read("trial", mapping.trial, Needed::kNo);
     map.Read("occluded", mapping.occluded, Needed::kNo);
     map.Read("heading", mapping.has_heading, Needed::kNo);
+    ReadLayout(map, mapping);
     ReadChannels(map, mapping);
     if (time_unit == "ms") {
       mapping.seconds_per_time_unit = 1e-3;
@@ -381,10 +441,10 @@ TableMapping LoadTableMapping(const std::filesystem::path& path) {
       map.Fail("rate_hz", "is needed when no column of times is named");
     }
     ReadGlove(map, path, mapping);
-    // Angles of a glove are points enough.
-    const YAML::Node points =
-        map.Child("points", mapping.glove.IsNamed() ? Needed::kNo : Needed::kYes);
-    const bool may_be_absent = mapping.glove.IsNamed() && points.IsNull();
+    // Angles of a glove and the columns of a layout are points enough.
+    const bool needs_no_points = mapping.glove.IsNamed() || !mapping.layout.empty();
+    const YAML::Node points = map.Child("points", needs_no_points ? Needed::kNo : Needed::kYes);
+    const bool may_be_absent = needs_no_points && points.IsNull();
     if (points && !may_be_absent && (!points.IsMap() || points.size() == 0)) {
       map.Fail("points", "must name points, each with its three columns");
     } else if (points) {
@@ -413,11 +473,11 @@ std::vector<std::string> FindTableTrials(const std::filesystem::path& table,
   std::ifstream stream(table, std::ios::binary);
   if (!stream) throw Error(ErrorKind::kNotFound, "no file \"" + table.string() + "\"");
   LineReader reader(stream, table.string());
-  Heading heading(reader, mapping.has_heading);
+  Heading heading(reader, mapping);
   const size_t column = heading.Find(mapping.trial);
   heading.Check(reader);
   std::vector<std::string> trials;
-  LineReader rows = OpenRows(stream, table.string(), mapping.has_heading);
+  LineReader rows = OpenRows(stream, table.string(), heading.num_lines());
   std::string_view line;
   Cells cells;
   while (column != kNoColumn && rows.Next(line)) {

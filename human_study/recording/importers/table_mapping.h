@@ -13,6 +13,8 @@ Names the columns of a plain table, in YAML:
     occluded: fingersOccluded   # optional; a value other than 0 makes all points invalid
     channels: {touch: ft1}      # optional; forces or touch switches, at the rate of the rows
     heading: false              # optional; the table starts with numbers: columns are 1, 2, ..
+    layout: freemocap           # optional; columns as a tool writes them, see table_layouts.h
+    scale: 25                   # optional; a coordinate is so many of the unit
     glove: {hand: shadow, ..}   # optional; joint angles instead of points, see glove.h */
 
 #include <filesystem>
@@ -30,7 +32,9 @@ struct TableMapping {
     std::vector<std::string> columns;  ///< x, y, z
   };
   std::vector<Point> points;
+  std::string layout;  ///< a TableLayout's id; empty: none
   std::string unit;
+  double scale = 1.0;
   std::string time;  ///< empty: none
   double seconds_per_time_unit = 1.0;
   double rate = 0.0;  ///< [Hz]; 0: not stated

@@ -340,9 +340,19 @@ std::vector<StudyObject> ReadObjects(DataTable& table, Diagnostics& problems) {
     }
     object.distance = ReadShape(table, row, problems);
     const char* const axes[] = {"centre_x_m", "centre_y_m", "centre_z_m"};
+    int num_stated = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double value = table.Number(row, axes[axis]);
-      if (!std::isnan(value)) object.p_MO_L[axis] = value;
+      if (std::isnan(value)) continue;
+      object.p_MO_L[axis] = value;
+      ++num_stated;
+    }
+    if (object.distance && num_stated < 3) {
+      problems.Warn(table.file(), table.LineOfRow(row),
+                    "centre_x_m, centre_y_m or centre_z_m is empty and counts as 0: the centre of "
+                    "the solid is taken to be the middle of its markers. Markers on its surface "
+                    "are off by half its size, and contacts are then late or missing; state all "
+                    "three (0 if they are)");
     }
     objects.push_back(object);
   }

@@ -228,6 +228,7 @@ void CalcStudyStatistics(StudyResult& result) {
   result.statistics.curves = CalcOpeningCurves(result);
   result.statistics.openings = CalcOpeningReliability(result);
   result.statistics.bias = CalcBias(result);
+  result.statistics.published = ComparePublished(result);
   result.statistics.zero_gft = CalcZeroGft(result.trials);
   result.statistics.independence = CalcIndependenceNull(result.trials, result.digits.size());
 }

@@ -11,6 +11,7 @@ known asynchrony. */
 #include "human_study/study/inference/independence_null.h"
 #include "human_study/study/inference/measure_statistics.h"
 #include "human_study/study/inference/opening_reliability.h"
+#include "human_study/study/inference/published_values.h"
 #include "human_study/study/inference/zero_gft.h"
 #include "human_study/study/synthetic/bias_card.h"
 
@@ -41,6 +42,7 @@ struct StudyStatistics {
   std::vector<OpeningCurve> curves;
   OpeningFamily openings;
   std::vector<BiasRow> bias;
+  std::vector<ComparedValue> published;
   ZeroGft zero_gft;
   Answer<IndependenceNull> independence;
 };

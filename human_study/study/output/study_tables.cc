@@ -219,6 +219,7 @@ std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& c
     add("object_moved", analysis.object.moved);
     add("lift_off", analysis.object.lift_off);
   }
+  add("reacceleration", analysis.phases.reacceleration);
   add("movement_end", analysis.movement.end);
   return events;
 }

@@ -9,6 +9,7 @@
 #include "human_study/recording/cleaning/gaps.h"
 #include "human_study/recording/cleaning/resample.h"
 #include "human_study/recording/cleaning/spikes.h"
+#include "human_study/recording/importers/importer.h"
 
 namespace graspbench {
 namespace {
@@ -154,6 +155,17 @@ void CheckDigitsDiffer(const std::vector<DigitTrack>& digits) {
 
 }  // namespace
 
+Recording LoadPlanned(const Study& study, const PlannedReach& planned) {
+  const RecordingConfig& config = study.config.recording;
+  ImportOptions options;
+  options.format = config.format;
+  options.unit = config.unit;
+  options.accept_truncated = config.accept_truncated;
+  if (!config.mapping.empty()) options.mapping = study.folder / config.mapping;
+  options.trial = planned.table_trial;
+  return LoadRecording(study.recordings / planned.file, options);
+}
+
 PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig& config) {
   PreparedRecording prepared;
   const std::vector<std::string> labels = ListLabels(recording);
@@ -205,16 +217,24 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
   return prepared;
 }
 
-std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConfig& cut) {
+std::vector<double> CalcHandDistances(const PreparedRecording& recording) {
   std::vector<const Trajectory*> tips, markers;
   for (const DigitTrack& digit : recording.digits) tips.push_back(&digit.tip);
   for (const Trajectory& marker : recording.object_markers) markers.push_back(&marker);
+  std::vector<double> distances;
+  for (size_t i = 0; i < recording.times.size(); ++i) {
+    distances.push_back((CalcMiddle(tips, i) - CalcMiddle(markers, i)).norm());
+  }
+  return distances;
+}
 
+std::vector<Reach> FindReaches(const PreparedRecording& recording, const CutConfig& cut) {
+  const std::vector<double> distances = CalcHandDistances(recording);
   std::vector<Reach> reaches;
   bool is_at_object = false, is_open = false;  // open: the last reach ends farther on
   double farthest = -1.0, farthest_time = 0.0;
   for (size_t i = 0; i < recording.times.size(); ++i) {
-    const double distance = (CalcMiddle(tips, i) - CalcMiddle(markers, i)).norm();
+    const double distance = distances[i];
     if (std::isnan(distance)) continue;
     const double time = recording.times[i];
     if (distance < cut.near && !is_at_object) {

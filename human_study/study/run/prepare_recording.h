@@ -31,6 +31,9 @@ struct PreparedRecording {
   std::vector<MissingMarker> missing;
 };
 
+/** The recording of a row of trials.csv, read as study.yaml says. @throws as LoadRecording. */
+Recording LoadPlanned(const Study& study, const PlannedReach& planned);
+
 /** Renames, removes frozen samples, resamples an uneven clock at its median rate, fills short gaps.
 @throws Error(kFormat) when a marker has no length unit, the recording no clock or fewer
 than 10 samples a second, or two digits have the same places throughout. */
@@ -41,6 +44,10 @@ struct Reach {
   double begin = 0.0;
   double end = 0.0;
 };
+
+/** From the middle of the fingertips to the middle of the object's markers, one a sample [m]; NaN
+where either is not seen. */
+std::vector<double> CalcHandDistances(const PreparedRecording& recording);
 
 /** Finds the reaches of a long recording. The hand is at the object from the sample where it is
 nearer than `near` until it is farther than `far`; a reach goes from where it was farthest before

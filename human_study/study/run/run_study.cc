@@ -4,11 +4,12 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
+#include "core/base/files/files.h"
 #include "core/base/text/escape.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
-#include "human_study/recording/importers/importer.h"
 #include "human_study/study/run/prepare_recording.h"
 #include "human_study/study/run/trial_removal.h"
 
@@ -52,6 +53,17 @@ std::vector<OpeningValues> CalcOpenings(FilteredTrial& trial, const TrialAnalysi
     values.push_back(value);
   }
   return values;
+}
+
+/** What the comment at the top of study.yaml says, if it names the recording or its folder: where
+it is from. */
+std::string QuoteComment(const std::string& study_file, const std::string& recording) {
+  const std::string folder = recording.substr(0, recording.find('/'));
+  std::istringstream stream(ReadFile(study_file));
+  std::string comment, line;
+  while (std::getline(stream, line) && !line.empty() && line[0] == '#') comment += "\n  " + line;
+  if (folder.empty() || comment.find(folder) == std::string::npos) return "";
+  return "\n" + study_file + " says of it:" + EscapeForTerminal(comment);
 }
 
 bool DiffersInDetectorOnly(const Universe& a, const Universe& b) {
@@ -153,14 +165,7 @@ class Runner {
     const std::string key = planned.file + "\n" + planned.table_trial + "\n" + planned.hand;
     if (loaded_ == key) return;
     loaded_.clear();
-    const RecordingConfig& config = study_.config.recording;
-    ImportOptions options;
-    options.format = config.format;
-    options.unit = config.unit;
-    options.accept_truncated = config.accept_truncated;
-    if (!config.mapping.empty()) options.mapping = study_.folder / config.mapping;
-    options.trial = planned.table_trial;
-    const Recording recording = LoadRecording(study_.recordings / planned.file, options);
+    const Recording recording = LoadPlanned(study_, planned);
     for (ImportFinding finding : recording.findings) {
       finding.text = EscapeForTerminal(finding.text);
       result_.findings.push_back({planned.file, finding});
@@ -302,7 +307,8 @@ class Runner {
       throw Error(ErrorKind::kNotFound,
                   "no recording could be read; the first fault: " + result_.trials[index].removed +
                       "\nFiles are looked for in \"" + study_.recordings.string() +
-                      "\"; --data DIR names another folder");
+                      "\"; --data DIR names another folder" +
+                      QuoteComment(study_.file, failed->file));
     }
     Diagnostics problems;
     for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
@@ -352,7 +358,16 @@ int StudyResult::CountKept() const {
       std::count_if(trials.begin(), trials.end(), [](const auto& t) { return t.IsKept(); }));
 }
 
-StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
+Study LeaveOutReport(Study study) {
+  study.config.bias_trials = 0;
+  study.config.multiverse.onset.clear();
+  study.config.multiverse.opening.clear();
+  study.config.multiverse.cutoff.clear();
+  study.config.multiverse.detector = {study.config.analysis.contact.detector};
+  return study;
+}
+
+StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
   StudyResult result;
   result.study = study;
   LearnFrom(RunSome(study), result);
@@ -366,6 +381,11 @@ StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
     if (watch.on_row) watch.on_row(i + 1, study.trials.size());
   }
   runner.Finish();
+  return result;
+}
+
+StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
+  StudyResult result = RunTrials(study, watch);
   for (const auto& warnings : {FindSameRecordings(result.study), FindNeverTouching(result),
                                FindManyFrozen(result), FindSpikes(result), FindTwoRates(result)}) {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());

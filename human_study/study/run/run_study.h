@@ -81,6 +81,12 @@ struct StudyWatch {
   std::function<void(const StudyTrial&, const ReachTrial&)> on_analysed;
 };
 
+/** The study without what only its report needs: no bias card, no other choices. */
+Study LeaveOutReport(Study study);
+
+/** The trials alone, without statistics and warnings. @throws as RunStudy. */
+StudyResult RunTrials(const Study& study, const StudyWatch& watch = {});
+
 /** @throws Error(kFormat) when no recording has a marker that study.yaml names, with file and line;
 Error(kNotFound) when no recording could be read. */
 StudyResult RunStudy(const Study& study, const StudyWatch& watch = {});

@@ -1,8 +1,11 @@
 #include "human_study/study/run/trial_flags.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/statistics/proportion.h"
+#include "core/statistics/summary.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
@@ -65,6 +68,26 @@ std::vector<FlagCount> CountFlags(const StudyResult& result) {
     counts.push_back({&flag, count, CalcShare(count, result.CountKept())});
   }
   return counts;
+}
+
+const StudyTrial* FindGoodTrial(const StudyResult& result) {
+  std::vector<double> gfts;
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.IsKept()) gfts.push_back(trial.analysis->timing.gft);
+  }
+  const double median = CalcMedianOfFinite(gfts);
+  const StudyTrial* good = nullptr;
+  std::pair<bool, double> best;  // has a flag, distance from the median
+  for (const StudyTrial& trial : result.trials) {
+    if (!trial.IsKept()) continue;
+    const double distance = std::abs(trial.analysis->timing.gft - median);
+    const std::pair<bool, double> rank = {!FormatFlags(*trial.analysis).empty(),
+                                          std::isnan(distance) ? INFINITY : distance};
+    if (good != nullptr && !(rank < best)) continue;
+    good = &trial;
+    best = rank;
+  }
+  return good;
 }
 
 UnverifiedTouches CountUnverified(const StudyResult& result) {

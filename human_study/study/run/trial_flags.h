@@ -10,6 +10,7 @@ What may be doubtful about a trial that counts all the same. */
 namespace graspbench {
 
 struct StudyResult;
+struct StudyTrial;
 
 struct TrialFlag {
   const char* name;  ///< "filled", beside a trial
@@ -29,6 +30,10 @@ struct FlagCount {
 };
 /** In the order of TrialFlagList(). */
 std::vector<FlagCount> CountFlags(const StudyResult& result);
+
+/** The trial to begin with: one that counts, without a flag if there is one, whose GFT is nearest
+to the median; null when none counts. */
+const StudyTrial* FindGoodTrial(const StudyResult& result);
 
 /** Contacts that only the digit's own stop shows, in trials that count. */
 struct UnverifiedTouches {

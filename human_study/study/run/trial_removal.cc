@@ -20,6 +20,16 @@ struct Piece {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
+/** Behind "e-05", if that is there. */
+size_t SkipExponent(const std::string& text, size_t at) {
+  if (at >= text.size() || text[at] != 'e') return at;
+  size_t end = at + 1;
+  if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
+  if (end >= text.size() || !IsDigit(text[end])) return at;
+  while (end < text.size() && IsDigit(text[end])) ++end;
+  return end;
+}
+
 /** Numbers stand by themselves; digits within a name are an ellipsis. */
 std::vector<Piece> SplitNumbers(const std::string& text) {
   std::vector<Piece> pieces = {{}};
@@ -31,6 +41,7 @@ std::vector<Piece> SplitNumbers(const std::string& text) {
     size_t end = at;
     while (end < text.size() && (IsDigit(text[end]) || text[end] == '.')) ++end;
     if (text[end - 1] == '.') --end;  // of the sentence
+    end = SkipExponent(text, end);
     const bool is_open = at == 0 || std::string(" (=").find(text[at - 1]) != std::string::npos;
     const bool is_closed =
         end == text.size() || std::string(" ,;:.)%").find(text[end]) != std::string::npos;

@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "core/base/text/text.h"
+#include "human_study/study/run/removal_advice.h"
 #include "human_study/study/run/trial_flags.h"
 #include "human_study/study/run/trial_removal.h"
 #include "reports/study/study_section.h"
+#include "reports/study/trial_figures.h"
 
 namespace graspbench {
 namespace {
@@ -20,17 +22,44 @@ std::string ListNames(const std::vector<std::string>& names) {
   return text;
 }
 
+/** The first trial of each reason that a curve shows. */
+Html DrawReasons(const StudyResult& result, const std::vector<RemovalGroup>& groups) {
+  constexpr size_t kMaxCurves = 6;
+  Html html;
+  size_t num_drawn = 0;
+  for (const RemovalGroup& group : groups) {
+    const RemovalAdvice& advice = FindRemovalAdvice(group.code);
+    const auto trial =
+        std::find_if(result.trials.begin(), result.trials.end(),
+                     [&](const StudyTrial& t) { return t.id == group.trials.front(); });
+    if (advice.curve == RemovalCurve::kNone || !trial->analysis || num_drawn == kMaxCurves)
+      continue;
+    ++num_drawn;
+    html += MakeFigure("Why trial " + trial->id + " does not count: " + trial->removed + ".",
+                       std::string("what would change it: ") + advice.keys + ".",
+                       DrawDecidingCurve(*trial, result.study.config.analysis.movement));
+  }
+  return html;
+}
+
 Html DrawRemoved(const StudyResult& result) {
   const std::vector<RemovalGroup> groups = GroupRemoved(result.trials);
   if (groups.empty()) return MakeParagraph("No trial was removed.");
-  Table table(
-      "Trials that do not count, by reason; trials.csv has every one.",
-      {{"Code"}, {"Reason", Align::kProse}, {"Trials", Align::kNumber}, {"Which", Align::kProse}});
+  Table table("Trials that do not count, by reason; trials.csv has every one.",
+              {{"Code"},
+               {"Reason", Align::kProse},
+               {"What would change it", Align::kProse, "keys of study.yaml, columns of its tables"},
+               {"Trials", Align::kNumber},
+               {"Which", Align::kProse}});
   for (const RemovalGroup& group : groups) {
     table.AddRow({Element("code", {}, group.code), Text(group.text),
+                  Text(FindRemovalAdvice(group.code).keys),
                   Text(std::to_string(group.trials.size())), Text(ListNames(group.trials))});
   }
-  return table.ToHtml();
+  return MakeParagraph(
+             "graspbench study suggest STUDY.YAML proposes settings with which more "
+             "trials would count, with reasons.") +
+         table.ToHtml() + DrawReasons(result, groups);
 }
 
 Html DrawFlags(const StudyResult& result) {

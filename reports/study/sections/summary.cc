@@ -6,6 +6,7 @@
 #include "human_study/study/run/trial_removal.h"
 #include "reports/study/study_format.h"
 #include "reports/study/study_section.h"
+#include "reports/study/trial_figures.h"
 
 namespace graspbench {
 namespace {
@@ -28,6 +29,14 @@ std::string DescribeTestRange(const std::vector<Universe>& universes) {
          FormatRange(summary.lowest_effect, summary.highest_effect, 2) + ")";
 }
 
+/** "F(1.8, 12.3) = 4.56". */
+std::string FormatF(double f, double df_effect, double df_error) {
+  const auto format = [](double df) {
+    return FormatFixed(df, std::abs(df - std::round(df)) < 0.005 ? 0 : 2);
+  };
+  return "F(" + format(df_effect) + ", " + format(df_error) + ")\u00A0=\u00A0" + FormatFixed(f, 2);
+}
+
 /** Who is missing in that test, and what the mixed model says with them. */
 std::string DescribeLeftOut(const StudyResult& result) {
   const std::string& main = result.study.config.multiverse.measure;
@@ -40,9 +49,9 @@ std::string DescribeLeftOut(const StudyResult& result) {
     const Answer<RemlFTest>& test = measure.model->effects.front().test;
     if (!test) return text + "no mixed model keeps them (" + test.reason() + ").";
     return text + "the mixed model of all " +
-           FormatCount(measure.model->num_observations, "trial") + " keeps them: F\u00A0=\u00A0" +
-           FormatFixed(test->f, 2) + ", p\u00A0" + (test->p < 0.001 ? "" : "=\u00A0") +
-           FormatP(test->p) + ".";
+           FormatCount(measure.model->num_observations, "trial") +
+           " keeps them: " + FormatF(test->f, test->df_1, test->df_2) + ", p\u00A0" +
+           (test->p < 0.001 ? "" : "=\u00A0") + FormatP(test->p) + ".";
   }
   return "";
 }
@@ -66,9 +75,11 @@ std::string DescribeMainTest(const StudyResult& result) {
       result.study.factors.empty() ? result.study.groups : result.study.factors;
   const std::string factor = NameOfFactor(tested.front().name);
   if (!own.test) return text + "Effect of " + factor + ": not tested (" + own.test.reason() + ").";
-  const double p = own.test->greenhouse_geisser.p;
-  return text + "Effect of " + factor + ": F\u00A0=\u00A0" + FormatFixed(own.test->f, 2) +
-         ", p\u00A0" + (p < 0.001 ? "" : "=\u00A0") + FormatP(p) +
+  const CorrectedF& corrected = own.test->greenhouse_geisser;
+  const double p = corrected.p;
+  return text + "Effect of " + factor + ": " +
+         FormatF(own.test->f, corrected.df_effect, corrected.df_error) + ", p\u00A0" +
+         (p < 0.001 ? "" : "=\u00A0") + FormatP(p) +
          " (Greenhouse-Geisser), generalised eta squared " +
          FormatFixed(own.test->generalised_eta_squared, 2) + DescribeTestRange(result.universes) +
          "." + DescribeLeftOut(result);
@@ -194,6 +205,28 @@ Html DrawMeasureTable(const StudyResult& result) {
   return table.ToHtml();
 }
 
+/** What the events are, on one trial that counts. */
+Html DrawGoodTrial(const StudyResult& result) {
+  const StudyTrial* trial = FindGoodTrial(result);
+  if (trial == nullptr) return {};
+  const std::string flags = FormatFlags(*trial->analysis);
+  const ContactTiming& timing = trial->analysis->timing;
+  return MakeFigure(
+      "One trial that counts, " + trial->id + (flags.empty() ? "" : " (" + flags + ")") +
+          ": the hand leaves rest (onset), opens (widest), its digits touch, the object leaves the "
+          "table (lift-off).",
+      "GFT, first to last touch, is " + FormatWithUnit(timing.gft, "s") +
+          " here; GOT, thumb to the "
+          "first finger, " +
+          FormatWithUnit(timing.got, "s") +
+          "; GCT, widest opening to the last "
+          "touch, " +
+          FormatWithUnit(timing.gct, "s") + ".",
+      Element("div", {{"class", "pair"}},
+              Element("div", {}, DrawTrialSpeed(*trial, result.study.config.analysis.movement)) +
+                  Element("div", {}, DrawTrialOpening(*trial))));
+}
+
 Html DrawSummary(const StudyPageData& data) {
   const StudyResult& result = data.result;
   const int num_trials = static_cast<int>(result.trials.size());
@@ -212,7 +245,8 @@ Html DrawSummary(const StudyPageData& data) {
               LinkTo("removed", FormatCount(num_removed, "trial was", "trials were") + " removed") +
               Text(reasons);
   }
-  return Element("p", {{"class", "verdict"}},
+  return DrawGoodTrial(result) +
+         Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
          DrawStudyWarnings(result) + DrawFreeze(result.study) + DrawArgument(result) +

@@ -29,22 +29,22 @@ std::vector<const StudyTrial*> ChooseTrials(const StudyResult& result) {
 Html DrawTrials(const StudyPageData& data) {
   const std::vector<const StudyTrial*> trials = ChooseTrials(data.result);
   if (trials.empty()) return MakeParagraph("No trial could be analysed.");
-  std::string legend;
-  for (const ContactDetector& detector : ContactDetectorList()) {
-    legend += (legend.empty() ? "" : ", ") + CodeOfDetector(detector) + " " + detector.id;
-  }
-  std::string text = "Detectors: " + legend + ". All events of all trials stand in events.csv.";
+  std::string text =
+      "Beside the opening (of a trial removed for its onset, the wrist's speed) a row a digit: the "
+      "bar is the contact believed, each sign another detector's. All events of all trials stand "
+      "in events.csv.";
   if (trials.size() == kMaxDrawn && data.result.trials.size() > kMaxDrawn) {
     text += " Drawn are " + std::to_string(kMaxDrawn) + " of " +
             std::to_string(data.result.trials.size()) + " trials, those removed or flagged first.";
   }
+  const MovementOptions& movement = data.result.study.config.analysis.movement;
   Html html = MakeParagraph(text);
   for (const StudyTrial* trial : trials) {
     const std::string anchor = MakePlainKey({"trial", trial->participant, trial->trial});
     html += Element("div", {{"id", anchor}},
                     MakeDetails(DescribeTrial(*trial, data.result.study.factors),
                                 Element("div", {{"class", "pair"}},
-                                        Element("div", {}, DrawTrialOpening(*trial)) +
+                                        Element("div", {}, DrawDecidingCurve(*trial, movement)) +
                                             Element("div", {}, DrawTrialContacts(*trial)))));
   }
   return html;

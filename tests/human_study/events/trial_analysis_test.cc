@@ -399,7 +399,7 @@ TEST(CheckOptions, NamesTheKeyAndTheChoices) {
       std::string::npos);
   EXPECT_NE(fault_of([](AnalysisOptions& o) {
               o.lift_off.up_z = 0.0;
-            }).find("the length of lift_off.up_x, up_y, up_z"),
+            }).find("lift_off.up_z is 0, up_x 0 and up_y 0, which is no direction"),
             std::string::npos);
 }
 

@@ -67,6 +67,7 @@ TEST(StudyReport, WithoutATrialThatCountsItSaysWhyAndDrawsNothing) {
   ExpectInStudy(SectionText(page, "summary"), "0 of 12 trials were analysed");
   ExpectInStudy(SectionText(page, "summary"), "same_recording : a is b.");
   ExpectInStudy(SectionText(page, "removed"), "too short");
+  ExpectInStudy(SectionText(page, "removed"), "cut.near_m and cut.far_m");
   EXPECT_EQ(SectionText(page, "curves"), "no section curves");
   EXPECT_EQ(SectionText(page, "tests"), "no section tests");
 }
@@ -76,6 +77,9 @@ TEST(StudyReport, EverySectionSaysItsNumbers) {
   const std::string page = MakeStudyReport(result, nullptr);
   ExpectSoundPage(page);
   ExpectInStudy(SectionText(page, "summary"), "12 of 12 trials were analysed");
+  ExpectInStudy(SectionText(page, "summary"), "One trial that counts, ");
+  ExpectInStudy(SectionText(page, "published"), "Jeannerod 1984");
+  ExpectInStudy(SectionText(page, "published"), "peak opening over diameter");
   ExpectInStudy(SectionText(page, "removed"), "No trial was removed.");
   ExpectInStudy(SectionText(page, "curves"), "diameter 30\u00A0mm (6 trials)");
   const MeasureStatistics& gft = result.statistics.measures.front();

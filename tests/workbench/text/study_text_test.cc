@@ -21,6 +21,49 @@ TEST(FormatRemoved, SaysThatNoTrialCounts) {
   EXPECT_EQ(FormatRemoved(StudyResult()), "no trial counts:\n");
 }
 
+TEST(FormatRemoved, NamesTheTrialsAndTheKeys) {
+  StudyResult result;
+  for (int i = 0; i < 8; ++i) {
+    StudyTrial trial;
+    trial.id = "P1-" + std::to_string(i);
+    trial.removed = "an event fell into a gap";
+    trial.removed_code = "gap_event";
+    result.trials.push_back(trial);
+  }
+  EXPECT_EQ(FormatRemoved(result),
+            "no trial counts:\nremoved  8 [gap_event] an event fell into a gap\n"
+            "         trials: P1-0, P1-1, P1-2, P1-3, P1-4, P1-5 ..\n"
+            "         keys: markers.companions and cleaning.max_gap_s; removal.gap_event: false "
+            "keeps it\n");
+}
+
+TEST(FormatWarnings, ManyOfAKindAreCounted) {
+  StudyResult result;
+  for (int i = 0; i < 200; ++i) {
+    result.warnings.push_back({"review_lapsed", "line " + std::to_string(i)});
+  }
+  EXPECT_EQ(FormatWarnings(result),
+            "warning  [review_lapsed] line 0\nwarning  [review_lapsed] line 1\n"
+            "warning  [review_lapsed] line 2\nwarning  [review_lapsed] and 197 more\n");
+}
+
+TEST(FormatSuggestions, SaysWhyWhatItCostsAndWhatIsLeft) {
+  StudySuggestions suggestions;
+  suggestions.num_rows = suggestions.num_all_rows = 1;
+  suggestions.num_trials = suggestions.num_trials_then = 21;
+  suggestions.num_kept_then = 15;
+  suggestions.suggestions = {{{"movement.rule=regression"}, "no rest", "it is less exact", 15}};
+  suggestions.others = {{"no_contact", "no contact of the thumb: hidden", {"p1-1"}}};
+  EXPECT_EQ(
+      FormatSuggestions(suggestions),
+      "now      0 of 21 trials count\nsuggest  movement.rule: regression\n"
+      "         why: no rest\n         cost: it is less exact\n         then 15 trials count\n"
+      "then     15 of 21 trials count\n"
+      "left     1 [no_contact] no contact of the thumb: hidden\n         trials: p1-1\n"
+      "         keys: the marker of that digit under markers; contact.max_pad_offset_m and "
+      "max_looseness, if it does touch\n");
+}
+
 TEST(FormatWarnings, OneLineEachWithItsCode) {
   StudyResult result;
   EXPECT_EQ(FormatWarnings(result), "");

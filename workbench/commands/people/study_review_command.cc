@@ -17,17 +17,6 @@ struct ReviewOptions {
   bool replace = false;
 };
 
-/** What only the report needs is not computed. */
-Study LoadForReview(const ReviewOptions& options) {
-  Study study = LoadStudy(options.study_file, options.data, options.settings);
-  study.config.bias_trials = 0;
-  study.config.multiverse.onset.clear();
-  study.config.multiverse.opening.clear();
-  study.config.multiverse.cutoff.clear();
-  study.config.multiverse.detector = {study.config.analysis.contact.detector};
-  return study;
-}
-
 bool IsOfAll(const ReviewOptions& options) {
   return options.trials.empty() || options.trials == std::vector<std::string>{"all"};
 }
@@ -47,7 +36,7 @@ void CheckAllFound(const ReviewOptions& options, const StudyResult& result) {
 void RunReview(const ReviewOptions& options) {
   StagedFolder staged(
       {options.out, "study review", options.replace, {options.study_file, options.data}});
-  const Study study = LoadForReview(options);
+  const Study study = LeaveOutReport(LoadStudy(options.study_file, options.data, options.settings));
   ReviewPages pages(staged.path());
   int num_pages = 0;
   StudyWatch watch;

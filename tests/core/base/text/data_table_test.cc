@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
+
+#include "core/base/text/delimited_text.h"
 
 namespace graspbench {
 namespace {
@@ -35,6 +38,56 @@ TEST(DataTable, TwoQuotesInAQuotedCellAreOne) {
   EXPECT_EQ(table.Text(0, "c \"x\""), "\"");
   EXPECT_EQ(table.Text(1, "a"), "a\"\"b");  // not quoted: as it is
   EXPECT_EQ(table.Text(1, "b"), "x,\"");
+}
+
+TEST(ParseNumber, ADecimalCommaIsSaid) {
+  std::istringstream stream("1;-350,09;1,2,3\n");
+  LineReader reader(stream, "take.csv");
+  std::string_view line;
+  reader.Next(line);
+  Cells cells;
+  SplitCells(line, ';', cells);
+  const auto fault = [&](size_t column) -> std::string {
+    try {
+      ParseNumber(cells, column, reader);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+      fault(1),
+      "take.csv:1: column 2: \"-350,09\" is not a number: it has a decimal comma; export with "
+      "points");
+  EXPECT_EQ(fault(2), "take.csv:1: column 3: \"1,2,3\" is not a number");
+}
+
+TEST(DataTable, Utf16IsSaidOnceAndNotShown) {
+  Diagnostics problems;
+  const std::string text = "participant,file\n1,a.c3d\n";
+  std::string wide = "\xff\xfe";
+  for (const char c : text) wide += {c, '\0'};
+  const DataTable table(wide, "trials.csv", problems);
+  EXPECT_EQ(
+      problems.Format(),
+      "trials.csv: error: is UTF-16 (\"Unicode text\" of a spreadsheet); save it as UTF-8, for "
+      "instance as \"CSV UTF-8\"");
+}
+
+TEST(Diagnostics, EqualTextsAreOneLineWithTheirNumber) {
+  Diagnostics problems;
+  for (int line = 2; line < 302; ++line) problems.Warn("a.csv", line, "empty");
+  problems.Warn("a.csv", 7, "other");
+  problems.Fail("a.csv", 8, "empty");
+  problems.Fail("a.csv", 9, "empty");
+  problems.Warn("a.csv", 0, "whole");
+  problems.Warn("a.csv", 0, "whole");
+  EXPECT_EQ(problems.Format(),
+            "a.csv:2: warning: empty (and 299 lines more: 3, 4, 5 ..)\n"
+            "a.csv:7: warning: other\n"
+            "a.csv:8: error: empty (and 1 line more: 9)\n"
+            "a.csv: warning: whole (and 1 line more)");
+  EXPECT_EQ(problems.num_errors(), 2);
 }
 
 TEST(DataTable, EveryFaultHasItsLine) {

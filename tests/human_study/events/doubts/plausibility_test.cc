@@ -77,6 +77,22 @@ TEST(FindWrongUnit, NoReachIsFasterThanFiveMetresASecond) {
   EXPECT_EQ(doubts(5.1)[0].code, "wrong_unit");
 }
 
+// 0.35 m between two digits: no unit makes a usual hand of it, exchanged columns would.
+TEST(FindWrongUnit, WhatNoUnitExplainsWellMayBeExchangedColumns) {
+  const auto text = [](double span) {
+    std::vector<DigitTrack> digits(2);
+    for (size_t d = 0; d < 2; ++d) {
+      digits[d].tip = SamplePath(MakeTimes(0, 1, 100), [&](double) {
+        return Vector3d(span * static_cast<double>(d), 0, 0);
+      });
+    }
+    return FindWrongUnit(digits).front().text;
+  };
+  EXPECT_NE(text(0.35).find("columns (mapping) or two markers' labels are exchanged"),
+            std::string::npos);
+  EXPECT_EQ(text(0.9).find("exchanged"), std::string::npos);
+}
+
 TEST(FindWrongUnit, OneDigitLeftOnTheTableIsNamed) {
   std::vector<DigitTrack> digits(4);
   const char* const names[] = {"TH", "FF", "MF", "RF"};
@@ -154,6 +170,7 @@ TEST(FindNoMovement, ARestingHandIsNoReach) {
 
 TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
   const std::vector<double> times = MakeTimes(0, 1, 100);
+  double hidden_until = 0.3;
   const auto doubts = [&](double reach, const Vector3d& place) {
     std::vector<DigitTrack> digits(2);
     for (size_t d = 0; d < 2; ++d) {
@@ -162,7 +179,7 @@ TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
         return Vector3d(place + Vector3d(side * (0.03 + 0.02 * std::sin(3.0 * t)), reach * t, 0));
       });
     }
-    HideSamples(digits[1].tip, 0.2, 0.3);
+    HideSamples(digits[1].tip, 0.2, hidden_until);
     return FindHandCentred(digits);
   };
   ASSERT_EQ(doubts(0.01, Vector3d(0, 0.05, 0)).size(), 1u);
@@ -172,6 +189,8 @@ TEST(FindHandCentred, AHandThatOnlyOpensAboutTheOriginIsNoReach) {
       std::string::npos);
   EXPECT_TRUE(doubts(0.3, Vector3d(0, 0, 0)).empty());     // reaches through the origin
   EXPECT_TRUE(doubts(0.01, Vector3d(0.4, 0, 0)).empty());  // rests elsewhere: no landmark's frame
+  hidden_until = 0.9;  // markers that are missing are no hand's frame
+  EXPECT_TRUE(doubts(0.01, Vector3d(0, 0.05, 0)).empty());
 }
 
 TEST(FindWrongShape, MarkersInsideTheSolidAndFarFromItAreNamed) {

@@ -44,6 +44,20 @@ TEST(QualisysTsv, RowsMayComeWithoutFrameTimeAndHeading) {
   EXPECT_EQ(CountFindings(read, "frame_count_disputed"), 1u);
 }
 
+// Some write metres; a unit that a person states is believed.
+TEST(QualisysTsv, AStatedUnitCounts) {
+  const std::string file =
+      "NO_OF_FRAMES\t2\nNO_OF_MARKERS\t1\nFREQUENCY\t100\nDATA_INCLUDED\t3D\nMARKER_NAMES\ttip\n"
+      "0.1\t0.2\t0.3\n0.1\t0.2\t0.4\n";
+  ImportOptions options;
+  EXPECT_NEAR(ImportBytes(file, "qualisys_tsv", options).points[0].Position(0).z(), 0.0003, 1e-9);
+  EXPECT_EQ(CountFindings(ImportBytes(file, "qualisys_tsv", options), "unit_by_convention"), 1u);
+  options.unit = "m";
+  const Recording metres = ImportBytes(file, "qualisys_tsv", options);
+  EXPECT_NEAR(metres.points[0].Position(0).z(), 0.3, 1e-7);
+  EXPECT_EQ(CountFindings(metres, "unit_by_convention"), 0u);
+}
+
 TEST(QualisysTsv, FaultsNameTheirLine) {
   EXPECT_EQ(
       ImportFault(kQualisysHead + "1\t2\t3\t4\t5\t6\n1\t2\tx\x01y\t4\t5\t6\n", "qualisys_tsv"),
@@ -351,8 +365,9 @@ TEST(Table, WithoutAHeadingColumnsAreNumbered) {
             "file: its times are uneven, so that its channels have no rate; take them out of the "
             "mapping, or export the table at an even rate");
   // A decimal comma is no delimiter of this table's.
-  EXPECT_EQ(ImportFault("0,0;1,5;2;3;0\n", "table", options),
-            "file:1: column 2: \"1,5\" is not a number");
+  EXPECT_EQ(
+      ImportFault("0,0;1,5;2;3;0\n", "table", options),
+      "file:1: column 2: \"1,5\" is not a number: it has a decimal comma; export with points");
   options.mapping = WriteText("mapping.yaml", kMapping);
   EXPECT_EQ(ImportFault("1;0;1;2;3;0\n", "table", options),
             "file:1: the first row holds numbers, not the names of columns (a, b, c, t, n, o); for "
@@ -478,6 +493,18 @@ TEST(N3d, FaultsNameTheirByte) {
             "file: byte 3: each item has 1 values; only positions (3 values) can be read");
   EXPECT_EQ(ImportFault("short", "n3d"),
             "file: byte 5: the file ends here; an N3D header alone has 256 bytes");
+}
+
+TEST(FindImporter, Utf16IsSaid) {
+  using namespace std::string_literals;
+  try {
+    FindImporter("", "\xff\xfeN\0O\0"s, "take.tsv");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "take.tsv: is UTF-16 (\"Unicode text\" of a spreadsheet); no format of motion "
+                 "capture is: save it as UTF-8, or export it again");
+  }
 }
 
 TEST(FindImporter, ContentDecidesThenTheName) {

@@ -64,9 +64,9 @@ class StudyFolder : public ::testing::Test {
       "01,b.c3d,ball,0.02,right,,looked away,x\n"
       "02,c.c3d,,0.02,left,,,x\n";
   static constexpr char kObjects[] =
-      "object,shape,length_m,height_m,centre_z_m\n"
-      "cup,cylinder,0.08,0.1,-0.02\n"
-      "ball,sphere,0.06,,\n";
+      "object,shape,length_m,height_m,centre_x_m,centre_y_m,centre_z_m\n"
+      "cup,cylinder,0.08,0.1,0,0,-0.02\n"
+      "ball,sphere,0.06,,0,0,0\n";
 
   fs::path folder_;
 };
@@ -179,6 +179,26 @@ TEST_F(StudyFolder, FaultsOfTheDesignHaveTheirLine) {
             std::string::npos);
 }
 
+// The middle of markers on a solid's surface is not its centre.
+TEST_F(StudyFolder, AShapeWithoutItsCentreIsWarnedOf) {
+  const auto count = [&] {
+    const Study study = LoadStudy(folder_ / "study.yaml");
+    const std::string text = study.warnings.Format();
+    return std::pair(study.warnings.entries().size(),
+                     text.find("the centre of the solid is taken to be the middle of its markers"));
+  };
+  const auto [num_complete, nowhere] = count();
+  EXPECT_EQ(nowhere, std::string::npos);
+  Write("objects.csv",
+        "object,shape,length_m,height_m,centre_z_m\ncup,cylinder,0.08,0.1,-0.02\n"
+        "ball,sphere,0.06,,\n");
+  const auto [num_incomplete, at] = count();
+  EXPECT_NE(at, std::string::npos);
+  EXPECT_EQ(num_incomplete, num_complete + 2);
+  Write("objects.csv", "object\ncup\nball\n");  // no shape, no centre needed
+  EXPECT_EQ(count().first, num_complete);
+}
+
 TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
   const auto expect = [&](const std::string& yaml, const std::string& part) {
     Write("study.yaml", yaml);
@@ -202,6 +222,9 @@ TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
          "cut.far_m: must be larger than cut.near_m");
   expect(markers + "measures: [grasp_forming_tim_s]\n", "did you mean \"grasp_forming_time_s\"?");
   expect(markers + "multiverse: {opening: [apertur]}\n", "did you mean \"aperture\"?");
+  expect(markers + "lift_off:\n  up_z: 0\n",
+         "study.yaml:3: error: lift_off.up_z: is 0, up_x 0 and up_y 0, which is no direction; "
+         "expected the one of the lift in the recording, for instance up_z: 1");
   expect(markers + "trials: nothing.csv\n", "study.yaml:2: error: trials: ");
   expect("markers: [", "study.yaml:1: error: not valid YAML");
 }

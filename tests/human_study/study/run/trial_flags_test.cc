@@ -25,5 +25,23 @@ TEST(TrialFlags, AreCountedOverTheTrialsThatCount) {
   }
 }
 
+// The one to begin with has no flag and a usual GFT.
+TEST(FindGoodTrial, IsWithoutFlagAndNearTheMedian) {
+  StudyResult result;
+  EXPECT_EQ(FindGoodTrial(result), nullptr);
+  const double gfts[] = {0.01, 0.03, 0.0325, 0.2, 0.031};
+  for (const double gft : gfts) {
+    StudyTrial trial;
+    trial.id = std::to_string(result.trials.size());
+    trial.analysis.emplace();
+    trial.analysis->timing.gft = gft;
+    result.trials.push_back(trial);
+  }
+  result.trials[4].analysis->used_gap = true;  // the median itself, but in a gap
+  EXPECT_EQ(FindGoodTrial(result)->id, "1");
+  result.trials[1].removed = "late";
+  EXPECT_EQ(FindGoodTrial(result)->id, "2");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -36,6 +36,8 @@ TEST(MergeNumbers, GivesTheRangeOfWhatDiffersAndKeepsTheRest) {
   EXPECT_EQ(MergeNumbers({"10 mm away (at most 20).", "9.5 mm away (at most 20).",
                           "31 mm away (at most 20)."}),
             "9.5..31 mm away (at most 20).");
+  EXPECT_EQ(MergeNumbers({"are 5.2e-05 m apart", "are 7e-06 m apart", "are 0.001 m apart"}),
+            "are 7e-06..0.001 m apart");
   EXPECT_EQ(MergeNumbers({"trial-3.c3d: 7 frames", "trial-12.c3d: 7 frames"}),
             "trial-\u2026.c\u2026d: 7 frames");
   EXPECT_EQ(MergeNumbers({"trial-3.c3d: cut", "trial-3.c3d: cut"}), "trial-3.c3d: cut");
