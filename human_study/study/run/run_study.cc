@@ -366,8 +366,9 @@ StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
     if (watch.on_row) watch.on_row(i + 1, study.trials.size());
   }
   runner.Finish();
-  for (const auto& warnings : {FindSameRecordings(result.study), FindNeverTouching(result),
-                               FindManyFrozen(result), FindSpikes(result), FindTwoRates(result)}) {
+  for (const auto& warnings :
+       {FindSameRecordings(result.study), FindNeverTouching(result), FindManyFrozen(result),
+        FindSpikes(result), FindFilteredExports(result), FindTwoRates(result)}) {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   }
   CalcStudyStatistics(result);
