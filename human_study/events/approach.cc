@@ -285,6 +285,36 @@ TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Vector3d& place, c
   return samples;
 }
 
+void AddObjectMotion(const std::vector<double>& times, const std::vector<Pose>& X_LO,
+                     const Vector3d& place, const Vector3d& direction, TouchSamples& samples) {
+  samples.object_motion.clear();
+  size_t at = 0;
+  double moved = 0.0;
+  const Pose* before = nullptr;
+  for (const double time : samples.times) {
+    // Of averaged neighbours the one next to their middle.
+    while (at + 1 < times.size() && times[at] < time - kTick) ++at;
+    const Pose* now = &X_LO[at];
+    if (now->translation().hasNaN()) now = before;
+    if (before != nullptr && now != nullptr) {
+      const Vector3d normal = 0.5 * (before->linear() + now->linear()) * direction;
+      moved += normal.dot(*now * place - *before * place);
+    }
+    samples.object_motion.push_back(moved);
+    before = now;
+  }
+}
+
+Vector3d FindNormal(const SurfaceDistance& distance, const Vector3d& place) {
+  constexpr double kStep = 1e-3;  // [m]
+  Vector3d normal;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d step = kStep * Vector3d::Unit(i);
+    normal[i] = distance(place + step) - distance(place - step);
+  }
+  return normal.normalized();
+}
+
 LateMotion FindLateMotion(const Trajectory& p_O, const Vector3d& place, const Hold& hold,
                           double noise, double touch, const Vector3d& approach) {
   constexpr double kLeast = 1.5e-3, kCertain = 6e-3;  // [m]

@@ -7,6 +7,7 @@ touch_fit.h. Only measured samples of the unfiltered path take part. */
 #include <cmath>
 #include <limits>
 
+#include "core/base/pose.h"
 #include "human_study/events/hold.h"
 #include "human_study/events/object_surface.h"
 #include "human_study/events/touch_fit.h"
@@ -29,6 +30,15 @@ yields more, or farther than 25 mm from its place, to where it has come to rest.
 TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance& distance,
                                    const Eigen::Vector3d& place, const Hold& hold, double noise,
                                    double pad_offset);
+
+/** TouchSamples::object_motion: how far the object's point `place` has gone along `direction`, step
+by step as the object turns; `direction` is fixed in O.
+@param X_LO  of every sample of `times`; those of the touch's samples and of none beside are known. */
+void AddObjectMotion(const std::vector<double>& times, const std::vector<Pose>& X_LO,
+                     const Eigen::Vector3d& place, const Eigen::Vector3d& direction,
+                     TouchSamples& samples);
+/** Outward normal of the surface nearest to a place, unit, by differences over 1 mm. */
+Eigen::Vector3d FindNormal(const SurfaceDistance& distance, const Eigen::Vector3d& place);
 
 /** The same along the direction in which it came from about 8 mm to about 4 mm of its place (farther
 where noise demands it), and nearer than 25 mm to it.

@@ -46,6 +46,29 @@ double CalcNoise(const Trajectory& path) {
   return std::max(kLeast, CalcMedian(std::move(differences)) / (kMedianPerSd * kSdOfDifference));
 }
 
+/** RMS of a coordinate between 6 and 16 Hz while the hand is free, without its white noise. Half of
+the samples decide (median), so that corners of the path do not. */
+double CalcTremor(const Trajectory& path, double hold) {
+  constexpr double kSlowest = 6.0, kFastest = 16.0;  // [Hz]
+  constexpr double kBeating = 1.4;  // waves that beat are small half of the time, edges are cut off
+  const double interval = path.times[1] - path.times[0];
+  if (!(kFastest * interval < 0.4)) return 0.0;  // too slow a recording to tell
+  const SmoothPath above = Smooth(path, kFastest), below = Smooth(path, kSlowest);
+  const SampleRun run = FindSamples(path.times, path.times.front(), hold);
+  std::vector<double> sizes;
+  for (size_t i = run.first; i < run.last; ++i) {
+    const auto at = static_cast<Column>(i);
+    if (above.path.IsValid(i) && below.path.IsValid(i)) {
+      sizes.push_back((above.path.p.col(at) - below.path.p.col(at)).norm());
+    }
+  }
+  if (sizes.empty()) return 0.0;
+  const double size = kBeating * CalcMedian(std::move(sizes)) / kMedianPerSd;
+  const double white =
+      above.smooth_noise * above.smooth_noise - below.smooth_noise * below.smooth_noise;
+  return std::sqrt(std::max(0.0, size * size - white));
+}
+
 TouchFit FitIfSeen(const TouchSamples& samples) {
   if (!samples.times.empty()) return FitTouch(samples);
   TouchFit fit;
@@ -54,14 +77,19 @@ TouchFit FitIfSeen(const TouchSamples& samples) {
 }
 
 /** The last stop on the way to the place. Two stops that may both be the touch are both weighed. */
-TouchFit FitPath(const TipAgainstObject& tip, const Eigen::Vector3d& place, const Hold& hold) {
+TouchFit FitPath(const TipAgainstObject& tip, const ObjectTrack& object, double tremor,
+                 const Eigen::Vector3d& place, const Hold& hold) {
   constexpr int kMaxTurns = 3;
   Eigen::Vector3d from = Eigen::Vector3d::Constant(std::nan(""));
   double after = -INFINITY;
   std::optional<TouchFit> earlier;
   double share = 0.0;
   for (int turn = 0; turn < kMaxTurns; ++turn) {
-    const TouchSamples samples = TakeApproachToPlace(tip.p_O, place, hold, tip.noise, from, after);
+    TouchSamples samples = TakeApproachToPlace(tip.p_O, place, hold, tip.noise, from, after);
+    samples.tremor = tremor;
+    if (object.IsRecorded()) {
+      AddObjectMotion(tip.p_O.times, object.X_LO, place, samples.direction, samples);
+    }
     const TouchFit fit = FitIfSeen(samples);
     if (earlier) return fit.missing.empty() ? MixFits(*earlier, fit, share) : *earlier;
     if (!fit.missing.empty()) return fit;
@@ -80,10 +108,13 @@ TouchFit FitPath(const TipAgainstObject& tip, const Eigen::Vector3d& place, cons
 }
 
 /** The touch of the surface, after which a tip does not go far. */
-TouchFit FitSurface(const TipAgainstObject& tip, const SurfaceDistance& distance,
+TouchFit FitSurface(const TipAgainstObject& tip, const ObjectTrack& object, double tremor,
                     const Eigen::Vector3d& place, const Hold& hold, double pad_offset) {
-  TouchFit fit =
-      FitIfSeen(TakeApproachToSurface(tip.p_O, distance, place, hold, tip.noise, pad_offset));
+  TouchSamples samples =
+      TakeApproachToSurface(tip.p_O, object.distance, place, hold, tip.noise, pad_offset);
+  samples.tremor = tremor;
+  AddObjectMotion(tip.p_O.times, object.X_LO, place, FindNormal(object.distance, place), samples);
+  TouchFit fit = FitIfSeen(samples);
   if (!fit.missing.empty()) return fit;
   const LateMotion late =
       FindLateMotion(tip.p_O, place, hold, tip.noise, CalcTouchTime(fit, kUsualDepths).time,
@@ -109,7 +140,11 @@ const std::vector<SmoothPath>& FilteredTrial::FilterTips(double cutoff) {
 
 const ObjectTrack& FilteredTrial::FilterObject(double cutoff) {
   const auto [entry, is_new] = objects_.try_emplace(cutoff);
-  if (is_new && trial_->object.IsRecorded()) entry->second = SmoothObject(*trial_, cutoff);
+  if (!is_new || !trial_->object.IsRecorded()) return entry->second;
+  // A thing that is pushed starts at once, and its middle is known better than its turn.
+  const double interval = trial_->times[1] - trial_->times[0];
+  const double of_middle = std::max(cutoff, std::min(2.0 * cutoff, 0.35 / interval));
+  entry->second = SmoothObject(*trial_, of_middle, cutoff);
   return entry->second;
 }
 
@@ -137,14 +172,15 @@ const std::vector<TouchFits>& FilteredTrial::FitTouches(const std::vector<TipAga
                                                         const Hold& hold, double object_cutoff) {
   std::vector<TouchFits>& fits = touch_fits_[{hold.time, hold.begin, hold.end, object_cutoff}];
   if (!fits.empty()) return fits;
-  const SurfaceDistance& distance = trial_->object.distance;
+  const ObjectTrack& object = FilterObject(object_cutoff);
   for (size_t i = 0; i < tips.size(); ++i) {
     const TipAgainstObject& tip = tips[i];
     const Eigen::Vector3d place = FindHoldPlace(tip.p_O, hold);
     TouchFits fit;
-    fit.path = FitPath(tip, place, hold);
-    if (trial_->object.IsRecorded() && distance) {
-      fit.surface = FitSurface(tip, distance, place, hold, trial_->digits[i].pad_offset);
+    const double tremor = CalcTremor(trial_->digits[i].tip, hold.time);
+    fit.path = FitPath(tip, object, tremor, place, hold);
+    if (object.IsRecorded() && object.distance) {
+      fit.surface = FitSurface(tip, object, tremor, place, hold, trial_->digits[i].pad_offset);
     } else {
       fit.surface.missing = "the object's pose or shape is not known";
     }

@@ -98,13 +98,35 @@ Eigen::Matrix3d FindRestingOrientation(const ObjectTrack& object) {
   return sum.isZero() ? Eigen::Matrix3d::Identity() : MakeOrthonormal(sum);
 }
 
+/** Principal axes of the turns within 0.1 s of each sample, as columns. */
+std::vector<Eigen::Matrix3d> FindTurningAxes(const Eigen::Matrix3Xd& u, double interval) {
+  constexpr double kReach = 0.1;  // [s]
+  const auto reach = static_cast<Column>(std::lround(kReach / interval));
+  std::vector<Eigen::Matrix3d> axes;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  const auto add = [&](Column i, double sign) {
+    if (i >= 0 && i < u.cols() && !u.col(i).hasNaN()) sum += sign * u.col(i) * u.col(i).transpose();
+  };
+  for (Column i = -reach; i < u.cols(); ++i) {
+    add(i + reach, 1.0);
+    add(i - reach - 1, -1.0);
+    if (i < 0) continue;
+    axes.push_back(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors());
+  }
+  return axes;
+}
+
 /** Turned back as far as noise may have turned it; see SmoothObject. */
-Eigen::Matrix3d ShrinkTurn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& lever, double noise) {
+Eigen::Matrix3d ShrinkTurn(const Eigen::Vector3d& u, const Eigen::Matrix3d& axes,
+                           const Eigen::Matrix3d& lever, double noise) {
   constexpr double kRotationFactor = 4.0;
-  const Eigen::Vector3d w = CalcRotationVector(R);
-  const double ratio = kRotationFactor * noise / (lever * w).norm();
-  const double share = ratio < 1.0 ? 1.0 - ratio * ratio : 0.0;  // 0 also for no turn at all
-  return MakeOrthonormal(Eigen::AngleAxisd(share * w.norm(), w.stableNormalized()).matrix());
+  Eigen::Vector3d parts = axes.transpose() * u;
+  for (double& part : parts) {
+    const double ratio = kRotationFactor * noise / std::abs(part);
+    part *= ratio < 1.0 ? 1.0 - ratio * ratio : 0.0;  // 0 also for no turn at all
+  }
+  const Eigen::Vector3d w = lever.inverse() * (axes * parts);
+  return MakeOrthonormal(Eigen::AngleAxisd(w.norm(), w.stableNormalized()).matrix());
 }
 
 }  // namespace
@@ -197,7 +219,7 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
   return track;
 }
 
-ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff) {
+ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff, double turn_cutoff) {
   ObjectTrack smooth = trial.object;
   const Eigen::Vector3d& p_OC = smooth.p_OC;
   const SmoothPath middle = Smooth(
@@ -205,26 +227,35 @@ ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff) {
   smooth.smooth_noise = middle.smooth_noise;
   const bool turns = !smooth.turn_lever.isZero();
   const Eigen::Matrix3d R_rest = FindRestingOrientation(trial.object);
-  std::array<Trajectory, 3> axes;
+  Eigen::Matrix3Xd u(3, static_cast<Column>(trial.times.size()));
+  std::vector<Eigen::Matrix3d> turning_axes;
   double noise = 0.0;
   if (turns) {
+    const auto calc_u = [&](const Eigen::Matrix3d& R) -> Eigen::Vector3d {
+      return smooth.turn_lever * CalcRotationVector(R_rest.transpose() * R);
+    };
+    std::array<Trajectory, 3> axes;
     for (int k = 0; k < 3; ++k) {
       axes[k] = TakePath(trial, [k](const Pose& X_LO) { return X_LO.linear().col(k); });
-      FilterLowPass(axes[k], cutoff);
+      FilterLowPass(axes[k], turn_cutoff);
     }
-    const Trajectory u = TakePath(trial, [&](const Pose& X_LO) -> Eigen::Vector3d {
-      return smooth.turn_lever * CalcRotationVector(R_rest.transpose() * X_LO.linear());
-    });
-    noise = Smooth(u, cutoff).smooth_noise;
+    for (Column i = 0; i < u.cols(); ++i) {
+      Eigen::Matrix3d R;
+      for (int k = 0; k < 3; ++k) R.col(k) = axes[k].p.col(i);
+      u.col(i) = smooth.states[static_cast<size_t>(i)] == SampleState::kInvalid
+                     ? Eigen::Vector3d::Constant(std::nan(""))
+                     : calc_u(MakeOrthonormal(R));
+    }
+    noise = Smooth(TakePath(trial, [&](const Pose& X_LO) { return calc_u(X_LO.linear()); }),
+                   turn_cutoff)
+                .smooth_noise;
+    turning_axes = FindTurningAxes(u, trial.times[1] - trial.times[0]);
   }
   for (size_t i = 0; i < trial.times.size(); ++i) {
     if (smooth.states[i] == SampleState::kInvalid) continue;
     const auto column = static_cast<Column>(i);
     Eigen::Matrix3d R = R_rest;
-    if (turns) {
-      for (int k = 0; k < 3; ++k) R.col(k) = axes[k].p.col(column);
-      R = R_rest * ShrinkTurn(R_rest.transpose() * MakeOrthonormal(R), smooth.turn_lever, noise);
-    }
+    if (turns) R *= ShrinkTurn(u.col(column), turning_axes[i], smooth.turn_lever, noise);
     smooth.X_LO[i].linear() = R;
     smooth.X_LO[i].translation() = middle.path.p.col(column) - R * p_OC;
   }

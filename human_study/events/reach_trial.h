@@ -57,6 +57,8 @@ struct ReachTrial {
   std::vector<DigitTrack> digits;  ///< thumb first, then from radial to ulnar
   Trajectory wrist;                ///< empty: the centroid of the tips stands in for it
   ObjectTrack object;
+  /** Cut-off of a low-pass that the recording went through (low_pass_trace.h) [Hz]; NaN: none seen. */
+  double low_pass = std::numeric_limits<double>::quiet_NaN();
 };
 
 /** @throws Error(kRange) when tracks differ in length or times, the times are not even, there are
@@ -79,18 +81,21 @@ ObjectTrack MakeObjectTrack(const std::vector<Trajectory>& markers,
                             const std::vector<Eigen::Vector3d>& p_OM);
 
 /** The object's path behind a zero-phase low-pass: each coordinate of the middle of its markers and
-of its axes, the axes then made orthonormal. A thing on a table moves slowly: filter it harder than
-the tips.
+of its axes, the axes then made orthonormal. A thing on a table moves slowly: filter its turn harder
+than the tips.
 
 Noise of the markers turns the object, and a turn moves the far tips more than the markers. So the
 object is turned away from how it rested only as far as that exceeds its own noise: with
 u = turn_lever * w of the smooth rotation vector w, and s the SD of the noise in each coordinate of
-u behind the filter, w is multiplied by max(0, 1 - (4 s / |u|)^2) (the non-negative garrote of
-Breiman 1995). Noise alone exceeds 4 s in 1 of 1,000 samples; a turn ten times as large as that is
-found to 1 %. With one marker nothing turns; with three nothing is worse than with one.
+u behind the filter, the part of u along each principal axis of u within 0.1 s is multiplied by
+max(0, 1 - (4 s / |part|)^2) (the non-negative garrote of Breiman 1995): a thing that is turned about
+one axis does not tilt by noise about the others. Noise alone exceeds 4 s in 1 of 1,000 samples; a
+turn ten times as large as that is found to 1 %. With one marker nothing turns; with three nothing
+is worse than with one.
 Rest is the mean orientation over the first tenth of the trial. Near the ends of the trial the
 filter leaves more noise, and turns may show there.
-@pre the object was recorded. @throws Error(kRange) when the cut-off does not fit the rate. */
-ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff);
+@param cutoff  of the middle, `turn_cutoff` of the axes [Hz].
+@pre the object was recorded. @throws Error(kRange) when a cut-off does not fit the rate. */
+ObjectTrack SmoothObject(const ReachTrial& trial, double cutoff, double turn_cutoff);
 
 }  // namespace graspbench

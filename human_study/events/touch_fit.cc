@@ -21,6 +21,8 @@ const Vector kPriorSd = (Vector() << 2e-3, 0.15, 1.2, 30.0, 600.0, 4000.0, 2e-3)
 // What the model leaves out grows with the distance from the bracket.
 constexpr double kBeforeGrowth = 3.0;     // [m/s^3]
 constexpr double kAfterGrowth = 0.1;      // [m/s^2]: a phalanx that turns on its pad
+constexpr double kTremorRate = 60.0;      // of 9.5 Hz [rad/s]
+constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keeps as it settles
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
@@ -45,6 +47,21 @@ struct BeforeSums {
   double places = 0.0;
 };
 
+/** How far the object has gone by itself, and how fast it goes, at an instant. */
+struct ObjectMotion {
+  double way = 0.0;   ///< [m]
+  double rate = 0.0;  ///< [m/s]
+};
+
+ObjectMotion FindObjectMotion(const TouchSamples& samples, size_t num_before, double tc) {
+  if (samples.object_motion.empty()) return {};
+  const size_t last = std::clamp<size_t>(num_before, 1, samples.times.size() - 1);
+  const double begin = samples.times[last - 1], end = samples.times[last];
+  const double from = samples.object_motion[last - 1], to = samples.object_motion[last];
+  const double rate = (to - from) / (end - begin);
+  return {from + rate * (tc - begin), rate};
+}
+
 /** Inverse variances. They do not depend on the touch that is tried, so that it is not preferred
 for making the samples uncertain. */
 std::vector<double> CalcWeights(const TouchSamples& samples) {
@@ -53,16 +70,31 @@ std::vector<double> CalcWeights(const TouchSamples& samples) {
     const double before = std::max(0.0, samples.first - time);
     const double after = std::max(0.0, time - samples.last);
     const double model = kBeforeGrowth * before * before * before + kAfterGrowth * after * after;
-    weights.push_back(1.0 / (Square(samples.noise) + Square(model)));
+    weights.push_back(
+        1.0 / (Square(samples.noise) + Square(kHeldTremor * samples.tremor) + Square(model)));
   }
   return weights;
 }
 
+/** A tremor adds to each derivative of the approach what it itself has of it. */
+Vector CalcPriorSd(const TouchSamples& samples) {
+  Vector prior_sd = kPriorSd;
+  double derivative = samples.tremor;
+  for (int k = kSpeed; k < kNumBefore; ++k) {
+    derivative *= kTremorRate;
+    prior_sd[k] = std::hypot(prior_sd[k], derivative);
+  }
+  prior_sd[kRest] = std::hypot(prior_sd[kRest], samples.tremor);
+  return prior_sd;
+}
+
 BeforeSums SumBefore(const TouchSamples& samples, const std::vector<double>& weights, size_t count,
-                     double tc) {
+                     double tc, double object_way) {
   BeforeSums sums;
   for (size_t i = 0; i < count; ++i) {
-    const double s = tc - samples.times[i], y = samples.places[i];
+    const double s = tc - samples.times[i];
+    const double moved = samples.object_motion.empty() ? 0.0 : samples.object_motion[i];
+    const double y = samples.places[i] + moved - object_way;
     const double weight = weights[i];
     BeforeVector basis;
     basis[0] = 1.0;
@@ -76,11 +108,18 @@ BeforeSums SumBefore(const TouchSamples& samples, const std::vector<double>& wei
 
 /** The normal equations of the unknowns, priors included. */
 struct Equations {
-  Matrix A = kPriorSd.cwiseInverse().cwiseAbs2().asDiagonal();
-  Vector b = kPriorMean.cwiseQuotient(kPriorSd.cwiseAbs2());
-  double squares = kPriorMean.cwiseQuotient(kPriorSd).squaredNorm();
+  explicit Equations(const Vector& prior_sd)
+      : A(prior_sd.cwiseInverse().cwiseAbs2().asDiagonal()),
+        b(kPriorMean.cwiseQuotient(prior_sd.cwiseAbs2())),
+        squares(kPriorMean.cwiseQuotient(prior_sd).squaredNorm()) {}
+  Matrix A;
+  Vector b;
+  double squares;
 
-  void AddBefore(const BeforeSums& sums, double tau) {
+  /** @param known  tau w: the depth by which the object's own motion drives the digit in. */
+  void AddBefore(BeforeSums sums, double tau, double known) {
+    sums.places += known * (known * sums.products(kRest, kRest) - 2.0 * sums.with_place[kRest]);
+    sums.with_place -= known * sums.products.col(kRest);
     // The column of v is s + tau.
     BeforeMatrix products = sums.products;
     products.row(kSpeed) += tau * products.row(kRest);
@@ -92,10 +131,10 @@ struct Equations {
   }
 
   void AddAfter(const TouchSamples& samples, const std::vector<double>& weights, size_t first,
-                double tc, double tau) {
+                double tc, double tau, double known) {
     double decay = 0.0, step = -1.0, factor = 0.0;
     for (size_t i = first; i < samples.times.size(); ++i) {
-      const double since = samples.times[i] - tc, y = samples.places[i];
+      const double since = samples.times[i] - tc;
       if (tau > 0.0) {
         const double interval = i == first ? since : samples.times[i] - samples.times[i - 1];
         if (std::abs(interval - step) > 1e-9) factor = std::exp(-(step = interval) / tau);
@@ -103,6 +142,7 @@ struct Equations {
       }
       const double weight = weights[i];
       const double sunk = tau * decay;
+      const double y = samples.places[i] - known * decay;
       A(kRest, kRest) += weight;
       A(kRest, kSpeed) += weight * sunk;
       A(kRest, kDrift) += weight * since;
@@ -117,7 +157,8 @@ struct Equations {
   }
 
   /** The clearance at the touch is known. */
-  void AddTouchPlace(double place, double tau) {
+  void AddTouchPlace(double given, double tau, double known) {
+    const double place = given - known;
     const double weight = 1.0 / Square(kPadTolerance);
     A(kRest, kRest) += weight;
     A(kRest, kSpeed) += weight * tau;
@@ -152,7 +193,7 @@ struct Trial {
 class Fitter {
  public:
   explicit Fitter(const TouchSamples& samples)
-      : samples_(samples), weights_(CalcWeights(samples)) {}
+      : samples_(samples), weights_(CalcWeights(samples)), prior_sd_(CalcPriorSd(samples)) {}
 
   Trial Try(double tc, size_t depth_step) {
     Trial trial;
@@ -161,16 +202,20 @@ class Fitter {
     const size_t num_before =
         static_cast<size_t>(std::lower_bound(samples_.times.begin(), samples_.times.end(), tc) -
                             samples_.times.begin());
-    const BeforeSums before = SumBefore(samples_, weights_, num_before, tc);
-    double speed = 0.0;
+    const ObjectMotion object = FindObjectMotion(samples_, num_before, tc);
+    const BeforeSums before = SumBefore(samples_, weights_, num_before, tc, object.way);
+    double speed = 0.0;  // against the object
     for (size_t k = 0; k < kSettlingDepths.size(); k += depth_step) {
       const double tau = k == 0 ? 0.0 : kSettlingDepths[k] / std::max(kMinSpeed, speed);
-      Equations equations;
-      equations.AddBefore(before, tau);
-      equations.AddAfter(samples_, weights_, num_before, tc, tau);
-      if (!std::isnan(samples_.touch_place)) equations.AddTouchPlace(samples_.touch_place, tau);
+      const double known = tau * object.rate;
+      Equations equations(prior_sd_);
+      equations.AddBefore(before, tau, known);
+      equations.AddAfter(samples_, weights_, num_before, tc, tau, known);
+      if (!std::isnan(samples_.touch_place)) {
+        equations.AddTouchPlace(samples_.touch_place, tau, known);
+      }
       const Equations::Solution solution = equations.Solve();
-      speed = solution.unknowns[kSpeed];
+      speed = solution.unknowns[kSpeed] + object.rate;
       trial.log_evidence[k] = speed < kMinSpeed ? -INFINITY : solution.log_evidence;
       least_misfit_ = std::min(least_misfit_, solution.misfit);
     }
@@ -192,6 +237,7 @@ class Fitter {
  private:
   const TouchSamples& samples_;
   std::vector<double> weights_;
+  Vector prior_sd_;
   double least_misfit_ = INFINITY;
 };
 
@@ -220,7 +266,7 @@ std::pair<double, double> FindLikely(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
+const DepthWeights kUsualDepths = {16.0, 24.0, 3.0, 0.3, 0.1, 0.05, 0.03, 0.02};
 
 TouchFit FitTouch(const TouchSamples& samples) {
   GRASPBENCH_DEMAND(samples.times.size() == samples.places.size() && samples.first < samples.last,

@@ -5,12 +5,14 @@ When a fingertip that comes nearer in one dimension touched, and how well that c
 A marker does not stop when the skin touches: the skin sinks in, a phalanx turns on its pad. With s
 the time to the touch tc, the marker's clearance g is taken to be
 
-    before   g = r + D + v s + a s^2 / 2 + j s^3 / 6                    s = tc - t > 0
-    after    g = r + D exp(-v (t - tc) / D) + c (t - tc)
+    before   g = r + D + v s + a s^2 / 2 + j s^3 / 6 - (m - m_c)        s = tc - t > 0
+    after    g = r + D exp(-(v + w) (t - tc) / D) + c (t - tc)
 
-r: place in the hold; v: speed at touch; D: depth by which it goes on. The speed is continuous at
-the touch: a deep D and a late tc look alike, and noise decides how alike. So the answer is not one
-fit but all of them, weighed by how well they explain the samples (Bayes): D over a list of depths,
+r: place in the hold; v: speed at touch; D: depth by which it goes on; m: how far the object has
+gone along the clearance by itself (another digit pushes or turns it), m_c and w: that and its rate
+at the touch. A digit's way is smooth in the laboratory before it touches and at rest against the
+object after. The speed against the object is continuous at the touch: a deep D and a late tc look
+alike, and noise decides how alike. So the answer is not one fit but all of them, weighed by how well they explain the samples (Bayes): D over a list of depths,
 tc over a bracket of time, the rest integrated out, as it is linear with normal priors (people's
 reaches: v about 0.1 m/s, a about 1 m/s^2). Samples far from the touch count less, as the
 polynomials hold near it only. The depth belongs to the skin and the marker's place, not to the
@@ -43,9 +45,13 @@ double CalcMeanDepth(const DepthWeights& weights);
 struct TouchSamples {
   std::vector<double> times;   ///< [s], increasing
   std::vector<double> places;  ///< clearance, about 0 in the hold [m]
-  double noise = 0.0;          ///< SD of a place [m]
-  double first = 0.0;          ///< the touch lies between first ..
-  double last = 0.0;           ///< .. and last [s]
+  /** m: the object's own motion along the clearance, as many, from anywhere; away from the digit is
+  negative [m]. Empty: it rests. */
+  std::vector<double> object_motion;
+  double noise = 0.0;   ///< SD of a place [m]
+  double tremor = 0.0;  ///< RMS of a place while the digit is free (8 to 12 Hz) [m]
+  double first = 0.0;   ///< the touch lies between first ..
+  double last = 0.0;    ///< .. and last [s]
   /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
   double touch_place = std::numeric_limits<double>::quiet_NaN();
   /** Of the clearance, unit; zero: along a surface's normal. No part of the fit. */

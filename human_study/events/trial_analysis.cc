@@ -281,6 +281,7 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
   CheckCutoff("contact.object_cutoff_hz", options.contact.object_cutoff, rate);
   CheckCutoff("lift_off.cutoff_hz", options.lift_off.cutoff, rate);
   TrialAnalysis analysis;
+  analysis.low_pass = trial.low_pass;
   analysis.trial_doubts = FindWrongUnit(trial.digits);
   for (const auto& find : {FindHandCentred, FindNoMovement, FindLabelJump}) {
     for (Doubt& doubt : find(trial.digits)) analysis.trial_doubts.push_back(std::move(doubt));
@@ -380,6 +381,10 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return a.final_opening; }},
       {"movement_time_s", "movement time", "s",
        [](const A& a) { return Between(a.movement.onset, a.movement.end); }},
+      {"onset_lag_s",
+       "extrapolated start of the movement to its onset: how late the onset's rule is, and by how "
+       "much every time from the onset is too short",
+       "s", [](const A& a) { return Between(a.movement.start, a.movement.onset); }},
       {"peak_speed_m_per_s", "peak speed of the wrist", "m/s",
        [](const A& a) { return a.movement.peak_speed; }},
       {"time_to_peak_speed_s", "onset to peak speed", "s",

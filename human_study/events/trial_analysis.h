@@ -86,8 +86,9 @@ struct TrialAnalysis {
   double gct_uncertainty = std::numeric_limits<double>::quiet_NaN();
   bool used_filled = false;  ///< an event that a measure rests on was decided on filled samples
   bool used_gap = false;     ///< .. or fell into a gap
-  std::vector<Doubt> trial_doubts;  ///< about the trial as such
-  std::vector<Doubt> doubts;        ///< those, then those about the contacts believed
+  double low_pass = std::numeric_limits<double>::quiet_NaN();  ///< ReachTrial::low_pass [Hz]
+  std::vector<Doubt> trial_doubts;                             ///< about the trial as such
+  std::vector<Doubt> doubts;  ///< those, then those about the contacts believed
 };
 
 /** @throws Error as CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate. What a trial

@@ -17,11 +17,14 @@ constexpr double kTrusted = 0.5;  // share of the clock's variance that the regr
 constexpr double kLeastDf = 5.0;
 constexpr double kRank = 1e-7;
 
-/** Successive differences over sqrt(2), which keep the variance of independent values. */
+/** Successive differences over sqrt(2), which keep the variance of independent values, less the mean
+of each run. */
 struct Differences {
-  MatrixXd times;      // [difference][digit] [s]
-  MatrixXd transport;  // [difference][feature]
-  double df = 0.0;     // of a variance made of them, after von Neumann: neighbours share a trial
+  MatrixXd times;                    // [difference][digit] [s]
+  MatrixXd transport;                // [difference][feature]
+  std::vector<Eigen::Index> firsts;  // of each run
+  double weight = 0.0;               // sum of squares of independent values of variance one
+  double df = 0.0;  // of a variance made of them, after von Neumann: neighbours share a trial
 };
 
 Differences TakeDifferences(const std::vector<SharedTimingRun>& runs) {
@@ -29,11 +32,15 @@ Differences TakeDifferences(const std::vector<SharedTimingRun>& runs) {
   for (const SharedTimingRun& run : runs) count += static_cast<Eigen::Index>(run.size()) - 1;
   const auto num_digits = static_cast<Eigen::Index>(runs.front().front().contacts.size());
   const auto num_features = static_cast<Eigen::Index>(runs.front().front().transport.size());
-  Differences differences{MatrixXd(count, num_digits), MatrixXd(count, num_features), 0.0};
+  Differences differences{MatrixXd(count, num_digits), MatrixXd(count, num_features), {}, 0.0, 0.0};
   Eigen::Index row = 0;
   for (const SharedTimingRun& run : runs) {
     const double n = static_cast<double>(run.size());
-    differences.df += n == 2.0 ? 1.0 : 2.0 * (n - 1.0) * (n - 1.0) / (3.0 * n - 4.0);
+    // Eigenvalues of the quadratic form: their sum, and its square over the sum of their squares.
+    const double m = n - 1.0, weight = m - 1.0 / m;
+    differences.weight += weight;
+    differences.df += 4.0 * weight * weight / (6.0 * m - 2.0 - 4.0 / m + 4.0 / (m * m));
+    differences.firsts.push_back(row);
     for (size_t i = 1; i < run.size(); ++i, ++row) {
       for (Eigen::Index d = 0; d < num_digits; ++d) {
         const auto digit = static_cast<size_t>(d);
@@ -46,6 +53,11 @@ Differences TakeDifferences(const std::vector<SharedTimingRun>& runs) {
         differences.transport(row, f) =
             (run[i].transport[feature] - run[i - 1].transport[feature]) / std::sqrt(2.0);
       }
+    }
+    const auto length = static_cast<Eigen::Index>(run.size()) - 1;
+    for (MatrixXd* values : {&differences.times, &differences.transport}) {
+      auto own = values->middleRows(row - length, length);
+      own.rowwise() -= Eigen::RowVectorXd(own.colwise().mean());
     }
   }
   return differences;
@@ -63,6 +75,18 @@ double Adjust(Differences& differences) {
   solver.setThreshold(kRank);
   differences.times -= features * solver.solve(differences.times);
   return static_cast<double>(solver.rank());
+}
+
+/** Variance of independent values by the products of neighbouring differences: each shared trial
+counts in both, with opposite sign. */
+double CalcAlternating(const VectorXd& means, const std::vector<Eigen::Index>& firsts) {
+  double sum = 0.0, count = 0.0;
+  for (Eigen::Index row = 1; row < means.size(); ++row) {
+    if (std::find(firsts.begin(), firsts.end(), row) != firsts.end()) continue;
+    sum -= 2.0 * means[row] * means[row - 1];
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 /** Variance that the clock may keep. */
@@ -87,7 +111,7 @@ double BoundClock(const std::vector<SharedTimingRun>& runs) {
 Answer<SharedTiming> CalcSharedTiming(const std::vector<SharedTimingRun>& runs) {
   if (runs.empty() || runs.front().front().contacts.size() < 2) return NoAnswer{"no two digits"};
   Differences differences = TakeDifferences(runs);
-  const double rows = static_cast<double>(differences.times.rows());
+  const double rows = differences.weight;
   const double rank = Adjust(differences);
   SharedTiming timing;
   timing.df = differences.df - rank;
@@ -101,8 +125,12 @@ Answer<SharedTiming> CalcSharedTiming(const std::vector<SharedTimingRun>& runs) 
   const double own = (differences.times.colwise() - means).squaredNorm() /
                      ((rows - rank) * (num_digits - 1.0) * num_digits);
   timing.shared_sd = std::sqrt(std::max(0.0, of_means - own));
-  const double low = of_means * timing.df / CalcChiSquaredQuantile(0.95, timing.df) - own;
+  // Both variances are estimates.
+  const double own_df = timing.df * (num_digits - 1.0);
+  const double low = of_means / CalcFisherQuantile(0.95, timing.df, own_df) - own;
   timing.shared_low_sd = std::sqrt(std::max(0.0, low));
+  timing.alternating_sd =
+      std::sqrt(std::max(0.0, CalcAlternating(means, differences.firsts) - own));
   timing.clock_sd = std::sqrt(BoundClock(runs));
   return timing;
 }

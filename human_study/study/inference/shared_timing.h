@@ -12,9 +12,11 @@ coordination. So the error is made small and bounded:
     adjusted  for how fast the wrist rose further (10 to 30 %, 30 to 60 %) and how far it went, by
               regression over all trials: what a profile or a distance does to r or to the touches
               is no coordination of the digits
-    neighbours differences between successive trials of a person in a condition, so that a slow
-              drift of all digits is none either; of a fast one, half the squared step from trial
-              to trial stays: 10 ms a step beside 20 ms of each digit's own is mostly called shared
+    neighbours differences between successive trials of a person in a condition, less their mean,
+              so that a steady drift of all digits is none either. Times that wander step by step
+              (a random walk) leave half the squared step; but then the difference to the next trial
+              does not take back the one before, as it does by half where trials share by
+              themselves: from that product alone (`alternating_sd`) nothing is shared
     shared    variance of the digits' mean, less what digits on their own leave in it
     clock     the variance that r keeps: noise where it crosses, and half of what r varies about
               the start that the profile extrapolates to (Movement::start) within person and
@@ -47,13 +49,15 @@ struct SharedTiming {
   double shared_sd = NAN;      ///< of what the digits share; 0 when less than nothing [s]
   double shared_low_sd = NAN;  ///< at least this, with 95 % [s]
   double clock_sd = NAN;       ///< bound of the clock's error [s]
-  double df = NAN;             ///< of the variance of the digits' mean
+  /** The same spread from what one difference takes back of the one before; imprecise [s]. */
+  double alternating_sd = NAN;
+  double df = NAN;  ///< of the variance of the digits' mean
 
-  /** More is shared than the clock's error can be. */
-  bool IsShown() const { return shared_low_sd > clock_sd; }
+  /** More is shared than the clock's error can be, and it does not wander from trial to trial. */
+  bool IsShown() const { return shared_low_sd > clock_sd && alternating_sd > clock_sd; }
 };
 
-/** @param runs  each of two trials or more. No answer with fewer than 5 degrees of freedom. */
+/** @param runs  each of three trials or more. No answer with fewer than 5 degrees of freedom. */
 Answer<SharedTiming> CalcSharedTiming(const std::vector<SharedTimingRun>& runs);
 
 }  // namespace graspbench

@@ -167,8 +167,8 @@ std::vector<CsvColumn<StudyEvent>> ListEventColumns() {
        [](const StudyEvent& event) { return JsonNumber(event.event.time); }},
       {"uncertainty_s", "number", "s",
        "standard uncertainty of the instant by its rule; of onset, end and lift-off not how far "
-       "the "
-       "rule's threshold lags the motion's first beginning",
+       "the rule's threshold lags the motion's beginning: movement_start is that beginning, "
+       "extrapolated, and onset_lag_s of measures.csv the lag",
        [](const StudyEvent& event) { return JsonNumber(event.event.uncertainty); }},
       {"is_filled", "boolean", "", "decided on filled samples",
        [](const StudyEvent& event) { return Json(event.event.is_filled ? 1 : 0); }},
@@ -199,6 +199,7 @@ std::vector<StudyEvent> ListEvents(const StudyTrial& trial, const StudyConfig& c
     events.push_back({&trial, name, "", "", event, is_believed});
   };
   const std::string& maximum = config.analysis.opening.maximum;
+  add("movement_start", analysis.movement.start);
   add("movement_onset", analysis.movement.onset);
   add("maximum_opening", analysis.peak_opening.largest, maximum == "largest");
   add("last_maximum_opening", analysis.peak_opening.last, maximum == "last");

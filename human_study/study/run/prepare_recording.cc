@@ -7,6 +7,7 @@
 
 #include "human_study/events/scalar_curve.h"
 #include "human_study/recording/cleaning/gaps.h"
+#include "human_study/recording/cleaning/low_pass_trace.h"
 #include "human_study/recording/cleaning/resample.h"
 #include "human_study/recording/cleaning/spikes.h"
 #include "human_study/recording/importers/importer.h"
@@ -153,6 +154,14 @@ void CheckDigitsDiffer(const std::vector<DigitTrack>& digits) {
   }
 }
 
+std::vector<const Trajectory*> ListTracks(const PreparedRecording& prepared) {
+  std::vector<const Trajectory*> tracks;
+  for (const DigitTrack& digit : prepared.digits) tracks.push_back(&digit.tip);
+  for (const Trajectory& marker : prepared.object_markers) tracks.push_back(&marker);
+  if (prepared.wrist.size() > 0) tracks.push_back(&prepared.wrist);
+  return tracks;
+}
+
 }  // namespace
 
 Recording LoadPlanned(const Study& study, const PlannedReach& planned) {
@@ -214,6 +223,8 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
   if (!config.markers.object.empty() && prepared.object_markers.empty()) {
     miss(-1, "object", config.markers.object);
   }
+  // Resampling is a filter itself.
+  if (!prepared.was_resampled) prepared.low_pass = FindLowPassTrace(ListTracks(prepared));
   return prepared;
 }
 
@@ -262,6 +273,7 @@ ReachTrial MakeReachTrial(const PreparedRecording& recording, const Reach& part,
   }
   ReachTrial trial;
   const auto first = static_cast<std::ptrdiff_t>(run.first);
+  trial.low_pass = recording.low_pass;
   trial.times.assign(recording.times.begin() + first,
                      recording.times.begin() + static_cast<std::ptrdiff_t>(run.last));
   for (const DigitTrack& digit : recording.digits) {

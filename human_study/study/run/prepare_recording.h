@@ -3,6 +3,7 @@
 From a recording to trials: markers under the study's names, cleaned and on one even clock, then cut
 into reaches. */
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct PreparedRecording {
   size_t num_samples = 0;      ///< of all tracks
   size_t num_frozen = 0;       ///< samples made invalid because they repeat the one before
   size_t num_spikes = 0;       ///< .. because no marker gets there and back between two frames
+  double low_pass = NAN;       ///< cut-off of a filter before the export [Hz]; NaN: none seen
   std::vector<MissingMarker> missing;
 };
 

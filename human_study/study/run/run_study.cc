@@ -386,8 +386,9 @@ StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
 
 StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
   StudyResult result = RunTrials(study, watch);
-  for (const auto& warnings : {FindSameRecordings(result.study), FindNeverTouching(result),
-                               FindManyFrozen(result), FindSpikes(result), FindTwoRates(result)}) {
+  for (const auto& warnings :
+       {FindSameRecordings(result.study), FindNeverTouching(result), FindManyFrozen(result),
+        FindSpikes(result), FindFilteredExports(result), FindTwoRates(result)}) {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   }
   CalcStudyStatistics(result);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -9,6 +10,8 @@
 #include "core/base/files/files.h"
 #include "core/base/sha256.h"
 #include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/statistics/summary.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
@@ -20,6 +23,7 @@ constexpr double kNearlyAll = 0.8, kManyFrozen = 0.2;
 constexpr int kEnoughTrials = 5;
 constexpr size_t kEnoughSamples = 100;
 constexpr double kManySpikes = 0.001, kSameRate = 1.02;
+constexpr double kDelay = 0.225;  // of a Butterworth of second order, times its cut-off
 constexpr size_t kEnoughSpikes = 20;
 
 /** How often a digit has no contact in the trials that count, of one object or (empty) of all, and
@@ -134,6 +138,24 @@ std::vector<StudyWarning> FindSpikes(const StudyResult& result) {
                        "frames; they count as missing and are bridged as gaps. Look for "
                        "reflections and exchanged labels",
                        result.num_spikes, 100.0 * share)}};
+}
+
+std::vector<StudyWarning> FindFilteredExports(const StudyResult& result) {
+  std::vector<double> cutoffs;
+  for (const StudyTrial& trial : result.trials) {
+    if (trial.analysis && !std::isnan(trial.analysis->low_pass)) {
+      cutoffs.push_back(trial.analysis->low_pass);
+    }
+  }
+  if (cutoffs.empty()) return {};
+  const double cutoff = CalcMedian(cutoffs);
+  return {
+      {"filtered_export",
+       fmt::format("the recordings of {} of {} trials were low-passed at about {:.0f} Hz before "
+                   "they were exported: the cameras' noise above it is gone. A filter that ran "
+                   "with the recording makes every instant some {:.0f} ms late, any filter "
+                   "makes uncertainties too small. Export the unfiltered coordinates",
+                   cutoffs.size(), result.trials.size(), cutoff, MsFromS(kDelay / cutoff))}};
 }
 
 std::vector<StudyWarning> FindTwoRates(const StudyResult& result) {

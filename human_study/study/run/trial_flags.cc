@@ -9,6 +9,11 @@
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
+namespace {
+
+constexpr double kRoughTouch = 0.02;  // [s]
+
+}  // namespace
 
 const std::vector<TrialFlag>& TrialFlagList() {
   using A = TrialAnalysis;
@@ -43,6 +48,16 @@ const std::vector<TrialFlag>& TrialFlagList() {
            return digit.contact.IsFound() && !digit.has_pad_offset && digit.stands_off > 0.002;
          });
        }},
+      {"uncertain touch", "the instant of a touch is known to no better than 20 ms (95 %)",
+       [](const A& a) {
+         return std::any_of(a.contacts.begin(), a.contacts.end(), [](const auto& digit) {
+           return digit.contact.IsFound() && digit.contact.CalcHalfWidth() > kRoughTouch;
+         });
+       }},
+      {"filtered export",
+       "the recording was low-passed before it was exported: its instants may be late, its "
+       "uncertainties are too small",
+       [](const A& a) { return !std::isnan(a.low_pass); }},
       {"touch not told",
        "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",
        [](const A& a) { return a.num_unresolved > 0; }},

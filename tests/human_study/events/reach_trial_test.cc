@@ -90,8 +90,8 @@ TEST(SmoothObject, KeepsAMotionAndTakesNoiseAway) {
   const auto pose = [](double t) {
     return MakePose(MakeRotationRpy(0.3 * t, 0, 0), Vector3d(0.1 * t, 0, 0));
   };
-  const ObjectTrack exact = SmoothObject(MakeMovingObject(kPlaces, 0.0, pose), 6.0);
-  const ObjectTrack smooth = SmoothObject(MakeMovingObject(kPlaces, 0.0003, pose), 6.0);
+  const ObjectTrack exact = SmoothObject(MakeMovingObject(kPlaces, 0.0, pose), 6.0, 6.0);
+  const ObjectTrack smooth = SmoothObject(MakeMovingObject(kPlaces, 0.0003, pose), 6.0, 6.0);
   for (size_t i = 100; i < 300; ++i) {
     const Pose truth = pose(exact.X_LO[i].translation().x() / 0.1);
     EXPECT_LT((exact.X_LO[i].matrix() - truth.matrix()).norm(), 1e-4);
@@ -103,8 +103,8 @@ TEST(SmoothObject, KeepsAMotionAndTakesNoiseAway) {
 
 /** SD of a coordinate, about its mean, of a fixed point near the hand, seen in O. */
 double CalcLeverNoise(const std::vector<Vector3d>& places) {
-  const ObjectTrack smooth =
-      SmoothObject(MakeMovingObject(places, 0.0005, [](double) { return Pose::Identity(); }), 6.0);
+  const ObjectTrack smooth = SmoothObject(
+      MakeMovingObject(places, 0.0005, [](double) { return Pose::Identity(); }), 6.0, 6.0);
   const Vector3d tip(0.04, 0.03, -0.06);
   Vector3d sum = Vector3d::Zero();
   double squares = 0.0;
@@ -123,6 +123,24 @@ TEST(SmoothObject, ThreeMarkersAreNoWorseThanOneHoweverCloseTogether) {
     const double height = edge * std::sqrt(3.0) / 2.0;
     EXPECT_LT(CalcLeverNoise({{-edge / 2, 0, 0.06}, {edge / 2, 0, 0.06}, {0, height, 0.06}}), one)
         << edge;
+  }
+}
+
+// A turn about the vertical does not let noise tilt the thing: at a lever of 70 mm in O, radially.
+TEST(SmoothObject, WhatTurnsAboutOneAxisDoesNotTiltByNoise) {
+  const std::vector<Vector3d> places = {{-0.015, 0, 0.05}, {0.015, 0, 0.05}, {0, 0.026, 0.05}};
+  const auto pose = [](double t) {
+    const double u = std::clamp((t - 0.9) / 0.2, 0.0, 1.0);
+    return MakePose(MakeRotationRpy(0, 0, 0.26 * u * u * (3.0 - 2.0 * u)), Vector3d::Zero());
+  };
+  const ObjectTrack smooth = SmoothObject(MakeMovingObject(places, 0.0003, pose), 15.0, 15.0);
+  for (size_t i = 40; i < 360; ++i) {
+    const Vector3d axis = smooth.X_LO[i].linear().col(2);
+    EXPECT_LT(axis.head<2>().norm(), 1e-4) << i;  // noise alone would tilt it by some 0.006
+    const double yaw = std::atan2(smooth.X_LO[i].linear()(1, 0), smooth.X_LO[i].linear()(0, 0));
+    const double truth = std::atan2(pose(0.005 * static_cast<double>(i)).linear()(1, 0),
+                                    pose(0.005 * static_cast<double>(i)).linear()(0, 0));
+    EXPECT_NEAR(yaw, truth, 0.03) << i;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -69,6 +70,44 @@ TEST(FitTouch, AnotherClockGivesTheSameTouch) {
   const EventTime later = CalcTouchTime(FitTouch(samples), kUsualDepths);
   EXPECT_NEAR(later.time, found.time + 64.0, 1e-6);
   EXPECT_NEAR(later.uncertainty, found.uncertainty, 1e-6);
+}
+
+// Another digit pushes the object towards the digit or away from it: 10 mm in 60 ms, seen in O as a
+// way that no digit goes by itself.
+TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
+  RandomStream random("touch", "pushed");
+  for (const double push : {-0.01, 0.01}) {
+    double wrong = 0.0, right = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      Approach approach;
+      approach.touch = 0.4 + 0.005 * random.NextUnit();
+      TouchSamples samples = Sample(approach, random);
+      const auto moved = [&](double t) {
+        const double u = std::clamp((t - approach.touch + 0.05) / 0.06, 0.0, 1.0);
+        return push * u * u * (3.0 - 2.0 * u);
+      };
+      for (size_t k = 0; k < samples.times.size(); ++k) {
+        samples.object_motion.push_back(moved(samples.times[k]));
+        if (samples.times[k] > approach.touch) continue;
+        samples.places[k] -= moved(samples.times[k]) - moved(approach.touch);
+      }
+      const double error = CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+      right += error * error;
+      samples.object_motion.clear();
+      const double blind = CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+      wrong += blind * blind;
+    }
+    EXPECT_LT(std::sqrt(right / 20.0), 0.004) << push;
+    EXPECT_LT(right, wrong) << push;
+  }
+}
+
+TEST(FitTouch, TremorMakesATouchLessCertain) {
+  RandomStream random("touch", "tremor");
+  TouchSamples samples = Sample({}, random);
+  const double still = CalcTouchTime(FitTouch(samples), kUsualDepths).uncertainty;
+  samples.tremor = 0.5e-3;
+  EXPECT_GT(CalcTouchTime(FitTouch(samples), kUsualDepths).uncertainty, 1.3 * still);
 }
 
 TEST(FitTouch, AGivenPadOffsetTellsShallowFromDeep) {

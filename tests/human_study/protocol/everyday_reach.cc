@@ -73,6 +73,7 @@ struct Digit {
   Vector3d marker = Vector3d::Zero();
   double touch = kNever;
   Vector3d touch_O = Vector3d::Zero();
+  Eigen::Matrix3d R_OW = Eigen::Matrix3d::Identity();  // at the touch: the digit turns on with it
 
   double GapAt(double t, double onset) const {
     if (t < open_time) {
@@ -89,15 +90,19 @@ struct Digit {
 struct Object {
   double start = std::numeric_limits<double>::infinity();
   Vector3d push = Vector3d::Zero();
+  double speed = 0.0;  // of a push at once; 0: minimum jerk [m/s]
   double turn = 0.0;
   double lift_off = std::numeric_limits<double>::infinity();
 
   Eigen::Isometry3d PoseAt(double t) const {
     const double moved = MinimumJerk((t - start) / kPushDuration);
     const double lifted = MinimumJerk((t - lift_off) / 0.8);
+    // A light thing goes on with the finger, which slows down.
+    const double pushed =
+        speed > 0.0 ? 1.0 - std::exp(-std::max(0.0, t - start) * speed / push.norm()) : moved;
     Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
     X_WO.linear() = Eigen::AngleAxisd(turn * moved, Vector3d::UnitZ()).matrix();
-    X_WO.translation() = moved * push + lifted * Vector3d(0.0, 0.01, 0.13);
+    X_WO.translation() = pushed * push + lifted * Vector3d(0.0, 0.01, 0.13);
     return X_WO;
   }
 };
@@ -107,6 +112,13 @@ double LeavingAt(double since, double gap) {
   const double leave = since - kStayDuration;
   const double back = leave - kAwayDuration - kStayDuration;
   return gap * (MinimumJerk(leave / kAwayDuration) - MinimumJerk(back / kAwayDuration));
+}
+
+double DrawWalk(const std::string& id, int trial) {
+  RandomStream steps(id, "wander");
+  double walk = 0.0;
+  for (int i = 0; i < trial; ++i) walk += steps.NextNormal();
+  return walk;
 }
 
 void LowPass(double cutoff, double rate, std::vector<Vector3d>& path) {
@@ -182,7 +194,8 @@ Reach MakeReach(const Conditions& conditions, const std::string& id, int trial) 
   const double duration = 0.45 + distance;
   const SpeedProfile profile(conditions.family,
                              random.NextUniform(conditions.min_peak, conditions.max_peak));
-  const double shared = conditions.shared_sd * random.NextNormal() + conditions.drift * trial;
+  const double shared = conditions.shared_sd * random.NextNormal() + conditions.drift * trial +
+                        conditions.wander * DrawWalk(id, trial);
 
   std::array<Digit, kNumDigits> digits;
   std::vector<Tremor> tremors;
@@ -228,9 +241,11 @@ Reach MakeReach(const Conditions& conditions, const std::string& id, int trial) 
       const Vector3d skin = (kObjectRadius + digit.GapAt(t, reach.onset)) * digit.normal +
                             digit.height * Vector3d::UnitZ() + far * digit.home + tremors[d].At(t);
       digit.touch_O = object.PoseAt(t).inverse() * skin;
+      digit.R_OW = object.PoseAt(t).linear().transpose();
       if (std::isinf(object.start)) {
         object.start = t;
         object.push = -conditions.push * digit.normal;
+        if (conditions.is_push_at_once) object.speed = digit.speed;
         object.turn = conditions.turn;
       }
     }
@@ -255,15 +270,15 @@ Reach MakeReach(const Conditions& conditions, const std::string& id, int trial) 
     for (const double t : reach.times) {
       const double since = t - digit.touch;
       if (since >= 0.0) {
-        Vector3d skin =
-            digit.touch_O - kYield * (1.0 - std::exp(-digit.speed * since / kYield)) * digit.normal;
+        Vector3d way =
+            digit.marker - kYield * (1.0 - std::exp(-digit.speed * since / kYield)) * digit.normal;
         if (d == conditions.regrasping_digit) {
-          skin += LeavingAt(since, conditions.leave_gap) * digit.normal;
+          way += LeavingAt(since, conditions.leave_gap) * digit.normal;
         }
         const double still = 0.15 + 0.85 * std::exp(-since / 0.03);
         const Vector3d shake =
             still * tremors[d].At(t) - tremors[d].At(digit.touch) * std::exp(-since / 0.03);
-        reach.digits[d].push_back(object.PoseAt(t) * (skin + digit.marker + shake));
+        reach.digits[d].push_back(object.PoseAt(t) * (digit.touch_O + digit.R_OW * (way + shake)));
       } else {
         const double far = 1.0 - profile.PositionAt((t - reach.onset) / (digit.plan - reach.onset));
         const Vector3d lifted = (object.PoseAt(t).translation().z()) * Vector3d::UnitZ();

@@ -59,17 +59,19 @@ struct Conditions {
   double shared_sd = 0.0;               ///< of a delay that all digits of a trial share [s]
   double lag = 0.0;                     ///< fixed, from each digit to the next [s]
   double drift = 0.0;                   ///< of all touches, from one trial to the next [s]
+  double wander = 0.0;                  ///< the same by chance each time: a random walk, SD [s]
   double min_touch_speed = 60e-3;       ///< [m/s]
   double max_touch_speed = 160e-3;
   double tremor = 0.0;  ///< RMS along each axis, 8 to 11 Hz, less once the digit touches [m]
 
   // What happens.
-  int regrasping_digit = -1;  ///< touches, leaves by `leave_gap` and returns; -1: none
-  double leave_gap = 9e-3;    ///< [m]
-  double push = 0.0;          ///< of the object by the first digit [m]
-  double turn = 0.0;          ///< of the object about the vertical at the same time [rad]
-  int hovering_digit = -1;    ///< comes to rest `hover_gap` off the surface
-  double hover_gap = 3e-3;    ///< [m]
+  int regrasping_digit = -1;     ///< touches, leaves by `leave_gap` and returns; -1: none
+  double leave_gap = 9e-3;       ///< [m]
+  double push = 0.0;             ///< of the object by the first digit [m]
+  bool is_push_at_once = false;  ///< the object takes on the digit's speed; else minimum jerk
+  double turn = 0.0;             ///< of the object about the vertical at the same time [rad]
+  int hovering_digit = -1;       ///< comes to rest `hover_gap` off the surface
+  double hover_gap = 3e-3;       ///< [m]
 
   // What the laboratory does to it.
   bool is_object_left_behind = false;  ///< the object's markers rest on the table

@@ -16,6 +16,44 @@ std::filesystem::path SlowScratch() {
           ::testing::UnitTest::GetInstance()->current_test_info()->name());
 }
 
+/** 10 persons of 20 trials: 1,000 contacts a case. */
+struct Behaviour {
+  const char* name;
+  void (*change)(Conditions& conditions);
+};
+const Behaviour kBehaviours[] = {
+    {"ordinary", [](Conditions&) {}},
+    {"push 5 mm", [](Conditions& c) { c.push = 5e-3; }},
+    {"push 15 mm", [](Conditions& c) { c.push = 15e-3; }},
+    {"push 5 mm at once", [](Conditions& c) { c.push = 5e-3, c.is_push_at_once = true; }},
+    {"push 15 mm at once", [](Conditions& c) { c.push = 15e-3, c.is_push_at_once = true; }},
+    {"turn 15 deg", [](Conditions& c) { c.turn = 0.262; }},
+    {"soft touch", [](Conditions& c) { c.min_touch_speed = 5e-3, c.max_touch_speed = 20e-3; }},
+    {"tremor 0.4 mm", [](Conditions& c) { c.tremor = 0.4e-3; }},
+};
+
+TEST(EverydaySlow, ContactsAreCoveredOrNotUsableHoweverPeopleMove) {
+  for (const bool has_shape : {true, false}) {
+    for (const Behaviour& behaviour : kBehaviours) {
+      StudyPlan plan;
+      plan.seed = std::string("report, ") + behaviour.name;
+      plan.num_people = 10;
+      plan.trials_per_person = 20;
+      plan.has_shape = has_shape;
+      behaviour.change(plan.conditions);
+      const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
+      std::printf(
+          "%-20s %s kept %3d of %3d, contacts %4d, bias %5.1f ms, SD %4.1f ms, coverage %.3f, "
+          "silent %d\n",
+          behaviour.name, has_shape ? "shape   " : "no shape", a.num_kept, a.num_trials,
+          a.num_contacts, 1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
+      std::fflush(stdout);
+      EXPECT_GE(a.coverage, 0.9) << behaviour.name << " " << has_shape;
+      EXPECT_LE(a.num_silent, a.num_contacts / 50) << behaviour.name << " " << has_shape;
+    }
+  }
+}
+
 constexpr int kNumStudies = 100;
 constexpr int kNumRecorded = 12;
 

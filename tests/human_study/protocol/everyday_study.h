@@ -17,8 +17,9 @@ struct StudyPlan {
   std::string seed;
   int num_people = 4;
   int trials_per_person = 10;
-  bool has_shape = true;  ///< objects.csv has the cylinder
-  std::string settings;   ///< more lines of study.yaml
+  bool has_shape = true;    ///< objects.csv has the cylinder
+  double other_rate = 0.0;  ///< of every second trial [Hz]; 0: all have that of the conditions
+  std::string settings;     ///< more lines of study.yaml
 };
 
 struct Judged {
@@ -31,9 +32,11 @@ Judged RunPlan(const StudyPlan& plan, const std::filesystem::path& scratch);
 
 struct Accuracy {
   int num_trials = 0, num_kept = 0;
-  int num_contacts = 0;         ///< found in kept trials
-  int num_true_contacts = 0;    ///< of digits that touched, in kept trials
-  int num_silent = 0;           ///< wrong by more than 20 ms in a kept trial without a flag
+  int num_contacts = 0;       ///< found in kept trials
+  int num_true_contacts = 0;  ///< of digits that touched, in kept trials
+  /** Wrong by more than 20 ms in a kept trial without a flag, or with "touch not verified" alone,
+  which every trial without a shape has. */
+  int num_silent = 0;
   double bias = 0.0, sd = 0.0;  ///< of found - true [s]
   double coverage = 0.0;        ///< share within 1.96 stated uncertainties
 };

@@ -95,5 +95,30 @@ TEST(FindManyFrozen, FromAFifthOn) {
   EXPECT_EQ(FindManyFrozen(result)[0].text.find("20 % of all samples"), 0u);
 }
 
+TEST(FindFilteredExports, SaysHowManyAndHowLate) {
+  StudyResult result;
+  result.trials.resize(3);
+  for (StudyTrial& trial : result.trials) trial.analysis.emplace();
+  EXPECT_TRUE(FindFilteredExports(result).empty());
+  result.trials[0].analysis->low_pass = result.trials[2].analysis->low_pass = 6.0;
+  const std::vector<StudyWarning> warnings = FindFilteredExports(result);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, "filtered_export");
+  EXPECT_NE(warnings[0].text.find("of 2 of 3 trials were low-passed at about 6 Hz"),
+            std::string::npos);
+  EXPECT_NE(warnings[0].text.find("some 38 ms late"), std::string::npos);
+}
+
+TEST(FindTwoRates, NamesBothBeyondTwoPerCent) {
+  StudyResult result;
+  result.lowest_rate = 199.0;
+  result.highest_rate = 200.0;
+  EXPECT_TRUE(FindTwoRates(result).empty());
+  result.lowest_rate = 100.0;
+  const std::vector<StudyWarning> warnings = FindTwoRates(result);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].text.find("100 to 200 samples a second"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -43,5 +43,19 @@ TEST(FindGoodTrial, IsWithoutFlagAndNearTheMedian) {
   EXPECT_EQ(FindGoodTrial(result)->id, "2");
 }
 
+TEST(TrialFlags, RoughTouchesAndFilteredExportsAreFlagged) {
+  TrialAnalysis analysis;
+  DigitContactEvents& digit = analysis.contacts.emplace_back();
+  digit.contact.time = 1.0;
+  digit.contact.uncertainty = 0.0101;
+  digit.is_verified = true;
+  analysis.num_touching = 1;
+  EXPECT_EQ(FormatFlags(analysis), "");
+  digit.contact.uncertainty = 0.0103;  // 1.96 times that is more than 20 ms
+  EXPECT_EQ(FormatFlags(analysis), "uncertain touch");
+  analysis.low_pass = 6.0;
+  EXPECT_EQ(FormatFlags(analysis), "uncertain touch, filtered export");
+}
+
 }  // namespace
 }  // namespace graspbench
