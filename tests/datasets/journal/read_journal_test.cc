@@ -32,7 +32,7 @@ std::string Line(const Json& json) { return FormatCheckedLine(json) + "\n"; }
 TEST_F(ReadJournalTest, EveryKindOfLineHasOneFate) {
   const std::string good = Line({{"a", 1}}), foreign = Line({{"b", 2}});
   std::string wrong = Line({{"a", 3}});
-  wrong[6] = '4';
+  wrong[5] = '4';
   EXPECT_EQ(Read(good + "\n" + wrong + foreign + Line({{"a", 5}}) + good.substr(0, 9)),
             (std::vector<int>{1, 5}));
   EXPECT_EQ(findings_.Format(),

@@ -52,6 +52,7 @@ void FillJournal(const fs::path& path, int count) {
     record.individual.genome = Eigen::Vector2d(0.1, 0.2 * i);
     record.trial_ids = {path.parent_path().filename().string() + std::to_string(i)};
     record.trials.resize(1);
+    record.trials[0].outcome = Outcome::kSuccess;
     record.trials[0].sigma = 0.1 * i;
     journal.Append({record});
   }

@@ -92,10 +92,11 @@ TEST_F(JudgementStore, TwoDifferentJudgementsAreRefused) {
 // Its checksum is right, so that no disk has changed it.
 TEST_F(JudgementStore, ALineThatIsNoJudgementIsDamage) {
   const std::vector<PlannedTrial> unjudged = FindUnjudged(LoadSession(folder()));
-  AppendText(FormatCheckedLine({{"trial_id", unjudged[0].id},
-                                {"judge_version", kJudgeVersion},
-                                {"judgement", {{"breaking_force_n", "much"}}}}) +
-             "\n");
+  const JudgementWriter makes_the_file(folder(), 0);
+  AppendText(
+      FormatCheckedLine(
+          {{"trial_id", unjudged[0].id}, {"judge_version", kJudgeVersion}, {"judgement", "much"}}) +
+      "\n");
   EXPECT_THROW(LoadSession(folder()), Error);
   const Session session = LoadSession(folder(), OnDamage::kAccept);
   ASSERT_EQ(session.damage.size(), 1u);
