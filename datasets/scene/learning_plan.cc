@@ -1,3 +1,4 @@
+#include "datasets/plan/firm_grip.h"
 #include "datasets/scene/learning_plan.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& in
                         {"object", {inputs.object->id, inputs.object->content_hash}},
                         {"grasp", ToJson(request.grasp)},
                         {"variation", ConfigToJson(config.variation)},
-                        {"strategy", ConfigToJson(config.strategy)},
+                        {"strategy", StrategyToJson(config.strategy)},
                         {"full_hold", request.full_hold},
                         {"sim", ConfigToJson(config.sim)},
                         {"model", ConfigToJson(config.model)},
