@@ -101,15 +101,15 @@ TEST_F(RunSensitivityTest, RefusesASettingNamedTwiceBeforeAnythingRuns) {
 TEST(DefaultVariations, AreUsableAndDifferFromTheSession) {
   SessionConfig config;
   const std::vector<std::string> settings = ListDefaultVariations(config);
-  EXPECT_EQ(settings.size(), 23u);
+  EXPECT_EQ(settings.size(), 25u);
   for (const std::string& setting : settings) {
     EXPECT_EQ(NormaliseSetting(setting, config), setting);
   }
   // Twice the largest offset is out of range, and no offset cannot be halved or doubled.
   config.variation.offset = 0.1;
-  EXPECT_EQ(ListDefaultVariations(config).size(), 22u);
+  EXPECT_EQ(ListDefaultVariations(config).size(), 24u);
   config.variation.offset = 0.0;
-  EXPECT_EQ(ListDefaultVariations(config).size(), 21u);
+  EXPECT_EQ(ListDefaultVariations(config).size(), 23u);
 }
 
 }  // namespace
