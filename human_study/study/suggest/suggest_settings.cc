@@ -223,8 +223,8 @@ const std::vector<Maker>& MakerList() {
       {"no_contact", UseCompanions},    {"no_hold", UseCompanions},
       {"not_usable", UseCompanions},    {"gap_event", UseCompanions},
       {"filled_event", UseCompanions},  {"detectors_disagree", UseSpeedDetector},
-      {"not_usable", UseSpeedDetector}, {"other_lift_axis", TryLiftAxes},
-      {"wrong_unit", TryUnits},
+      {"not_usable", UseSpeedDetector}, {"no_contact", UseSpeedDetector},
+      {"other_lift_axis", TryLiftAxes}, {"wrong_unit", TryUnits},
   };
   return makers;
 }
