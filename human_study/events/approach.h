@@ -33,7 +33,7 @@ TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance&
 
 /** TouchSamples::object_motion: how far the object's point `place` has gone along `direction`, step
 by step as the object turns; `direction` is fixed in O.
-@param X_LO  of every sample of `times`; those of the touch's samples and of none beside are known. */
+@param X_LO  of every sample of `times`, known at the samples of the touch. */
 void AddObjectMotion(const std::vector<double>& times, const std::vector<Pose>& X_LO,
                      const Eigen::Vector3d& place, const Eigen::Vector3d& direction,
                      TouchSamples& samples);

@@ -57,7 +57,7 @@ struct ReachTrial {
   std::vector<DigitTrack> digits;  ///< thumb first, then from radial to ulnar
   Trajectory wrist;                ///< empty: the centroid of the tips stands in for it
   ObjectTrack object;
-  /** Cut-off of a low-pass that the recording went through (low_pass_trace.h) [Hz]; NaN: none seen. */
+  /** Cut-off of a low-pass before the export (low_pass_trace.h) [Hz]; NaN: none seen. */
   double low_pass = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -12,12 +12,13 @@ r: place in the hold; v: speed at touch; D: depth by which it goes on; m: how fa
 gone along the clearance by itself (another digit pushes or turns it), m_c and w: that and its rate
 at the touch. A digit's way is smooth in the laboratory before it touches and at rest against the
 object after. The speed against the object is continuous at the touch: a deep D and a late tc look
-alike, and noise decides how alike. So the answer is not one fit but all of them, weighed by how well they explain the samples (Bayes): D over a list of depths,
-tc over a bracket of time, the rest integrated out, as it is linear with normal priors (people's
-reaches: v about 0.1 m/s, a about 1 m/s^2). Samples far from the touch count less, as the
-polynomials hold near it only. The depth belongs to the skin and the marker's place, not to the
-trial: its weights may be learned from all contacts of a study (LearnDepths), and then one contact
-whose own samples cannot tell is found without bias.
+alike, and noise decides how alike. So the answer is not one fit but all of them, weighed by how
+well they explain the samples (Bayes): D over a list of depths, tc over a bracket of time, the rest
+integrated out, as it is linear with normal priors (people's reaches: v about 0.1 m/s, a about 1
+m/s^2). Samples far from the touch count less, as the polynomials hold near it only. The depth
+belongs to the skin and the marker's place, not to the trial: its weights may be learned from all
+contacts of a study (LearnDepths), and then one contact whose own samples cannot tell is found
+without bias.
 
 Known limits: a way of settling that is not like the exponential; a digit that stops off the surface
 stops as one that touches does. */
