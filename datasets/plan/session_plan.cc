@@ -9,14 +9,12 @@
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/base/text/text.h"
-#include "core/grasp/placement.h"
 #include "core/hand/tactile.h"
 #include "core/physics/simbody/compliant_world.h"
 #include "core/trial/basin.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/plan/grasp_choice.h"
-#include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {
