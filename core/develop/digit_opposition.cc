@@ -16,9 +16,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kNearest = 0.005, kFarthest = 0.09;  // pads [m]
-constexpr int kNumDrawn = 3000, kNumRefined = 1500;   // postures
-constexpr double kFirstStep = 0.3, kLastStep = 0.01;  // of a joint's range
+constexpr double kNearestPads = 0.005, kFarthestPads = 0.09;  // pads [m]
+constexpr int kNumDrawn = 3000, kNumRefined = 1500;           // postures
+constexpr double kFirstChange = 0.3, kLastChange = 0.01;      // of a joint's range
 
 double CalcAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -31,7 +31,7 @@ DigitOpposition CalcOpposition(const Hand& hand, const Digit& a, const Digit& b,
   const PadState pad_a = CalcPadState(hand, a, X_HL), pad_b = CalcPadState(hand, b, X_HL);
   const Eigen::Vector3d apart = pad_b.p_HPad - pad_a.p_HPad;
   const double distance = apart.norm();
-  if (distance < kNearest || distance > kFarthest) return {kPi, distance};
+  if (distance < kNearestPads || distance > kFarthestPads) return {kPi, distance};
   return {std::max(CalcAngle(pad_a.nhat_H, apart), CalcAngle(pad_b.nhat_H, -apart)), distance};
 }
 
@@ -45,7 +45,7 @@ DigitOpposition FindOpposition(const Hand& hand, size_t a, size_t b) {
   for (int k = 0; k < kNumDrawn + kNumRefined; ++k) {
     const bool is_drawn = k < kNumDrawn;
     const double share = is_drawn ? 0.0 : static_cast<double>(k - kNumDrawn) / kNumRefined;
-    const double step = kFirstStep * std::pow(kLastStep / kFirstStep, share);
+    const double step = kFirstChange * std::pow(kLastChange / kFirstChange, share);
     VectorXd q = q_best;
     for (const int j : joints) {
       const HandJoint& joint = hand.joints[static_cast<size_t>(j)];

@@ -9,7 +9,6 @@
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/base/text/text.h"
-#include "core/grasp/placement.h"
 #include "core/hand/tactile.h"
 #include "core/physics/simbody/compliant_world.h"
 #include "core/trial/basin.h"
@@ -18,7 +17,6 @@
 #include "datasets/plan/firm_grip.h"
 #include "datasets/plan/grasp_choice.h"
 #include "datasets/plan/grip_check.h"
-#include "objects/catalogue.h"
 
 namespace graspbench {
 namespace {

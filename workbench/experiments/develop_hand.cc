@@ -273,8 +273,8 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
     }
     const auto run = [&](const std::vector<DevelopRequest>& requests) {
       auto answers = trials.Run(requests, status.work_done);
-      for (const DevelopRequest& request : requests) {
-        left -= CalcWork(request.stage, static_cast<int>(request.trials.size()));
+      for (const DevelopRequest& asked : requests) {
+        left -= CalcWork(asked.stage, static_cast<int>(asked.trials.size()));
       }
       status.work_left = std::max(0.0, left) + following;
       for (const auto& answer : answers) {

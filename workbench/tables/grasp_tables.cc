@@ -11,11 +11,12 @@
 namespace graspbench {
 namespace {
 
-constexpr char kPlacement[] = "placement", kPreGrasp[] = "pre-grasp", kTarget[] = "target";
+constexpr char kPlacementPart[] = "placement", kPreGraspPart[] = "pre-grasp",
+               kTargetPart[] = "target";
 
 void AddPlacement(const Hand& hand, const Grasp& grasp, std::vector<GraspNumber>& numbers) {
   const auto add = [&](const char* name, const char* unit, double value) {
-    numbers.push_back({grasp.id, kPlacement, name, unit, value + 0.0});
+    numbers.push_back({grasp.id, kPlacementPart, name, unit, value + 0.0});
   };
   const Placement placement = CalcPlacement(hand, grasp, Eigen::Vector3d::Constant(kReferenceBlock),
                                             Eigen::Vector3d::Zero());
@@ -78,7 +79,8 @@ std::vector<GraspNumber> ListGraspNumbers(const Hand& hand, const std::vector<Gr
   std::vector<GraspNumber> numbers;
   for (const Grasp& grasp : grasps) {
     AddPlacement(hand, grasp, numbers);
-    for (const auto& [part, q] : {std::pair(kPreGrasp, &grasp.q_pre), {kTarget, &grasp.q_target}}) {
+    for (const auto& [part, q] :
+         {std::pair(kPreGraspPart, &grasp.q_pre), {kTargetPart, &grasp.q_target}}) {
       for (int j = 0; j < hand.num_joints(); ++j) {
         const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
         numbers.push_back({grasp.id, part, joint.name, DisplayUnitOf(joint),
@@ -101,8 +103,8 @@ std::string FormatGraspNumbers(const std::vector<Grasp>& grasps,
   return text +
          "\nPlacement of the palm's frame to the middle of a block of 50 mm, axes of the "
          "world:\n\n" +
-         FormatParts(grasps, numbers, "", {kPlacement}) + "\n" +
-         FormatParts(grasps, numbers, "joint", {kPreGrasp, kTarget});
+         FormatParts(grasps, numbers, "", {kPlacementPart}) + "\n" +
+         FormatParts(grasps, numbers, "joint", {kPreGraspPart, kTargetPart});
 }
 
 std::string FormatGraspCsv(const std::vector<GraspNumber>& numbers) {

@@ -13,7 +13,7 @@ TEST(GraspTaxonomies, AreSevenOfFourTypesByYear) {
   ASSERT_EQ(all.size(), 7u);
   int num_missing = 0;
   for (size_t k = 0; k < all.size(); ++k) {
-    if (k > 0) EXPECT_LE(all[k - 1].year, all[k].year);
+    EXPECT_LE(all[k == 0 ? 0 : k - 1].year, all[k].year);
     for (const char* name : all[k].names) {
       ASSERT_NE(name, nullptr);
       num_missing += name == std::string("-");

@@ -18,7 +18,7 @@ constexpr double kParallel = 0.9;       // cosine
 constexpr double kLikeLimits = 0.05;    // [rad] between limits of joints of one build
 constexpr double kBend = 0.3;           // [rad] by which a joint is tried
 constexpr double kMoves = 0.001;        // [m] of a tip, to count
-constexpr double kLightest = 0.01;      // [kg] of a hand
+constexpr double kLightestHand = 0.01;  // [kg] of a hand
 constexpr double kNarrowest = 0.0175;   // [rad] between a joint's limits
 constexpr double kShortest = 0.0005;    // [m] between those of a slide
 
@@ -161,7 +161,7 @@ void FindNarrowLimits(const std::string& file, const Hand& hand, Diagnostics& pr
 void FindLightHand(const std::string& file, const Hand& hand, Diagnostics& problems) {
   double mass = 0.0;
   for (const HandLink& link : hand.links) mass += link.mass;
-  if (mass >= kLightest) return;
+  if (mass >= kLightestHand) return;
   problems.Warn(
       file, 0,
       "the hand has a mass of " + FormatSignificant(GFromKg(mass), 2) +

@@ -13,25 +13,25 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kNumPoints = 2000;
-constexpr size_t kMostBalls = 160;
-constexpr double kNear = 0.0012;        // [m] of a covered point; less than what is asked
-constexpr double kLeftOver = 0.04;      // of the points may stay uncovered; fewer than is asked
-constexpr double kTold = 0.05;          // of the points are not told of
-constexpr double kSmallest = 0.0005;    // [m]
-constexpr double kLargest = 0.025;      // [m]
-constexpr double kGrowth = 1.2;         // from one radius that is tried to the next
-constexpr double kSlack = 0.03;         // of a radius, for facets of a round surface
-constexpr double kOffSurface = 0.0001;  // [m]
+constexpr int kNumSurfacePoints = 2000;
+constexpr size_t kMostBalls = 200;
+constexpr double kCovered = 0.0012;       // [m] of a covered point; less than what is asked
+constexpr double kLeftOver = 0.03;        // of the points may stay uncovered; fewer than is asked
+constexpr double kTold = 0.05;            // of the points are not told of
+constexpr double kSmallestBall = 0.0005;  // [m]
+constexpr double kLargestBall = 0.025;    // [m]
+constexpr double kGrowth = 1.2;           // from one radius that is tried to the next
+constexpr double kSlack = 0.03;           // of a radius, for facets of a round surface
+constexpr double kOffSurface = 0.0001;    // [m]
 
 struct SurfacePoint {
   Vector3d p, nhat;
   size_t solid = 0;
 };
 
-class Solid {
+class CoveredSolid {
  public:
-  explicit Solid(const TriMesh& mesh)
+  explicit CoveredSolid(const TriMesh& mesh)
       : mesh_(mesh),
         tree_(mesh),
         crossings_{LineCrossings(mesh, 0), LineCrossings(mesh, 1), LineCrossings(mesh, 2)},
@@ -64,18 +64,18 @@ class Solid {
   double outwards_;  // -1: its triangles face inwards
 };
 
-bool IsInside(const std::vector<Solid>& solids, const Vector3d& p) {
+bool IsInside(const std::vector<CoveredSolid>& solids, const Vector3d& p) {
   return std::any_of(solids.begin(), solids.end(),
-                     [&](const Solid& solid) { return solid.Contains(p); });
+                     [&](const CoveredSolid& solid) { return solid.Contains(p); });
 }
 
 /** Evenly by area: every A / n along the triangles, within one by a Kronecker sequence. */
-std::vector<SurfacePoint> SpreadPoints(const std::vector<Solid>& solids) {
+std::vector<SurfacePoint> SpreadPoints(const std::vector<CoveredSolid>& solids) {
   double all = 0.0;
-  for (const Solid& solid : solids) {
+  for (const CoveredSolid& solid : solids) {
     for (const Eigen::Vector3i& t : solid.mesh().triangles) all += CalcArea(solid.mesh(), t);
   }
-  const double share = all / kNumPoints;
+  const double share = all / kNumSurfacePoints;
   double until = 0.5 * share, area = 0.0;
   std::vector<SurfacePoint> points;
   double u = 0.0, v = 0.0;
@@ -99,9 +99,9 @@ std::vector<SurfacePoint> SpreadPoints(const std::vector<Solid>& solids) {
 }
 
 /** The largest that touches the surface at the point from inside; radius 0: none. */
-SurfaceCover::Ball FindCandidate(const Solid& solid, const SurfacePoint& point) {
+SurfaceCover::Ball FindCandidate(const CoveredSolid& solid, const SurfacePoint& point) {
   SurfaceCover::Ball largest;
-  for (double radius = kSmallest; radius <= kLargest; radius *= kGrowth) {
+  for (double radius = kSmallestBall; radius <= kLargestBall; radius *= kGrowth) {
     const Vector3d centre = point.p - radius * point.nhat;
     if (solid.CalcDistance(centre) < (1.0 - kSlack) * radius) break;
     largest = {centre, radius};
@@ -125,13 +125,13 @@ double FindQuantile(std::vector<double> gaps) {
 
 SurfaceCover CoverSurface(const std::vector<TriMesh>& meshes,
                           const std::vector<ContactSphere>& present) {
-  std::vector<Solid> solids(meshes.begin(), meshes.end());
+  std::vector<CoveredSolid> solids(meshes.begin(), meshes.end());
   const std::vector<SurfacePoint> points = SpreadPoints(solids);
   SurfaceCover cover;
   if (points.empty()) return cover;
   std::vector<double> gaps;
   for (const SurfacePoint& point : points) {
-    double least = kLargest;
+    double least = kLargestBall;
     for (const ContactSphere& ball : present) {
       least = std::min(least, CalcGap({ball.p_LS, ball.radius}, point.p));
     }
@@ -144,12 +144,12 @@ SurfaceCover CoverSurface(const std::vector<TriMesh>& meshes,
   };
   std::vector<Candidate> candidates;
   for (size_t k = 0; k < points.size(); ++k) {
-    if (gaps[k] <= kNear) continue;
+    if (gaps[k] <= kCovered) continue;
     Candidate candidate{FindCandidate(solids[points[k].solid], points[k]), {}};
     if (candidate.ball.radius == 0.0 || !IsInside(solids, candidate.ball.centre)) continue;
     for (size_t other = 0; other < points.size(); ++other) {
-      const bool is_open = gaps[other] > kNear;
-      if (is_open && CalcGap(candidate.ball, points[other].p) <= kNear) {
+      const bool is_open = gaps[other] > kCovered;
+      if (is_open && CalcGap(candidate.ball, points[other].p) <= kCovered) {
         candidate.near.push_back(other);
       }
     }
@@ -157,7 +157,7 @@ SurfaceCover CoverSurface(const std::vector<TriMesh>& meshes,
   }
 
   const auto count_open = [&](const std::vector<size_t>& near) {
-    return std::count_if(near.begin(), near.end(), [&](size_t k) { return gaps[k] > kNear; });
+    return std::count_if(near.begin(), near.end(), [&](size_t k) { return gaps[k] > kCovered; });
   };
   std::vector<size_t> everywhere(points.size());
   std::iota(everywhere.begin(), everywhere.end(), size_t{0});

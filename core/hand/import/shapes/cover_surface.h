@@ -32,7 +32,7 @@ struct SurfaceCover {
 };
 
 /** @param solids  of one link, in its frame [m]; they may overlap and be open.
-@param present  balls that are there already, of this link. At most 160 balls are added. */
+@param present  balls that are there already, of this link. At most 200 balls are added. */
 SurfaceCover CoverSurface(const std::vector<TriMesh>& solids,
                           const std::vector<ContactSphere>& present);
 

@@ -143,23 +143,13 @@ Imported ImportAndLoad(const fs::path& file) {
   return imported;
 }
 
-double CalcGap(const ContactSphere& ball, const Vector3d& p) {
-  return (p - ball.p_LS).norm() - ball.radius;
-}
-double CalcGap(const LinkCapsule& capsule, const Vector3d& p) {
-  const ClosestPoints near = FindClosestPoints(p, p, capsule.p_LA, capsule.p_LB);
-  return (near.on_a - near.on_b).norm() - capsule.radius;
-}
-
-/** What 95 of 100 points of the surface are not farther outside than. */
-template <class Part>
-double CalcUncovered(const std::vector<Part>& parts, int link,
-                     const std::vector<Vector3d>& points) {
+/** What 95 of 100 points of the surface are not farther outside the link's balls than. */
+double CalcUncovered(const Hand& hand, int link, const std::vector<Vector3d>& points) {
   std::vector<double> gaps;
   for (const Vector3d& p : points) {
     double least = 1.0;
-    for (const Part& part : parts) {
-      if (part.link == link) least = std::min(least, CalcGap(part, p));
+    for (const ContactSphere& ball : hand.contact_spheres) {
+      if (ball.link == link) least = std::min(least, (p - ball.p_LS).norm() - ball.radius);
     }
     gaps.push_back(least);
   }
@@ -183,7 +173,7 @@ TEST_P(ContactCoverageTest, EveryLinkOfADigitIsCovered) {
   const Imported imported = ImportAndLoad(file);
   double largest = 0.0;
   for (const auto& [link, solids] : imported.solids) {
-    const double uncovered = CalcUncovered(imported.hand.contact_spheres, link, solids.surface);
+    const double uncovered = CalcUncovered(imported.hand, link, solids.surface);
     if (imported.hand.FindDigitOfLink(link) < 0) continue;
     largest = std::max(largest, uncovered);
     EXPECT_LE(MmFromM(uncovered), 1.5) << imported.hand.links[link].name;

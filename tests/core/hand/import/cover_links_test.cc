@@ -42,10 +42,11 @@ TEST(CoverLinksTest, LinksOfDigitsGetBallsThatOtherLinksDoNotMeet) {
   EXPECT_NE(imported.notes[1].find("uncovered at 95 of 100 points"), std::string::npos);
 }
 
-// 400 x 300 x 20 mm: no hand has such a link, and 160 balls do not cover it.
+// 400 x 300 x 20 mm, no pad, so that its balls lie far apart: 200 more do not cover it.
 TEST(CoverLinksTest, WhatStaysUncoveredIsTold) {
   ImportedHand imported = MakeImported();
   imported.shapes[1].size = Vector3d(0.02, 0.3, 0.4);
+  imported.hand.digits[0].distal_link = -1;
   imported.solids[1] = {MakeRoundedBox(imported.shapes[1].size, 0.0)};
   Diagnostics problems;
   CoverLinks("hand.urdf", imported, problems);

@@ -126,11 +126,11 @@ TEST(CoverSurfaceTest, WhereSolidsOverlapNothingIsCovered) {
 TEST(CoverSurfaceTest, AnOpenSurfaceEndsToo) {
   TriMesh open = MakeSphere(0.01, 32);
   open.triangles.resize(open.triangles.size() / 2);
-  EXPECT_LE(CoverSurface({open}, {}).balls.size(), 160u);
+  EXPECT_LE(CoverSurface({open}, {}).balls.size(), 200u);
   TriMesh triangle;
   triangle.vertices = {{0, 0, 0}, {0.02, 0, 0}, {0, 0.02, 0}};
   triangle.triangles = {{0, 1, 2}};
-  EXPECT_LE(CoverSurface({triangle}, {}).balls.size(), 160u);
+  EXPECT_LE(CoverSurface({triangle}, {}).balls.size(), 200u);
   EXPECT_TRUE(CoverSurface({}, {}).balls.empty());
 }
 
