@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/text/yaml_text.h"
 #include "core/hand/coupling.h"
 
 namespace graspbench {
