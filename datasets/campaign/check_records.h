@@ -12,7 +12,8 @@ namespace graspbench {
 
 /** Adds to `state`, what CheckStore has found in the folder, what is wrong with the records of a
 session and the answers of a search there or in a store of it; nothing where there is damage
-already. @returns what else the journals say of their lines. @throws Error as LoadSession, but for damage. */
+already. @returns what else the journals say of their lines.
+@throws Error as LoadSession, but for damage. */
 Diagnostics CheckRecords(const std::filesystem::path& folder, StoreState& state);
 
 }  // namespace graspbench

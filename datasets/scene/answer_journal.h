@@ -54,7 +54,8 @@ inline void RefuseAnswers(const std::filesystem::path& folder, const std::vector
                "move these lines elsewhere; what they answer is asked again");
 }
 
-/** @tparam Record  with `request`, `search`, and the static functions Parse and Format of a line. */
+/** @tparam Record  with `request`, `search`, `trials`, and static functions Parse and Format of a
+line. */
 template <class Record>
 class AnswerJournal {
  public:

@@ -42,7 +42,7 @@ apply() {
 build_object() {
   local object
   object=$1/$(basename "$2" .cc).o
-  (cd "$build" && eval "$compile -I$1 -o $object -c $2")
+  (cd "$build" && eval "${compile/ -I/ -I$1 -I} -o $object -c $2")
   objects="$objects $object"
 }
 

@@ -20,7 +20,7 @@ inline std::vector<std::filesystem::path> ListResults(const std::filesystem::pat
     const std::filesystem::path path = entry.path(), in = path.parent_path();
     const bool is_of_a_run = in.filename() == "journal" || in.filename() == "judge" ||
                              in.filename() == "workers" || in.filename() == "progress" ||
-                             path.filename() == "run.json";
+                             path.filename().string().rfind("run.json", 0) == 0;  // or a part of it
     const bool is_store =
         std::filesystem::exists(in / "session.json") || std::filesystem::exists(in / "scene.json");
     if (!entry.is_regular_file() || is_of_a_run) continue;

@@ -35,7 +35,7 @@ bool IsContent(const fs::path& folder) {
   }
 }
 
-/** Files of which `verify` says that it cannot tell, by their names from the folder of all stores. */
+/** Files of which `verify` cannot tell, by their names from the folder of all stores. */
 std::set<std::string> ListUnverified(const fs::path& folder, const std::string& store) {
   std::set<std::string> names;
   for (const std::string& name : FindUnverified(folder / store)) {

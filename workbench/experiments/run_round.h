@@ -41,8 +41,8 @@ extern const RoundKind kJudgeRound;      ///< breaks what they held
 was something to run. @pre session and inputs belong together.
 @param trial_time_limit  of a trial [s of processor time]; a grasp whose judge has not ended by then
 stays unjudged. @returns the run; finished: nothing is left but those.
-@throws Error(kVersion) when a trial that is judged gives another result than its record; as RunTasks
-of worker_pool.h; Error(kIo). */
+@throws Error(kVersion) when a trial that is judged gives another result than its record; Error(kIo);
+as RunTasks of worker_pool.h. */
 RunRecord RunRound(const RoundKind& kind, const Session& session, const SessionInputs& inputs,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop,
                    double trial_time_limit = kTrialTimeLimit);
