@@ -13,8 +13,10 @@ namespace graspbench {
 
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const CellPictures& pictures,
-                              const SensitivitySummary& sensitivity, const SessionViews& views) {
-  const ReportData data = {session, summary, models, pictures, sensitivity, views.body};
+                              const SensitivitySummary& sensitivity,
+                              const std::vector<NumericsSummary>& numerics,
+                              const SessionViews& views) {
+  const ReportData data = {session, summary, models, pictures, sensitivity, numerics, views.body};
   const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
                                FormatCount(static_cast<int>(summary.objects.size()), "object") +
                                ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
@@ -43,10 +45,11 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
   Diagnostics findings;  // whoever ran the sensitivity was told
   const SensitivitySummary sensitivity =
       SummariseSensitivity(session, LoadSensitivity(session, findings));
+  const std::vector<NumericsSummary> numerics = SummariseNumerics(LoadNumericsComparisons(session));
   const SessionViews views =
       trace ? DrawSessionViews(session, summary, models, trace) : SessionViews();
-  return WriteReportPage(folder,
-                         MakeSessionReport(session, summary, models, pictures, sensitivity, views));
+  return WriteReportPage(
+      folder, MakeSessionReport(session, summary, models, pictures, sensitivity, numerics, views));
 }
 
 /** The page of a session that is more than its trials; empty: it is not. */

@@ -7,6 +7,7 @@ snapshots. */
 #include <filesystem>
 #include <string>
 
+#include "datasets/analysis/conditions/numerics_summary.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/session/session_store.h"
 #include "reports/page/models.h"
@@ -30,6 +31,7 @@ std::filesystem::path WriteSessionReport(const std::filesystem::path& folder, Se
 std::string MakeSessionReport(const Session& session, const SessionSummary& summary,
                               const SessionModels& models, const CellPictures& pictures,
                               const SensitivitySummary& sensitivity = {},
+                              const std::vector<NumericsSummary>& numerics = {},
                               const SessionViews& views = {});
 
 }  // namespace graspbench

@@ -41,10 +41,15 @@ Html DrawResult(const DrawnTrial& data) {
   add("GOT% [%]", 100.0 * result.timing.got_ratio, 1);
   add("Stability sigma [N]", result.stability.sigma, 2);
   add("Grip before lift-off [N]", result.grip_force, 2);
+  add("Rise in the hand before lift-off [mm]", MmFromM(result.closure_rise), 1);
   add("Lift [mm]", MmFromM(result.lift_height), 1);
   add("Slip while held [mm]", MmFromM(result.hold_slip), 2);
   add("Deepest penetration [mm]", MmFromM(result.worst_penetration), 2);
-  return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason) + table.ToHtml();
+  const Seat seat = FindSeat(result);
+  return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason +
+                       (seat == Seat::kUnknown ? "" : " Seat: " + WordsOf(seat) + ".") +
+                       (IsCaged(result) ? " The object is caged." : "")) +
+         table.ToHtml();
 }
 
 Html DrawPictures(const DrawnTrial& data) {

@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/render/scene.h"
 
 namespace graspbench {
 namespace {
@@ -39,6 +40,8 @@ void DemandMemory(size_t size) {
   }
   ::munmap(probe, size);
 }
+
+void CompileShadersQuickly() { setenv("GALLIVM_PERF", "nopt", /*overwrite=*/0); }
 
 struct GlContext::Library {
   decltype(&::OSMesaMakeCurrent) make_current = nullptr;

@@ -22,15 +22,13 @@ constexpr int kMaxSize = 4096;         // of a picture's side [pixel]
 constexpr int kDraftTriangles = 8000;  // of a scene
 constexpr int kFewTriangles = 64;      // of a mesh: less would not show what it is
 
-// Per side of a pixel.
-int ChooseSamples(RenderQuality quality) { return quality == RenderQuality::kFull ? 2 : 1; }
+// Sides of the maps [texel]: finer than the picture's pixels would not be seen.
+int ChooseLightMapSize(int picture_size) { return std::clamp(picture_size, 256, 1024); }
+int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 4, 64, 256); }
 
-// Sides of the maps [texel]: finer than the picture's samples would not be seen.
-int ChooseLightMapSize(int picture_size) { return std::clamp(2 * picture_size, 512, 1024); }
-int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 2, 128, 256); }
-
-// Of a shadow's filter, per sample; large pictures show what few leave behind.
-int ChooseTaps(int picture_size) { return picture_size > 512 ? 8 : 4; }
+// Of a shadow's filter on a surface; large pictures show what few leave behind.
+int ChooseTaps(int picture_size) { return picture_size > 512 ? 4 : 2; }
+constexpr int kTableTaps = 8;
 
 constexpr double kFadeShare = 0.1;   // of the picture, at each edge, for what it may cut
 constexpr double kGridShare = 0.25;  // of the table's light that the lines of its grid take
@@ -59,7 +57,8 @@ struct Target {
 /** Address space that a renderer may take, its pixels apart, and that drawing may: compiled shaders,
 Mesa's buffers, the arenas of its threads. Where 344 MB were left, pictures failed. */
 constexpr size_t kRendererMemory = 512u << 20, kDrawingMemory = 128u << 20;
-constexpr size_t kBytesOfPixel = 16;  // of colour and depth, twice: Mesa copies what it draws into
+// Of colour and depth before and after edges are smoothed, twice: Mesa copies what it draws into.
+constexpr size_t kBytesOfPixel = 24;
 
 }  // namespace
 
@@ -96,7 +95,7 @@ struct Renderer::Impl {
 
   GlContext context;
   const GlFunctions& gl;
-  const bool is_fast;   // no shadows, one sample a pixel
+  const bool is_fast;   // no shadows, edges as they come
   const bool is_draft;  // coarse meshes, too
   int width;
   int height;
@@ -125,19 +124,16 @@ Renderer::Impl::Impl(int w, int h, RenderQuality quality)
     MakeWhiteTableLight();
   } else {
     depth = MakeProgram(gl, MakeDepthShader());
-    table_light = MakeProgram(gl, MakeTableLightShader(2 * taps));
+    table_light = MakeProgram(gl, MakeTableLightShader(kTableTaps));
     smooth = MakeProgram(gl, MakeSmoothShader());
     resolve = MakeProgram(gl, MakeResolveShader());
     MakeLightMaps(size);
   }
-  const int fine_width = ChooseSamples(quality) * width;
-  const int fine_height = ChooseSamples(quality) * height;
-  picture = MakeTarget(
-      GL_COLOR_ATTACHMENT0,
-      MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, fine_width, fine_height, GL_LINEAR),
-      fine_width, fine_height);
+  picture = MakeTarget(GL_COLOR_ATTACHMENT0,
+                       MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_LINEAR),
+                       width, height);
   const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
-                                           GL_UNSIGNED_INT, fine_width, fine_height, GL_NEAREST);
+                                           GL_UNSIGNED_INT, width, height, GL_NEAREST);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
   if (!is_fast) {
     resolved = MakeTarget(
@@ -203,7 +199,7 @@ Target Renderer::Impl::MakeTarget(GLenum attachment, GLuint texture, int w, int 
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw Error(ErrorKind::kEnvironment, "OSMesa refuses a picture of " + std::to_string(w) +
                                              " x " + std::to_string(h) +
-                                             " samples; is memory scarce (ulimit -v)?");
+                                             " pixels; is memory scarce (ulimit -v)?");
   }
   return target;
 }
@@ -423,7 +419,7 @@ Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
   gl.Disable(GL_DEPTH_TEST);
   if (!is_fast) {
     Begin(resolved, resolve);
-    BindTexture(resolve, "fine", 0, picture.texture);
+    BindTexture(resolve, "rough", 0, picture.texture);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
   }
   return ReadPicture();
@@ -489,8 +485,7 @@ Renderer::Renderer(int width, int height, RenderQuality quality) {
                                        std::to_string(kMaxSize) + " on each side");
   }
   const auto num_pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
-  const auto num_samples = static_cast<size_t>(ChooseSamples(quality) * ChooseSamples(quality));
-  DemandMemory(kRendererMemory + kBytesOfPixel * num_samples * num_pixels);
+  DemandMemory(kRendererMemory + kBytesOfPixel * num_pixels);
   impl_ = std::make_unique<Impl>(width, height, quality);
 }
 

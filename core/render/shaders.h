@@ -31,7 +31,7 @@ ShaderSource MakeTableShader();
 ShaderSource MakeGeometryShader();
 ShaderSource MakeTableGeometryShader();
 ///@}
-/** Two samples a side become one pixel; a tent of two pixels width smooths the edges. */
+/** Smooths edges along their direction, and everything a little. */
 ShaderSource MakeResolveShader();
 
 }  // namespace graspbench

@@ -102,8 +102,10 @@ struct TrialResult {
   double end_speed = 0.0;   ///< against the hand at the end, turning too [m/s]
   double grip_force = 0.0;  ///< sum of normal forces on the object before lift-off [N]
   /** Of the object's centre of mass from the first touch to the end of stabilisation: how far it
-  rose, and its displacement in the palm's frame; NaN: not lifted [m]. See measures/seat.h. */
-  double closure_rise = kUnset, closure_displacement = kUnset;
+  rose against the palm, its displacement in the palm's frame, and how far it slid through all links
+  that touched it at once; NaN: not lifted [m]. See measures/seat.h. */
+  double closure_rise = kUnset, closure_displacement = kUnset, closure_slide = kUnset;
+  double object_height = kUnset;       ///< from its lowest to its highest point at the start [m]
   double weight = kUnset;              ///< of the object [N]
   double worst_penetration = 0.0;      ///< deepest finger contact of the whole trial [m]
   double steady_penetration = kUnset;  ///< deepest finger contact at the end of the hold [m]
@@ -139,9 +141,17 @@ struct TrialResult {
     field("grip_force_n", &R::grip_force,
           FieldColumn{"N", "sum of the normal forces on the object before lift-off"});
     field("closure_rise_m", &R::closure_rise, FieldMayMiss{},
-          FieldColumn{"m", "rise of the object from the first touch to the end of stabilisation"});
+          FieldColumn{"m",
+                      "rise of the object in the hand from the first touch to the end of "
+                      "stabilisation"});
     field("closure_displacement_m", &R::closure_displacement, FieldMayMiss{},
           FieldColumn{"m", "in-hand displacement of the object in the same time"});
+    field("closure_slide_m", &R::closure_slide, FieldMayMiss{},
+          FieldColumn{"m",
+                      "how far the object slid through all links that touched it at once, in the "
+                      "same time"});
+    field("object_height_m", &R::object_height, FieldMayMiss{},
+          FieldColumn{"m", "height of the object at the start"});
     field("weight_n", &R::weight, FieldMayMiss{}, FieldColumn{"N", "weight of the object"});
     field("worst_penetration_m", &R::worst_penetration,
           FieldColumn{"m", "deepest finger contact of the whole trial"});

@@ -167,22 +167,37 @@ JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records) {
   return evidence;
 }
 
-std::vector<CellLoads> ListCellLoads(const SessionSummary& summary) {
-  std::vector<CellLoads> loads;
-  for (const CellSummary& cell : summary.cells) {
-    std::vector<double> force, moment, sigma, epsilon;
-    for (const TrialRecord* record : cell.records) {
-      if (!record->judgement) continue;
-      force.push_back(record->judgement->breaking_force);
-      moment.push_back(record->judgement->breaking_moment);
-      sigma.push_back(record->result.stability.sigma);
-      epsilon.push_back(record->result.stability.stabilisation.quality);
-    }
-    if (force.empty()) continue;
-    loads.push_back({&cell, static_cast<int>(force.size()), CalcSpread(force), CalcSpread(moment),
-                     CalcSpread(sigma), CalcSpread(epsilon)});
+namespace {
+
+CellLoads CalcLoads(const CellSummary& cell, Seat seat) {
+  std::vector<double> force, moment, sigma, epsilon;
+  for (const TrialRecord* record : cell.records) {
+    if (!record->judgement || FindSeat(record->result) != seat) continue;
+    force.push_back(record->judgement->breaking_force);
+    moment.push_back(record->judgement->breaking_moment);
+    sigma.push_back(record->result.stability.sigma);
+    epsilon.push_back(record->result.stability.stabilisation.quality);
   }
-  return loads;
+  return {&cell,
+          seat,
+          static_cast<int>(force.size()),
+          CalcSpread(force),
+          CalcSpread(moment),
+          CalcSpread(sigma),
+          CalcSpread(epsilon)};
+}
+
+}  // namespace
+
+std::vector<CellLoads> ListCellLoads(const SessionSummary& summary) {
+  std::vector<CellLoads> list;
+  for (const CellSummary& cell : summary.cells) {
+    for (const Seat seat : kSeats) {
+      const CellLoads loads = CalcLoads(cell, seat);
+      if (loads.num_judged > 0) list.push_back(loads);
+    }
+  }
+  return list;
 }
 
 Json ToJson(const JudgeEvidence& evidence) {

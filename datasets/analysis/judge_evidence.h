@@ -9,6 +9,7 @@ Intervals come from drawing cells (hand, object, grasp), because trials of one c
 
 #include "core/base/text/json.h"
 #include "core/statistics/bootstrap.h"
+#include "core/trial/measures/seat.h"
 #include "datasets/analysis/session_summary.h"
 
 namespace graspbench {
@@ -42,16 +43,17 @@ struct JudgeEvidence {
   std::vector<std::vector<Agreement>> agreements;  ///< (rules x rules)
 };
 
-/** What the judge found about the held grasps of one cell. */
+/** What the judge found about the held grasps of one cell that sit alike. */
 struct CellLoads {
   const CellSummary* cell = nullptr;
+  Seat seat = Seat::kUnknown;
   int num_judged = 0;
   Spread force;   ///< smallest of six pulls, on top of the weight [N]
   Spread moment;  ///< smallest of six twists [N m]
   Spread sigma;   ///< [N]
   Spread epsilon;
 };
-/** Of the cells that have a judged trial. The result points into `summary`. */
+/** Of the cells that have a judged trial, seat by seat. The result points into `summary`. */
 std::vector<CellLoads> ListCellLoads(const SessionSummary& summary);
 
 JudgeEvidence CalcJudgeEvidence(const std::vector<TrialRecord>& records);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
+#include "core/trial/measures/seat.h"
 
 namespace graspbench {
 namespace {
@@ -34,8 +35,24 @@ void AddUnknown(const std::string& name, std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-void FinishCell(CellSummary& cell) {
+struct TimeSamples {
   std::vector<double> gct, gft, got, gft_ratio, got_ratio;
+
+  void Add(const ContactTiming& timing) {
+    gct.push_back(timing.gct);
+    gft.push_back(timing.gft);
+    got.push_back(timing.got);
+    gft_ratio.push_back(timing.gft_ratio);
+    got_ratio.push_back(timing.got_ratio);
+  }
+  ContactTimes Summarise() const {
+    return {CalcSpread(gct), CalcSpread(gft), CalcSpread(got), CalcSpread(gft_ratio),
+            CalcSpread(got_ratio)};
+  }
+};
+
+void FinishCell(CellSummary& cell) {
+  TimeSamples kept, reseated;
   std::map<std::string, int> orders;
   for (const TrialRecord* record : cell.records) {
     const TrialResult& result = record->result;
@@ -48,21 +65,14 @@ void FinishCell(CellSummary& cell) {
     if (result.timing.contact_before_start) {
       ++cell.num_early;  // a class of its own: its closure began with a touch
     } else {
-      gct.push_back(result.timing.gct);
-      gft.push_back(result.timing.gft);
-      got.push_back(result.timing.got);
-      gft_ratio.push_back(result.timing.gft_ratio);
-      got_ratio.push_back(result.timing.got_ratio);
+      (FindSeat(result) == Seat::kReseated ? reseated : kept).Add(result.timing);
     }
     if (const std::string order = FindContactOrder(result).Format(); !order.empty()) {
       ++orders[order];
     }
   }
-  cell.gct = CalcSpread(gct);
-  cell.gft = CalcSpread(gft);
-  cell.got = CalcSpread(got);
-  cell.gft_ratio = CalcSpread(gft_ratio);
-  cell.got_ratio = CalcSpread(got_ratio);
+  cell.times = kept.Summarise();
+  cell.reseated_times = reseated.Summarise();
   cell.orders.assign(orders.begin(), orders.end());
   std::stable_sort(cell.orders.begin(), cell.orders.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });

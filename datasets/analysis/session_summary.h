@@ -5,7 +5,8 @@ What a session's records say, counted once for the terminal, JSON and the report
 A rate is always kept with its counts, so that it is never printed without n and its interval. Time
 measures are summarised by median and range over the trials in which they are defined: a digit that
 never touched leaves GCT and GFT of its trial missing, not zero, and a trial in which one touched
-before closure began is counted apart and in no time measure. Trials with a numerical failure
+before closure began is counted apart and in no time measure. Times of trials that ended in another
+seat stand apart. Trials with a numerical failure
 count as not successful and are left out of every other figure. */
 
 #include <array>
@@ -57,14 +58,20 @@ core/statistics/proportion.h. */
 std::string FormatRate(const Tally& tally);
 std::string FormatRateInterval(const Tally& tally);
 
+/** Time measures of some trials. */
+struct ContactTimes {
+  Spread gct, gft, got;         ///< [s]
+  Spread gft_ratio, got_ratio;  ///< of GCT
+};
+
 /** One hand on one object with one grasp. */
 struct CellSummary {
   std::string hand, object, grasp;  ///< ids
   std::string key;                  ///< one plain word: "tum-can-g3"
   std::vector<const TrialRecord*> records;
   Tally tally;
-  Spread gct, gft, got;         ///< [s]
-  Spread gft_ratio, got_ratio;  ///< of GCT
+  ContactTimes times;           ///< of the trials that are not reseated (seat.h)
+  ContactTimes reseated_times;  ///< of those that are
   int num_early = 0;            ///< trials with a contact before the start of closure
   /** Orders of contact with their number of trials, most frequent first. */
   std::vector<std::pair<std::string, int>> orders;

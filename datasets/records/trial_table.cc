@@ -258,8 +258,9 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
                      TakePart(&Stability::hold, &StabilityPart::normal_force)});
   columns.push_back(
       {"seat", "string", "",
-       "kept, or reseated: the object rose by more than 5 mm from the first touch to the end of "
-       "stabilisation; grip forces of the two do not compare; missing when it was not lifted",
+       "kept, or reseated: closure_rise_m is above 5 mm and 43 % of object_height_m, and "
+       "closure_slide_m above 1 mm; grip forces of the two do not compare; missing when it was not "
+       "lifted or the record is of physics 10 or older",
        [](const TrialRecord& record) {
          const Seat seat = FindSeat(record.result);
          return seat == Seat::kUnknown ? Json() : Json(NameOf(seat));

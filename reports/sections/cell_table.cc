@@ -29,10 +29,22 @@ Html ListFailures(const Tally& tally) {
 
 constexpr char kEarly[] = "†";
 constexpr char kFew[] = "*";
+constexpr char kReseated[] = "↑";
 
-Html FormatMedian(const Spread& spread, double unit, int decimals, const std::string& mark) {
+std::string FormatMedian(const Spread& spread, double unit, int decimals) {
   const char* few = spread.n > 0 && spread.n < Spread::kFew ? kFew : "";
-  return Text(FormatFixed(unit * spread.median, decimals) + few + mark);
+  return FormatFixed(unit * spread.median, decimals) + few;
+}
+
+/** Of each seat that occurs. */
+Html FormatMedians(const CellSummary& cell, Spread ContactTimes::*measure, double unit,
+                   int decimals, const std::string& mark) {
+  const Spread &kept = cell.times.*measure, &reseated = cell.reseated_times.*measure;
+  std::string text = kept.n > 0 || reseated.n == 0 ? FormatMedian(kept, unit, decimals) : "";
+  if (reseated.n > 0) {
+    text += (text.empty() ? "" : "; ") + FormatMedian(reseated, unit, decimals) + kReseated;
+  }
+  return Text(text + mark);
 }
 
 /** "g1 all finger precision, .." for what stands in the table. */
@@ -43,7 +55,8 @@ std::string ExplainCodes() {
   return text + " " + kEarly +
          " a digit of some trial touched before the start of closure: that trial is left out of "
          "the times. " +
-         kFew + " median of fewer than " + std::to_string(Spread::kFew) + " trials.";
+         kFew + " median of fewer than " + std::to_string(Spread::kFew) + " trials. " + kReseated +
+         " of the trials in which the object was reseated; the others have the value before it.";
 }
 
 Html DrawCellTable(const ReportData& data) {
@@ -73,9 +86,11 @@ Html DrawCellTable(const ReportData& data) {
                   Element("span", {{"title", NameOfGrasp(cell.grasp)}}, cell.grasp),
                   Text(std::to_string(tally.finished)), Text(std::to_string(tally.successes())),
                   DrawRate(tally), Text(FormatRateInterval(tally)), ListFailures(tally),
-                  FormatMedian(cell.gct, 1.0, 3, ""), FormatMedian(cell.gft, 1.0, 3, ""),
-                  FormatMedian(cell.got, 1.0, 3, ""), FormatMedian(cell.gft_ratio, 100.0, 1, early),
-                  FormatMedian(cell.got_ratio, 100.0, 1, early),
+                  FormatMedians(cell, &ContactTimes::gct, 1.0, 3, ""),
+                  FormatMedians(cell, &ContactTimes::gft, 1.0, 3, ""),
+                  FormatMedians(cell, &ContactTimes::got, 1.0, 3, ""),
+                  FormatMedians(cell, &ContactTimes::gft_ratio, 100.0, 1, early),
+                  FormatMedians(cell, &ContactTimes::got_ratio, 100.0, 1, early),
                   Text(FormatFixed(MmFromM(tally.worst_penetration), 2))});
   }
   return table.ToHtml() + Element("p", {{"class", "small"}}, ExplainCodes());

@@ -141,7 +141,7 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
                {"Median", number},
                {"Range", number},
                {"n", number, "trials in which it is defined"}});
-  const auto add = [&](const char* name, const Spread& spread, double unit, int decimals) {
+  const auto add = [&](const std::string& name, const Spread& spread, double unit, int decimals) {
     const auto format = [&](double value) { return FormatFixed(unit * value, decimals); };
     table.AddRow(
         {Text(name),
@@ -149,17 +149,26 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
          Text(spread.n == 0 ? "n/a" : format(spread.lowest) + " to " + format(spread.highest)),
          Text(std::to_string(spread.n))});
   };
-  add("GCT [s]", cell.gct, 1.0, 3);
-  add("GFT [s]", cell.gft, 1.0, 3);
-  add("GOT [s]", cell.got, 1.0, 3);
-  add("GFT% [%]", cell.gft_ratio, 100.0, 1);
-  add("GOT% [%]", cell.got_ratio, 100.0, 1);
+  bool has_few = false;
+  const auto add_all = [&](const ContactTimes& times, const std::string& seat) {
+    add("GCT [s]" + seat, times.gct, 1.0, 3);
+    add("GFT [s]" + seat, times.gft, 1.0, 3);
+    add("GOT [s]" + seat, times.got, 1.0, 3);
+    add("GFT% [%]" + seat, times.gft_ratio, 100.0, 1);
+    add("GOT% [%]" + seat, times.got_ratio, 100.0, 1);
+    for (const Spread& spread : {times.gct, times.gft, times.got}) {
+      has_few = has_few || spread.n < Spread::kFew;
+    }
+  };
+  const bool is_split = cell.reseated_times.gct.n > 0;
+  if (!is_split || cell.times.gct.n > 0) add_all(cell.times, "");
+  if (is_split) add_all(cell.reseated_times, ", reseated");
   Html html = table.ToHtml() + DescribeOrders(cell);
   if (cell.num_early > 0) {
     html += MakeSmall("In " + FormatCount(cell.num_early, "trial") +
                       " a digit touched before the start of closure; these measures leave it out.");
   }
-  if (cell.gct.n < Spread::kFew || cell.gft.n < Spread::kFew || cell.got.n < Spread::kFew) {
+  if (has_few) {
     html += MakeSmall(std::string(kFewMark) + " of fewer than " + std::to_string(Spread::kFew) +
                       " trials.");
   }

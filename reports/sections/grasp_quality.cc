@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/trial/judge/verdicts.h"
 #include "datasets/analysis/judge_evidence.h"
+#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"
 #include "reports/sections/section.h"
@@ -84,8 +85,9 @@ Html DrawAgreement(const JudgeEvidence& evidence) {
 
 Html DrawQualityOfCells(const ReportData& data) {
   const Align number = Align::kNumber;
-  Table table("Held grasps by cell, medians.",
+  Table table("Held grasps by cell and seat, medians.",
               {{"Cell"},
+               {"Seat"},
                {"Judged", number},
                {"Breaking force [N]", number, "smallest of six pulls, on top of the weight"},
                {"Lowest [N]", number},
@@ -93,12 +95,12 @@ Html DrawQualityOfCells(const ReportData& data) {
                {"sigma [N]", number, "what the contacts' forces predict"},
                {"epsilon", number, "ferrari-canny, before lift-off"}});
   for (const CellLoads& loads : ListCellLoads(data.summary)) {
-    table.AddRow({LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)),
-                  Text(std::to_string(loads.num_judged)), Text(FormatFixed(loads.force.median, 2)),
-                  Text(FormatFixed(loads.force.lowest, 2)),
-                  Text(FormatFixed(MmFromM(loads.moment.median), 1)),
-                  Text(FormatFixed(loads.sigma.median, 2)),
-                  Text(FormatFixed(loads.epsilon.median, 3))});
+    table.AddRow(
+        {LinkTo(loads.cell->key, NameOfCell(*loads.cell, data.models)), Text(WordsOf(loads.seat)),
+         Text(std::to_string(loads.num_judged)), Text(FormatFixed(loads.force.median, 2)),
+         Text(FormatFixed(loads.force.lowest, 2)),
+         Text(FormatFixed(MmFromM(loads.moment.median), 1)),
+         Text(FormatFixed(loads.sigma.median, 2)), Text(FormatFixed(loads.epsilon.median, 3))});
   }
   return MakeDetails("Breaking loads of every cell", table.ToHtml());
 }

@@ -1,5 +1,6 @@
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "reports/outcome_words.h"
 #include "reports/page/layout.h"
 #include "reports/sections/section.h"
 
@@ -50,12 +51,58 @@ Html DrawFailures(const ReportData& data) {
   return table.ToHtml();
 }
 
+Html FormatChange(const ChangeSummary& change) {
+  if (change.num == 0) return Text("n/a");
+  return Text(FormatSignificant(100.0 * change.median, 2) + " (" +
+              FormatSignificant(100.0 * change.max, 2) + ")");
+}
+
+/** What the step and its like make of the session's numbers. */
+Html DrawNumerics(const std::vector<NumericsSummary>& numerics) {
+  if (numerics.empty()) {
+    return Element("p", {},
+                   Text("Not checked: how far these numbers depend on the step. ") +
+                       Element("code", {}, "graspbench check-numerics") +
+                       Text(" with the session's folder repeats trials at other steps and "
+                            "stiffnesses and adds what it finds here."));
+  }
+  const Align number = Align::kNumber;
+  Table counts("Trials repeated under other numerics.",
+               {{"Variant"},
+                {"Trials", number},
+                {"Verdict flips", number, "a success becomes a failure, or the reverse"},
+                {"Held", number, "before and after"},
+                {"Seat flips", number, "of them"},
+                {"Flagged", number, "of them: reseated or caged in this session"},
+                {"Others above 10 %", number,
+                 "of the others: grip, sigma or breaking force changes by more"}});
+  std::vector<Column> columns = {{"Variant"}, {"Seat"}, {"Held", number}};
+  for (const NumericsMeasure& measure : ListNumericsMeasures()) {
+    columns.push_back({measure.title + std::string(" [%]"), number, {}});
+  }
+  Table changes("Median (and largest) relative change of trials held in the same seat.", columns);
+  for (const NumericsSummary& summary : numerics) {
+    counts.AddRow({Text(summary.variant), Text(std::to_string(summary.num_trials)),
+                   Text(std::to_string(summary.num_flips)), Text(std::to_string(summary.num_held)),
+                   Text(std::to_string(summary.num_seat_flips)),
+                   Text(std::to_string(summary.num_flagged)),
+                   Text(std::to_string(summary.num_large))});
+    for (const SeatNumerics& seat : summary.seats) {
+      std::vector<Html> row = {Text(summary.variant), Text(WordsOf(seat.seat)),
+                               Text(std::to_string(seat.num_held))};
+      for (const ChangeSummary& change : seat.changes) row.push_back(FormatChange(change));
+      changes.AddRow(row);
+    }
+  }
+  return counts.ToHtml() + changes.ToHtml();
+}
+
 Html DrawNumericalHealth(const ReportData& data) {
   Html html = MakeParagraph(
       "What to look for: penetration well below the size of a fingertip, an energy residual small "
       "against the work of lifting (0.1 J for 100 g through 0.1 m), and few steps whose solve "
       "missed its tolerance.");
-  html += DrawTotals(data);
+  html += DrawTotals(data) + DrawNumerics(data.numerics);
   if (data.summary.total.CountOf(Outcome::kNumericalFailure) == 0) {
     return html + MakeParagraph("No trial ended as numerical failure.");
   }

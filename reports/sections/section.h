@@ -5,6 +5,7 @@ line in section_list.inc, which fixes the order of the page. */
 
 #include <vector>
 
+#include "datasets/analysis/conditions/numerics_summary.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/page/models.h"
@@ -18,8 +19,9 @@ struct ReportData {
   const SessionSummary& summary;
   const SessionModels& models;
   const CellPictures& pictures;
-  const SensitivitySummary& sensitivity;  ///< of this session; without changes: was not run
-  Html views = {};                        ///< of session_views.h; empty: not asked for
+  const SensitivitySummary& sensitivity;         ///< of this session; without changes: was not run
+  const std::vector<NumericsSummary>& numerics;  ///< empty: was not checked
+  Html views = {};                               ///< of session_views.h; empty: not asked for
 };
 
 /** Must bear a session without a plan or without records. */

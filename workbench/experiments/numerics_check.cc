@@ -1,52 +1,29 @@
 #include "workbench/experiments/numerics_check.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/text/csv.h"
 #include "core/base/units.h"
 
 namespace graspbench {
 namespace {
 
-struct Measure {
-  const char* name;  ///< column, with its unit
-  double (*value)(const TrialResult&);
-};
-constexpr Measure kGct = {"gct_s", [](const TrialResult& r) { return r.timing.gct; }};
-constexpr Measure kGft = {"gft_s", [](const TrialResult& r) { return r.timing.gft; }};
-constexpr Measure kGot = {"got_s", [](const TrialResult& r) { return r.timing.got; }};
-constexpr Measure kSigma = {"sigma", [](const TrialResult& r) { return r.stability.sigma; }};
-
-double CalcChange(const NumericsComparison& comparison, const Measure& measure) {
-  return measure.value(comparison.after) - measure.value(comparison.before.result);
-}
-
-ChangeSummary SummariseChanges(const std::string& variant,
-                               const std::vector<NumericsComparison>& comparisons,
-                               const Measure& measure) {
-  std::vector<double> changes;
-  for (const NumericsComparison& comparison : comparisons) {
-    const double change = std::abs(CalcChange(comparison, measure));
-    if (comparison.variant == variant && std::isfinite(change)) changes.push_back(change);
-  }
-  ChangeSummary summary;
-  summary.num = static_cast<int>(changes.size());
-  if (changes.empty()) {
-    summary.median = summary.max = kUnset;
-    return summary;
-  }
-  std::sort(changes.begin(), changes.end());
-  const size_t n = changes.size();
-  summary.median = 0.5 * (changes[(n - 1) / 2] + changes[n / 2]);
-  summary.max = changes.back();
-  return summary;
-}
-
 Json MakeChangeJson(const ChangeSummary& change) {
   return {{"median", JsonNumber(change.median)},
           {"max", JsonNumber(change.max)},
           {"compared", change.num}};
+}
+
+Json MakeSeatsJson(const NumericsSummary& summary) {
+  Json seats = Json::array();
+  for (const SeatNumerics& seat : summary.seats) {
+    Json changes = Json::object();
+    for (size_t i = 0; i < seat.changes.size(); ++i) {
+      changes[ListNumericsMeasures()[i].name] = MakeChangeJson(seat.changes[i]);
+    }
+    seats.push_back({{"seat", seat.seat == Seat::kUnknown ? Json() : Json(NameOf(seat.seat))},
+                     {"held", seat.num_held},
+                     {"relative_changes", changes}});
+  }
+  return seats;
 }
 
 }  // namespace
@@ -65,31 +42,18 @@ std::vector<Condition> ListNumericsVariants(const SessionConfig& config) {
     for (const std::string& setting : variant.settings) ApplySetting(setting, changed);
     if (Validate(changed).empty()) variants.push_back(variant);
   };
+  add("quarter step", 0.25, 1.0);
   add("half step", 0.5, 1.0);
   add("double step", 2.0, 1.0);
   add("half stiffness", 1.0, 0.5);
   add("double stiffness", 1.0, 2.0);
+  for (const auto& [name, factor] :
+       {std::pair("friction -0.1 %", 0.999), {"friction +0.1 %", 1.001}}) {
+    variants.push_back(
+        {name, {"model.friction_scale=" + FormatJson(factor * config.model.friction_scale)}});
+  }
   variants.push_back({"compliant", {"backend=compliant"}});
   return variants;
-}
-
-NumericsSummary SummariseNumerics(const std::string& variant,
-                                  const std::vector<NumericsComparison>& comparisons) {
-  NumericsSummary summary;
-  summary.variant = variant;
-  for (const NumericsComparison& comparison : comparisons) {
-    if (comparison.variant != variant) continue;
-    ++summary.num_trials;
-    summary.num_successes_before += comparison.before.result.outcome == Outcome::kSuccess;
-    summary.num_successes += comparison.after.outcome == Outcome::kSuccess;
-    summary.num_flips += comparison.is_flipped();
-    summary.num_numerical_failures += comparison.after.outcome == Outcome::kNumericalFailure;
-  }
-  summary.gct = SummariseChanges(variant, comparisons, kGct);
-  summary.gft = SummariseChanges(variant, comparisons, kGft);
-  summary.got = SummariseChanges(variant, comparisons, kGot);
-  summary.sigma = SummariseChanges(variant, comparisons, kSigma);
-  return summary;
 }
 
 PreparedSession PrepareNumerics(const ExperimentRequest& request) {
@@ -97,21 +61,11 @@ PreparedSession PrepareNumerics(const ExperimentRequest& request) {
   return PrepareExperiment(session, "numerics", ListNumericsVariants(session.config), request);
 }
 
-NumericsCheck CompareNumerics(const Session& experiment) {
-  NumericsCheck check;
-  for (const Condition& variant : experiment.config.conditions) {
-    for (const ConditionPair& pair : ListConditionPairs(experiment, variant.name)) {
-      check.comparisons.push_back({variant.name, *pair.base, pair.varied->result});
-    }
-    check.summaries.push_back(SummariseNumerics(variant.name, check.comparisons));
-  }
-  return check;
-}
-
 std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons) {
-  std::vector<Json> heading = {"variant", "trial_id",       "hand",    "object", "grasp",
-                               "trial",   "outcome_before", "outcome", "flipped"};
-  for (const Measure& measure : {kGct, kGft, kGot, kSigma}) {
+  std::vector<Json> heading = {"variant", "trial_id",    "hand",           "object",
+                               "grasp",   "trial",       "outcome_before", "outcome",
+                               "flipped", "seat_before", "seat",           "flagged"};
+  for (const NumericsMeasure& measure : ListNumericsMeasures()) {
     heading.push_back(std::string(measure.name) + "_before");
     heading.push_back(measure.name);
   }
@@ -128,15 +82,18 @@ std::string FormatNumericsCsv(const std::vector<NumericsComparison>& comparisons
                                plan.grasp,
                                plan.trial,
                                NameOf(comparison.before.result.outcome),
-                               NameOf(comparison.after.outcome),
-                               comparison.is_flipped() ? 1 : 0};
-    for (const Measure& measure : {kGct, kGft, kGot, kSigma}) {
-      cells.push_back(JsonNumber(measure.value(comparison.before.result)));
+                               NameOf(comparison.after.result.outcome),
+                               comparison.is_flipped() ? 1 : 0,
+                               NameOf(FindSeat(comparison.before.result)),
+                               NameOf(FindSeat(comparison.after.result)),
+                               comparison.is_flagged() ? 1 : 0};
+    for (const NumericsMeasure& measure : ListNumericsMeasures()) {
+      cells.push_back(JsonNumber(measure.value(comparison.before)));
       cells.push_back(JsonNumber(measure.value(comparison.after)));
     }
-    cells.push_back(JsonNumber(comparison.after.hold_creep));
-    cells.push_back(JsonNumber(comparison.after.steady_penetration));
-    cells.push_back(comparison.after.num_unconverged);
+    cells.push_back(JsonNumber(comparison.after.result.hold_creep));
+    cells.push_back(JsonNumber(comparison.after.result.steady_penetration));
+    cells.push_back(comparison.after.result.num_unconverged);
     csv += FormatCsvLine(cells);
   }
   return csv;
@@ -152,19 +109,20 @@ Json MakeNumericsJson(const std::vector<NumericsSummary>& summaries,
                         {"successes", summary.num_successes},
                         {"flips", summary.num_flips},
                         {"numerical_failures", summary.num_numerical_failures},
-                        {"gct_change_s", MakeChangeJson(summary.gct)},
-                        {"gft_change_s", MakeChangeJson(summary.gft)},
-                        {"got_change_s", MakeChangeJson(summary.got)},
-                        {"sigma_change", MakeChangeJson(summary.sigma)}});
+                        {"held", summary.num_held},
+                        {"seat_flips", summary.num_seat_flips},
+                        {"flagged", summary.num_flagged},
+                        {"large_changes_unflagged", summary.num_large},
+                        {"seats", MakeSeatsJson(summary)}});
   }
   for (const NumericsComparison& comparison : comparisons) {
     if (!comparison.is_flipped()) continue;
     Json flip = ToJson(comparison.before.plan);
     flip["variant"] = comparison.variant;
     flip["outcome_before"] = NameOf(comparison.before.result.outcome);
-    flip["outcome"] = NameOf(comparison.after.outcome);
+    flip["outcome"] = NameOf(comparison.after.result.outcome);
     flip["reason_before"] = comparison.before.result.reason;
-    flip["reason"] = comparison.after.reason;
+    flip["reason"] = comparison.after.result.reason;
     flips.push_back(flip);
   }
   return {{"variants", variants}, {"flips", flips}};

@@ -117,20 +117,4 @@ bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& r
                                              request.on_damage, request.trial_time_limit);
 }
 
-std::vector<ConditionPair> ListConditionPairs(const Session& experiment,
-                                              const std::string& condition) {
-  std::map<std::string, const TrialRecord*> bases;
-  for (const TrialRecord& record : experiment.records) {
-    if (!record.plan.condition) bases.emplace(NameDraw(record.plan), &record);
-  }
-  std::vector<ConditionPair> pairs;
-  for (const TrialRecord& record : experiment.records) {
-    const auto base = bases.find(NameDraw(record.plan));
-    if (record.plan.condition == condition && base != bases.end()) {
-      pairs.push_back({base->second, &record});
-    }
-  }
-  return pairs;
-}
-
 }  // namespace graspbench

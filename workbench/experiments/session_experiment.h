@@ -39,13 +39,4 @@ PreparedSession PrepareExperiment(const Session& session, const std::string& kin
 bool RunExperiment(const PreparedSession& experiment, const ExperimentRequest& request,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop);
 
-/** The finished trials under a condition, in the plan's order, each with that of the base; none
-where the base's is not finished. */
-struct ConditionPair {
-  const TrialRecord* base = nullptr;
-  const TrialRecord* varied = nullptr;
-};
-std::vector<ConditionPair> ListConditionPairs(const Session& experiment,
-                                              const std::string& condition);
-
 }  // namespace graspbench

@@ -117,6 +117,7 @@ Image DrawTrial(const TrialSetup& setup, const TracedTrial& traced, const TraceI
   const Camera camera = PlaceCamera(view, {scene}, *setup.hand, instant.q, instant.X_WH,
                                     static_cast<double>(size.width) / size.height);
   AddContactMarks(MakeContactMarks(instant), FindArrowScale(traced), &scene);
+  CompileShadersQuickly();
   return Renderer(size.width, size.height).Render(scene, camera);
 }
 

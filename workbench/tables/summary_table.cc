@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "core/base/text/text.h"
+#include "core/base/units.h"
 #include "core/statistics/proportion.h"
+#include "datasets/analysis/seat_summary.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/text_table.h"
@@ -31,6 +33,25 @@ std::string FormatFailures(const SessionSummary& summary) {
   return is_empty ? "" : "\n" + table.Format();
 }
 
+/** Of cells with two seats or a caged grasp, the others have one grip force; empty without. */
+std::string FormatSeats(const SessionSummary& summary) {
+  const std::vector<SeatSummary> seats = ListSeats(summary);
+  TextTable table(
+      {"hand", "object", "grasp", "seat", "held", "caged", "grip [N]", "sigma [N]", "GFT [ms]"});
+  bool is_empty = true;
+  for (const SeatSummary& seat : seats) {
+    const auto is_of_cell = [&](const SeatSummary& other) { return other.cell == seat.cell; };
+    const bool is_double = std::count_if(seats.begin(), seats.end(), is_of_cell) > 1;
+    if (!is_double && seat.num_caged == 0) continue;
+    table.AddRow({seat.cell->hand, seat.cell->object, seat.cell->grasp, NameOf(seat.seat),
+                  std::to_string(seat.num_held), std::to_string(seat.num_caged),
+                  FormatFixed(seat.grip.median, 2), FormatFixed(seat.sigma.median, 2),
+                  FormatFixed(MsFromS(seat.gft.median), 0)});
+    is_empty = false;
+  }
+  return is_empty ? "" : "\n" + DescribeSeats(seats) + "; medians\n" + table.Format();
+}
+
 }  // namespace
 
 std::string FormatSummaryTable(const SessionSummary& summary) {
@@ -41,7 +62,7 @@ std::string FormatSummaryTable(const SessionSummary& summary) {
                   tally.finished > 0 ? MakePlainText(FormatPercent(tally.rate())) : "n/a",
                   MakePlainText(FormatRateInterval(tally.successes(), tally.finished))});
   }
-  return table.Format() + FormatFailures(summary);
+  return table.Format() + FormatFailures(summary) + FormatSeats(summary);
 }
 
 Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path& folder,
@@ -56,7 +77,10 @@ Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path&
                      {"successes", tally.successes()},
                      {"outcomes", outcomes}});
   }
-  return {{"session", folder.string()}, {"report", report.string()}, {"hands", hands}};
+  return {{"session", folder.string()},
+          {"report", report.string()},
+          {"hands", hands},
+          {"seats", ToJson(ListSeats(summary))}};
 }
 
 std::string DescribeRest(const Session& session) {

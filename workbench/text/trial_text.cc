@@ -7,6 +7,7 @@
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/trial/measures/seat.h"
 #include "datasets/records/trace_table.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/machines/shell_quote.h"
@@ -90,6 +91,21 @@ std::string FormatFirstFailure(const TracedTrial& traced) {
       slip ? ", after slipping from " + FormatFixed(slip->time + start, 3) + " s on" : "");
 }
 
+/** Nothing of a trial that was not lifted. */
+std::string FormatSeat(const TrialResult& result) {
+  const Seat seat = FindSeat(result);
+  if (seat == Seat::kUnknown) return "";
+  std::string text = fmt::format(
+      "seat     {}: rose by {} mm in the hand of its {} mm, slid {} mm through it", NameOf(seat),
+      FormatFixed(MmFromM(result.closure_rise), 1), FormatFixed(MmFromM(result.object_height), 1),
+      FormatFixed(MmFromM(result.closure_slide), 1));
+  if (IsSuccess(result.outcome)) {
+    text += fmt::format("; held with {} N{}", FormatFixed(result.stability.hold.normal_force, 2),
+                        IsCaged(result) ? ", caged" : "");
+  }
+  return text + "\n";
+}
+
 /** This trial and the nearest success beside each other. */
 std::string FormatBeside(const ExaminedTrial& trial) {
   const TrialRecord& other = *trial.nearest;
@@ -165,6 +181,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
+  text += FormatSeat(result);
   if (!IsSuccess(result.outcome)) text += "let go   " + FormatFirstFailure(trial.traced) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
@@ -189,6 +206,9 @@ Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder) {
   json["times_since"] = "start of closure; of snapshots: start of placing";
   json["closure_start_s"] = JsonNumber(trial.traced.closure_start);
   json["result"] = ToJson(trial.traced.result);
+  const Seat seat = FindSeat(trial.traced.result);
+  json["seat"] = seat == Seat::kUnknown ? Json() : Json(NameOf(seat));
+  json["caged"] = IsCaged(trial.traced.result);
   const ContactEvent* loss = FindFirstLoss(trial.traced.result.contact_events);
   json["first_loss"] = loss ? RecordToJson(*loss) : Json();
   json["nearest_success"] = trial.nearest ? Json{{"trial_id", trial.nearest->plan.id},

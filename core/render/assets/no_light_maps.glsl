@@ -1,3 +1,3 @@
-// What CalcVisibility says without any map.
-float CalcKeyVisibility(vec3 n, float turn) { return 1.0; }
-float CalcSkyVisibility(vec3 n, float turn) { return 1.0; }
+// What a light map says without any shadow.
+float CalcKeyVisibility(vec3 n) { return 1.0; }
+float CalcSkyVisibility(vec3 n) { return 1.0; }

@@ -12,19 +12,20 @@ void main() {
   if (!gl_FrontFacing) n = -n;
   vec3 to_eye = normalize(p_SEye - p_S);
 
-  // The four samples of a pixel turn their discs of taps differently.
-  float turn = 0.6 * float((int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1));
   float key = max(dot(n, to_key), 0.0);
-  if (key > 0.0) key *= CalcKeyVisibility(n, turn);
-  float sky = CalcSkyVisibility(n, turn);
+  if (key > 0.0) key *= CalcKeyVisibility(n);
+  float sky = CalcSkyVisibility(n);
 
   float up = 0.5 + 0.5 * n.z;
   vec3 light = mix(vec3(0.13, 0.125, 0.12), vec3(0.27, 0.29, 0.32) * mix(0.3, 1.0, sky), up);
   light += vec3(1.00, 0.97, 0.92) * key;
   light += vec3(0.13, 0.15, 0.18) * max(dot(n, to_fill), 0.0);
 
-  float edge = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0);
-  float gloss = pow(max(dot(n, normalize(to_key + to_eye)), 0.0), 48.0);
+  float away = 1.0 - max(dot(n, to_eye), 0.0);
+  float edge = away * away * away;
+  float gloss = max(dot(n, normalize(to_key + to_eye)), 0.0);
+  for (int i = 0; i < 4; ++i) gloss *= gloss;
+  gloss *= gloss * gloss;  // to the power of 48
   vec3 shine = vec3(0.16) * gloss * step(1e-3, key) * min(4.0 * key, 1.0);
   shine += vec3(0.22, 0.24, 0.27) * edge * max(dot(n, to_rim), 0.0);
   // Above the knee brightness is compressed, so that white things keep their shape.

@@ -5,9 +5,32 @@
 
 namespace graspbench {
 
+void SeatMeter::Observe(const std::vector<HandContact>& contacts, double step) {
+  const auto is_of_another_link = [&](const HandContact& contact) {
+    return contact.link != contacts.front().link;
+  };
+  if (std::none_of(contacts.begin(), contacts.end(), is_of_another_link)) return;
+  double speed = contacts.front().slip_speed;
+  for (const HandContact& contact : contacts) speed = std::min(speed, contact.slip_speed);
+  slide_ += step * speed;
+}
+
+void SeatMeter::End(const Place& place, TrialResult& result) const {
+  if (!first_) return;
+  result.closure_rise = place.height - first_->height;
+  result.closure_displacement =
+      (place.X_PalmOcm.translation() - first_->X_PalmOcm.translation()).norm();
+  result.closure_slide = slide_;
+}
+
 Seat FindSeat(const TrialResult& result) {
-  if (std::isnan(result.closure_rise)) return Seat::kUnknown;
-  return result.closure_rise > kReseatedRise ? Seat::kReseated : Seat::kKept;
+  if (std::isnan(result.closure_rise) || std::isnan(result.closure_slide) ||
+      std::isnan(result.object_height)) {
+    return Seat::kUnknown;
+  }
+  const double rise_limit = std::max(kReseatedRise, kReseatedShare * result.object_height);
+  return result.closure_rise > rise_limit && result.closure_slide > kReseatedSlide ? Seat::kReseated
+                                                                                   : Seat::kKept;
 }
 
 const char* NameOf(Seat seat) {

@@ -187,9 +187,13 @@ double TableLift::CalcGap(const std::vector<int>* links) const {
   return gap;
 }
 
-Pose TableLift::CalcObjectInPalm() const {
+Pose TableLift::CalcObjectInPalm() const { return FindPlace().X_PalmOcm; }
+
+SeatMeter::Place TableLift::FindPlace() const {
   const WorldState& state = world_->state();
-  return CalcPalmPose(hand_, state).inverse() * MakePose(state.R_WO, state.p_WOcm);
+  const Pose X_WPalm = CalcPalmPose(hand_, state);
+  return {X_WPalm.inverse() * MakePose(state.R_WO, state.p_WOcm),
+          state.p_WOcm.z() - X_WPalm.translation().z()};
 }
 
 void TableLift::Observe(const StepReport& report, double closing) {
@@ -206,13 +210,13 @@ void TableLift::Observe(const StepReport& report, double closing) {
       std::max(notes_.result.worst_penetration, report.worst_penetration);
   if (report.grip_force > 0.0) {
     notes_.last_touch = notes_.time;
-    if (!notes_.touched_at) {
-      notes_.touched_at = CalcObjectInPalm();
-      notes_.height_at_touch = world_->state().p_WOcm.z();
-    }
+    if (!notes_.seat.has_begun()) notes_.seat.Begin(FindPlace());
   }
   ObserveTouches(closing);
   world_->FindHandContacts(hand_contacts_);
+  if (notes_.strategy.phase() < Phase::kLiftOff) {
+    notes_.seat.Observe(hand_contacts_, setup_.sim.step);
+  }
   notes_.events.Observe(notes_.time, hand_contacts_);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
   notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase());
@@ -257,7 +261,7 @@ void TableLift::EnterPhase(Phase phase) {
       break;
     case Phase::kLiftOff:
       notes_.result.grip_force = notes_.report.grip_force;
-      NoteSeat();
+      notes_.seat.End(FindPlace(), notes_.result);
       notes_.result.snapshots.push_back(TakeSnapshot(Moment::kClosed));
       break;
     case Phase::kHold:
@@ -269,13 +273,6 @@ void TableLift::EnterPhase(Phase phase) {
     case Phase::kDone:
       break;
   }
-}
-
-void TableLift::NoteSeat() {
-  if (!notes_.touched_at) return;
-  notes_.result.closure_rise = world_->state().p_WOcm.z() - notes_.height_at_touch;
-  notes_.result.closure_displacement =
-      (CalcObjectInPalm().translation() - notes_.touched_at->translation()).norm();
 }
 
 SceneSnapshot TableLift::TakeSnapshot(Moment moment) const {
@@ -343,6 +340,7 @@ TrialResult TableLift::End() {
   result.reason = outcome.reason;
   result.snapshots.push_back(TakeSnapshot(Moment::kLifted));
   result.weight = world_->mass_properties().mass * setup_.sim.gravity;
+  result.object_height = notes_.rest_extent;
   result.lift_height = facts.rise;
   result.end_speed = facts.relative_speed;
   if (notes_.held_at) {

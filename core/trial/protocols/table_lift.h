@@ -20,6 +20,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/grasp/placement.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
+#include "core/trial/measures/seat.h"
 #include "core/trial/measures/stability_meter.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/trial/protocols/table_lift_outcome.h"
@@ -49,8 +50,7 @@ struct TrialNotes {
   double rest_height = 0.0;                                 ///< of the object's O [m]
   double rest_extent = 0.0;                                 ///< height of the object [m]
   Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();  ///< p_WOcm [m]
-  std::optional<Pose> touched_at = {};          ///< X_PalmOcm after the step of the first touch
-  double height_at_touch = 0.0;                 ///< of the object's centre of mass then [m]
+  SeatMeter seat = {};
   std::optional<Eigen::Vector3d> held_at = {};  ///< p_HOcm at the start of the hold
   std::optional<Pose> settled_at = {};          ///< X_PalmOcm when creep starts to count
 };
@@ -111,10 +111,10 @@ class TableLift : public TrialCourse {
     return world_->CalcObjectPose().translation().z() - notes_.rest_height;
   }
   double CalcCreep() const;
-  void NoteSeat();
   /** Between the object and the spheres of some links, of all where `links` is null [m]. */
   double CalcGap(const std::vector<int>* links) const;
   Pose CalcObjectInPalm() const;  ///< the frame Ocm in the palm's
+  SeatMeter::Place FindPlace() const;
   bool IsTouching(int digit) const;
   double CalcTouchTime(int digit) const;
 

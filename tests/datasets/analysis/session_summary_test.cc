@@ -36,11 +36,11 @@ TEST(SummariseSession, CountsCellsInThePlansOrder) {
 TEST(SummariseSession, MediansAndWorstValuesOfACell) {
   const Session session = MakeSession({"tum"}, {"can"}, "g3", 3);
   const CellSummary cell = SummariseSession(session).cells.at(0);
-  EXPECT_NEAR(cell.gct.median, 0.61, 1e-12);
-  EXPECT_NEAR(cell.gft.median, 0.2, 1e-12);
-  EXPECT_NEAR(cell.got.median, 0.1, 1e-12);
-  EXPECT_NEAR(cell.gft_ratio.median, 0.2 / 0.61, 1e-12);
-  EXPECT_NEAR(cell.gct.highest, 0.62, 1e-12);
+  EXPECT_NEAR(cell.times.gct.median, 0.61, 1e-12);
+  EXPECT_NEAR(cell.times.gft.median, 0.2, 1e-12);
+  EXPECT_NEAR(cell.times.got.median, 0.1, 1e-12);
+  EXPECT_NEAR(cell.times.gft_ratio.median, 0.2 / 0.61, 1e-12);
+  EXPECT_NEAR(cell.times.gct.highest, 0.62, 1e-12);
   EXPECT_EQ(cell.tally.worst_penetration, session.records[2].result.worst_penetration);
   EXPECT_EQ(cell.tally.worst_energy_residual, 0.000321);
   EXPECT_EQ(cell.tally.num_unconverged, 0 + 1 + 2);
@@ -61,8 +61,8 @@ TEST(SummariseSession, ADigitThatNeverTouchedIsMissingNotZero) {
   result.contacts[1].time = std::nan("");
   result.timing = CalcContactTiming(result.contacts, 0.0);
   const CellSummary cell = SummariseSession(session).cells.at(0);
-  EXPECT_EQ(cell.gct.n, 1);
-  EXPECT_EQ(cell.got.n, 2);
+  EXPECT_EQ(cell.times.gct.n, 1);
+  EXPECT_EQ(cell.times.got.n, 2);
 }
 
 TEST(SummariseSession, ATouchBeforeClosureIsAClassOfItsOwn) {
@@ -73,10 +73,11 @@ TEST(SummariseSession, ATouchBeforeClosureIsAClassOfItsOwn) {
   const CellSummary cell = SummariseSession(session).cells.at(0);
   EXPECT_EQ(cell.num_early, 1);
   EXPECT_EQ(cell.tally.successes(), 3);
-  for (const Spread& spread : {cell.gct, cell.gft, cell.got, cell.gft_ratio, cell.got_ratio}) {
+  for (const Spread& spread : {cell.times.gct, cell.times.gft, cell.times.got, cell.times.gft_ratio,
+                               cell.times.got_ratio}) {
     EXPECT_EQ(spread.n, 2);
   }
-  EXPECT_NEAR(cell.gft.highest, 0.2, 1e-12);
+  EXPECT_NEAR(cell.times.gft.highest, 0.2, 1e-12);
 }
 
 TEST(SummariseSession, ANumericalFailureCountsInTheRateAndNowhereElse) {
@@ -86,7 +87,7 @@ TEST(SummariseSession, ANumericalFailureCountsInTheRateAndNowhereElse) {
   const CellSummary cell = SummariseSession(session).cells.at(0);
   EXPECT_EQ(cell.tally.finished, 3);
   EXPECT_EQ(cell.tally.successes(), 2);
-  EXPECT_EQ(cell.gct.n, 2);
+  EXPECT_EQ(cell.times.gct.n, 2);
   EXPECT_LT(cell.tally.worst_penetration, 0.001);
 }
 

@@ -65,6 +65,8 @@ TEST(TrialTable, HasTheColumnsThatProgramsRelyOn) {
                                              "grip_force_n",
                                              "closure_rise_m",
                                              "closure_displacement_m",
+                                             "closure_slide_m",
+                                             "object_height_m",
                                              "weight_n",
                                              "worst_penetration_m",
                                              "steady_penetration_m",

@@ -75,11 +75,7 @@ TEST_F(SessionExperiment, TakesWhatTheSessionKnowsAndStandsWithinIt) {
   EXPECT_EQ(experiment.session.records.size(), 4u) << "the base is the session's";
   EXPECT_TRUE(RunExperiment(experiment, request, 1, observer_, stop_));
   const Session found = LoadSession(experiment.folder);
-  const std::vector<ConditionPair> pairs = ListConditionPairs(found, "heavy");
-  ASSERT_EQ(pairs.size(), 4u);
-  for (const ConditionPair& pair : pairs) {
-    EXPECT_EQ(NameDraw(pair.base->plan), NameDraw(pair.varied->plan));
-  }
+  EXPECT_EQ(found.records.size(), 8u);
   // The door of the session is the experiment's, too.
   std::string journal = ReadFile(experiment.folder / "journal" / "0.jsonl");
   journal[journal.size() / 2] ^= 1;

@@ -5,6 +5,7 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "datasets/session/judgement_store.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
 #include "workbench/experiments/numerics_check.h"
@@ -36,26 +37,28 @@ void PrintVariants(const Session& experiment) {
 void Check(const NumericsOptions& options) {
   if (!options.out.empty()) CheckOutputFile(options.out);
   const fs::path& folder = options.request.folder;
-  const PreparedSession experiment = PrepareNumerics(options.request);
+  ExperimentRequest request = options.request;
+  request.with_judge = HasBegunJudge(folder);  // else there is no breaking force to compare
+  const PreparedSession experiment = PrepareNumerics(request);
   if (options.request.plan_only) return PrintExperimentPlan(experiment);
   PrintVariants(experiment.session);
   Observer observer;  // its few trials need no more
   DemandFinished(
-      RunExperiment(experiment, options.request, options.num_workers, observer, CatchInterrupts()));
-  const NumericsCheck check = CompareNumerics(
+      RunExperiment(experiment, request, options.num_workers, observer, CatchInterrupts()));
+  const std::vector<NumericsComparison> comparisons = ListNumericsComparisons(
       LoadSession(experiment.folder, options.request.on_damage, RecordParts::kBrief));
+  const std::vector<NumericsSummary> summaries = SummariseNumerics(comparisons);
   const fs::path out =
       options.out.empty() ? folder / "check" / "numerics.csv" : fs::path(options.out);
   if (out.has_parent_path()) MakeFolder(out.parent_path());
-  WriteFileAtomically(out, FormatNumericsCsv(check.comparisons));
+  WriteFileAtomically(out, FormatNumericsCsv(comparisons));
   if (options.json) {
-    Json json = MakeNumericsJson(check.summaries, check.comparisons);
+    Json json = MakeNumericsJson(summaries, comparisons);
     json["session"] = folder.string();
     json["data"] = out.string();
     PrintJson(json);
   } else {
-    PrintResult(FormatNumericsTables(check.summaries, check.comparisons) + "\ndata     " +
-                out.string() + "\n");
+    PrintResult(FormatNumericsTables(summaries, comparisons) + "\ndata     " + out.string() + "\n");
   }
 }
 
