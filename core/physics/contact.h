@@ -25,8 +25,9 @@ Tangential force and torsion have one limit together, the ellipsoid (ft / (mu fn
 mu is mu_d from when the contact slides until it has not slid for kRestTime, and else mu_s: static
 friction grows back with the time of rest (Dieterich 1972). Were it back at once, a contact would
 stick and break loose step by step, and slide the slower the shorter the steps. A bristle is really
-a spring: a sticking contact does not creep. Where a pad's patch grows, kt and r grow: the bristle is
-then rescaled so that the energy in it stays, kt (s^2 + (r phi)^2) / 2. Not modelled: rolling resistance, wear, adhesion. */
+a spring: a sticking contact does not creep. Where a pad's patch grows, kt and r grow: the bristle
+is then rescaled so that the energy in it stays, kt (s^2 + (r phi)^2) / 2. Not modelled: rolling
+resistance, wear, adhesion. */
 
 #include <Eigen/Geometry>
 #include <array>
@@ -115,7 +116,8 @@ struct ContactGains {
 /** Makes it that of a ball of this radius, which matters to a pad. @pre material is set. */
 void SetRadius(double radius, ContactPoint& contact);
 
-/** Chooses tangents, gives a pad its patch, turns the remembered bristle into them, and takes over the last normal force.
+/** Chooses tangents, gives a pad its patch, turns the remembered bristle into them, and takes over
+the last normal force.
 A memory that was not alive in the last step is forgotten, but for when it slid. @param h  step [s]
 */
 void PrepareContact(double h, int step_number, ContactPoint& contact);

@@ -11,8 +11,9 @@ One step of length h goes from (q, u) to (q + h (u + v) / 2, v):
 
 Drives act by the means of command and angle at the step's start and end (the trapezoidal rule: a
 drive without damping swings on, whatever its stiffness) and by the speed of its end; so a finger
-lags behind a ramp by damping over stiffness whatever the step. Contacts and limits look farther ahead, from the
-middle by the whole of h v, which makes stiff springs settle in one step instead of ringing.
+lags behind a ramp by damping over stiffness whatever the step. Contacts and limits look farther
+ahead, from the middle by the whole of h v, which makes stiff springs settle in one step instead of
+ringing.
 
 What rolls on the table under the force N is braked by a moment of at most
 SimConfig::table_rolling_resistance N against its turn about the horizontal; it gives way in

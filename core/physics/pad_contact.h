@@ -10,8 +10,8 @@ and stiff (Hertz 1882; Johnson 1985, "Contact Mechanics", 4.2, 3.9 and 7.2):
     stiffness along it         kt = 4/3 E* a                     Mindlin 1949, nothing slips
     largest moment of twist    M = (3 pi / 16) mu F a            pressure of Hertz, all slips
 
-The pad stands in series with the bare contact's spring: depth x = y + F / k, and a pad compressed by
-all of its depth D yields no more: from there on F grows with k alone. Two pads on each other:
+The pad stands in series with the bare contact's spring: depth x = y + F / k, and a pad compressed
+by all of its depth D yields no more: from there on F grows with k alone. Two pads on each other:
 1/E* = 1/E1* + 1/E2*, 1/R = 1/R1 + 1/R2, D = D1 + D2.
 
 Limits: small patches (a well below R and the pad's thickness; a thin layer on bone is stiffer), a

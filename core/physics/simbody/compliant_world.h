@@ -10,9 +10,9 @@ compliant contact, integrated by CPodes (variable order and step, implicit, erro
     drives    follow at once: without the hysteresis, friction and yielding of imperfect_drive.h
 
 Other objects would need elastic foundations on fine meshes, which take minutes a trial. Pads have
-their modulus but no depth and no torsion radius, so sigma is lower; a smooth ball rolls off more easily than its mesh; links do
-not touch each other. Gravity cannot be turned and no load be put on the object: both throw
-Error(kUnsupported). Some seconds a trial: there to be compared with.
+their modulus but no depth and no torsion radius, so sigma is lower; a smooth ball rolls off more
+easily than its mesh; links do not touch each other. Gravity cannot be turned and no load be put on
+the object: both throw Error(kUnsupported). Some seconds a trial: there to be compared with.
 
 A clone carries over time, positions, speeds, commands, locked joints and the contacts last found,
 not the integrator's history: it starts with a small step of low order, so it goes on within the
