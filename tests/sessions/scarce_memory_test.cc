@@ -65,7 +65,7 @@ TEST_P(ScarceMemory, IsNoOutcomeOfATrial) {
   EXPECT_EQ(Run("verify s", 0), 0) << ReadFile(top_ / "log");
 }
 
-INSTANTIATE_TEST_SUITE_P(AddressSpace, ScarceMemory, testing::Values(100, 120, 200, 300, 450, 600, 700));
+INSTANTIATE_TEST_SUITE_P(AddressSpace, ScarceMemory, testing::Values(120, 200, 300, 450, 600, 700));
 
 }  // namespace
 }  // namespace graspbench

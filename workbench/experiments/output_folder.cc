@@ -220,7 +220,12 @@ int TryStage(const fs::path& folder) {
   if (::mkdir(folder.c_str(), 0777) != 0) FailOnSystem("cannot create", folder);
   const int lock = ::open((folder / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock < 0 && errno == ENOENT) return -1;
-  if (lock < 0) FailOnSystem("cannot lock", folder);
+  if (lock < 0) {
+    const int reason = errno;
+    ::rmdir(folder.c_str());
+    errno = reason;
+    FailOnSystem("cannot lock", folder);
+  }
   const bool is_taken = ::flock(lock, LOCK_EX | LOCK_NB) != 0;
   if (is_taken && errno != EWOULDBLOCK) FailOnSystem("cannot lock", folder);
   if (!is_taken && fs::exists(folder / kLock)) return lock;

@@ -151,7 +151,17 @@ MeshRepair RepairMesh(const TriMesh& mesh) {
 
 UsableMesh MakeUsable(const TriMesh& mesh, PartsApart parts_apart) {
   UsableMesh usable = {mesh, {}, CheckMesh(mesh, parts_apart)};
-  if (usable.report.problems.empty()) return usable;
+  MeshReport& first = usable.report;
+  if (first.problems.empty()) return usable;
+  if (first.num_triangles > kMaxMendedSoup && first.num_open_edges > first.num_triangles) {
+    first.problems.push_back(
+        {MeshFault::kOpen,
+         "with " + std::to_string(first.num_triangles) +
+             " triangles and more open edges than these it is too large to be mended; merge its "
+             "vertices, and reduce it (decimate) to " +
+             std::to_string(kMaxMendedSoup) + " triangles in a modelling program"});
+    return usable;
+  }
   MeshRepair mended = MendMesh(mesh);
   if (mended.actions.empty()) return usable;
   MeshReport report = CheckMesh(mended.mesh, parts_apart);

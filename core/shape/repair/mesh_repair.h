@@ -37,6 +37,9 @@ still there.
 @pre valid indices; a mesh with non-finite vertices comes back as it is. */
 MeshRepair RepairMesh(const TriMesh& mesh);
 
+/** More triangles that hardly share an edge are not mended: a million would take a minute. */
+inline constexpr int kMaxMendedSoup = 200000;
+
 /** A mesh as simulation can use it. */
 struct UsableMesh {
   TriMesh mesh;  ///< as given when it has no problem, or when mending leaves some

@@ -161,6 +161,22 @@ TEST(MeshRepairTest, WhatCanBeUsedStaysAsItIs) {
   EXPECT_EQ(usable.mesh.triangles, crossed.triangles);
 }
 
+TEST(MeshRepairTest, ALargeSoupIsRefusedWithItsCountAndWhatToDo) {
+  TriMesh soup;
+  for (int i = 0; i <= kMaxMendedSoup; ++i) {
+    const Eigen::Vector3d p(1e-4 * (i % 500), 1e-4 * (i / 500), 0.0);
+    const int first = soup.num_vertices();
+    soup.vertices.insert(soup.vertices.end(),
+                         {p, p + Eigen::Vector3d(5e-5, 0, 0), p + Eigen::Vector3d(0, 5e-5, 0)});
+    soup.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  const UsableMesh usable = MakeUsable(soup);
+  EXPECT_TRUE(usable.actions.empty());
+  const std::string text = FormatProblems(usable.report);
+  EXPECT_NE(text.find("with 200001 triangles"), std::string::npos) << text;
+  EXPECT_NE(text.find("decimate"), std::string::npos) << text;
+}
+
 TEST(MeshRepairTest, HopelessInputComesBack) {
   EXPECT_TRUE(RepairMesh({}).actions.empty());
   TriMesh bad = MakeBall();
