@@ -59,7 +59,7 @@ struct Grasp {
   std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
   std::map<std::string, ClosingSchedule> closing;  ///< by digit; those left out close as all do
   bool palm_may_touch = false;                     ///< power grasps
-  double palm_gap = kPalmGap;       ///< of a power grasp: palm to object when closing begins [m]
+  double palm_gap = kPalmGap;  ///< of a power grasp: palm to object when closing begins [m]
   Approach approach = Approach::kAutomatic;
   std::string object;                  ///< id of the object it was made for; empty: any
   std::optional<Placement> placement;  ///< absent: computed from postures and sizes

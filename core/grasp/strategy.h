@@ -52,7 +52,7 @@ inline constexpr GripModeRow kGripModes[] = {
 /** How a digit's drives hold a regulated force. */
 enum class DriveLaw {
   kHold,       ///< at a position, with their stiffness
-  kSaturating  ///< at a limit of their torque, without restoring stiffness: hydraulics at a pressure
+  kSaturating  ///< at a limit of their torque, without restoring stiffness, as at a pressure
 };
 struct DriveLawRow {
   DriveLaw value;
@@ -61,7 +61,7 @@ struct DriveLawRow {
 inline constexpr DriveLawRow kDriveLaws[] = {{DriveLaw::kHold, "hold"},
                                              {DriveLaw::kSaturating, "saturating"}};
 
-/** Times of the phases, and the grip. Proposed by graspbench; the thesis names phases, not seconds. */
+/** Times of the phases, and the grip. Proposed by graspbench: the thesis names phases, no seconds. */
 struct StrategyConfig {
   double placing_time = 0.8;            ///< [s]
   double closure_time = 1.0;            ///< from pre-grasp to target with nothing between [s]

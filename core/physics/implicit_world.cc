@@ -233,7 +233,8 @@ void ImplicitWorld::UpdateDynamics() {
 
 bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
   return step_number_ > 0 && command.q == last_command_.q &&
-         command.torque_limit == last_command_.torque_limit && command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
+         command.torque_limit == last_command_.torque_limit &&
+         command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
          last_command_.v_WH.isZero(0.0);
 }
 

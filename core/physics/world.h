@@ -41,7 +41,7 @@ Pose CalcPalmPose(const Hand& hand, const WorldState& state);
 
 /** What the hand is asked for at the end of a step. */
 struct WorldCommand {
-  Eigen::VectorXd q;  ///< drive commands (num_joints) [rad]
+  Eigen::VectorXd q;             ///< drive commands (num_joints) [rad]
   Pose X_WH = Pose::Identity();  ///< rotation must not change
   Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();
   /** Of the drives, where below their own (num_joints) [N m]; empty: their own. */

@@ -24,9 +24,10 @@ void CheckGrips(const SessionConfig& config, const SessionInputs& inputs) {
   if (mode != GripMode::kMargin) return;
   for (const auto& object : inputs.objects) {
     if (object->surface.friction_dynamic > 0.0) continue;
-    throw Error(ErrorKind::kRange,
-                "strategy.grip: a margin needs friction, and the object \"" + object->id +
-                    "\" has none; give it some (object.yaml, model.friction_scale) or choose force");
+    throw Error(
+        ErrorKind::kRange,
+        "strategy.grip: a margin needs friction, and the object \"" + object->id +
+            "\" has none; give it some (object.yaml, model.friction_scale) or choose force");
   }
 }
 

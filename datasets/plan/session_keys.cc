@@ -63,14 +63,15 @@ const FileKeys& ListSessionKeys() {
        "what ends the closing of a digit: posture (its target), force (grip_force_n) or margin "
        "(grip_margin)"},
       {"strategy.grip_force_n", "",
-       "asked of each digit that does not oppose the others; with margin at least this; 0: no least",
+       "asked of each digit that does not oppose the others; with margin at least this; 0: no "
+       "least",
        0, 1000},
       {"strategy.grip_margin", "",
        "times the smallest force with which the contacts bear the weight, which the hand is told "
        "with the friction",
        1, 100},
-      {"strategy.touch_speed", "",
-       "of a digit's closing after its first touch, share of its speed", 0.01, 1},
+      {"strategy.touch_speed", "", "of a digit's closing after its first touch, share of its speed",
+       0.01, 1},
       {"strategy.drive_law", "",
        "how drives hold a regulated force: hold (a position, with their stiffness) or saturating "
        "(a limit of their torque, without)"},

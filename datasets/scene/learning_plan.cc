@@ -1,10 +1,10 @@
-#include "datasets/plan/firm_grip.h"
 #include "datasets/scene/learning_plan.h"
 
 #include <algorithm>
 
 #include "core/base/config.h"
 #include "core/base/hash.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {

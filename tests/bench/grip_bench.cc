@@ -84,8 +84,7 @@ void PrintShares(const std::vector<TrialResult>& results, double band) {
 
 GripThreshold FindThreshold(TrialRunner& runner, TrialSetup setup) {
   const bool is_force = setup.strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
-  const ThresholdRange range =
-      is_force ? ThresholdRange{0.1, 12.8} : ThresholdRange{1.0, 16.0};
+  const ThresholdRange range = is_force ? ThresholdRange{0.1, 12.8} : ThresholdRange{1.0, 16.0};
   return FindGripThreshold(range, [&](double grip) {
     (is_force ? setup.strategy.grip_force : setup.strategy.grip_margin) = grip;
     return IsSuccess(runner.Run(setup).outcome);
@@ -114,8 +113,8 @@ void PrintThresholds(const std::vector<PlannedTrial>& plan,
     const size_t n = values.size();
     fmt::print("{} {} {}: median {:.2f}, from {:.2f} to {:.2f}, never {}, at the least {}{}\n",
                plan[first].hand, plan[first].object, plan[first].grasp,
-               0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back(), num_never,
-               num_below, not_monotone.empty() ? "" : ", not monotone:" + not_monotone);
+               0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back(),
+               num_never, num_below, not_monotone.empty() ? "" : ", not monotone:" + not_monotone);
   }
   fmt::print("{} draws, {} trials, not monotone {}\n", plan.size(), num_trials, num_not_monotone);
 }

@@ -32,7 +32,8 @@ double CalcLargestGrip(const Hand& hand, const Grasp& grasp) {
     Eigen::VectorXd arms = Eigen::VectorXd::Zero(dynamics.num_dofs());
     for (const int joint : dynamics.chain(digit.distal_link)) {
       dynamics.ForEachSpeed(joint, [&](int dof, double rate) {
-        if (!dynamics.is_deviation(dof)) arms[dof] += rate * moved.normalized().dot(calc_way(joint));
+        if (!dynamics.is_deviation(dof))
+          arms[dof] += rate * moved.normalized().dot(calc_way(joint));
       });
     }
     for (int dof = 0; dof < dynamics.num_dofs(); ++dof) {

@@ -27,11 +27,13 @@ struct GripFaultRow {
   GripFault value;
   const char* name;
 };
-inline constexpr GripFaultRow kGripFaults[] = {
-    {GripFault::kNone, ""},          {GripFault::kNoTouch, "no touch"},
-    {GripFault::kNotFelt, "not felt"}, {GripFault::kPosture, "posture ends"},
-    {GripFault::kLimit, "limit"},    {GripFault::kCoupling, "coupling"},
-    {GripFault::kBalance, "balance"}};
+inline constexpr GripFaultRow kGripFaults[] = {{GripFault::kNone, ""},
+                                               {GripFault::kNoTouch, "no touch"},
+                                               {GripFault::kNotFelt, "not felt"},
+                                               {GripFault::kPosture, "posture ends"},
+                                               {GripFault::kLimit, "limit"},
+                                               {GripFault::kCoupling, "coupling"},
+                                               {GripFault::kBalance, "balance"}};
 inline const char* NameOf(GripFault fault) { return RowOf(kGripFaults, fault).name; }
 inline Json ToJson(GripFault fault) { return NameOf(fault); }
 /** @throws Json::exception or Error(kFormat). */
@@ -69,11 +71,11 @@ struct GripRecord {
   /** The smallest with which the contacts bear the weight, of a digit that does not oppose the
   others; NaN: none was found, or nobody asked [N]. */
   double smallest = kUnset;
-  double force = 0.0;      ///< asked of such a digit in the end [N]
-  double asked = kUnset;   ///< sum over the hand [N]
-  double closed = kUnset;  ///< at the start of lift-off [N]; NaN: not reached
-  double held = kUnset;    ///< mean over the hold [N]; NaN: none
-  double peak = 0.0;       ///< of the filtered sum, of the whole trial [N]
+  double force = 0.0;        ///< asked of such a digit in the end [N]
+  double asked = kUnset;     ///< sum over the hand [N]
+  double closed = kUnset;    ///< at the start of lift-off [N]; NaN: not reached
+  double held = kUnset;      ///< mean over the hold [N]; NaN: none
+  double peak = 0.0;         ///< of the filtered sum, of the whole trial [N]
   bool was_in_band = false;  ///< what ended stabilisation; else its longest time
   std::vector<DigitGripRecord> digits;
 

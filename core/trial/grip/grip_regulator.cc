@@ -9,26 +9,27 @@
 namespace graspbench {
 namespace {
 
-constexpr double kFilterTime = 0.02;    // of forces, asked and felt [s]
-constexpr double kShiftTime = 0.1;      // in which an error falls to 1/e [s]
-constexpr double kDeadShare = 0.02;     // of A
-constexpr double kBandShare = 0.1;      // of A, in which stabilisation ends
-constexpr double kLookInterval = 0.1;   // between two looks for the smallest force [s]
-constexpr double kAtTarget = 1e-9;      // of s
-constexpr double kAtLimit = 1.0 - 1e-6;  // of a torque limit
-constexpr double kStopAngle = 1e-3;     // [rad]
+constexpr double kFilterTime = 0.02;      // of forces, asked and felt [s]
+constexpr double kShiftTime = 0.1;        // in which an error falls to 1/e [s]
+constexpr double kDeadShare = 0.02;       // of A
+constexpr double kBandShare = 0.1;        // of A, in which stabilisation ends
+constexpr double kLookInterval = 0.1;     // between two looks for the smallest force [s]
+constexpr double kAtTarget = 1e-9;        // of s
+constexpr double kAtLimit = 1.0 - 1e-6;   // of a torque limit
+constexpr double kStopAngle = 1e-3;       // [rad]
 constexpr double kMostTorqueShare = 4.0;  // c, and its inverse the least
 /** Of a drive's torque limit: it bears its finger whatever the grip. */
 constexpr double kLeastTorque = 0.02;
-constexpr double kMostShift = 1.0;      // rate of s over that of the closure
+constexpr double kMostShift = 1.0;  // rate of s over that of the closure
 
 }  // namespace
 
 GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& digits)
     : setup_(std::make_shared<TrialSetup>(setup)),
       mode_(RowFromName(kGripModes, setup.strategy.grip, "grip").value),
-      is_saturating_(is_regulated() && RowFromName(kDriveLaws, setup.strategy.drive_law,
-                                                   "drive law").value == DriveLaw::kSaturating),
+      is_saturating_(is_regulated() &&
+                     RowFromName(kDriveLaws, setup.strategy.drive_law, "drive law").value ==
+                         DriveLaw::kSaturating),
       step_(setup.sim.step),
       way_(setup.grasp.q_target - setup.grasp.q_pre),
       parts_(setup.hand->links.size(), static_cast<int>(digits.size())),
@@ -45,15 +46,15 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
     if (const auto own = setup.grasp.closing.find(digit.id); own != setup.grasp.closing.end()) {
       schedule = own->second;
     }
-    const double late =
-        setup.lateness.empty() ? 0.0 : setup.lateness[static_cast<size_t>(index)];
+    const double late = setup.lateness.empty() ? 0.0 : setup.lateness[static_cast<size_t>(index)];
     schedule.delay += late;
-    const bool is_felt =
-        setup.touch == TouchSense::kExact ||
-        std::any_of(hand.skin->elements.begin(), hand.skin->elements.end(),
-                    [&](const auto& element) { return hand.FindDigitOfLink(element.link) == index; });
-    digits_.push_back({index, index == opposing, is_felt, late > 0.0,
-                       FindDrivenJoints(hand, digit), ClosingLaw(schedule)});
+    const bool is_felt = setup.touch == TouchSense::kExact ||
+                         std::any_of(hand.skin->elements.begin(), hand.skin->elements.end(),
+                                     [&](const auto& element) {
+                                       return hand.FindDigitOfLink(element.link) == index;
+                                     });
+    digits_.push_back({index, index == opposing, is_felt, late > 0.0, FindDrivenJoints(hand, digit),
+                       ClosingLaw(schedule)});
   }
 }
 
@@ -186,8 +187,8 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   phase_ = phase;
   FollowTouches(world, contacts, sensors);
   if (!is_regulated()) return;
-  const std::vector<PartLoad> loads = CalcPartLoads(
-      contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics());
+  const std::vector<PartLoad> loads =
+      CalcPartLoads(contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics());
   const double weight = step_ / (kFilterTime + step_);
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
@@ -204,12 +205,12 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   peak_ = std::max(peak_, sum_);
 
   const bool has_closed = phase >= Phase::kStabilisation;
-  regulates_ = regulates_ || (has_closed && sum_ > 0.0 &&
-                              (sum_ >= asked_ || std::all_of(digits_.begin(), digits_.end(),
-                                                             [&](const DigitGrip& digit) {
-                                                               return digit.force >= digit.asked ||
-                                                                      IsStopped(digit);
-                                                             })));
+  regulates_ =
+      regulates_ ||
+      (has_closed && sum_ > 0.0 &&
+       (sum_ >= asked_ || std::all_of(digits_.begin(), digits_.end(), [&](const DigitGrip& digit) {
+          return digit.force >= digit.asked || IsStopped(digit);
+        })));
   if (mode_ == GripMode::kMargin && has_closed && phase < Phase::kLiftOff && sum_ > 0.0 &&
       time_ >= next_look_) {
     FindSmallest(world, contacts);
@@ -231,9 +232,9 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
     const double upper = coupled.coupled_to >= 0 && hand.coupling == CouplingRule::kMiddleFirst
                              ? std::min(coupled.upper, world.state().q[coupled.coupled_to])
                              : coupled.upper;
-    is_stopped_[static_cast<size_t>(joint)] =
-        coupled.coupled_to >= 0 && world.state().q[joint] > upper - kStopAngle &&
-        world.state().q[joint] > kStopAngle;
+    is_stopped_[static_cast<size_t>(joint)] = coupled.coupled_to >= 0 &&
+                                              world.state().q[joint] > upper - kStopAngle &&
+                                              world.state().q[joint] > kStopAngle;
   }
 }
 
@@ -277,8 +278,8 @@ void GripRegulator::Advance(Phase phase) {
     const double most = kMostShift * step_ / strategy.closure_time;
     for (DigitGrip& digit : digits_) {
       if (is_saturating_ || !digit.has_touched || !digit.is_felt) continue;
-      const double shift = std::clamp(
-          digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
+      const double shift =
+          std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
       if (shift > 0.0 && IsAtLimit(digit)) continue;
       digit.law.MoveTo(digit.law.closing() + shift);
     }
@@ -289,8 +290,7 @@ void GripRegulator::Advance(Phase phase) {
     if (phase > Phase::kStabilisation && !digit.is_late) continue;
     const bool has_force = digit.has_touched && digit.force >= digit.asked;
     if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit))) continue;
-    digit.law.Advance(step_, strategy.closure_time,
-                      digit.has_touched ? strategy.touch_speed : 1.0);
+    digit.law.Advance(step_, strategy.closure_time, digit.has_touched ? strategy.touch_speed : 1.0);
   }
 }
 

@@ -10,8 +10,8 @@ or the sum has, all digits are shifted together by the error of the sum,
     ds_d/dt = (a_d / G_d) (A - S) / (A kShiftTime),    A = sum a_d,  S = sum F_d
 
 with G_d = dF/ds the closing stiffness (grip_balance.h), so that the sides stay in balance: an
-integrator for each digit would let them drift against each other. With saturating drives digits close
-on, and the torques of those that touch are limited to c times what holds their shares, with the
+integrator for each digit would let them drift against each other. With saturating drives digits
+close on, and the torques of those that touch are limited to c times what holds their shares, with the
 error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the end of the
 trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes beyond its target
 posture or on against a drive at its limit.

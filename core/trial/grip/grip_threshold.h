@@ -21,9 +21,9 @@ struct ThresholdRange {
 };
 
 struct GripThreshold {
-  double value = kUnset;       ///< NaN: it fails with the largest grip
+  double value = kUnset;        ///< NaN: it fails with the largest grip
   bool is_below_range = false;  ///< it succeeds with the least grip: the threshold is no larger
-  bool is_monotone = true;     ///< as far as was asked
+  bool is_monotone = true;      ///< as far as was asked
   std::vector<double> failed, succeeded;  ///< grips, in the order of asking
 };
 

@@ -40,8 +40,8 @@ std::vector<int> FindGraspingDigits(const Hand& hand, const Grasp& grasp) {
 
 void CheckSkin(const TrialSetup& setup) {
   if (setup.touch == TouchSense::kExact || setup.hand->skin) return;
-  throw Error(ErrorKind::kUnsupported, "the hand \"" + setup.hand->id +
-                                           "\" has no tactile.yaml, so that it feels nothing");
+  throw Error(ErrorKind::kUnsupported,
+              "the hand \"" + setup.hand->id + "\" has no tactile.yaml, so that it feels nothing");
 }
 
 GripRegulator MakeRegulator(const TrialSetup& setup, const std::vector<int>& digits) {

@@ -20,8 +20,8 @@ LoadedGrasp MakeGrasp(const std::vector<double>& others) {
   grasp.radius = kArm;
   grasp.weight = Vector3d(0.0, 0.0, -kWeight);
   const auto add = [&](double x, double y, int digit) {
-    grasp.contacts.push_back({Vector3d(x, y, 0), Vector3d(x > 0.0 ? -1.0 : 1.0, 0, 0), kMu, 0.0,
-                              Vector3d::UnitZ()});
+    grasp.contacts.push_back(
+        {Vector3d(x, y, 0), Vector3d(x > 0.0 ? -1.0 : 1.0, 0, 0), kMu, 0.0, Vector3d::UnitZ()});
     grasp.normal_forces.push_back(0.0);
     grasp.digits.push_back(digit);
   };
@@ -50,7 +50,8 @@ TEST(SmallestGrip, IsProportionalToTheWeightAndKnowsNoFrame) {
   const double before = Calc(grasp);
   grasp.weight *= 7.0;
   EXPECT_NEAR(Calc(grasp), 7.0 * before, 1e-8);
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   for (GraspContact& contact : grasp.contacts) {
     contact.p_OC = R * contact.p_OC;
     contact.nhat_O = R * contact.nhat_O;

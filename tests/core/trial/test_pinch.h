@@ -61,7 +61,7 @@ class TestPinch {
   StepReport Step() { return world_->Step(command_); }
   World& world() { return *world_; }
   const TrialSetup& setup() const { return setup_; }
-  HeldObject MakeHeldObject() const { 
+  HeldObject MakeHeldObject() const {
     return HeldObject(*world_, command_, setup_, GripRegulator(setup_, {}));
   }
 
