@@ -6,6 +6,7 @@
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/grasp/closing_yaml.h"
 #include "core/grasp/grasp_keys.h"
 #include "core/grasp/placement.h"
 #include "core/grasp/posture_yaml.h"
@@ -152,6 +153,7 @@ GraspFile ParseGraspFile(const std::string& text, const std::string& file,
     ReadPosture(*hand, pre, file, "pre_deg", problems, grasp.q_pre);
     ReadPosture(*hand, target, file, "target_deg", problems, grasp.q_target);
   }
+  ReadClosing(file, "", problems, ListGraspFileKeys(), "", map, grasp);
   const YAML::Node placement = map.Child("placement", Needed::kNo);
   if (!placement.IsNull()) grasp.placement = ReadPlacement(placement, file, problems);
   map.FinishKnownKeys();
@@ -169,6 +171,7 @@ std::string FormatGraspFile(const Hand& hand, const Grasp& grasp, const std::str
   text += "\ndigits: [" + digits + "]\ntilt_deg: " + FormatFixed(DegFromRad(grasp.tilt), 6) +
           "\npalm_may_touch: " + (grasp.palm_may_touch ? "true" : "false");
   if (grasp.palm_gap != kPalmGap) text += "\npalm_gap_m: " + FormatFixed(grasp.palm_gap, 6);
+  if (!grasp.closing.empty()) text += "\nclosing: " + FormatClosing(grasp);
   if (grasp.approach != Approach::kAutomatic) {
     text += std::string("\napproach: ") + RowOf(kApproaches, grasp.approach).name;
   }

@@ -5,6 +5,7 @@
 
 #include "core/base/text/yaml.h"
 #include "core/base/units.h"
+#include "core/grasp/closing_yaml.h"
 #include "core/grasp/grasp_keys.h"
 #include "core/grasp/posture_yaml.h"
 
@@ -32,6 +33,7 @@ Grasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& nod
   grasp.tilt = RadFromDeg(tilt_deg);
 
   CheckGraspDigits(hand, grasp.digits, map);
+  ReadClosing(file, where + ", ", problems, ListHandGraspKeys(), "grasps.ID.", map, grasp);
   ReadPosture(hand, map.Child("pre_deg"), file, where + ", pre_deg", problems, grasp.q_pre);
   ReadPosture(hand, map.Child("target_deg"), file, where + ", target_deg", problems,
               grasp.q_target);

@@ -7,11 +7,13 @@ belong to the grasp and are the same for every hand; the rest belongs to the han
 its hand.yaml. */
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/pose.h"
+#include "core/grasp/closing_law.h"
 #include "core/hand/hand.h"
 #include "core/shape/approach.h"
 
@@ -55,8 +57,9 @@ struct Grasp {
   Eigen::VectorXd q_pre;            ///< (num_joints) [rad], coupled joints filled in
   Eigen::VectorXd q_target;         ///< (num_joints) [rad]
   std::vector<std::string> digits;  ///< ids of the grasping digits; contact of all ends the closure
-  bool palm_may_touch = false;      ///< power grasps
-  double palm_gap = kPalmGap;       ///< of a power grasp: palm to object when closing begins [m]
+  std::map<std::string, ClosingSchedule> closing;  ///< by digit; those left out close as all do
+  bool palm_may_touch = false;                     ///< power grasps
+  double palm_gap = kPalmGap;  ///< of a power grasp: palm to object when closing begins [m]
   Approach approach = Approach::kAutomatic;
   std::string object;                  ///< id of the object it was made for; empty: any
   std::optional<Placement> placement;  ///< absent: computed from postures and sizes

@@ -17,7 +17,7 @@ constexpr double kSteadyTime = 0.1;
 }  // namespace
 
 GraspStrategy::GraspStrategy(const StrategyConfig& config, double distance)
-    : config_(config), distance_(distance) {}
+    : config_(config), distance_(distance), slowest_closure_(config.closure_time) {}
 
 void GraspStrategy::Enter(Phase phase) {
   phase_ = phase;
@@ -36,6 +36,17 @@ double GraspStrategy::CalcPlacingDistance(double time_before_arrival) const {
   return distance_ * (1.0 - CalcCourse(x));
 }
 
+/** Under regulation its band decides; else the force has stopped changing. */
+bool GraspStrategy::IsSteady(const StrategyObservation& observation) {
+  if (observation.is_regulated) return observation.is_in_band;
+  if (closing_ < 1.0 ||
+      std::abs(observation.grip_force - settled_force_) > kSteadyShare * settled_force_) {
+    settled_since_ = time_in_phase_;
+    settled_force_ = observation.grip_force;
+  }
+  return time_in_phase_ - settled_since_ >= kSteadyTime;
+}
+
 StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& observation) {
   StrategyCommand command;
   time_in_phase_ += step;
@@ -48,25 +59,26 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
       const double x = std::clamp(time_in_phase_ / config_.placing_time, 0.0, 1.0);
       command.distance = distance_ * (1.0 - CalcCourse(x));
       command.speed = -distance_ * CalcCourseRate(x) / config_.placing_time;
-      if (time_in_phase_ >= config_.placing_time) Enter(Phase::kClosure);
+      if (time_in_phase_ >= config_.placing_time - config_.closure_lead) Enter(Phase::kClosure);
       break;
     }
     case Phase::kClosure:
+      if (time_in_phase_ < config_.closure_lead) {
+        const double before_arrival = config_.closure_lead - time_in_phase_;
+        command.distance = CalcPlacingDistance(before_arrival);
+        command.speed = -distance_ * CalcCourseRate(1.0 - before_arrival / config_.placing_time) /
+                        config_.placing_time;
+      }
       closing_ = std::min(1.0, closing_ + step / config_.closure_time);
-      if (observation.all_digits_touched ||
-          time_in_phase_ >= config_.closure_time + config_.closure_patience) {
+      if (time_in_phase_ >= config_.closure_lead &&
+          (observation.all_digits_touched ||
+           time_in_phase_ >= slowest_closure_ + config_.closure_patience)) {
         Enter(Phase::kStabilisation);
       }
       break;
     case Phase::kStabilisation:
       closing_ = std::min(1.0, closing_ + step / config_.closure_time);
-      if (closing_ < 1.0 ||
-          std::abs(observation.grip_force - settled_force_) > kSteadyShare * settled_force_) {
-        settled_since_ = time_in_phase_;
-        settled_force_ = observation.grip_force;
-      }
-      if ((time_in_phase_ >= config_.stabilisation_min_time &&
-           time_in_phase_ - settled_since_ >= kSteadyTime) ||
+      if ((IsSteady(observation) && time_in_phase_ >= config_.stabilisation_min_time) ||
           time_in_phase_ >= config_.stabilisation_max_time) {
         Enter(Phase::kLiftOff);
       }

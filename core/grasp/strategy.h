@@ -14,7 +14,11 @@ one can drive a simulation or a replay. Closing is linear in the joint angles,
 
     q(s) = q_pre + s (q_target - q_pre),
 
-and goes on after the first touch until s = 1: what the object prevents becomes force. */
+and goes on after the first touch until s = 1: what the object prevents becomes force. That is the
+grip "posture"; under "force" and "margin" each digit closes until it has its force, which is then
+held (core/trial/grip). */
+
+#include <string>
 
 #include "core/base/enum_table.h"
 
@@ -32,7 +36,32 @@ inline constexpr PhaseRow kPhases[] = {
     {Phase::kDone, "done"}};
 inline const char* NameOf(Phase phase) { return RowOf(kPhases, phase).name; }
 
-/** Times of the phases. Proposed by graspbench; the thesis names phases, not seconds. */
+/** What ends the closing of a digit. */
+enum class GripMode {
+  kPosture,  ///< its target posture: the force is what posture times stiffness gives
+  kForce,    ///< the force asked of it
+  kMargin    ///< a multiple of the smallest force with which the contacts bear the weight
+};
+struct GripModeRow {
+  GripMode value;
+  const char* name;  ///< in files
+};
+inline constexpr GripModeRow kGripModes[] = {
+    {GripMode::kPosture, "posture"}, {GripMode::kForce, "force"}, {GripMode::kMargin, "margin"}};
+
+/** How a digit's drives hold a regulated force. */
+enum class DriveLaw {
+  kHold,       ///< at a position, with their stiffness
+  kSaturating  ///< at a limit of their torque, without restoring stiffness, as at a pressure
+};
+struct DriveLawRow {
+  DriveLaw value;
+  const char* name;  ///< in files
+};
+inline constexpr DriveLawRow kDriveLaws[] = {{DriveLaw::kHold, "hold"},
+                                             {DriveLaw::kSaturating, "saturating"}};
+
+/** Times of the phases, and the grip. Proposed by graspbench: the thesis names phases, no seconds. */
 struct StrategyConfig {
   double placing_time = 0.8;            ///< [s]
   double closure_time = 1.0;            ///< from pre-grasp to target with nothing between [s]
@@ -41,6 +70,13 @@ struct StrategyConfig {
   double stabilisation_max_time = 2.0;  ///< [s]
   double lift_time = 1.0;               ///< [s]
   double hold_time = 2.0;               ///< [s]
+  double closure_lead = 0.0;            ///< closure begins so long before the hand's arrival [s]
+  std::string grip = "posture";         ///< of kGripModes
+  /** Asked of each digit that does not oppose the others; under "margin" at least this [N]. */
+  double grip_force = 0.7;
+  double grip_margin = 2.0;  ///< times the smallest force that bears the weight
+  double touch_speed = 1.0;  ///< of a digit's closing after its first touch, share of the speed
+  std::string drive_law = "hold";  ///< of kDriveLaws
 
   template <class V>
   void Visit(V&& v) {
@@ -51,6 +87,12 @@ struct StrategyConfig {
     v("stabilisation_max_time_s", stabilisation_max_time);
     v("lift_time_s", lift_time);
     v("hold_time_s", hold_time);
+    v("closure_lead_s", closure_lead);
+    v("grip", grip);
+    v("grip_force_n", grip_force);
+    v("grip_margin", grip_margin);
+    v("touch_speed", touch_speed);
+    v("drive_law", drive_law);
   }
 };
 
@@ -58,6 +100,8 @@ struct StrategyConfig {
 struct StrategyObservation {
   bool all_digits_touched = false;  ///< every grasping digit has touched the object at least once
   double grip_force = 0.0;          ///< sum of the normal forces on the object by the hand [N]
+  /** Of a regulated grip: its force was in its band for a while. */
+  bool is_regulated = false, is_in_band = false;
 };
 
 /** What the hand is asked to do at the end of the step. */
@@ -72,6 +116,9 @@ class GraspStrategy {
  public:
   /** @param distance  d: where the hand starts and returns to [m]. */
   GraspStrategy(const StrategyConfig& config, double distance);
+
+  /** Closure waits for the slowest digit: from its start to s = 1 at the earliest [s]. */
+  void SetClosureTime(double time) { slowest_closure_ = time; }
 
   /** Starts in the placing phase `time_before_arrival` before the hand arrives; nothing can touch
   earlier than that, so there is nothing to compute. */
@@ -89,8 +136,11 @@ class GraspStrategy {
  private:
   void Enter(Phase phase);
 
+  bool IsSteady(const StrategyObservation& observation);
+
   StrategyConfig config_;
   double distance_;
+  double slowest_closure_;
   Phase phase_ = Phase::kPreGrasp;
   double time_in_phase_ = 0.0;
   double closing_ = 0.0;

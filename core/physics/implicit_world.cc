@@ -125,9 +125,11 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
     if (distal >= 0 && hand_->coupling == CouplingRule::kMiddleFirst) {
       theta += middle_.q[distal] - middle_.deviation[distal];
     }
+    const double limit = command.torque_limit.size() > 0
+                             ? std::min(drive.torque_limit, command.torque_limit[joint])
+                             : drive.torque_limit;
     problem_.scalars.push_back({dof, drive.stiffness * (followed - theta),
-                                0.5 * drive.stiffness * h + drive.damping, -drive.torque_limit,
-                                drive.torque_limit});
+                                0.5 * drive.stiffness * h + drive.damping, -limit, limit});
   }
   first_friction_ = static_cast<int>(problem_.scalars.size());
   for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
@@ -227,6 +229,7 @@ void ImplicitWorld::UpdateDynamics() {
 
 bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
   return step_number_ > 0 && command.q == last_command_.q &&
+         command.torque_limit == last_command_.torque_limit &&
          command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
          last_command_.v_WH.isZero(0.0);
 }
@@ -352,6 +355,7 @@ void ImplicitWorld::FindHandContacts(std::vector<HandContact>& contacts) const {
     contact.slip_speed = std::hypot(rates[kTangentRow1], rates[kTangentRow2]);
     contact.is_at_limit = forces.is_at_limit;
     contact.mu = point.mu();
+    contact.mu_dynamic = point.material.friction_dynamic;
     contact.torsion_radius = point.material.torsion_radius;
   }
 }

@@ -44,6 +44,8 @@ struct WorldCommand {
   Eigen::VectorXd q;             ///< drive commands (num_joints) [rad]
   Pose X_WH = Pose::Identity();  ///< rotation must not change
   Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();
+  /** Of the drives, where below their own (num_joints) [N m]; empty: their own. */
+  Eigen::VectorXd torque_limit = {};
 };
 
 /** What happened in a step. Forces are those of its end. */
@@ -73,6 +75,7 @@ struct HandContact {
   double slip_speed = 0.0;      ///< tangential speed of the surfaces [m/s]
   bool is_at_limit = false;     ///< friction or torsion is; it may stand still all the same
   double mu = 0.0;              ///< of that state: static or dynamic
+  double mu_dynamic = 0.0;      ///< once it slides
   double torsion_radius = 0.0;  ///< a pad resists spin up to mu * normal_force * this [m]
 };
 

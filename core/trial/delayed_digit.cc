@@ -39,26 +39,13 @@ TrialSetup DelayLateDigit(TrialSetup setup, const TrialResult& undelayed) {
   const auto digit = std::find_if(digits.begin(), digits.end(),
                                   [&id](const Digit& candidate) { return candidate.id == id; });
   const int index = static_cast<int>(digit - digits.begin());
-  return DelayDigit(std::move(setup), FindClosureStart(undelayed), index, delay);
+  return DelayDigit(std::move(setup), index, delay);
 }
 
-TrialSetup DelayDigit(TrialSetup setup, double closure_start, int digit, double delay) {
-  GRASPBENCH_DEMAND(std::isfinite(closure_start) && delay >= 0.0 && setup.drives.empty(),
-                    std::to_string(closure_start));
-  const Hand& hand = *setup.hand;
-  const std::vector<int> joints = FindDrivenJoints(hand, hand.digits[static_cast<size_t>(digit)]);
-  const double step = setup.sim.step;
-  const long num_waiting = std::lround(delay / step);
-  double closing = 0.0;
-  for (long k = 0; closing < 1.0; ++k) {
-    // The sum of the strategy, term by term, so that no delay gives the very same trial.
-    if (k > num_waiting) closing = std::min(1.0, closing + step / setup.strategy.closure_time);
-    for (const int joint : joints) {
-      const double pre = setup.grasp.q_pre[joint], target = setup.grasp.q_target[joint];
-      setup.drives.push_back(
-          {closure_start + static_cast<double>(k) * step, joint, pre + closing * (target - pre)});
-    }
-  }
+TrialSetup DelayDigit(TrialSetup setup, int digit, double delay) {
+  GRASPBENCH_DEMAND(delay >= 0.0, std::to_string(delay));
+  setup.lateness.resize(setup.hand->digits.size(), 0.0);
+  setup.lateness[static_cast<size_t>(digit)] = delay;
   return setup;
 }
 

@@ -21,15 +21,12 @@ two touched or closure did not begin: then there is nothing to delay.
 @pre the result has its snapshots. */
 std::string FindLateDigit(const TrialResult& undelayed, LateDigit which);
 
-/** The setup with the drive commands that `setup.late` and `setup.delay` ask for; without any where
-there is nothing to delay. @param undelayed  the result of the same trial without delay. */
+/** The setup with the lateness that `setup.late` and `setup.delay` ask for; without any where there
+is nothing to delay. @param undelayed  the result of the same trial without delay. */
 TrialSetup DelayLateDigit(TrialSetup setup, const TrialResult& undelayed);
 
-/** @param closure_start  of the same trial without a delay, since its start [s]
-(TracedTrial::closure_start); a delay changes nothing before it.
-@param digit  index into Hand::digits.
-@param delay  [s], rounded to whole steps.
-@pre closure_start is finite, delay >= 0, the setup has no drive commands of its own. */
-TrialSetup DelayDigit(TrialSetup setup, double closure_start, int digit, double delay);
+/** @param digit  index into Hand::digits.
+@param delay  >= 0 [s], rounded to whole steps. */
+TrialSetup DelayDigit(TrialSetup setup, int digit, double delay);
 
 }  // namespace graspbench

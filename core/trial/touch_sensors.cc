@@ -148,6 +148,7 @@ void TouchSensors::FollowTouches(double time) {
 
 void TouchSensors::Observe(double time, const std::vector<HandContact>& contacts,
                            const HandDynamics& dynamics) {
+  time_ = time;
   for (std::vector<double>* of : {&forces_, &sensed_, &elsewhere_}) {
     std::fill(of->begin(), of->end(), 0.0);
   }
@@ -166,6 +167,16 @@ double TouchSensors::CalcFeltForce() const {
   double sum = 0.0;
   for (const double reading : readings_) {
     if (reading > config_.threshold) sum += CalcForce(skin_->response, config_, reading);
+  }
+  return sum;
+}
+
+double TouchSensors::CalcFeltForce(int digit) const {
+  double sum = 0.0;
+  for (size_t i = 0; i < readings_.size(); ++i) {
+    if (readings_[i] <= config_.threshold) continue;
+    if (hand_->FindDigitOfLink(skin_->elements[i].link) != digit) continue;
+    sum += CalcForce(skin_->response, config_, readings_[i]);
   }
   return sum;
 }

@@ -108,8 +108,11 @@ class TouchSensors {
   /** To be called after every step with its contacts and the hand's posture. */
   void Observe(double time, const std::vector<HandContact>& contacts, const HandDynamics& dynamics);
 
+  double time() const { return time_; }  ///< of the last step that was observed [s]
   bool has_felt(int digit) const { return has_felt_[static_cast<size_t>(digit)]; }  ///< ever
   double CalcFeltForce() const;  ///< sum over the elements, of the last sample [N]
+  /** The same of a digit; -1: of the rest of the hand. */
+  double CalcFeltForce(int digit) const;
   /** On each cell, before any response [N]. */
   const std::vector<double>& forces() const { return forces_; }
   const TouchRecord& record() const { return record_; }
@@ -128,7 +131,7 @@ class TouchSensors {
   std::shared_ptr<const TactileSkin> skin_;
   SensorConfig config_;
   RandomStream noise_;
-  double next_sample_ = 0.0;                   // [s]
+  double time_ = 0.0, next_sample_ = 0.0;      // [s]
   std::vector<double> forces_;                 // [N]
   std::vector<double> remembered_, readings_;  // by element
   std::vector<double> sensed_, elsewhere_;     // by link, of the last step [N]

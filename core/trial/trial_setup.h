@@ -51,6 +51,7 @@ struct TrialSetup {
   TouchSense touch = TouchSense::kExact;
   SensorConfig sensors = {};
   std::vector<DriveCommand> drives = {};  ///< a person's, by time; none in a session
+  std::vector<double> lateness = {};      ///< of each digit of the hand [s]; empty: none is late
   LateDigit late = LateDigit::kNone;      ///< see delayed_digit.h, which is
   double delay = 0.0;                     ///< so much later [s]
   bool keeps_closing = false;             ///< the result says how far closing moved the object

@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/physics/sim_config.h"
 #include "datasets/journal/json_fault.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/model_config.h"
 
 namespace graspbench {
@@ -90,6 +91,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     frozen.config = json.value("config", Json::object());
     frozen.physics_version = json.value("physics_version", 0);
     AddModel(frozen.config);
+    AddFirmGrip(frozen.config.contains("session") ? frozen.config["session"] : frozen.config);
     if (frozen.physics_version < 10 && &kind != &kSessionStore)
       AddSettingsOfPhysics10(frozen.config);
   } catch (const Json::exception& e) {

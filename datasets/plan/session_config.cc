@@ -8,6 +8,7 @@
 #include "core/base/text/text.h"
 #include "core/shape/approach.h"
 #include "core/trial/positioning.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/presets.h"
 #include "datasets/plan/session_keys.h"
 
@@ -68,6 +69,30 @@ void CheckSensors(const SessionConfig& config, std::vector<ConfigProblem>& probl
   }
 }
 
+void CheckGrip(const StrategyConfig& strategy, std::vector<ConfigProblem>& problems) {
+  if (!FindRow(kGripModes, strategy.grip)) {
+    problems.push_back({"strategy.grip", "no grip \"" + strategy.grip + "\"" +
+                                             SuggestNames(strategy.grip, ListNames(kGripModes))});
+  } else if (strategy.grip == RowOf(kGripModes, GripMode::kForce).name &&
+             strategy.grip_force <= 0.0) {
+    problems.push_back({"strategy.grip_force_n", "must be above 0 where strategy.grip is force"});
+  }
+  if (!FindRow(kDriveLaws, strategy.drive_law)) {
+    problems.push_back(
+        {"strategy.drive_law", "no drive law \"" + strategy.drive_law + "\"" +
+                                   SuggestNames(strategy.drive_law, ListNames(kDriveLaws))});
+  } else if (strategy.drive_law != StrategyConfig().drive_law &&
+             strategy.grip == RowOf(kGripModes, GripMode::kPosture).name) {
+    problems.push_back({"strategy.drive_law",
+                        "drives are limited to a regulated force, and strategy.grip is posture; "
+                        "set it to force or margin"});
+  }
+  if (strategy.closure_lead > strategy.placing_time) {
+    problems.push_back(
+        {"strategy.closure_lead_s", "must not be longer than strategy.placing_time_s"});
+  }
+}
+
 }  // namespace
 
 std::vector<ConfigProblem> Validate(const SessionConfig& config) {
@@ -82,6 +107,7 @@ std::vector<ConfigProblem> Validate(const SessionConfig& config) {
     problems.push_back({"strategy.stabilisation_min_time_s",
                         "must not be longer than strategy.stabilisation_max_time_s"});
   }
+  CheckGrip(config.strategy, problems);
   if (config.sim.table_friction_dynamic > config.sim.table_friction_static) {
     problems.push_back(
         {"sim.table_friction_dynamic", "must not be higher than sim.table_friction_static"});
@@ -203,6 +229,7 @@ void ApplySetting(const std::string& assignment, SessionConfig& config) {
 Json ToJson(const SessionConfig& config) {
   Json json = ConfigToJson(config);
   const SessionConfig defaults;
+  json["strategy"] = StrategyToJson(config.strategy);
   if (config.approach == defaults.approach) json.erase("approach");
   if (config.positioning != RowOf(kPositionings, Positioning::kCamera).name) json.erase("camera");
   if (config.positioning == defaults.positioning) json.erase("positioning");
@@ -238,6 +265,7 @@ SessionConfig SessionConfigFromJson(const Json& json, const std::string& file) {
        {"approach", "positioning", "camera", "touch", "sensors", "imperfections"}) {
     if (json.is_object() && !json.contains(key)) complete[key] = defaults.at(key);
   }
+  AddFirmGrip(complete);
   const Json draws = TakeKey("draws", complete), conditions = TakeKey("conditions", complete);
   auto config = ConfigFromJson<SessionConfig>(complete, file, problems);
   try {

@@ -126,7 +126,8 @@ SessionConfig ParseSessionConfig(const std::string& text, const std::string& fil
 void ApplySetting(const std::string& assignment, SessionConfig& config);
 
 /** The complete configuration, every default written out, but for an automatic approach, nominal
-positioning, exact touch, no imperfections, random draws, no conditions, and for camera and sensors
+positioning, exact touch, a grip by posture with its keys, no imperfections, random draws,
+no conditions, and for camera and sensors
 of a session without them: sessions without a choice are what they were before there was one. */
 Json ToJson(const SessionConfig& config);
 /** @param file  name of the file in messages.

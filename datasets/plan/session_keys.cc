@@ -58,6 +58,23 @@ const FileKeys& ListSessionKeys() {
       {"strategy.stabilisation_max_time_s", "", "at most this long before the lift", 0, 60},
       {"strategy.lift_time_s", "", "duration of the lift", 0.05, 60},
       {"strategy.hold_time_s", "", "the object must be held so long after the lift", 0, 60},
+      {"strategy.closure_lead_s", "", "closure begins so long before the hand has arrived", 0, 60},
+      {"strategy.grip", "",
+       "what ends the closing of a digit: posture (its target), force (grip_force_n) or margin "
+       "(grip_margin)"},
+      {"strategy.grip_force_n", "",
+       "asked of each digit that does not oppose the others; with margin at least this; 0: no "
+       "least",
+       0, 1000},
+      {"strategy.grip_margin", "",
+       "times the smallest force with which the contacts bear the weight, which the hand is told "
+       "with the friction",
+       1, 100},
+      {"strategy.touch_speed", "", "of a digit's closing after its first touch, share of its speed",
+       0.01, 1},
+      {"strategy.drive_law", "",
+       "how drives hold a regulated force: hold (a position, with their stiffness) or saturating "
+       "(a limit of their torque, without)"},
       {"sim.step_s", "", "of the physics", 1e-4, 1e-2},
       {"sim.gravity_m_per_s2", "", "downwards", 0, 100},
       {"sim.contact_stiffness_n_per_m", "", "normal, of one contact point", 100, 1e7},

@@ -15,6 +15,8 @@
 #include "core/trial/basin.h"
 #include "core/trial/positioning.h"
 #include "datasets/plan/conditions.h"
+#include "datasets/plan/firm_grip.h"
+#include "datasets/plan/grip_check.h"
 #include "objects/catalogue.h"
 
 namespace graspbench {
@@ -34,7 +36,7 @@ std::string CalcTrialId(const SessionConfig& config, const Hand& hand, const Gra
                   {"object", {object.id, object.content_hash}},
                   {"grasp", ToJson(grasp)},
                   {"variation", ConfigToJson(config.variation)},
-                  {"strategy", ConfigToJson(config.strategy)},
+                  {"strategy", StrategyToJson(config.strategy)},
                   {"sim", ConfigToJson(config.sim)},
                   {"model", ConfigToJson(config.model)},
                   {"seed", config.seed},
@@ -241,6 +243,9 @@ Json ToJson(const Grasp& grasp) {
   if (grasp.approach != Approach::kAutomatic) {
     json["approach"] = RowOf(kApproaches, grasp.approach).name;
   }
+  for (const auto& [digit, schedule] : grasp.closing) {
+    json["closing"][digit] = {schedule.delay, schedule.speed};
+  }
   if (grasp.placement) {
     json["X_WH"] = JsonPose(grasp.placement->X_WH);
     json["approach_W"] = JsonVector(grasp.placement->approach_W);
@@ -335,6 +340,7 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   CheckGraspsExist(config, inputs);
   CheckCamerasExist(config, inputs);
   CheckSkinsExist(config, inputs);
+  CheckGrips(config, inputs);
 
   std::vector<PlannedTrial> plan;
   const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);

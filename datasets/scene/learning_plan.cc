@@ -4,6 +4,7 @@
 
 #include "core/base/config.h"
 #include "core/base/hash.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/session_plan.h"
 
 namespace graspbench {
@@ -96,7 +97,7 @@ std::string CalcLearningTrialId(const SceneConfig& config, const SceneInputs& in
                         {"object", {inputs.object->id, inputs.object->content_hash}},
                         {"grasp", ToJson(request.grasp)},
                         {"variation", ConfigToJson(config.variation)},
-                        {"strategy", ConfigToJson(config.strategy)},
+                        {"strategy", StrategyToJson(config.strategy)},
                         {"full_hold", request.full_hold},
                         {"sim", ConfigToJson(config.sim)},
                         {"model", ConfigToJson(config.model)},

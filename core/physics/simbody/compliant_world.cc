@@ -452,6 +452,7 @@ void CompliantWorld::AddHandContact(int link, const SimTK::ContactForce& force, 
   if (touch.normal_force <= 0.0) return;
   touch.friction_W = f_W - touch.normal_force * touch.nhat_W;
   touch.mu = object_.surface.friction_static;
+  touch.mu_dynamic = object_.surface.friction_dynamic;
   contacts_.push_back(touch);
   report.grip_force += touch.normal_force;
   report.link_touches_object[link] = true;

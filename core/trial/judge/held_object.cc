@@ -10,9 +10,12 @@ constexpr double kRestSpeed = 1e-5;  ///< [m/s]
 
 }  // namespace
 
-HeldObject::HeldObject(const World& world, const WorldCommand& command, const TrialSetup& setup)
+HeldObject::HeldObject(const World& world, const WorldCommand& command, const TrialSetup& setup,
+                       const GripRegulator& grip, const std::optional<TouchSensors>& sensors)
     : world_(world),
       command_(command),
+      grip_(grip),
+      sensors_(sensors),
       hand_(setup.hand.get()),
       object_(setup.object.get()),
       step_(setup.sim.step),
@@ -26,9 +29,18 @@ Pose HeldObject::CalcObjectInPalm() const {
   return CalcPalmPose(*hand_, state).inverse() * MakePose(state.R_WO, state.p_WOcm);
 }
 
+void HeldObject::Regulate() {
+  world_->FindHandContacts(contacts_);
+  if (sensors_) sensors_->Observe(sensors_->time() + step_, contacts_, world_->dynamics());
+  grip_.Observe(Phase::kHold, *world_, contacts_, sensors_ ? &*sensors_ : nullptr);
+  grip_.Advance(Phase::kHold);
+  grip_.Command(command_);
+}
+
 void HeldObject::Step() {
   const StepReport report = world_->Step(command_);
   time_ += step_;
+  if (grip_.is_regulated()) Regulate();
   if (report.grip_force > 0.0) last_touch_ = time_;
   if (CalcSlipSpeed(world_->state(), radius_) > kRestSpeed) last_motion_ = time_;
   converged_ = converged_ && report.converged && report.is_finite;

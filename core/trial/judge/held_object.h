@@ -1,17 +1,21 @@
 #pragma once
 /** @file
-A held object after its trial: the hand goes on with its last command while loads are put on the
-object or gravity is turned. Copies start from the same instant, so one grasp stands many tests. */
+A held object after its trial: the hand goes on with its last command, or regulates its grip on,
+while loads are put on the object or gravity is turned. Copies start from the same instant, so one grasp
+stands many tests. */
 
 #include "core/physics/world.h"
+#include "core/trial/grip/grip_regulator.h"
 #include "core/trial/trial_setup.h"
 
 namespace graspbench {
 
 class HeldObject {
  public:
-  /** @param world  at the end of the hold; cloned   @param command  the last one. */
-  HeldObject(const World& world, const WorldCommand& command, const TrialSetup& setup);
+  /** @param world  at the end of the hold; cloned   @param command  the last one.
+  @param sensors  of a hand that goes by them. */
+  HeldObject(const World& world, const WorldCommand& command, const TrialSetup& setup,
+             const GripRegulator& grip, const std::optional<TouchSensors>& sensors = {});
 
   /** Advances by one step of the physics. */
   void Step();
@@ -39,9 +43,13 @@ class HeldObject {
   static constexpr double kRestTime = 0.1;  // [s]
 
   Pose CalcObjectInPalm() const;
+  void Regulate();
 
   WorldCopy world_;
   WorldCommand command_;
+  GripRegulator grip_;
+  std::optional<TouchSensors> sensors_;
+  std::vector<HandContact> contacts_;
   const Hand* hand_;
   const GraspObject* object_;
   double step_, mass_, radius_;

@@ -25,33 +25,54 @@ constexpr int kGapInterval = 5;
 
 }  // namespace
 
+namespace {
+
+/** Indices into Hand::digits, in the grasp's order. */
+std::vector<int> FindGraspingDigits(const Hand& hand, const Grasp& grasp) {
+  std::vector<int> digits;
+  for (const std::string& id : grasp.digits) {
+    for (size_t d = 0; d < hand.digits.size(); ++d) {
+      if (hand.digits[d].id == id) digits.push_back(static_cast<int>(d));
+    }
+  }
+  return digits;
+}
+
+void CheckSkin(const TrialSetup& setup) {
+  if (setup.touch == TouchSense::kExact || setup.hand->skin) return;
+  throw Error(ErrorKind::kUnsupported,
+              "the hand \"" + setup.hand->id + "\" has no tactile.yaml, so that it feels nothing");
+}
+
+GripRegulator MakeRegulator(const TrialSetup& setup, const std::vector<int>& digits) {
+  CheckSkin(setup);
+  return GripRegulator(setup, digits);
+}
+
+}  // namespace
+
 TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, WristCamera* camera)
     : TrialCourse(std::move(world)),
       setup_(setup),
       hand_(*setup.hand),
       object_radius_(CalcObjectRadius(*setup.object)),
       placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
+      digits_(FindGraspingDigits(hand_, setup.grasp)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
-             ContactEventRecorder(hand_, setup.sim.step)} {
-  for (const std::string& id : setup.grasp.digits) {
-    for (size_t d = 0; d < hand_.digits.size(); ++d) {
-      if (hand_.digits[d].id != id) continue;
-      digits_.push_back(static_cast<int>(d));
-      const bool opposes = static_cast<int>(d) == FindOpposingDigit(hand_, setup.grasp);
-      notes_.result.contacts.push_back({id, opposes, kUnset});
-      notes_.result.touches.emplace_back();
-    }
+             ContactEventRecorder(hand_, setup.sim.step), MakeRegulator(setup_, digits_)} {
+  for (const int digit : digits_) {
+    const bool opposes = digit == FindOpposingDigit(hand_, setup.grasp);
+    notes_.result.contacts.push_back(
+        {hand_.digits[static_cast<size_t>(digit)].id, opposes, kUnset});
+    notes_.result.touches.emplace_back();
   }
+  notes_.strategy.SetClosureTime(notes_.grip.CalcClosureTime());
   MakeSensors();
   Position(camera);
 }
 
 void TableLift::MakeSensors() {
   if (setup_.touch == TouchSense::kExact) return;
-  if (!hand_.skin) {
-    throw Error(ErrorKind::kUnsupported,
-                "the hand \"" + hand_.id + "\" has no tactile.yaml, so that it feels nothing");
-  }
   const TrialDraw& draw = setup_.draw;
   notes_.sensors.emplace(
       hand_, setup_.sensors,
@@ -122,7 +143,7 @@ double TableLift::FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q) {
     world_->dynamics().UpdatePositions(X_WH, q);
     if (world_->collider().CalcSmallestGap(world_->dynamics(), X_WO) > kSafeGap) break;
   }
-  return std::min(before_arrival + kLeadTime, placing_time);
+  return std::min(std::max(before_arrival, setup_.strategy.closure_lead) + kLeadTime, placing_time);
 }
 
 void TableLift::Begin() {
@@ -155,6 +176,7 @@ WorldCommand TableLift::MakeCommand(const StrategyCommand& command) const {
   WorldCommand result;
   result.q = setup_.grasp.q_pre + command.closing * (setup_.grasp.q_target - setup_.grasp.q_pre) +
              setup_.draw.joint_error;
+  notes_.grip.Command(result);
   for (const DriveCommand& drive : setup_.drives) {
     // Half a step less, so that the times of steps need no exact sums.
     if (notes_.time < drive.time - 0.5 * setup_.sim.step) break;
@@ -192,7 +214,7 @@ Pose TableLift::CalcObjectInPalm() const {
   return CalcPalmPose(hand_, state).inverse() * MakePose(state.R_WO, state.p_WOcm);
 }
 
-void TableLift::Observe(const StepReport& report, double closing) {
+void TableLift::Observe(const StepReport& report) {
   notes_.report = report;
   notes_.time += setup_.sim.step;
   ++notes_.result.num_steps;
@@ -211,10 +233,12 @@ void TableLift::Observe(const StepReport& report, double closing) {
       notes_.height_at_touch = world_->state().p_WOcm.z();
     }
   }
-  ObserveTouches(closing);
+  ObserveTouches();
   world_->FindHandContacts(hand_contacts_);
   notes_.events.Observe(notes_.time, hand_contacts_);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
+  notes_.grip.Observe(notes_.strategy.phase(), *world_, hand_contacts_,
+                      notes_.sensors ? &*notes_.sensors : nullptr);
   notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase());
   if (notes_.strategy.phase() == Phase::kHold && !notes_.settled_at &&
       notes_.strategy.time_in_phase() >= kSettlingShare * setup_.strategy.hold_time) {
@@ -232,7 +256,7 @@ double TableLift::CalcTouchTime(int digit) const {
 }
 
 /** What touches when the object is being lifted takes no part in the closure. */
-void TableLift::ObserveTouches(double closing) {
+void TableLift::ObserveTouches() {
   if (notes_.strategy.phase() >= Phase::kLiftOff) return;
   const bool is_closing = notes_.strategy.phase() == Phase::kClosure ||
                           notes_.strategy.phase() == Phase::kStabilisation;
@@ -241,7 +265,7 @@ void TableLift::ObserveTouches(double closing) {
     DigitTouch& touch = notes_.result.touches[d];
     if (IsTouching(digits_[d])) {
       notes_.result.contacts[d].time = CalcTouchTime(digits_[d]);
-      touch = {closing, world_->state().q, 0.0};
+      touch = {notes_.grip.closing(d), world_->state().q, 0.0};
     } else if (is_closing && notes_.result.num_steps % kGapInterval == 0) {
       touch.smallest_gap = std::fmin(touch.smallest_gap, CalcGap(&hand_.digits[digits_[d]].links));
     }
@@ -361,6 +385,7 @@ TrialResult TableLift::End() {
   result.energy_residual = facts.energy_residual;
   for (DigitContact& contact : result.contacts) contact.time -= notes_.closure_start;
   for (PhaseStart& phase : result.phases) phase.time -= notes_.closure_start;
+  if (notes_.grip.is_regulated()) result.grip = notes_.grip.MakeRecord();
   if (notes_.sensors) result.touch = notes_.sensors->record();
   result.contact_events = notes_.events.MakeEvents();
   for (ContactEvent& event : result.contact_events) event.time -= notes_.closure_start;
@@ -374,6 +399,8 @@ bool TableLift::is_held() const {
 
 StrategyObservation TableLift::FindObservation() const {
   StrategyObservation observation;
+  observation.is_regulated = notes_.grip.is_regulated();
+  observation.is_in_band = notes_.grip.is_in_band();
   if (notes_.sensors) {
     observation.grip_force = notes_.sensors->CalcFeltForce();
     observation.all_digits_touched = std::all_of(
@@ -387,10 +414,17 @@ StrategyObservation TableLift::FindObservation() const {
   return observation;
 }
 
+StrategyCommand TableLift::NextCommand(const StrategyObservation& observation) {
+  const Phase phase = notes_.strategy.phase();
+  const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, observation);
+  notes_.grip.Advance(phase);
+  return command;
+}
+
 bool TableLift::Advance() {
   notes_.is_over = notes_.is_over || IsDecided(MakeFacts());
   if (notes_.is_over) return false;
-  const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, FindObservation());
+  const StrategyCommand command = NextCommand(FindObservation());
   if (notes_.strategy.phase() != notes_.phase) {
     notes_.phase = notes_.strategy.phase();
     EnterPhase(notes_.phase);
@@ -399,12 +433,12 @@ bool TableLift::Advance() {
     if (notes_.is_over) return false;
   }
   notes_.command = MakeCommand(command);
-  Observe(world_->Step(notes_.command), command.closing);
+  Observe(world_->Step(notes_.command));
   return true;
 }
 
 std::optional<WorldCommand> TableLift::ComputeOpenLoopCommand() {
-  const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, {});
+  const StrategyCommand command = NextCommand({});
   notes_.phase = notes_.strategy.phase();
   if (notes_.phase == Phase::kDone) return std::nullopt;
   return MakeCommand(command);
@@ -418,7 +452,7 @@ void TableLift::Restore(const TrialInstant& instant) {
 }
 
 Judgement TableLift::Judge() const {
-  return JudgeGrasp(HeldObject(*world_, notes_.command, setup_),
+  return JudgeGrasp(HeldObject(*world_, notes_.command, setup_, notes_.grip, notes_.sensors),
                     notes_.stability.MakeInstant(*world_).grasp.contacts);
 }
 

@@ -20,6 +20,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/grasp/placement.h"
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
+#include "core/trial/grip/grip_regulator.h"
 #include "core/trial/measures/stability_meter.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/trial/protocols/table_lift_outcome.h"
@@ -33,6 +34,7 @@ struct TrialNotes {
   GraspStrategy strategy;
   StabilityMeter stability;
   ContactEventRecorder events;
+  GripRegulator grip;
   TrialResult result = {};  ///< as far as known; times since the start
 
   bool is_over = false;
@@ -101,8 +103,10 @@ class TableLift : public TrialCourse {
   WorldCommand MakeCommand(const StrategyCommand& command) const;
   void MakeSensors();
   StrategyObservation FindObservation() const;
-  void Observe(const StepReport& report, double closing);
-  void ObserveTouches(double closing);
+  /** Of the strategy, and the digits' closing with it. */
+  StrategyCommand NextCommand(const StrategyObservation& observation);
+  void Observe(const StepReport& report);
+  void ObserveTouches();
   void EnterPhase(Phase phase);
   SceneSnapshot TakeSnapshot(Moment moment) const;
   TrialFacts MakeFacts() const;

@@ -19,9 +19,7 @@ Displacement CalcClosingLate(const std::vector<TraceInstant>& trace) {
 class DelayedDigit : public ::testing::Test {
  protected:
   TracedTrial Trace(const TrialSetup& setup) { return TraceTrial(runner_, setup, 0.0); }
-  TracedTrial TraceLate(double delay) {
-    return Trace(DelayDigit(setup_, closure_start_, digit_, delay));
-  }
+  TracedTrial TraceLate(double delay) { return Trace(DelayDigit(setup_, digit_, delay)); }
 
   TrialSetup setup_ = MakeSetup("tum", "g2", MakeCube(0.0122, 0.5));
   TrialRunner runner_{setup_.hand, setup_.object};

@@ -61,7 +61,9 @@ class TestPinch {
   StepReport Step() { return world_->Step(command_); }
   World& world() { return *world_; }
   const TrialSetup& setup() const { return setup_; }
-  HeldObject MakeHeldObject() const { return HeldObject(*world_, command_, setup_); }
+  HeldObject MakeHeldObject() const {
+    return HeldObject(*world_, command_, setup_, GripRegulator(setup_, {}));
+  }
 
  private:
   void Settle() {

@@ -1,0 +1,359 @@
+#include "core/trial/grip/grip_regulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quality/smallest_grip.h"
+#include "core/trial/measures/stability_meter.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kFilterTime = 0.02;      // of forces, asked and felt [s]
+constexpr double kShiftTime = 0.1;        // in which an error falls to 1/e [s]
+constexpr double kDeadShare = 0.02;       // of A
+constexpr double kBandShare = 0.1;        // of A, in which stabilisation ends
+constexpr double kLookInterval = 0.1;     // between two looks for the smallest force [s]
+constexpr double kAtTarget = 1e-9;        // of s
+constexpr double kAtLimit = 1.0 - 1e-6;   // of a torque limit
+constexpr double kStopAngle = 1e-3;       // [rad]
+constexpr double kMostTorqueShare = 4.0;  // c, and its inverse the least
+/** Of a drive's torque limit: it bears its finger whatever the grip. */
+constexpr double kLeastTorque = 0.02;
+constexpr double kMostShift = 1.0;  // rate of s over that of the closure
+
+}  // namespace
+
+GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& digits)
+    : setup_(std::make_shared<TrialSetup>(setup)),
+      mode_(RowFromName(kGripModes, setup.strategy.grip, "grip").value),
+      is_saturating_(is_regulated() &&
+                     RowFromName(kDriveLaws, setup.strategy.drive_law, "drive law").value ==
+                         DriveLaw::kSaturating),
+      step_(setup.sim.step),
+      way_(setup.grasp.q_target - setup.grasp.q_pre),
+      parts_(setup.hand->links.size(), static_cast<int>(digits.size())),
+      told_weight_(setup.object->mass_properties.mass * setup.sim.gravity),
+      told_friction_(setup.object->surface.friction_dynamic) {
+  const Hand& hand = *setup.hand;
+  const int opposing = FindOpposingDigit(hand, setup.grasp);
+  for (const int index : digits) {
+    const Digit& digit = hand.digits[static_cast<size_t>(index)];
+    for (const int link : digit.links) {
+      parts_[static_cast<size_t>(link)] = static_cast<int>(digits_.size());
+    }
+    ClosingSchedule schedule;
+    if (const auto own = setup.grasp.closing.find(digit.id); own != setup.grasp.closing.end()) {
+      schedule = own->second;
+    }
+    const double late = setup.lateness.empty() ? 0.0 : setup.lateness[static_cast<size_t>(index)];
+    schedule.delay += late;
+    const bool is_felt = setup.touch == TouchSense::kExact ||
+                         std::any_of(hand.skin->elements.begin(), hand.skin->elements.end(),
+                                     [&](const auto& element) {
+                                       return hand.FindDigitOfLink(element.link) == index;
+                                     });
+    digits_.push_back({index, index == opposing, is_felt, late > 0.0, FindDrivenJoints(hand, digit),
+                       ClosingLaw(schedule)});
+  }
+}
+
+double GripRegulator::CalcClosureTime() const {
+  double slowest = setup_->strategy.closure_time;
+  for (const auto& [digit, schedule] : setup_->grasp.closing) {
+    slowest = std::max(slowest, CalcClosingTime(schedule, setup_->strategy.closure_time));
+  }
+  return slowest;
+}
+
+/** The coordinate that the drive of a joint acts on, as the physics has it. */
+double GripRegulator::CalcDrivePosition(int joint, const WorldState& state) const {
+  const Hand& hand = *setup_->hand;
+  double position = state.q[joint];
+  if (hand.coupling != CouplingRule::kMiddleFirst) return position;
+  for (int other = 0; other < hand.num_joints(); ++other) {
+    const HandJoint& coupled = hand.joints[static_cast<size_t>(other)];
+    if (coupled.coupled_to != joint || coupled.is_mimic) continue;
+    position += state.q[other] - (state.deviation.size() > 0 ? state.deviation[other] : 0.0);
+  }
+  return position;
+}
+
+void GripRegulator::FollowTouches(const World& world, const std::vector<HandContact>& contacts,
+                                  const TouchSensors* sensors) {
+  std::vector<bool> touches(digits_.size() + 1, false);
+  for (const HandContact& contact : contacts) {
+    touches[static_cast<size_t>(parts_[static_cast<size_t>(contact.link)])] = true;
+  }
+  for (size_t d = 0; d < digits_.size(); ++d) {
+    DigitGrip& digit = digits_[d];
+    const bool has_touched = sensors ? sensors->has_felt(digit.digit) : touches[d];
+    if (!has_touched || digit.has_touched) continue;
+    digit.has_touched = true;
+    if (is_regulated()) TakeBack(digit, world);
+  }
+}
+
+/** While it moved, its drive's spring was ahead of it by what damping asks for; blocked, that would
+be force. */
+void GripRegulator::TakeBack(DigitGrip& digit, const World& world) const {
+  double along = 0.0, length = 0.0;
+  for (const int joint : digit.joints) {
+    const double stiffness = setup_->hand->joints[static_cast<size_t>(joint)].drive.stiffness;
+    const double moved = CalcDrivePosition(joint, world.state()) - setup_->grasp.q_pre[joint] -
+                         setup_->draw.joint_error[joint];
+    along += stiffness * way_[joint] * moved;
+    length += stiffness * way_[joint] * way_[joint];
+  }
+  if (length > 0.0) digit.law.MoveTo(std::min(digit.law.closing(), along / length));
+}
+
+void GripRegulator::FindSmallest(const World& world, const std::vector<HandContact>& contacts) {
+  const WorldState& state = world.state();
+  const Eigen::Matrix3d R_OW = state.R_WO.transpose();
+  LoadedGrasp grasp;
+  grasp.weight = setup_->object->mass_properties.mass * (R_OW * state.gravity_W);
+  grasp.radius = CalcObjectRadius(*setup_->object);
+  std::vector<bool> is_free;
+  for (const HandContact& contact : contacts) {
+    const int part = parts_[static_cast<size_t>(contact.link)];
+    const bool is_rest = part == static_cast<int>(digits_.size());
+    grasp.contacts.push_back({R_OW * (contact.p_WC - state.p_WOcm),
+                              (R_OW * contact.nhat_W).normalized(), contact.mu_dynamic,
+                              contact.mu_dynamic * contact.torsion_radius, std::nullopt});
+    grasp.digits.push_back(part);
+    is_free.push_back(is_rest || digits_[static_cast<size_t>(part)].opposes);
+  }
+  smallest_ = CalcSmallestGrip(grasp, is_free);
+}
+
+double GripRegulator::CalcAskedForce() const {
+  const StrategyConfig& strategy = setup_->strategy;
+  if (mode_ == GripMode::kForce) return strategy.grip_force;
+  const auto num_others = static_cast<double>(
+      std::count_if(digits_.begin(), digits_.end(), [](const auto& d) { return !d.opposes; }));
+  const double smallest = smallest_.value_or(told_weight_ / (2.0 * told_friction_ * num_others));
+  return std::max(strategy.grip_force, strategy.grip_margin * smallest);
+}
+
+/** What the opposing digit, and the rest where it touches, are asked for follows from balance. */
+void GripRegulator::ShareForce(const std::vector<PartLoad>& loads) {
+  const double force = CalcAskedForce();
+  std::vector<double> asked(loads.size(), force);
+  std::vector<int> free;
+  bool is_known = true;
+  double others = 0.0;
+  for (size_t part = 0; part < loads.size(); ++part) {
+    const bool is_rest = part == digits_.size();
+    const bool touches = loads[part].force > 0.0;
+    if (is_rest || digits_[part].opposes) {
+      asked[part] = 0.0;
+      if (touches) free.push_back(static_cast<int>(part));
+      is_known = is_known && (touches || is_rest);
+    } else {
+      others += force;
+      is_known = is_known && touches;
+    }
+  }
+  if (is_known) {
+    BalanceForces(loads, free, asked);
+  } else {
+    for (size_t d = 0; d < digits_.size(); ++d) {
+      if (digits_[d].opposes) asked[d] = others;
+    }
+  }
+  const double weight = step_ / (kFilterTime + step_);
+  asked_ = sum_ = 0.0;
+  for (size_t d = 0; d < digits_.size(); ++d) {
+    DigitGrip& digit = digits_[d];
+    digit.asked += (digit.asked == 0.0 ? 1.0 : weight) * (asked[d] - digit.asked);
+    if (!digit.is_felt) continue;
+    asked_ += digit.asked;
+    sum_ += digit.force;
+  }
+  rest_asked_ += weight * (asked.back() - rest_asked_);
+  asked_ += rest_asked_;
+  sum_ += rest_force_;
+}
+
+void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
+                            const TouchSensors* sensors) {
+  time_ += step_;
+  if (phase == Phase::kLiftOff && phase_ != Phase::kLiftOff) {
+    was_in_band_ = is_in_band();
+    closed_ = sum_;
+    for (DigitGrip& digit : digits_) digit.closed = digit.force;
+  }
+  phase_ = phase;
+  FollowTouches(world, contacts, sensors);
+  if (!is_regulated()) return;
+  const std::vector<PartLoad> loads =
+      CalcPartLoads(contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics());
+  const double weight = step_ / (kFilterTime + step_);
+  for (size_t d = 0; d < digits_.size(); ++d) {
+    DigitGrip& digit = digits_[d];
+    const double force = sensors ? sensors->CalcFeltForce(digit.digit) : loads[d].force;
+    digit.force += weight * (force - digit.force);
+    if (loads[d].force > 0.0) {
+      digit.torque = loads[d].torque;
+      digit.stiffness = CalcClosingStiffness(*setup_->hand, world.dynamics(), loads[d], way_);
+    }
+  }
+  const double rest = sensors ? sensors->CalcFeltForce(-1) : loads.back().force;
+  rest_force_ += weight * (rest - rest_force_);
+  ShareForce(loads);
+  peak_ = std::max(peak_, sum_);
+
+  const bool has_closed = phase >= Phase::kStabilisation;
+  regulates_ =
+      regulates_ ||
+      (has_closed && sum_ > 0.0 &&
+       (sum_ >= asked_ || std::all_of(digits_.begin(), digits_.end(), [&](const DigitGrip& digit) {
+          return digit.force >= digit.asked || IsStopped(digit);
+        })));
+  if (mode_ == GripMode::kMargin && has_closed && phase < Phase::kLiftOff && sum_ > 0.0 &&
+      time_ >= next_look_) {
+    FindSmallest(world, contacts);
+    next_look_ = time_ + kLookInterval;
+  }
+  const bool is_in_band = regulates_ && std::abs(sum_ - asked_) <= kBandShare * asked_;
+  if (!is_in_band) in_band_since_ = kUnset;
+  if (is_in_band && std::isnan(in_band_since_)) in_band_since_ = time_;
+  NoteHold(phase);
+
+  const Hand& hand = *setup_->hand;
+  drive_positions_.resize(hand.num_joints());
+  dofs_.resize(static_cast<size_t>(hand.num_joints()));
+  is_stopped_.assign(static_cast<size_t>(hand.num_joints()), false);
+  for (int joint = 0; joint < hand.num_joints(); ++joint) {
+    dofs_[static_cast<size_t>(joint)] = world.dynamics().dof_of_joint(joint);
+    drive_positions_[joint] = CalcDrivePosition(joint, world.state());
+    const HandJoint& coupled = hand.joints[static_cast<size_t>(joint)];
+    const double upper = coupled.coupled_to >= 0 && hand.coupling == CouplingRule::kMiddleFirst
+                             ? std::min(coupled.upper, world.state().q[coupled.coupled_to])
+                             : coupled.upper;
+    is_stopped_[static_cast<size_t>(joint)] = coupled.coupled_to >= 0 &&
+                                              world.state().q[joint] > upper - kStopAngle &&
+                                              world.state().q[joint] > kStopAngle;
+  }
+}
+
+void GripRegulator::NoteHold(Phase phase) {
+  if (phase != Phase::kHold) return;
+  ++num_held_;
+  held_sum_ += sum_;
+  held_asked_ += asked_;
+  for (DigitGrip& digit : digits_) {
+    digit.held_sum += digit.force;
+    digit.asked_sum += digit.asked;
+  }
+}
+
+/** A drive of it, of those that close it, gives all it can. */
+bool GripRegulator::IsAtLimit(const DigitGrip& digit) const {
+  if (drive_positions_.size() == 0) return false;
+  return std::any_of(digit.joints.begin(), digit.joints.end(), [&](int joint) {
+    if (way_[joint] == 0.0) return false;
+    const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
+    const double asked = setup_->grasp.q_pre[joint] + digit.law.closing() * way_[joint] +
+                         setup_->draw.joint_error[joint];
+    const double torque = drive.stiffness * (asked - drive_positions_[joint]);
+    return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= kAtLimit * drive.torque_limit;
+  });
+}
+
+bool GripRegulator::IsStopped(const DigitGrip& digit) const {
+  return digit.law.closing() >= 1.0 - kAtTarget || IsAtLimit(digit);
+}
+
+void GripRegulator::Advance(Phase phase) {
+  const StrategyConfig& strategy = setup_->strategy;
+  if (regulates_) {
+    const double error = asked_ > 0.0 ? (asked_ - sum_) / asked_ : 0.0;
+    if (std::abs(error) < kDeadShare) return;
+    if (is_saturating_) {
+      torque_share_ = std::clamp(torque_share_ * (1.0 + error * step_ / kShiftTime),
+                                 1.0 / kMostTorqueShare, kMostTorqueShare);
+    }
+    const double most = kMostShift * step_ / strategy.closure_time;
+    for (DigitGrip& digit : digits_) {
+      if (is_saturating_ || !digit.has_touched || !digit.is_felt) continue;
+      const double shift =
+          std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
+      if (shift > 0.0 && IsAtLimit(digit)) continue;
+      digit.law.MoveTo(digit.law.closing() + shift);
+    }
+    return;
+  }
+  if (phase < Phase::kClosure) return;
+  for (DigitGrip& digit : digits_) {
+    if (phase > Phase::kStabilisation && !digit.is_late) continue;
+    const bool has_force = digit.has_touched && digit.force >= digit.asked;
+    if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit))) continue;
+    digit.law.Advance(step_, strategy.closure_time, digit.has_touched ? strategy.touch_speed : 1.0);
+  }
+}
+
+void GripRegulator::Command(WorldCommand& command) const {
+  const Hand& hand = *setup_->hand;
+  if (is_saturating_) {
+    command.torque_limit.resize(hand.num_joints());
+    for (int joint = 0; joint < hand.num_joints(); ++joint) {
+      command.torque_limit[joint] = hand.joints[static_cast<size_t>(joint)].drive.torque_limit;
+    }
+  }
+  for (const DigitGrip& digit : digits_) {
+    for (const int joint : digit.joints) {
+      command.q[joint] =
+          setup_->grasp.q_pre[joint] +
+          digit.law.closing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]) +
+          setup_->draw.joint_error[joint];
+      if (!is_saturating_ || !digit.has_touched || digit.torque.size() == 0) continue;
+      double& limit = command.torque_limit[joint];
+      limit = std::clamp(torque_share_ * digit.asked * std::abs(digit.torque[dofs_[joint]]),
+                         kLeastTorque * limit, limit);
+    }
+  }
+}
+
+GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double reached) const {
+  if (!digit.is_felt) return GripFault::kNotFelt;
+  if (!digit.has_touched) return GripFault::kNoTouch;
+  if (std::abs(reached - asked) <= kGripTolerance * asked) return GripFault::kNone;
+  if (reached > asked) return GripFault::kBalance;
+  if (digit.law.closing() >= 1.0 - kAtTarget) return GripFault::kPosture;
+  if (IsAtLimit(digit)) return GripFault::kLimit;
+  for (const int link : setup_->hand->digits[static_cast<size_t>(digit.digit)].links) {
+    const int joint = setup_->hand->links[static_cast<size_t>(link)].joint;
+    if (joint >= 0 && !is_stopped_.empty() && is_stopped_[static_cast<size_t>(joint)]) {
+      return GripFault::kCoupling;
+    }
+  }
+  return GripFault::kBalance;
+}
+
+GripRecord GripRegulator::MakeRecord() const {
+  GripRecord record;
+  record.told_weight = told_weight_;
+  record.told_friction = mode_ == GripMode::kMargin ? told_friction_ : 0.0;
+  if (smallest_) record.smallest = *smallest_;
+  record.force = CalcAskedForce();
+  record.asked = num_held_ > 0 ? held_asked_ / num_held_ : asked_;
+  record.closed = closed_;
+  if (num_held_ > 0) record.held = held_sum_ / num_held_;
+  record.peak = peak_;
+  record.was_in_band = was_in_band_;
+  for (const DigitGrip& digit : digits_) {
+    DigitGripRecord& of = record.digits.emplace_back();
+    of.digit = setup_->hand->digits[static_cast<size_t>(digit.digit)].id;
+    of.opposes = digit.opposes;
+    of.asked = num_held_ > 0 ? digit.asked_sum / num_held_ : digit.asked;
+    of.closed = digit.closed;
+    if (num_held_ > 0) of.held = digit.held_sum / num_held_;
+    of.closing = digit.law.closing();
+    of.fault = FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
+  }
+  return record;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,110 @@
+#pragma once
+/** @file
+A hand that regulates its grip (StrategyConfig::grip, force and margin). After every step it knows
+the normal force F_d of each digit, exactly or as its elements feel it, filtered with kFilterTime.
+
+Closing: at its first touch a digit takes back what its command was ahead of it, then goes on with
+touch_speed while F_d is below its share a_d. Once closure has ended and every digit has its share,
+or the sum has, all digits are shifted together by the error of the sum,
+
+    ds_d/dt = (a_d / G_d) (A - S) / (A kShiftTime),    A = sum a_d,  S = sum F_d
+
+with G_d = dF/ds the closing stiffness (grip_balance.h), so that the sides stay in balance: an
+integrator for each digit would let them drift against each other. With saturating drives digits
+close on, and the torques of those that touch are limited to c times what holds their shares, with the
+error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the end of the
+trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes beyond its target
+posture or on against a drive at its limit.
+
+Shares: each digit that does not oppose the others is asked for the force F; the opposing one, and
+the rest of the hand where it touches, for what balances the normals. F is grip_force; under margin
+grip_margin times the smallest force with which the contacts bear the weight (smallest_grip.h), and
+at least grip_force; before that is known, the same of two opposed sides, m g / (2 mu). The hand is
+told the object's weight and dynamic friction, and where its contacts are. */
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/grasp/closing_law.h"
+#include "core/trial/grip/grip_balance.h"
+#include "core/trial/grip/grip_record.h"
+#include "core/trial/touch_sensors.h"
+#include "core/trial/trial_setup.h"
+
+namespace graspbench {
+
+/** A value: it is saved and restored with the trial. */
+class GripRegulator {
+ public:
+  /** @param digits  those that grasp, indices into Hand::digits. */
+  GripRegulator(const TrialSetup& setup, const std::vector<int>& digits);
+
+  /** After a step. @param phase  it was in.  @param sensors  null: it feels the contacts. */
+  void Observe(Phase phase, World& world, const std::vector<HandContact>& contacts,
+               const TouchSensors* sensors);
+  /** The next command. @param phase  in which the step begins. */
+  void Advance(Phase phase);
+  /** Puts the digits' part into a command for a common closing. */
+  void Command(WorldCommand& command) const;
+
+  double closing(size_t digit) const { return digits_[digit].law.closing(); }
+  bool is_regulated() const { return mode_ != GripMode::kPosture; }
+  bool is_in_band() const { return in_band_since_ <= time_ - kBandTime; }
+  /** From the start of closure to the target posture of the slowest digit [s]. */
+  double CalcClosureTime() const;
+  /** @pre is_regulated() */
+  GripRecord MakeRecord() const;
+
+ private:
+  static constexpr double kBandTime = 0.2;  // [s]
+
+  struct DigitGrip {
+    int digit;
+    bool opposes, is_felt;
+    bool is_late;  // against its schedule: it closes on whatever the phase
+    std::vector<int> joints;
+    ClosingLaw law;
+    bool has_touched = false;
+    double force = 0.0, asked = 0.0;  // filtered [N]
+    double stiffness = kLeastStiffness;
+    Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
+    double closed = kUnset, held_sum = 0.0, asked_sum = 0.0;
+  };
+
+  void FollowTouches(const World& world, const std::vector<HandContact>& contacts,
+                     const TouchSensors* sensors);
+  void FindSmallest(const World& world, const std::vector<HandContact>& contacts);
+  void ShareForce(const std::vector<PartLoad>& loads);
+  void TakeBack(DigitGrip& digit, const World& world) const;
+  double CalcDrivePosition(int joint, const WorldState& state) const;
+  bool IsAtLimit(const DigitGrip& digit) const;
+  bool IsStopped(const DigitGrip& digit) const;
+  GripFault FindFault(const DigitGrip& digit, double asked, double reached) const;
+  double CalcAskedForce() const;
+  void NoteHold(Phase phase);
+
+  std::shared_ptr<const TrialSetup> setup_;  // shared by copies
+  GripMode mode_;
+  bool is_saturating_;
+  double step_;
+  Eigen::VectorXd way_;     // q_target - q_pre
+  std::vector<int> parts_;  // of each link: a digit's place in digits_, or the rest's
+  std::vector<DigitGrip> digits_;
+  double rest_force_ = 0.0, rest_asked_ = 0.0;  // of the rest of the hand, filtered [N]
+  double told_weight_, told_friction_;
+  std::optional<double> smallest_;
+  bool regulates_ = false;
+  double torque_share_ = 1.0;  // c
+  double time_ = 0.0, in_band_since_ = kUnset, next_look_ = 0.0;
+  double asked_ = 0.0, sum_ = 0.0;  // A, S
+  double peak_ = 0.0, closed_ = kUnset, held_sum_ = 0.0, held_asked_ = 0.0;
+  bool was_in_band_ = false;
+  int num_held_ = 0;
+  Phase phase_ = Phase::kPlacing;
+  Eigen::VectorXd drive_positions_;  // of the last step (num_joints)
+  std::vector<int> dofs_;            // of each joint
+  std::vector<bool> is_stopped_;     // by joint: a coupled one at its stop
+};
+
+}  // namespace graspbench

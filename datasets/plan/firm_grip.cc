@@ -1,0 +1,41 @@
+#include "datasets/plan/firm_grip.h"
+
+#include "core/base/config.h"
+
+namespace graspbench {
+namespace {
+
+StrategyConfig MakeFirmStrategy() {
+  StrategyConfig strategy;
+  strategy.grip = RowOf(kGripModes, GripMode::kPosture).name;
+  strategy.drive_law = RowOf(kDriveLaws, DriveLaw::kHold).name;
+  strategy.touch_speed = 1.0;
+  strategy.closure_lead = 0.0;
+  return strategy;
+}
+
+}  // namespace
+
+Json StrategyToJson(const StrategyConfig& strategy) {
+  Json json = ConfigToJson(strategy);
+  const StrategyConfig firm = MakeFirmStrategy();
+  if (strategy.touch_speed == firm.touch_speed) json.erase("touch_speed");
+  if (strategy.closure_lead == firm.closure_lead) json.erase("closure_lead_s");
+  if (strategy.drive_law == firm.drive_law) json.erase("drive_law");
+  if (strategy.grip != firm.grip) return json;
+  for (const char* key : {"grip", "grip_force_n", "grip_margin"}) json.erase(key);
+  return json;
+}
+
+void AddFirmGrip(Json& conditions) {
+  if (!conditions.is_object() || !conditions.contains("strategy")) return;
+  Json& strategy = conditions["strategy"];
+  if (!strategy.is_object()) return;
+  const Json firm = ConfigToJson(MakeFirmStrategy());
+  for (const char* key :
+       {"grip", "grip_force_n", "grip_margin", "touch_speed", "drive_law", "closure_lead_s"}) {
+    if (!strategy.contains(key)) strategy[key] = firm.at(key);
+  }
+}
+
+}  // namespace graspbench

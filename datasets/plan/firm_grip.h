@@ -1,0 +1,18 @@
+#pragma once
+/** @file
+What all trials did before there was a choice: they closed to the target posture at full speed once
+the hand had arrived. Frozen configurations and ids say nothing of it, so that they are what they
+were; whatever the defaults are, what says nothing means that. */
+
+#include "core/base/text/json.h"
+#include "core/grasp/strategy.h"
+
+namespace graspbench {
+
+/** Without what a firm grip does not say or does not look at. */
+Json StrategyToJson(const StrategyConfig& strategy);
+
+/** Adds to "strategy" of these conditions, where there is one, what it does not say. */
+void AddFirmGrip(Json& conditions);
+
+}  // namespace graspbench

@@ -1,0 +1,91 @@
+#include "core/trial/grip/grip_balance.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "core/physics/known_answers/small_scenes.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+PartLoad MakeLoad(const Vector3d& normal_W) {
+  PartLoad load;
+  load.force = 1.0;
+  load.normal_W = normal_W;
+  return load;
+}
+
+TEST(BalanceForces, AThumbBearsTheSumOfWhatOpposesIt) {
+  const std::vector<PartLoad> loads = {MakeLoad(Vector3d::UnitX()), MakeLoad(-Vector3d::UnitX()),
+                                       MakeLoad(-Vector3d::UnitX()), MakeLoad(Vector3d::Zero())};
+  std::vector<double> forces = {0.0, 0.7, 0.7, 0.0};
+  BalanceForces(loads, {0}, forces);
+  EXPECT_NEAR(forces[0], 1.4, 1e-12);
+}
+
+// Three evenly spread digits press alike.
+TEST(BalanceForces, EvenlySpreadDigitsPressAlike) {
+  std::vector<PartLoad> loads;
+  for (int i = 0; i < 3; ++i) {
+    const double angle = 2.0 * kPi * i / 3.0;
+    loads.push_back(MakeLoad(Vector3d(std::cos(angle), std::sin(angle), 0.0)));
+  }
+  std::vector<double> forces = {0.0, 2.0, 2.0};
+  BalanceForces(loads, {0}, forces);
+  EXPECT_NEAR(forces[0], 2.0, 1e-12);
+}
+
+// Against brute force over a grid: the least square of what is left.
+TEST(BalanceForces, NoOtherForcesLeaveLess) {
+  RandomStream random("balance", "test");
+  const auto draw = [&] {
+    return Vector3d(random.NextNormal(), random.NextNormal(), random.NextNormal()).normalized();
+  };
+  for (int i = 0; i < 50; ++i) {
+    const std::vector<PartLoad> loads = {MakeLoad(draw()), MakeLoad(draw()), MakeLoad(draw()),
+                                         MakeLoad(draw())};
+    std::vector<double> forces = {0.0, 1.3, 0.6, 0.0};
+    BalanceForces(loads, {0, 3}, forces);
+    const auto calc_left = [&](double thumb, double palm) {
+      return (thumb * loads[0].normal_W + 1.3 * loads[1].normal_W + 0.6 * loads[2].normal_W +
+              palm * loads[3].normal_W)
+          .norm();
+    };
+    ASSERT_GE(forces[0], 0.0);
+    ASSERT_GE(forces[3], 0.0);
+    const double left = calc_left(forces[0], forces[3]);
+    for (double thumb = 0.0; thumb <= 4.0; thumb += 0.1) {
+      for (double palm = 0.0; palm <= 4.0; palm += 0.1) {
+        EXPECT_LE(left, calc_left(thumb, palm) + 1e-9);
+      }
+    }
+  }
+}
+
+// A rod of 0.1 m hangs on a drive of 2 N m/rad; its tip is held fixed. Asked to turn by 1 rad it
+// presses with k / length.
+TEST(ClosingStiffness, OfOneRodInClosedForm) {
+  Hand hand = MakeBareHand();
+  AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitY(), 0.02, 0.1);
+  hand.joints.back().drive = {2.0, 0.02, 100.0};
+  HandDynamics dynamics(hand);
+  dynamics.UpdatePositions(Pose::Identity(), Eigen::VectorXd::Zero(1));
+  HandContact contact;
+  contact.link = 1;
+  contact.p_WC = Vector3d(0.0, 0.0, 0.1);
+  contact.nhat_W = Vector3d::UnitX();
+  contact.normal_force = 3.0;
+  const std::vector<PartLoad> loads = CalcPartLoads({contact}, {1, 0}, 2, dynamics);
+  EXPECT_NEAR(loads[0].force, 3.0, 1e-12);
+  EXPECT_NEAR(loads[0].torque[0], 0.1, 1e-12);
+  EXPECT_EQ(loads[1].force, 0.0);
+  EXPECT_NEAR(CalcClosingStiffness(hand, dynamics, loads[0], Eigen::VectorXd::Constant(1, 1.0)),
+              2.0 / 0.1, 1e-9);
+  EXPECT_EQ(CalcClosingStiffness(hand, dynamics, loads[0], Eigen::VectorXd::Constant(1, -1.0)),
+            kLeastStiffness);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,110 @@
+#include "core/trial/grip/grip_regulator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/trial/trial_trace.h"
+#include "tests/core/trial/trial_setups.h"
+
+namespace graspbench {
+namespace {
+
+TrialSetup MakeRegulated(const char* hand, const char* grasp, const char* grip, double force,
+                         double mass = 0.0122, double mu = 0.5) {
+  TrialSetup setup = MakeSetup(hand, grasp, MakeCube(mass, mu));
+  setup.strategy.grip = grip;
+  setup.strategy.grip_force = force;
+  setup.strategy.touch_speed = 0.25;
+  return setup;
+}
+TrialResult Run(const TrialSetup& setup) {
+  return TrialRunner(setup.hand, setup.object).Run(setup);
+}
+
+// Two digits on a cube: what one presses with the other does, too, and both what was asked.
+TEST(GripRegulator, TwoDigitsHoldTheForceThatWasAsked) {
+  for (const double force : {0.4, 1.0, 2.5}) {
+    const TrialResult result = Run(MakeRegulated("tum", "g2", "force", force));
+    ASSERT_EQ(result.outcome, Outcome::kSuccess) << force << ": " << result.reason;
+    ASSERT_TRUE(result.grip);
+    EXPECT_NEAR(result.grip->asked, 2.0 * force, 0.05 * force);
+    EXPECT_NEAR(result.grip->held, 2.0 * force, 0.2 * force);
+    // By the physics' own account, too, not by the regulator's.
+    EXPECT_NEAR(result.stability.hold.normal_force, 2.0 * force, 0.2 * force);
+    EXPECT_LE(result.grip->peak, 2.4 * force + 0.2);
+    EXPECT_TRUE(result.grip->was_in_band);
+    for (const DigitGripRecord& digit : result.grip->digits) {
+      EXPECT_NEAR(digit.held, force, 0.2 * force) << digit.digit;
+      EXPECT_EQ(digit.fault, GripFault::kNone);
+    }
+  }
+}
+
+// m g / (2 mu) a side, the closed form of two opposed digits.
+TEST(GripRegulator, AMarginIsAMultipleOfWhatStaticsAsk) {
+  TrialSetup setup = MakeRegulated("tum", "g2", "margin", 0.0, 0.05, 0.5);
+  setup.strategy.grip_margin = 2.0;
+  const TrialResult result = Run(setup);
+  ASSERT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
+  const double smallest = 0.05 * setup.sim.gravity / (2.0 * 0.5);
+  EXPECT_NEAR(result.grip->smallest, smallest, 0.12 * smallest);
+  EXPECT_NEAR(result.grip->force, 2.0 * result.grip->smallest, 1e-12);
+  EXPECT_NEAR(result.grip->told_weight, 0.05 * setup.sim.gravity, 1e-12);
+  EXPECT_NEAR(result.grip->told_friction, 0.5, 1e-12);
+}
+
+// Below what statics ask nothing may hold it.
+TEST(GripRegulator, TooLittleForceDoesNotHold) {
+  const TrialSetup setup = MakeRegulated("tum", "g2", "force", 0.2, 0.1, 0.5);
+  ASSERT_LT(2.0 * 0.5 * 0.2, 0.1 * setup.sim.gravity);
+  EXPECT_NE(Run(setup).outcome, Outcome::kSuccess);
+}
+
+TEST(GripRegulator, MoreThanThePostureGivesIsNamed) {
+  const TrialResult result = Run(MakeRegulated("tum", "g2", "force", 200.0));
+  ASSERT_TRUE(result.grip);
+  EXPECT_FALSE(result.grip->was_in_band);
+  for (const DigitGripRecord& digit : result.grip->digits) {
+    EXPECT_LT(digit.closed, 200.0);
+    EXPECT_TRUE(digit.fault == GripFault::kPosture || digit.fault == GripFault::kLimit)
+        << NameOf(digit.fault);
+    EXPECT_LE(digit.closing, 1.0);
+  }
+}
+
+// The command never moves to and fro while it holds: that would be chatter.
+TEST(GripRegulator, HoldsWithoutChatter) {
+  const TrialSetup setup = MakeRegulated("tum", "g2", "force", 0.7);
+  TrialRunner runner(setup.hand, setup.object);
+  const TracedTrial traced = TraceTrial(runner, setup, 0.0);
+  int num_turns = 0;
+  double last_move = 0.0;
+  const TraceInstant* before = nullptr;
+  for (const TraceInstant& instant : traced.trace) {
+    if (instant.phase != Phase::kHold) continue;
+    if (before) {
+      const double move = (instant.q_asked - before->q_asked).sum();
+      if (move * last_move < 0.0) ++num_turns;
+      if (move != 0.0) last_move = move;
+    }
+    before = &instant;
+  }
+  EXPECT_LE(num_turns, 10);  // of 1000 steps
+}
+
+TEST(GripRegulator, AGripByPostureHasNoRecord) {
+  EXPECT_FALSE(Run(MakeRegulated("tum", "g2", "posture", 0.7)).grip);
+}
+
+// Drives at a pressure: the same forces, with limits of torque instead of positions.
+TEST(GripRegulator, SaturatingDrivesGiveTheForceWithoutPosition) {
+  TrialSetup setup = MakeRegulated("tum", "g2", "force", 1.0);
+  setup.strategy.drive_law = "saturating";
+  const TrialResult result = Run(setup);
+  ASSERT_TRUE(result.grip);
+  EXPECT_NEAR(result.grip->closed, result.grip->asked, 0.2 * result.grip->asked);
+}
+
+}  // namespace
+}  // namespace graspbench

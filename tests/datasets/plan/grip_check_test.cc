@@ -1,0 +1,47 @@
+#include "datasets/plan/grip_check.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace graspbench {
+namespace {
+
+SessionConfig MakeConfig(const std::string& grip, double force) {
+  SessionConfig config;
+  config.hands = {"tum"};
+  config.objects = {"toy_cube"};
+  config.strategy.grip = grip;
+  config.strategy.grip_force = force;
+  return config;
+}
+std::string FindRefusal(const SessionConfig& config) {
+  try {
+    CheckGrips(config, LoadSessionInputs(config));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kRange);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GripCheckTest, AForceThatNoDriveGivesIsRefusedWithTheLargest) {
+  const std::string text = FindRefusal(MakeConfig("force", 900.0));
+  EXPECT_NE(text.find("cannot press with 900.00 N"), std::string::npos) << text;
+  EXPECT_NE(text.find("its drives give at most some "), std::string::npos) << text;
+  EXPECT_EQ(FindRefusal(MakeConfig("force", 2.0)), "");
+  EXPECT_EQ(FindRefusal(MakeConfig("posture", 900.0)), "");  // nobody looks at it
+}
+
+TEST(GripCheckTest, AMarginNeedsFriction) {
+  SessionConfig config = MakeConfig("margin", 0.0);
+  EXPECT_EQ(FindRefusal(config), "");
+  config.model.friction_scale = 0.0;
+  EXPECT_NE(FindRefusal(config).find("a margin needs friction"), std::string::npos);
+  config.strategy.grip = "force";
+  config.strategy.grip_force = 1.0;
+  EXPECT_EQ(FindRefusal(config), "");
+}
+
+}  // namespace
+}  // namespace graspbench
