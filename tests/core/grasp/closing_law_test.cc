@@ -5,11 +5,11 @@
 namespace graspbench {
 namespace {
 
-constexpr double kStep = 0.002, kTime = 0.8;
+constexpr double kClosingStep = 0.002, kTime = 0.8;
 
 double CalcAfter(const ClosingSchedule& schedule, double time) {
   ClosingLaw law(schedule);
-  for (int i = 0; i < std::lround(time / kStep); ++i) law.Advance(kStep, kTime, 1.0);
+  for (int i = 0; i < std::lround(time / kClosingStep); ++i) law.Advance(kClosingStep, kTime, 1.0);
   return law.closing();
 }
 
@@ -29,16 +29,16 @@ TEST(ClosingLaw, WithoutAScheduleItIsTheCommonSumToTheBit) {
   ClosingLaw law;
   double sum = 0.0;
   for (int i = 0; i < 500; ++i) {
-    sum = std::min(1.0, sum + kStep / kTime);
-    law.Advance(kStep, kTime, 1.0);
+    sum = std::min(1.0, sum + kClosingStep / kTime);
+    law.Advance(kClosingStep, kTime, 1.0);
     ASSERT_EQ(law.closing(), sum);
   }
 }
 
 TEST(ClosingLaw, ASlowerShareIsSlowerByThat) {
   ClosingLaw law;
-  for (int i = 0; i < 100; ++i) law.Advance(kStep, kTime, 0.25);
-  EXPECT_NEAR(law.closing(), 0.25 * 100 * kStep / kTime, 1e-12);
+  for (int i = 0; i < 100; ++i) law.Advance(kClosingStep, kTime, 0.25);
+  EXPECT_NEAR(law.closing(), 0.25 * 100 * kClosingStep / kTime, 1e-12);
 }
 
 TEST(ClosingLaw, NeverLeavesTheWayBetweenThePostures) {

@@ -18,14 +18,14 @@ TrialSetup MakeRegulated(const char* hand, const char* grasp, const char* grip, 
   setup.strategy.touch_speed = 0.25;
   return setup;
 }
-TrialResult Run(const TrialSetup& setup) {
-  return TrialRunner(setup.hand, setup.object).Run(setup);
+TrialResult RunSetup(const TrialSetup& setup) {
+  return TrialRunner(setup.hand, setup.object).RunSetup(setup);
 }
 
 // Two digits on a cube: what one presses with the other does, too, and both what was asked.
 TEST(GripRegulator, TwoDigitsHoldTheForceThatWasAsked) {
   for (const double force : {0.4, 1.0, 2.5}) {
-    const TrialResult result = Run(MakeRegulated("tum", "g2", "force", force));
+    const TrialResult result = RunSetup(MakeRegulated("tum", "g2", "force", force));
     ASSERT_EQ(result.outcome, Outcome::kSuccess) << force << ": " << result.reason;
     ASSERT_TRUE(result.grip);
     EXPECT_NEAR(result.grip->asked, 2.0 * force, 0.05 * force);
@@ -45,7 +45,7 @@ TEST(GripRegulator, TwoDigitsHoldTheForceThatWasAsked) {
 TEST(GripRegulator, AMarginIsAMultipleOfWhatStaticsAsk) {
   TrialSetup setup = MakeRegulated("tum", "g2", "margin", 0.0, 0.05, 0.5);
   setup.strategy.grip_margin = 2.0;
-  const TrialResult result = Run(setup);
+  const TrialResult result = RunSetup(setup);
   ASSERT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
   const double smallest = 0.05 * setup.sim.gravity / (2.0 * 0.5);
   EXPECT_NEAR(result.grip->smallest, smallest, 0.12 * smallest);
@@ -58,11 +58,11 @@ TEST(GripRegulator, AMarginIsAMultipleOfWhatStaticsAsk) {
 TEST(GripRegulator, TooLittleForceDoesNotHold) {
   const TrialSetup setup = MakeRegulated("tum", "g2", "force", 0.2, 0.1, 0.5);
   ASSERT_LT(2.0 * 0.5 * 0.2, 0.1 * setup.sim.gravity);
-  EXPECT_NE(Run(setup).outcome, Outcome::kSuccess);
+  EXPECT_NE(RunSetup(setup).outcome, Outcome::kSuccess);
 }
 
 TEST(GripRegulator, MoreThanThePostureGivesIsNamed) {
-  const TrialResult result = Run(MakeRegulated("tum", "g2", "force", 200.0));
+  const TrialResult result = RunSetup(MakeRegulated("tum", "g2", "force", 200.0));
   ASSERT_TRUE(result.grip);
   EXPECT_FALSE(result.grip->was_in_band);
   for (const DigitGripRecord& digit : result.grip->digits) {
@@ -94,14 +94,14 @@ TEST(GripRegulator, HoldsWithoutChatter) {
 }
 
 TEST(GripRegulator, AGripByPostureHasNoRecord) {
-  EXPECT_FALSE(Run(MakeRegulated("tum", "g2", "posture", 0.7)).grip);
+  EXPECT_FALSE(RunSetup(MakeRegulated("tum", "g2", "posture", 0.7)).grip);
 }
 
 // Drives at a pressure: the same forces, with limits of torque instead of positions.
 TEST(GripRegulator, SaturatingDrivesGiveTheForceWithoutPosition) {
   TrialSetup setup = MakeRegulated("tum", "g2", "force", 1.0);
   setup.strategy.drive_law = "saturating";
-  const TrialResult result = Run(setup);
+  const TrialResult result = RunSetup(setup);
   ASSERT_TRUE(result.grip);
   EXPECT_NEAR(result.grip->closed, result.grip->asked, 0.2 * result.grip->asked);
 }
