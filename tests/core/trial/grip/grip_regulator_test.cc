@@ -19,7 +19,7 @@ TrialSetup MakeRegulated(const char* hand, const char* grasp, const char* grip, 
   return setup;
 }
 TrialResult RunSetup(const TrialSetup& setup) {
-  return TrialRunner(setup.hand, setup.object).RunSetup(setup);
+  return TrialRunner(setup.hand, setup.object).Run(setup);
 }
 
 // Two digits on a cube: what one presses with the other does, too, and both what was asked.
