@@ -74,6 +74,28 @@ RenderQuality ChooseQuality(const CameraConfig& config) {
   return config.has_shadows ? RenderQuality::kFull : RenderQuality::kFast;
 }
 
+/** Each pixel the mean of four: edges as a lens gives them, where smoothing alone would move them. */
+Image HalveImage(const Image& fine) {
+  Image image;
+  image.width = fine.width / 2;
+  image.height = fine.height / 2;
+  image.rgb.resize(3 * static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+  const auto row = 3 * static_cast<size_t>(fine.width);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      for (size_t c = 0; c < 3; ++c) {
+        const uint8_t* at =
+            &fine.rgb[2 * static_cast<size_t>(y) * row + 6 * static_cast<size_t>(x) + c];
+        const int sum = at[0] + at[3] + at[row] + at[row + 3];
+        image.rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(image.width) +
+                       static_cast<size_t>(x)) +
+                  c] = static_cast<uint8_t>((sum + 2) / 4);
+      }
+    }
+  }
+  return image;
+}
+
 /** Each thread keeps one: shaders take longer to make than a session's pictures of an object. */
 Renderer& FindRenderer(int width, int height, RenderQuality quality) {
   struct Kept {
@@ -169,9 +191,16 @@ Image WristCamera::TakePicture(const Scene& scene, const Pose& X_WK, const uint6
   PictureFaults& faults = faults_;
   faults.noise = noise_seed ? config_.noise : 0.0;
   faults.noise_seed = noise_seed ? *noise_seed : 0;
-  Renderer& renderer =
-      FindRenderer(lens_.width + 2 * margin_, lens_.height + 2 * margin_, ChooseQuality(config_));
-  return LoadPictureTools().apply_faults(renderer.Render(scene, MakePinhole(X_WK)), faults);
+  const int scale = config_.has_shadows ? 2 : 1;
+  PinholeCamera pinhole = MakePinhole(X_WK);
+  for (double* length :
+       {&pinhole.focal_x, &pinhole.focal_y, &pinhole.centre_x, &pinhole.centre_y}) {
+    *length *= scale;
+  }
+  Renderer& renderer = FindRenderer(scale * (lens_.width + 2 * margin_),
+                                    scale * (lens_.height + 2 * margin_), ChooseQuality(config_));
+  const Image picture = renderer.Render(scene, pinhole);
+  return LoadPictureTools().apply_faults(scale == 1 ? picture : HalveImage(picture), faults);
 }
 
 Sighting WristCamera::Look(const PlanarPose& supposed, const Pose& X_WO, const Eigen::VectorXd& q,

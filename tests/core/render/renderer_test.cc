@@ -57,8 +57,9 @@ int CalcBrightness(const Image& image, const Vector2d& pixel) {
   return rgb[0] + rgb[1] + rgb[2];
 }
 
-// Where a pixel's samples lie along u and along v, from its centre.
-constexpr double kOffsets[] = {-0.75, -0.25, 0.25, 0.75};
+// How far from an outline a pixel may differ from what rays say: where edges are as they come, and
+// where they are smoothed by up to two pixels along and half a pixel across.
+constexpr double kReach = 0.75, kSmoothReach = 3.0;
 
 // Making one compiles the shaders, so most tests share it.
 Renderer& SharedRenderer() {
@@ -66,17 +67,24 @@ Renderer& SharedRenderer() {
   return renderer;
 }
 
-// Pixels that differ from what rays say, away from the outline.
-int CountWrongPixels(const Image& image, const Camera& camera,
+// Edges as they come.
+Renderer& SharedFastRenderer() {
+  static Renderer renderer(kPictureWidth, kPictureHeight, RenderQuality::kFast);
+  return renderer;
+}
+
+// Pixels that differ from what rays say, farther from the outline than `reach`.
+int CountWrongPixels(const Image& image, const Camera& camera, double reach,
                      const std::function<bool(const Vector3d& p_W, const Vector3d& ray_W)>& hits) {
   const Pinhole pinhole(camera);
   int num_wrong = 0;
   for (int v = 0; v < kPictureHeight; ++v) {
     for (int u = 0; u < kPictureWidth; ++u) {
       int num_hits = 0;
-      for (const double du : kOffsets) {
-        for (const double dv : kOffsets) {
-          num_hits += hits(pinhole.p_WEye, pinhole.CalcRay(u + 0.5 + du, v + 0.5 + dv));
+      for (const double du : {-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0}) {
+        for (const double dv : {-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0}) {
+          num_hits +=
+              hits(pinhole.p_WEye, pinhole.CalcRay(u + 0.5 + reach * du, v + 0.5 + reach * dv));
         }
       }
       if (num_hits % 16 != 0) continue;
@@ -114,12 +122,12 @@ TEST(RendererTest, SphereFillsThePixelsOfItsProjection) {
   scene.has_table = false;
   scene.drawables.push_back(MakeDrawable(MakeSphere(radius, 256), MakePose(centre), kRed));
   const Camera camera;
-  const Image image = SharedRenderer().Render(scene, camera);
-
-  EXPECT_EQ(CountWrongPixels(image, camera,
-                             [&](const Vector3d& p_W, const Vector3d& ray_W) {
-                               return (centre - p_W).cross(ray_W).norm() < radius;
-                             }),
+  const Image image = SharedFastRenderer().Render(scene, camera);
+  const auto hits = [&](const Vector3d& p_W, const Vector3d& ray_W) {
+    return (centre - p_W).cross(ray_W).norm() < radius;
+  };
+  EXPECT_EQ(CountWrongPixels(image, camera, kReach, hits), 0);
+  EXPECT_EQ(CountWrongPixels(SharedRenderer().Render(scene, camera), camera, kSmoothReach, hits),
             0);
 
   // The outline is an ellipse: the cone of half-angle alpha about the ray to the centre, cut by the
@@ -146,10 +154,7 @@ TEST(RendererTest, SphereFillsThePixelsOfItsProjection) {
       sum += Vector2d(u + 0.5, v + 0.5);
     }
   }
-  // A pixel counts when one of its samples is hit, so pixels reach kOffsets[3] (|nx| + |ny|) past
-  // an outline with normal n, 4 / pi on average.
-  const double past = kOffsets[3] * 4.0 / M_PI;
-  EXPECT_NEAR(area, M_PI * (f * a + past) * (f * b + past), 0.01 * area);
+  EXPECT_NEAR(area, M_PI * f * a * f * b, 0.01 * area);
   EXPECT_LT((sum / area - expected_centre).norm(), 0.1);
 }
 
@@ -162,16 +167,16 @@ TEST(RendererTest, CubeFillsThePixelsThatRaysHit) {
   Camera camera;
   camera.p_WEye = Vector3d(2.0, -3.0, 1.5);
   camera.p_WTarget = Vector3d(0.2, 0.1, 0.0);
-  const Image image = SharedRenderer().Render(scene, camera);
+  const auto hits = [&](const Vector3d& p_W, const Vector3d& ray_W) {
+    const Vector3d p = R_WM.transpose() * p_W;
+    const Eigen::Array3d ray = R_WM.transpose() * ray_W;
+    const Eigen::Array3d t0 = (-0.5 - p.array()) / ray;
+    const Eigen::Array3d t1 = (0.5 - p.array()) / ray;
+    return t0.min(t1).maxCoeff() < t0.max(t1).minCoeff();
+  };
   // Vertices are snapped to fractions of a pixel, which may decide a sample on the outline.
-  EXPECT_LE(CountWrongPixels(image, camera,
-                             [&](const Vector3d& p_W, const Vector3d& ray_W) {
-                               const Vector3d p = R_WM.transpose() * p_W;
-                               const Eigen::Array3d ray = R_WM.transpose() * ray_W;
-                               const Eigen::Array3d t0 = (-0.5 - p.array()) / ray;
-                               const Eigen::Array3d t1 = (0.5 - p.array()) / ray;
-                               return t0.min(t1).maxCoeff() < t0.max(t1).minCoeff();
-                             }),
+  EXPECT_LE(CountWrongPixels(SharedFastRenderer().Render(scene, camera), camera, kReach, hits), 2);
+  EXPECT_LE(CountWrongPixels(SharedRenderer().Render(scene, camera), camera, kSmoothReach, hits),
             2);
 }
 

@@ -94,7 +94,7 @@ TEST(Presets, TheFrozenConfigurationHoldsWhatAPresetContains) {
 TEST(Presets, AnUnknownNameHasItsLineAndASuggestion) {
   EXPECT_EQ(FindPresetFault("trials: 2\npreset: benchmrak\n"),
             "the session cannot be run\ns.yaml:2: error: preset: no preset \"benchmrak\"; did you "
-            "mean \"benchmark\"? Known: benchmark");
+            "mean \"benchmark\"? Known: benchmark, firm, gentle, margin-1.5, margin-2, people");
   EXPECT_NE(FindPresetFault("preset: ../plan/x\n").find("s.yaml:1"), std::string::npos);
   EXPECT_NE(FindPresetFault("preset: [benchmark]\n").find("s.yaml:1"), std::string::npos);
 }

@@ -165,6 +165,10 @@ TEST(SessionConfig, TheFrozenConfigurationIsCompleteAndReadsBack) {
   config.positioning = "camera";
   config.touch = "sensed";
   config.imperfections.stick_slip = 0.1;
+  config.strategy.grip = "margin";  // what a firm grip does not say is not frozen (firm_grip.h)
+  config.strategy.drive_law = "saturating";
+  config.strategy.touch_speed = 0.25;
+  config.strategy.closure_lead = 0.1;
   const Json json = ToJson(config);
   for (const std::string& key : ListConfigKeys(config)) {
     std::string pointer = "/" + key;
