@@ -47,6 +47,14 @@ void AddSettingsOfPhysics10(Json& config) {
   }
 }
 
+/** Before physics 11 none of them had soft pads, whose stiffness could be scaled. */
+void AddSettingsOfPhysics11(Json& config) {
+  Json& conditions = config.contains("session") ? config["session"] : config;
+  if (!conditions.contains("model")) return;
+  Json& scale = conditions["model"]["pad_stiffness_scale"];
+  if (scale.is_null()) scale = ConfigToJson(ModelConfig()).at("pad_stiffness_scale");
+}
+
 /** Advice must not lead a new result into a folder that holds something. */
 bool MayBegin(const fs::path& folder) {
   std::error_code status;
@@ -92,8 +100,10 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     frozen.physics_version = json.value("physics_version", 0);
     AddModel(frozen.config);
     AddFirmGrip(frozen.config.contains("session") ? frozen.config["session"] : frozen.config);
-    if (frozen.physics_version < 10 && &kind != &kSessionStore)
-      AddSettingsOfPhysics10(frozen.config);
+    if (&kind != &kSessionStore) {
+      if (frozen.physics_version < 10) AddSettingsOfPhysics10(frozen.config);
+      if (frozen.physics_version < 11) AddSettingsOfPhysics11(frozen.config);
+    }
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,
                 "\"" + path.string() + "\" is damaged: " + DescribeJsonFault(e) +

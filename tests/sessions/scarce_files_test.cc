@@ -112,7 +112,7 @@ TEST_P(GRASPBENCH_SUITE, LimitOfSize) {
 }
 
 TEST_P(GRASPBENCH_SUITE, FewDescriptors) {
-  for (const rlim_t count : {4, 5, 6, 8, 12}) {
+  for (const rlim_t count : {5, 6, 8, 12, 16}) {
     EndsWell(std::to_string(count) + " descriptors", [count] {
       const rlimit limit = {count, count};
       ::setrlimit(RLIMIT_NOFILE, &limit);

@@ -31,17 +31,20 @@ TEST(NumericsCheck, VariantsChangeOneThingEach) {
   const std::vector<Condition> variants = ListNumericsVariants(config);
   ASSERT_EQ(variants.size(), 8u);
   const auto apply = [&](size_t i) { return ApplyCondition(variants[i], config).config.sim; };
-  EXPECT_DOUBLE_EQ(apply(0).step, 0.5 * config.sim.step);
+  const double friction = ApplyCondition(variants[5], config).config.model.friction_scale;
+  EXPECT_DOUBLE_EQ(apply(0).step, 0.25 * config.sim.step);
   EXPECT_DOUBLE_EQ(apply(0).contact_stiffness, config.sim.contact_stiffness);
-  EXPECT_DOUBLE_EQ(apply(1).step, 2.0 * config.sim.step);
-  EXPECT_DOUBLE_EQ(apply(2).contact_stiffness, 0.5 * config.sim.contact_stiffness);
-  EXPECT_DOUBLE_EQ(apply(2).tangential_stiffness, 0.5 * config.sim.tangential_stiffness);
-  EXPECT_DOUBLE_EQ(apply(2).step, config.sim.step);
-  EXPECT_DOUBLE_EQ(apply(3).contact_stiffness, 2.0 * config.sim.contact_stiffness);
-  EXPECT_TRUE(ApplyCondition(variants[4], config).is_compliant);
-  // What a session must not have is left out: half of the shortest step.
+  EXPECT_DOUBLE_EQ(apply(1).step, 0.5 * config.sim.step);
+  EXPECT_DOUBLE_EQ(apply(2).step, 2.0 * config.sim.step);
+  EXPECT_DOUBLE_EQ(apply(3).contact_stiffness, 0.5 * config.sim.contact_stiffness);
+  EXPECT_DOUBLE_EQ(apply(3).tangential_stiffness, 0.5 * config.sim.tangential_stiffness);
+  EXPECT_DOUBLE_EQ(apply(3).step, config.sim.step);
+  EXPECT_DOUBLE_EQ(apply(4).contact_stiffness, 2.0 * config.sim.contact_stiffness);
+  EXPECT_NEAR(std::abs(friction / config.model.friction_scale - 1.0), 0.001, 1e-12);
+  EXPECT_TRUE(ApplyCondition(variants.back(), config).is_compliant);
+  // What a session must not have is left out: a half and a quarter of the shortest step.
   config.sim.step = 1e-4;
-  EXPECT_EQ(ListNumericsVariants(config).size(), 4u);
+  EXPECT_EQ(ListNumericsVariants(config).size(), 6u);
 }
 
 // Fingertips that slide on the table must do so alike at every step; with static friction back at

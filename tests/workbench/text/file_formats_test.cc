@@ -55,15 +55,18 @@ TEST(FileFormatsTest, HandsAreReadByTheirRows) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "hand_read_by_its_rows";
   std::filesystem::create_directories(folder);
   const std::vector<NewFile> files = MakeNewFiles("hand");
-  const std::string yaml =
-      files[1].second +
-      "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: [{}]\nframes: [{}]\ncamera: {}\n";
+  const std::string yaml = files[1].second +
+                           "coupling: {rule: even, joints: {}}\nmimic: [{}]\nsurfaces: "
+                           "[{}]\nframes: [{}]\npads: [{}]\ncamera: {}\n";
   KeyRecorder recorder;
   Diagnostics problems;
   ParseHand(files[0].second, yaml, folder, problems);
   Diagnostics sliding;
   ParseHand(files[0].second, "drives: [{stiffness_n_per_m: 1}]\n", folder, sliding);
   for (const NewFile& file : files) WriteFile(folder / file.first, file.second);
+  std::string with_closing = files[1].second;
+  with_closing.insert(with_closing.find("    pre_deg:"), "    closing: {TH: {}}\n");
+  WriteFile(folder / files[1].first, with_closing);
   LoadStandardGrasps(LoadHand(folder.string()));
   ExpectSameKeys(recorder.keys(), FindKeys("hand.yaml"));
 }
@@ -78,7 +81,9 @@ TEST(FileFormatsTest, TactileElementsAreReadByTheirRows) {
 TEST(FileFormatsTest, GraspsAreReadByTheirRows) {
   const Hand hand = LoadHand("tum");
   KeyRecorder recorder;
-  EXPECT_THROW(ParseGraspFile("placement: {}\n", "grasp.yaml", {&hand}), Error);
+  EXPECT_THROW(
+      ParseGraspFile("digits: [TH]\nclosing: {TH: {}}\nplacement: {}\n", "grasp.yaml", {&hand}),
+      Error);
   ExpectSameKeys(recorder.keys(), FindKeys("grasp.yaml"));
 }
 

@@ -65,7 +65,7 @@ TEST(Markdown, PicturesAreInThePage) {
   WriteFile(std::filesystem::path(testing::TempDir()) / "p.svg", "<svg/>");
   EXPECT_EQ(Read("# T\n\nS\n\n![a picture](p.svg)\n").body.markup(),
             "<p><img src=\"data:image/svg+xml;base64,PHN2Zy8+\" alt=\"a picture\"/></p>");
-  EXPECT_EQ(Complain("# T\n\nS\n\n![a](none.png)\n"), "a.md:0: no picture none.png");
+  EXPECT_EQ(Complain("# T\n\nS\n\n![a](none.png)\n"), "a.md:5: no picture none.png");
 }
 
 TEST(Markdown, APageBeginsWithItsTitle) {

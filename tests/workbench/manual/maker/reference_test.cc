@@ -22,7 +22,7 @@ TEST(Reference, EveryCommandHasItsHelp) {
 TEST(Reference, KeysColumnsAndCodesStandInTables) {
   const std::string files = MakeFileReference();
   EXPECT_NE(files.find("\n## object.yaml\n"), files.npos);
-  EXPECT_NE(files.find("| `mass_kg` | kg | above 0 | "), files.npos);
+  EXPECT_NE(files.find("| `mass_kg` | kg | 0.0001 to 100 | "), files.npos);
   EXPECT_NE(MakeColumnReference().find("| `gft_s` | number | s | "), std::string::npos);
   const std::string outcomes = MakeOutcomeReference();
   EXPECT_NE(outcomes.find("| dropped while holding | `DH` |"), outcomes.npos);
