@@ -8,13 +8,15 @@ using Eigen::Vector3d;
 
 std::vector<PartLoad> CalcPartLoads(const std::vector<HandContact>& contacts,
                                     const std::vector<int>& parts, int num_parts,
-                                    const HandDynamics& dynamics) {
+                                    const HandDynamics& dynamics, const Vector3d& gravity_W) {
+  const Vector3d down_W = gravity_W.normalized();
   std::vector<PartLoad> loads(static_cast<size_t>(num_parts));
   for (PartLoad& load : loads) load.torque = Eigen::VectorXd::Zero(dynamics.num_dofs());
   for (const HandContact& contact : contacts) {
     PartLoad& load = loads[static_cast<size_t>(parts[static_cast<size_t>(contact.link)])];
     load.force += contact.normal_force;
-    load.normal_W += contact.normal_force * contact.nhat_W;
+    load.push_W += contact.normal_force * contact.nhat_W + contact.friction_W -
+                   contact.friction_W.dot(down_W) * down_W;
     for (const int joint : dynamics.chain(contact.link)) {
       const SpatialVector& S = dynamics.motion(joint);
       const Vector3d v_W = S.tail<3>() + S.head<3>().cross(contact.p_WC);
@@ -26,7 +28,7 @@ std::vector<PartLoad> CalcPartLoads(const std::vector<HandContact>& contacts,
   }
   for (PartLoad& load : loads) {
     if (load.force <= 0.0) continue;
-    load.normal_W /= load.force;
+    load.push_W /= load.force;
     load.torque /= load.force;
   }
   return loads;
@@ -36,10 +38,10 @@ void BalanceForces(const std::vector<PartLoad>& loads, const std::vector<int>& f
                    std::vector<double>& forces) {
   for (const int part : free) forces[static_cast<size_t>(part)] = 0.0;
   Vector3d rest_W = Vector3d::Zero();
-  for (size_t i = 0; i < loads.size(); ++i) rest_W -= forces[i] * loads[i].normal_W;
-  const auto normal = [&](int part) { return loads[static_cast<size_t>(part)].normal_W; };
+  for (size_t i = 0; i < loads.size(); ++i) rest_W -= forces[i] * loads[i].push_W;
+  const auto push = [&](int part) { return loads[static_cast<size_t>(part)].push_W; };
   if (free.size() == 2) {
-    const Vector3d a = normal(free[0]), b = normal(free[1]);
+    const Vector3d a = push(free[0]), b = push(free[1]);
     const double determinant = a.dot(a) * b.dot(b) - a.dot(b) * a.dot(b);
     if (determinant > 1e-6) {
       const double x = (b.dot(b) * a.dot(rest_W) - a.dot(b) * b.dot(rest_W)) / determinant;
@@ -55,7 +57,7 @@ void BalanceForces(const std::vector<PartLoad>& loads, const std::vector<int>& f
   int best = -1;
   double best_force = 0.0, least = rest_W.squaredNorm();
   for (const int part : free) {
-    const Vector3d n = normal(part);
+    const Vector3d n = push(part);
     if (n.squaredNorm() == 0.0) continue;
     const double force = std::max(0.0, n.dot(rest_W) / n.squaredNorm());
     if (const double left = (rest_W - force * n).squaredNorm(); left < least) {

@@ -15,19 +15,21 @@ namespace graspbench {
 /** The contacts of one part of the hand, a digit or all the rest, taken together. */
 struct PartLoad {
   double force = 0.0;  ///< sum of normal forces [N]
-  /** Mean of the normals into the object, by their forces; shorter than one where they differ. */
-  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();
+  /** Force on the object for a unit of `force`: normals, and friction as far as it does not bear the
+  weight. */
+  Eigen::Vector3d push_W = Eigen::Vector3d::Zero();
   /** Generalised force on the part's joints that holds a unit of `force` (num_dofs) [m]. */
   Eigen::VectorXd torque;
 };
 
-/** @param parts  of each link, in [0, num_parts). */
+/** @param parts  of each link, in [0, num_parts).  @param gravity_W  friction along it is left out. */
 std::vector<PartLoad> CalcPartLoads(const std::vector<HandContact>& contacts,
                                     const std::vector<int>& parts, int num_parts,
-                                    const HandDynamics& dynamics);
+                                    const HandDynamics& dynamics, const Eigen::Vector3d& gravity_W);
 
 /** Fills in the forces of `free` parts that balance those of the others best: minimises
-|sum_i forces_i normal_i|, forces >= 0. Friction and weight do not count.
+|sum_i forces_i push_i|, forces >= 0. Of three digits around a ball friction bears a good part: by
+normals alone the thumb would be asked for less than half of what the two others leave to it.
 @param free  one or two parts that touch. */
 void BalanceForces(const std::vector<PartLoad>& loads, const std::vector<int>& free,
                    std::vector<double>& forces);

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kFilterTime = 0.02;      // of forces, asked and felt [s]
 constexpr double kShiftTime = 0.1;        // in which an error falls to 1/e [s]
+constexpr double kShareTime = 0.1;        // likewise, of a difference within a side [s]
 constexpr double kDeadShare = 0.02;       // of A
+constexpr double kDeadDifference = 0.05;  // of a share
 constexpr double kBandShare = 0.1;        // of A, in which stabilisation ends
 constexpr double kLookInterval = 0.1;     // between two looks for the smallest force [s]
 constexpr double kAtTarget = 1e-9;        // of s
@@ -188,7 +190,8 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   FollowTouches(world, contacts, sensors);
   if (!is_regulated()) return;
   const std::vector<PartLoad> loads =
-      CalcPartLoads(contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics());
+      CalcPartLoads(contacts, parts_, static_cast<int>(digits_.size()) + 1, world.dynamics(),
+                    world.state().gravity_W);
   const double weight = step_ / (kFilterTime + step_);
   for (size_t d = 0; d < digits_.size(); ++d) {
     DigitGrip& digit = digits_[d];
@@ -206,7 +209,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
 
   const bool has_closed = phase >= Phase::kStabilisation;
   regulates_ =
-      regulates_ ||
+      regulates_ || (phase >= Phase::kLiftOff && sum_ > 0.0) ||
       (has_closed && sum_ > 0.0 &&
        (sum_ >= asked_ || std::all_of(digits_.begin(), digits_.end(), [&](const DigitGrip& digit) {
           return digit.force >= digit.asked || IsStopped(digit);
@@ -255,7 +258,7 @@ bool GripRegulator::IsAtLimit(const DigitGrip& digit) const {
   return std::any_of(digit.joints.begin(), digit.joints.end(), [&](int joint) {
     if (way_[joint] == 0.0) return false;
     const JointDrive& drive = setup_->hand->joints[static_cast<size_t>(joint)].drive;
-    const double asked = setup_->grasp.q_pre[joint] + digit.law.closing() * way_[joint] +
+    const double asked = setup_->grasp.q_pre[joint] + digit.CalcClosing() * way_[joint] +
                          setup_->draw.joint_error[joint];
     const double torque = drive.stiffness * (asked - drive_positions_[joint]);
     return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= kAtLimit * drive.torque_limit;
@@ -263,12 +266,34 @@ bool GripRegulator::IsAtLimit(const DigitGrip& digit) const {
 }
 
 bool GripRegulator::IsStopped(const DigitGrip& digit) const {
-  return digit.law.closing() >= 1.0 - kAtTarget || IsAtLimit(digit);
+  return digit.CalcClosing() >= (digit.has_touched ? kMostClosing : 1.0) - kAtTarget ||
+         IsAtLimit(digit);
+}
+
+/** Two digits that both oppose a third: what one gains the other gives up, so that the sum, and the
+opposing digit's share, stay. */
+void GripRegulator::ShareWithinSide() {
+  if (digits_.size() != 3) return;
+  std::vector<DigitGrip*> side;
+  for (DigitGrip& digit : digits_) {
+    if (!digit.opposes && digit.is_felt && digit.has_touched) side.push_back(&digit);
+  }
+  if (side.size() != 2) return;
+  const double difference = side[1]->force / side[1]->asked - side[0]->force / side[0]->asked;
+  if (std::abs(difference) < kDeadDifference || IsStopped(*side[difference > 0.0 ? 0 : 1])) return;
+  const double most = kMostShift * step_ / setup_->strategy.closure_time;
+  for (const double sign : {1.0, -1.0}) {
+    DigitGrip& digit = *side[sign > 0.0 ? 0 : 1];
+    const double shift =
+        0.5 * sign * digit.asked / digit.stiffness * difference * step_ / kShareTime;
+    digit.Shift(std::clamp(shift, -most, most));
+  }
 }
 
 void GripRegulator::Advance(Phase phase) {
   const StrategyConfig& strategy = setup_->strategy;
   if (regulates_) {
+    if (!is_saturating_) ShareWithinSide();
     const double error = asked_ > 0.0 ? (asked_ - sum_) / asked_ : 0.0;
     if (std::abs(error) < kDeadShare) return;
     if (is_saturating_) {
@@ -281,7 +306,7 @@ void GripRegulator::Advance(Phase phase) {
       const double shift =
           std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
       if (shift > 0.0 && IsAtLimit(digit)) continue;
-      digit.law.MoveTo(digit.law.closing() + shift);
+      digit.Shift(shift);
     }
     return;
   }
@@ -306,7 +331,7 @@ void GripRegulator::Command(WorldCommand& command) const {
     for (const int joint : digit.joints) {
       command.q[joint] =
           setup_->grasp.q_pre[joint] +
-          digit.law.closing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]) +
+          digit.CalcClosing() * (setup_->grasp.q_target[joint] - setup_->grasp.q_pre[joint]) +
           setup_->draw.joint_error[joint];
       if (!is_saturating_ || !digit.has_touched || digit.torque.size() == 0) continue;
       double& limit = command.torque_limit[joint];
@@ -321,7 +346,7 @@ GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double 
   if (!digit.has_touched) return GripFault::kNoTouch;
   if (std::abs(reached - asked) <= kGripTolerance * asked) return GripFault::kNone;
   if (reached > asked) return GripFault::kBalance;
-  if (digit.law.closing() >= 1.0 - kAtTarget) return GripFault::kPosture;
+  if (digit.CalcClosing() >= kMostClosing - kAtTarget) return GripFault::kPosture;
   if (IsAtLimit(digit)) return GripFault::kLimit;
   for (const int link : setup_->hand->digits[static_cast<size_t>(digit.digit)].links) {
     const int joint = setup_->hand->links[static_cast<size_t>(link)].joint;
@@ -350,7 +375,7 @@ GripRecord GripRegulator::MakeRecord() const {
     of.asked = num_held_ > 0 ? digit.asked_sum / num_held_ : digit.asked;
     of.closed = digit.closed;
     if (num_held_ > 0) of.held = digit.held_sum / num_held_;
-    of.closing = digit.law.closing();
+    of.closing = digit.CalcClosing();
     of.fault = FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
   }
   return record;

@@ -13,11 +13,16 @@ with G_d = dF/ds the closing stiffness (grip_balance.h), so that the sides stay 
 integrator for each digit would let them drift against each other. With saturating drives digits
 close on, and the torques of those that touch are limited to c times what holds their shares, with the
 error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the end of the
-trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes beyond its target
-posture or on against a drive at its limit.
+trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes on against a drive
+at its limit, or beyond s = kMostClosing: the target posture is where a digit that has found nothing
+stops; one that presses may be commanded beyond it, since a spring presses by what it is ahead.
+
+Two digits that both oppose a third are shifted against each other, too, by the difference of their
+forces over their shares; four are not: equal shares of four on a rigid body are more than statics
+allow.
 
 Shares: each digit that does not oppose the others is asked for the force F; the opposing one, and
-the rest of the hand where it touches, for what balances the normals. F is grip_force; under margin
+the rest of the hand where it touches, for what balances them (grip_balance.h). F is grip_force; under margin
 grip_margin times the smallest force with which the contacts bear the weight (smallest_grip.h), and
 at least grip_force; before that is known, the same of two opposed sides, m g / (2 mu). The hand is
 told the object's weight and dynamic friction, and where its contacts are. */
@@ -48,7 +53,7 @@ class GripRegulator {
   /** Puts the digits' part into a command for a common closing. */
   void Command(WorldCommand& command) const;
 
-  double closing(size_t digit) const { return digits_[digit].law.closing(); }
+  double closing(size_t digit) const { return digits_[digit].CalcClosing(); }
   bool is_regulated() const { return mode_ != GripMode::kPosture; }
   bool is_in_band() const { return in_band_since_ <= time_ - kBandTime; }
   /** From the start of closure to the target posture of the slowest digit [s]. */
@@ -57,7 +62,8 @@ class GripRegulator {
   GripRecord MakeRecord() const;
 
  private:
-  static constexpr double kBandTime = 0.2;  // [s]
+  static constexpr double kBandTime = 0.2;     // [s]
+  static constexpr double kMostClosing = 1.5;  // s of a digit that presses
 
   struct DigitGrip {
     int digit;
@@ -65,17 +71,26 @@ class GripRegulator {
     bool is_late;  // against its schedule: it closes on whatever the phase
     std::vector<int> joints;
     ClosingLaw law;
+    double beyond = 0.0;  // the target posture, in s
     bool has_touched = false;
     double force = 0.0, asked = 0.0;  // filtered [N]
     double stiffness = kLeastStiffness;
     Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
     double closed = kUnset, held_sum = 0.0, asked_sum = 0.0;
+
+    double CalcClosing() const { return law.closing() + beyond; }
+    void Shift(double by) {
+      const double closing = std::min(CalcClosing() + by, kMostClosing);
+      law.MoveTo(closing);
+      beyond = std::max(0.0, closing - 1.0);
+    }
   };
 
   void FollowTouches(const World& world, const std::vector<HandContact>& contacts,
                      const TouchSensors* sensors);
   void FindSmallest(const World& world, const std::vector<HandContact>& contacts);
   void ShareForce(const std::vector<PartLoad>& loads);
+  void ShareWithinSide();
   void TakeBack(DigitGrip& digit, const World& world) const;
   double CalcDrivePosition(int joint, const WorldState& state) const;
   bool IsAtLimit(const DigitGrip& digit) const;

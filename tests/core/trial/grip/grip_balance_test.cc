@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-PartLoad MakeLoad(const Vector3d& normal_W) {
+PartLoad MakeLoad(const Vector3d& push_W) {
   PartLoad load;
   load.force = 1.0;
-  load.normal_W = normal_W;
+  load.push_W = push_W;
   return load;
 }
 
@@ -49,8 +49,8 @@ TEST(BalanceForces, NoOtherForcesLeaveLess) {
     std::vector<double> forces = {0.0, 1.3, 0.6, 0.0};
     BalanceForces(loads, {0, 3}, forces);
     const auto calc_left = [&](double thumb, double palm) {
-      return (thumb * loads[0].normal_W + 1.3 * loads[1].normal_W + 0.6 * loads[2].normal_W +
-              palm * loads[3].normal_W)
+      return (thumb * loads[0].push_W + 1.3 * loads[1].push_W + 0.6 * loads[2].push_W +
+              palm * loads[3].push_W)
           .norm();
     };
     ASSERT_GE(forces[0], 0.0);
@@ -62,6 +62,24 @@ TEST(BalanceForces, NoOtherForcesLeaveLess) {
       }
     }
   }
+}
+
+// What friction pushes along the sides counts, what it bears of the weight does not.
+TEST(CalcPartLoads, FrictionThatBearsTheWeightIsNoPush) {
+  Hand hand = MakeBareHand();
+  AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitY(), 0.02, 0.1);
+  HandDynamics dynamics(hand);
+  dynamics.UpdatePositions(Pose::Identity(), Eigen::VectorXd::Zero(1));
+  HandContact contact;
+  contact.link = 1;
+  contact.nhat_W = Vector3d::UnitX();
+  contact.normal_force = 2.0;
+  contact.friction_W = Vector3d(0.0, 0.5, 0.8);
+  const Vector3d down_W(0.0, 0.0, -9.8);
+  const PartLoad load = CalcPartLoads({contact}, {1, 0}, 2, dynamics, down_W)[0];
+  EXPECT_LE((load.push_W - Vector3d(1.0, 0.25, 0.0)).norm(), 1e-12);
+  const PartLoad afloat = CalcPartLoads({contact}, {1, 0}, 2, dynamics, Vector3d::Zero())[0];
+  EXPECT_LE((afloat.push_W - Vector3d(1.0, 0.25, 0.4)).norm(), 1e-12);
 }
 
 // A rod of 0.1 m hangs on a drive of 2 N m/rad; its tip is held fixed. Asked to turn by 1 rad it
@@ -77,7 +95,8 @@ TEST(ClosingStiffness, OfOneRodInClosedForm) {
   contact.p_WC = Vector3d(0.0, 0.0, 0.1);
   contact.nhat_W = Vector3d::UnitX();
   contact.normal_force = 3.0;
-  const std::vector<PartLoad> loads = CalcPartLoads({contact}, {1, 0}, 2, dynamics);
+  const std::vector<PartLoad> loads =
+      CalcPartLoads({contact}, {1, 0}, 2, dynamics, Vector3d::Zero());
   EXPECT_NEAR(loads[0].force, 3.0, 1e-12);
   EXPECT_NEAR(loads[0].torque[0], 0.1, 1e-12);
   EXPECT_EQ(loads[1].force, 0.0);

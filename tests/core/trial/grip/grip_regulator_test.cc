@@ -41,14 +41,18 @@ TEST(GripRegulator, TwoDigitsHoldTheForceThatWasAsked) {
   }
 }
 
-// m g / (2 mu) a side, the closed form of two opposed digits.
+// No two sides do with less than m g / (2 mu). These two press at places 8.7 mm apart sideways on a
+// cube of 31 mm: friction has that couple to bear, too; pyramids add at most 8.2 %.
 TEST(GripRegulator, AMarginIsAMultipleOfWhatStaticsAsk) {
   TrialSetup setup = MakeRegulated("tum", "g2", "margin", 0.0, 0.05, 0.5);
   setup.strategy.grip_margin = 2.0;
   const TrialResult result = RunSetup(setup);
   ASSERT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
   const double smallest = 0.05 * setup.sim.gravity / (2.0 * 0.5);
-  EXPECT_NEAR(result.grip->smallest, smallest, 0.12 * smallest);
+  EXPECT_GE(result.grip->smallest, smallest);
+  const double sideways = 0.0087 / 0.031;
+  EXPECT_LE(result.grip->smallest,
+            1.082 * smallest * 0.5 / std::sqrt(0.5 * 0.5 - sideways * sideways));
   EXPECT_NEAR(result.grip->force, 2.0 * result.grip->smallest, 1e-12);
   EXPECT_NEAR(result.grip->told_weight, 0.05 * setup.sim.gravity, 1e-12);
   EXPECT_NEAR(result.grip->told_friction, 0.5, 1e-12);
@@ -69,7 +73,7 @@ TEST(GripRegulator, MoreThanThePostureGivesIsNamed) {
     EXPECT_LT(digit.closed, 200.0);
     EXPECT_TRUE(digit.fault == GripFault::kPosture || digit.fault == GripFault::kLimit)
         << NameOf(digit.fault);
-    EXPECT_LE(digit.closing, 1.0);
+    EXPECT_LE(digit.closing, 1.5);
   }
 }
 
@@ -95,6 +99,17 @@ TEST(GripRegulator, HoldsWithoutChatter) {
 
 TEST(GripRegulator, AGripByPostureHasNoRecord) {
   EXPECT_FALSE(RunSetup(MakeRegulated("tum", "g2", "posture", 0.7)).grip);
+}
+
+// Two digits beside each other, against a thumb: each has its own force, and the thumb what they sum
+// to.
+TEST(GripRegulator, TwoDigitsOfASideShareEvenly) {
+  const TrialResult result = RunSetup(MakeRegulated("tum", "g1", "force", 1.5, 0.05));
+  ASSERT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
+  ASSERT_EQ(result.grip->digits.size(), 3U);
+  for (const DigitGripRecord& digit : result.grip->digits) {
+    EXPECT_NEAR(digit.held, digit.opposes ? 3.0 : 1.5, 0.3) << digit.digit;
+  }
 }
 
 // Drives at a pressure: the same forces, with limits of torque instead of positions.
