@@ -53,13 +53,26 @@ struct ObjectMotion {
   double rate = 0.0;  ///< [m/s]
 };
 
-ObjectMotion FindObjectMotion(const TouchSamples& samples, size_t num_before, double tc) {
+double InterpolateMotion(const TouchSamples& samples, double time) {
+  const std::vector<double>& times = samples.times;
+  const auto last = static_cast<size_t>(
+      std::clamp<std::ptrdiff_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin(),
+                                 1, static_cast<std::ptrdiff_t>(times.size()) - 1));
+  const double share =
+      std::clamp((time - times[last - 1]) / (times[last] - times[last - 1]), 0.0, 1.0);
+  return (1.0 - share) * samples.object_motion[last - 1] + share * samples.object_motion[last];
+}
+
+/** The rate is that over two samples about the instant: one interval's would jump at each sample,
+and so would what the touch is believed to be. */
+ObjectMotion FindObjectMotion(const TouchSamples& samples, double tc) {
   if (samples.object_motion.empty()) return {};
-  const size_t last = std::clamp<size_t>(num_before, 1, samples.times.size() - 1);
-  const double begin = samples.times[last - 1], end = samples.times[last];
-  const double from = samples.object_motion[last - 1], to = samples.object_motion[last];
-  const double rate = (to - from) / (end - begin);
-  return {from + rate * (tc - begin), rate};
+  const double step = (samples.times.back() - samples.times.front()) /
+                      static_cast<double>(samples.times.size() - 1);
+  const double rate =
+      (InterpolateMotion(samples, tc + step) - InterpolateMotion(samples, tc - step)) /
+      (2.0 * step);
+  return {InterpolateMotion(samples, tc), rate};
 }
 
 /** Inverse variances. They do not depend on the touch that is tried, so that it is not preferred
@@ -202,7 +215,7 @@ class Fitter {
     const size_t num_before =
         static_cast<size_t>(std::lower_bound(samples_.times.begin(), samples_.times.end(), tc) -
                             samples_.times.begin());
-    const ObjectMotion object = FindObjectMotion(samples_, num_before, tc);
+    const ObjectMotion object = FindObjectMotion(samples_, tc);
     const BeforeSums before = SumBefore(samples_, weights_, num_before, tc, object.way);
     double speed = 0.0;  // against the object
     for (size_t k = 0; k < kSettlingDepths.size(); k += depth_step) {

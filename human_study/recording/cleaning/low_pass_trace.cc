@@ -16,6 +16,7 @@ constexpr double kLeastRms = 2e-6;      // of a stretch that tells something [m]
 constexpr double kQuietShare = 0.34;    // of the stretches, the least moved ones
 constexpr size_t kEnoughStretches = 4;  // quiet ones
 constexpr double kFiltered = 20.0;      // ratio of the two bands' power
+constexpr double kLeakage = 1e-6;  // of the strongest harmonic's power, what the window lets through
 constexpr size_t kMostTracks = 6;
 
 struct Stretch {
@@ -44,7 +45,7 @@ void AddStretches(const Trajectory& track, size_t length, std::vector<Stretch>& 
       stretch.values.col(i) *=
           0.5 - 0.5 * std::cos(2.0 * kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
     }
-    if (stretch.rms > kLeastRms) stretches.push_back(std::move(stretch));
+    stretches.push_back(std::move(stretch));
   }
 }
 
@@ -73,14 +74,14 @@ double CalcBandPower(const Stretch& stretch, double rate, double low, double hig
   return sum / count;
 }
 
-/** Misfit of the logarithm of power to that of a Butterworth filter behind white noise; order 4
-stands for two passes of order 2. */
+/** Misfit of the logarithm of power to that of white noise behind a Butterworth filter of second
+order that is passed once or twice. */
 double CalcMisfit(const std::vector<double>& frequencies, const std::vector<double>& log_power,
-                  double rate, double cutoff, int order) {
+                  double rate, double cutoff, int num_passes) {
   std::vector<double> rest;
   for (size_t i = 0; i < frequencies.size(); ++i) {
     const double ratio = std::tan(kPi * frequencies[i] / rate) / std::tan(kPi * cutoff / rate);
-    rest.push_back(log_power[i] + std::log1p(std::pow(ratio, 2.0 * order)));
+    rest.push_back(log_power[i] + num_passes * std::log1p(std::pow(ratio, 4.0)));
   }
   return CalcMoments(rest).sum_of_squares;
 }
@@ -88,20 +89,25 @@ double CalcMisfit(const std::vector<double>& frequencies, const std::vector<doub
 double FitCutoff(const std::vector<Stretch>& quiet, double rate) {
   constexpr double kSlowest = 3.0;  // below people sway [Hz]
   const double spacing = rate / static_cast<double>(quiet.front().values.cols());
+  double strongest = 0.0;
   std::vector<double> frequencies, log_power;
   for (int k = static_cast<int>(std::ceil(kSlowest / spacing)); k * spacing < 0.4 * rate; ++k) {
     std::vector<double> powers;
     for (const Stretch& stretch : quiet) powers.push_back(CalcPower(stretch, k));
+    const double power = CalcMedian(std::move(powers));
+    strongest = std::max(strongest, power);
+    if (power < kLeakage * strongest) break;
     frequencies.push_back(k * spacing);
-    log_power.push_back(std::log(CalcMedian(std::move(powers))));
+    log_power.push_back(std::log(power));
   }
   double best = std::nan(""), least = INFINITY;
-  for (const int order : {2, 4}) {
+  for (const int num_passes : {1, 2}) {
     for (double cutoff = 2.0; cutoff < 0.2 * rate; cutoff *= 1.05) {
-      const double misfit = CalcMisfit(frequencies, log_power, rate, cutoff, order);
+      const double misfit = CalcMisfit(frequencies, log_power, rate, cutoff, num_passes);
       if (misfit >= least) continue;
       least = misfit;
-      best = cutoff;
+      // Two passes halve the power where one takes away 29 % of it.
+      best = num_passes == 1 ? cutoff : cutoff * std::pow(std::sqrt(2.0) - 1.0, 0.25);
     }
   }
   return best;
@@ -114,7 +120,8 @@ double FindLowPassTrace(const std::vector<const Trajectory*>& tracks) {
   const std::vector<double>& times = tracks.front()->times;
   const double rate = static_cast<double>(times.size() - 1) / (times.back() - times.front());
   const auto length = static_cast<size_t>(std::lround(kStretch * rate));
-  const double low = rate < 100.0 ? 12.0 : 15.0, high = rate < 100.0 ? 0.225 * rate : 25.0;
+  // A tremor of up to 12 Hz does not reach through the window to 14 Hz.
+  const double low = rate < 100.0 ? 14.0 : 15.0, high = rate < 100.0 ? 0.275 * rate : 25.0;
   if (!(high > low + 1.0)) return std::nan("");  // too slow to have both bands
   std::vector<Stretch> stretches;
   const size_t step = (tracks.size() + kMostTracks - 1) / kMostTracks;
@@ -123,8 +130,12 @@ double FindLowPassTrace(const std::vector<const Trajectory*>& tracks) {
             [](const Stretch& a, const Stretch& b) { return a.rms < b.rms; });
   const auto num_quiet =
       static_cast<size_t>(std::ceil(kQuietShare * static_cast<double>(stretches.size())));
-  if (num_quiet < kEnoughStretches) return std::nan("");
   stretches.erase(stretches.begin() + static_cast<std::ptrdiff_t>(num_quiet), stretches.end());
+  stretches.erase(
+      std::remove_if(stretches.begin(), stretches.end(),
+                     [](const Stretch& stretch) { return !(stretch.rms > kLeastRms); }),
+      stretches.end());
+  if (stretches.size() < kEnoughStretches) return std::nan("");
   std::vector<double> ratios;
   for (const Stretch& stretch : stretches) {
     const double fast = CalcBandPower(stretch, rate, 0.3 * rate, 0.45 * rate);

@@ -19,6 +19,8 @@ double FindQuantile(std::vector<double> values, double share) {
 }
 
 /** Distances where both are seen [m]. */
+constexpr double kMiddle = 3.29;  // SD of a normal that hold its middle 90 %
+
 std::vector<double> ListDistances(const Trajectory& a, const Trajectory& b) {
   std::vector<double> distances;
   for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -31,6 +33,15 @@ std::vector<double> ListDistances(const Trajectory& a, const Trajectory& b) {
 
 double FindSpread(const std::vector<double>& values) {
   return 0.5 * (FindQuantile(values, 0.95) - FindQuantile(values, 0.05));
+}
+
+/** SD of white noise by second differences, most of which hold no motion. */
+double FindNoise(const std::vector<double>& values) {
+  std::vector<double> sizes;
+  for (size_t i = 2; i < values.size(); ++i) {
+    sizes.push_back(std::abs(values[i] - 2.0 * values[i - 1] + values[i - 2]));
+  }
+  return sizes.empty() ? 0.0 : CalcMedian(std::move(sizes)) / (0.6745 * std::sqrt(6.0));
 }
 
 const std::string* FindTipLabel(const std::vector<std::string>& wanted,
@@ -84,7 +95,9 @@ double FindYield(const PreparedRecording& recording) {
   for (size_t a = 0; a < markers.size(); ++a) {
     for (size_t b = a + 1; b < markers.size(); ++b) {
       const std::vector<double> distances = ListDistances(markers[a], markers[b]);
-      if (!distances.empty()) most = std::max(most, 2.0 * FindSpread(distances));
+      if (distances.empty()) continue;
+      const double all = 2.0 * FindSpread(distances), noise = kMiddle * FindNoise(distances);
+      most = std::max(most, std::sqrt(std::max(0.0, all * all - noise * noise)));
     }
   }
   return most;

@@ -29,7 +29,7 @@ std::vector<CompanionEvidence> FindCompanions(const Recording& recording,
                                               const MarkerConfig& markers);
 
 /** How far two markers of the object change their distance: the middle 90 %, of the pair that does
-it most [m]; 0 with fewer than two. A rigid thing's markers keep it to their noise. */
+it most, without the share of white noise [m]; 0 with fewer than two. */
 double FindYield(const PreparedRecording& recording);
 
 /** Distances at which the recording falls into the most regular reaches: a quarter and a half of the

@@ -19,7 +19,7 @@ namespace {
 constexpr size_t kMaxRows = 40;       // of trials.csv
 constexpr size_t kMaxRecordings = 3;  // whose markers are looked at
 constexpr size_t kMaxSuggestions = 16;
-constexpr double kYielding = 0.005;  // [m]
+constexpr double kYielding = 0.002;  // beyond the noise of its markers [m]
 constexpr double kLong = 15.0;       // [s] a recording that holds more than one reach
 
 struct Evidence {
@@ -122,12 +122,21 @@ Candidates UseCompanions(const Question& question) {
 
 Candidates UseSpeedDetector(const Question& question) {
   if (question.evidence.yield < kYielding) return {};
-  return {{{"contact.detector=speed"},
-           fmt::format("the object's markers change their distance by {:.0f} mm: it yields, so "
-                       "that digits go on after they touched and never stop at once",
-                       MmFromM(question.evidence.yield)),
-           "on made-up objects that yield by 5 mm the fall of speed is 35 ms late, every other "
-           "detector 60 to 95 ms: compare conditions, do not believe single instants"}};
+  Candidate speed = {
+      {"contact.detector=speed"},
+      fmt::format("the object's markers change their distance by {:.0f} mm: it yields, so "
+                  "that digits go on after they touched and never stop at once",
+                  MmFromM(question.evidence.yield)),
+      "on made-up objects that yield by 5 mm the fall of speed is 35 ms late, every other "
+      "detector 60 to 95 ms: compare conditions, do not believe single instants"};
+  // A limit that nothing keeps on such an object hides what the detector does for it.
+  Candidate without_limits = speed;
+  without_limits.settings.insert(
+      without_limits.settings.end(),
+      {"contact.max_uncertainty_s=0", "plausibility.max_disagreement_s=0"});
+  without_limits.reason += "; contacts are then known worse, and detectors differ by more, than "
+                           "the limits for rigid objects";
+  return {speed, without_limits};
 }
 
 Candidates TryLiftAxes(const Question&) {

@@ -72,12 +72,13 @@ TEST(FitTouch, AnotherClockGivesTheSameTouch) {
   EXPECT_NEAR(later.uncertainty, found.uncertainty, 1e-6);
 }
 
-// Another digit pushes the object towards the digit or away from it: 10 mm in 60 ms, seen in O as a
-// way that no digit goes by itself.
+// Another digit pushes the object towards the digit or away from it within 60 ms, seen in O as a
+// way that no digit goes by itself. 10 mm away would be 0.14 m/s at the touch, and a digit at
+// 0.1 m/s would never arrive.
 TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
   RandomStream random("touch", "pushed");
-  for (const double push : {-0.01, 0.01}) {
-    double wrong = 0.0, right = 0.0;
+  for (const double push : {-0.004, 0.01}) {
+    double wrong = 0.0, right = 0.0, covered = 0.0;
     for (int i = 0; i < 20; ++i) {
       Approach approach;
       approach.touch = 0.4 + 0.005 * random.NextUnit();
@@ -91,14 +92,20 @@ TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
         if (samples.times[k] > approach.touch) continue;
         samples.places[k] -= moved(samples.times[k]) - moved(approach.touch);
       }
-      const double error = CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
+      const EventTime seen = CalcTouchTime(FitTouch(samples), kUsualDepths);
+      const double error = seen.time - approach.touch;
+      covered += std::abs(error) <= seen.CalcHalfWidth();
       right += error * error;
       samples.object_motion.clear();
       const double blind = CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
       wrong += blind * blind;
     }
-    EXPECT_LT(std::sqrt(right / 20.0), 0.004) << push;
-    EXPECT_LT(right, wrong) << push;
+    // Away from it leaves 44 mm/s against the object, which noise hides for longer, and that is said.
+    if (push > 0.0) {
+      EXPECT_LT(std::sqrt(right / 20.0), 0.004);
+    }
+    EXPECT_GE(covered, 18.0) << push;
+    EXPECT_LT(right, 0.3 * wrong) << push;
   }
 }
 
@@ -184,14 +191,23 @@ TEST(MixFits, TheDistanceOfTwoTouchesIsInTheUncertainty) {
   Approach early, late;
   late.touch = early.touch + 0.08;
   const TouchFit a = FitTouch(Sample(early, random)), b = FitTouch(Sample(late, random));
-  const double first = CalcTouchTime(a, kUsualDepths).time;
-  const double second = CalcTouchTime(b, kUsualDepths).time;
   for (const double share : {0.18, 0.5}) {
-    const EventTime mix = CalcTouchTime(MixFits(a, b, share), kUsualDepths);
-    EXPECT_NEAR(mix.time, first + share * (second - first), 0.002) << share;
-    EXPECT_NEAR(mix.uncertainty, std::sqrt(share * (1.0 - share)) * (second - first), 0.002);
-    EXPECT_LT(second - mix.time, 3.0 * mix.uncertainty);
-    EXPECT_LT(mix.time - first, 3.0 * mix.uncertainty);
+    const TouchFit mixed = MixFits(a, b, share);
+    const EventTime mix = CalcTouchTime(mixed, kUsualDepths);
+    EXPECT_LT(CalcTouchTime(b, kUsualDepths).time - mix.time, 3.0 * mix.uncertainty) << share;
+    EXPECT_LT(mix.time - CalcTouchTime(a, kUsualDepths).time, 3.0 * mix.uncertainty) << share;
+    // Of one depth, a mixture's moments; how well each explains its samples shifts the shares.
+    const auto likeliest = static_cast<size_t>(
+        std::max_element(a.log_evidence.begin(), a.log_evidence.end()) - a.log_evidence.begin());
+    const double best_b = *std::max_element(b.log_evidence.begin(), b.log_evidence.end());
+    const double weight_b = share * std::exp(b.log_evidence[likeliest] - best_b);
+    const double share_b = weight_b / (weight_b + 1.0 - share);
+    const double apart = b.time[likeliest] - a.time[likeliest];
+    const double variance = (1.0 - share_b) * a.variance[likeliest] +
+                            share_b * b.variance[likeliest] +
+                            share_b * (1.0 - share_b) * apart * apart;
+    EXPECT_NEAR(mixed.time[likeliest], a.time[likeliest] + share_b * apart, 1e-12) << share;
+    EXPECT_NEAR(mixed.variance[likeliest], variance, 1e-15) << share;
   }
 }
 
