@@ -63,10 +63,10 @@ double CalcTremor(const Trajectory& path, double hold) {
     }
   }
   if (sizes.empty()) return 0.0;
-  const double size = kBeating * CalcMedian(std::move(sizes)) / kMedianPerSd;
+  const double size = CalcMedian(std::move(sizes)) / kMedianPerSd;
   const double white =
       above.smooth_noise * above.smooth_noise - below.smooth_noise * below.smooth_noise;
-  return std::sqrt(std::max(0.0, size * size - white));
+  return kBeating * std::sqrt(std::max(0.0, size * size - white));
 }
 
 TouchFit FitIfSeen(const TouchSamples& samples) {

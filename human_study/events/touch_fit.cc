@@ -279,7 +279,7 @@ std::pair<double, double> FindLikely(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-const DepthWeights kUsualDepths = {16.0, 24.0, 3.0, 0.3, 0.1, 0.05, 0.03, 0.02};
+const DepthWeights kUsualDepths = {30.0, 12.0, 0.8, 0.15, 0.06, 0.04, 0.03, 0.02};
 
 TouchFit FitTouch(const TouchSamples& samples) {
   GRASPBENCH_DEMAND(samples.times.size() == samples.places.size() && samples.first < samples.last,
