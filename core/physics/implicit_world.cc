@@ -131,9 +131,9 @@ void ImplicitWorld::AddDrives(const WorldCommand& command) {
                              : drive.torque_limit;
     // The mean angle is that of the middle and h (v - u) / 4.
     const double mean_gain = 0.25 * drive.stiffness * h;
-    problem_.scalars.push_back(
-        {dof, drive.stiffness * (followed - theta) + mean_gain * problem_.u[dof],
-         mean_gain + drive.damping, -limit, limit});
+    problem_.scalars.push_back({dof,
+                                drive.stiffness * (followed - theta) + mean_gain * problem_.u[dof],
+                                mean_gain + drive.damping, -limit, limit});
   }
   first_friction_ = static_cast<int>(problem_.scalars.size());
   for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {

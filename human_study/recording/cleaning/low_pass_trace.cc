@@ -16,7 +16,8 @@ constexpr double kLeastRms = 2e-6;      // of a stretch that tells something [m]
 constexpr double kQuietShare = 0.34;    // of the stretches, the least moved ones
 constexpr size_t kEnoughStretches = 4;  // quiet ones
 constexpr double kFiltered = 20.0;      // ratio of the two bands' power
-constexpr double kLeakage = 1e-6;  // of the strongest harmonic's power, what the window lets through
+constexpr double kLeakage =
+    1e-6;  // of the strongest harmonic's power, what the window lets through
 constexpr size_t kMostTracks = 6;
 
 struct Stretch {
@@ -131,10 +132,9 @@ double FindLowPassTrace(const std::vector<const Trajectory*>& tracks) {
   const auto num_quiet =
       static_cast<size_t>(std::ceil(kQuietShare * static_cast<double>(stretches.size())));
   stretches.erase(stretches.begin() + static_cast<std::ptrdiff_t>(num_quiet), stretches.end());
-  stretches.erase(
-      std::remove_if(stretches.begin(), stretches.end(),
-                     [](const Stretch& stretch) { return !(stretch.rms > kLeastRms); }),
-      stretches.end());
+  stretches.erase(std::remove_if(stretches.begin(), stretches.end(),
+                                 [](const Stretch& stretch) { return !(stretch.rms > kLeastRms); }),
+                  stretches.end());
   if (stretches.size() < kEnoughStretches) return std::nan("");
   std::vector<double> ratios;
   for (const Stretch& stretch : stretches) {

@@ -134,8 +134,9 @@ Candidates UseSpeedDetector(const Question& question) {
   without_limits.settings.insert(
       without_limits.settings.end(),
       {"contact.max_uncertainty_s=0", "plausibility.max_disagreement_s=0"});
-  without_limits.reason += "; contacts are then known worse, and detectors differ by more, than "
-                           "the limits for rigid objects";
+  without_limits.reason +=
+      "; contacts are then known worse, and detectors differ by more, than "
+      "the limits for rigid objects";
   return {speed, without_limits};
 }
 

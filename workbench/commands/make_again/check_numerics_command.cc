@@ -38,7 +38,8 @@ void Check(const NumericsOptions& options) {
   if (!options.out.empty()) CheckOutputFile(options.out);
   const fs::path& folder = options.request.folder;
   ExperimentRequest request = options.request;
-  request.with_judge = HasBegunJudge(folder);  // else there is no breaking force to compare
+  // Without judgements there is no breaking force to compare.
+  request.with_judge = std::filesystem::is_directory(folder) && HasBegunJudge(folder);
   const PreparedSession experiment = PrepareNumerics(request);
   if (options.request.plan_only) return PrintExperimentPlan(experiment);
   PrintVariants(experiment.session);

@@ -2,20 +2,21 @@
 man page and the completions, which the parser knows, to where they are installed below SHARE. */
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "workbench/manual/maker/manual_site.h"
 #include "workbench/program.h"
+#include "workbench/terminal/terminal.h"
 #include "workbench/text/command_line_text.h"
 
 int main(int argc, char** argv) {
   using namespace graspbench;
   namespace fs = std::filesystem;
   if (argc != 4) {
-    std::fprintf(stderr, "usage: make_manual SOURCE FOLDER SHARE\n");
+    PrintMessage("usage: make_manual SOURCE FOLDER SHARE");
     return kExitUsage;
   }
   try {
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
       WriteFile(file, text);
     }
   } catch (const Error& error) {
-    std::fprintf(stderr, "make_manual: %s\n", error.what());
+    PrintMessage(std::string("make_manual: ") + error.what());
     return ExitCodeOf(error.kind());
   }
   return kExitOk;

@@ -233,10 +233,9 @@ TEST_F(RunStudyTest, TablesHoldEveryTrialAndEventAndTheSameBytes) {
   for (const StudyEvent& event : events) {
     if (event.name != "contact") names.push_back(event.name);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "movement_start", "movement_onset", "maximum_opening",
-                       "last_maximum_opening", "object_moved", "lift_off", "reacceleration",
-                       "movement_end"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"movement_start", "movement_onset", "maximum_opening",
+                                             "last_maximum_opening", "object_moved", "lift_off",
+                                             "reacceleration", "movement_end"}));
   EXPECT_EQ(events.size(), names.size() + 5 * ContactDetectorList().size());
 }
 

@@ -99,7 +99,8 @@ TEST(FindYield, NoiseIsNoYield) {
   RandomStream random("yield", "noise");
   for (RecordedPoint& point : still.points) {
     for (size_t i = kFrames; i-- > 0;) {
-      for (size_t k = 0; k < 3; ++k) point.xyz[3 * i + k] = point.xyz[k] + random.NextNormal() / 1e3;
+      for (size_t k = 0; k < 3; ++k)
+        point.xyz[3 * i + k] = point.xyz[k] + random.NextNormal() / 1e3;
     }
   }
   EXPECT_LT(FindYield(Prepare(still)), 0.002);  // the middle 90 % are 4.7 mm wide
