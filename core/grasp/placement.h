@@ -70,7 +70,8 @@ raised off the table and stopped before the object by the rules above. @pre the 
 Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                         const Eigen::Vector3d& shift_W, const Eigen::Vector3d& turn_W);
 
-/** How far the pads stay short of where they would hold the object [m]; 0: its placement reaches it. */
+/** How far the pads stay short of where they would hold the object [m]; 0: its placement reaches
+it. */
 double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 /** Whether a computed one would reach the object even if the object filled its bounding box; needs

@@ -61,7 +61,8 @@ struct DriveLawRow {
 inline constexpr DriveLawRow kDriveLaws[] = {{DriveLaw::kHold, "hold"},
                                              {DriveLaw::kSaturating, "saturating"}};
 
-/** Times of the phases, and the grip. Proposed by graspbench: the thesis names phases, no seconds. */
+/** Times of the phases, and the grip. Proposed by graspbench: the thesis names phases, no seconds.
+*/
 struct StrategyConfig {
   double placing_time = 0.8;            ///< [s]
   double closure_time = 1.0;            ///< from pre-grasp to target with nothing between [s]

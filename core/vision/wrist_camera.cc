@@ -74,7 +74,8 @@ RenderQuality ChooseQuality(const CameraConfig& config) {
   return config.has_shadows ? RenderQuality::kFull : RenderQuality::kFast;
 }
 
-/** Each pixel the mean of four: edges as a lens gives them, where smoothing alone would move them. */
+/** Each pixel the mean of four: edges as a lens gives them, where smoothing alone would move them.
+*/
 Image HalveImage(const Image& fine) {
   Image image;
   image.width = fine.width / 2;

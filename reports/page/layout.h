@@ -74,7 +74,8 @@ struct PlainPage {
 body, and the script of assets/page.js, the only one that the policy allows. */
 std::string MakePlainPage(const PlainPage& page);
 
-/** A page of results, as MakePlainPage: contents, body, provenance. Figures and tables are numbered here. */
+/** A page of results, as MakePlainPage: contents, body, provenance. Figures and tables are numbered
+here. */
 std::string MakePage(const PageFrame& frame, const std::vector<PageLink>& contents,
                      const Html& body);
 

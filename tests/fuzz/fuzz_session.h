@@ -39,7 +39,8 @@ void FuzzLine(const std::string& line, Parse&& parse, Format&& format) {
   }
 }
 
-/** A line of any journal: once as it is, once with a valid checksum, so that the record behind it is reached. */
+/** A line of any journal: once as it is, once with a valid checksum, so that the record behind it
+is reached. */
 inline void FuzzJournalLine(const std::string& text) {
   for (const std::string& line : {text, text + ",\"xxh64\":\"" + CalcHashHex(text) + "\"}"}) {
     FuzzRecordLine(line);

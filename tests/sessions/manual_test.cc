@@ -1,10 +1,11 @@
 /** @file
-Runs every command that the manual shows, as a reader would: the blocks marked `console` of a page in
-order, in one fresh folder of the page. A line that begins with "$ " is a command for bash, the lines
-below it are what it prints on stdout and stderr together ("..." as in transcript.h); its exit code is
-0, in a block marked `console exit=N` N of its last command. Lines that begin with "> " go on with the
-command. A block marked `console needs=PROGRAM` is left out where there is no such program. GRASPBENCH_UPDATE_MANUAL=1 writes what
-failing commands print now into the page: read the difference before committing it. */
+Runs every command that the manual shows, as a reader would: the blocks marked `console` of a page
+in order, in one fresh folder of the page. A line that begins with "$ " is a command for bash, the
+lines below it are what it prints on stdout and stderr together ("..." as in transcript.h); its exit
+code is 0, in a block marked `console exit=N` N of its last command. Lines that begin with "> " go
+on with the command. A block marked `console needs=PROGRAM` is left out where there is no such
+program. GRASPBENCH_UPDATE_MANUAL=1 writes what failing commands print now into the page: read the
+difference before committing it. */
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -106,7 +107,8 @@ class ManualTest : public testing::Test {
   }
 
  private:
-  /** Puts what was printed in the place of what was expected. @returns whether they were the same. */
+  /** Puts what was printed in the place of what was expected. @returns whether they were the same.
+  */
   static bool Check(const fs::path& folder, Piece& piece) {
     WriteFileAtomically(folder / "command", "cd '" + (folder / "work").string() + "'\nPATH='" +
                                                 GRASPBENCH_PROGRAM_FOLDER + "':/usr/bin:$PATH\n" +

@@ -1,7 +1,8 @@
 /** @file
-Files that cannot be had: under a limit of their size, with few descriptors, without a cache, and with
-a fault at one operation after another (tests/support/fail_files.cc), each command ends well or with 5
-and a sentence, and the same command without the lack gives the bytes of an undisturbed one. */
+Files that cannot be had: under a limit of their size, with few descriptors, without a cache, and
+with a fault at one operation after another (tests/support/fail_files.cc), each command ends well or
+with 5 and a sentence, and the same command without the lack gives the bytes of an undisturbed one.
+*/
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -2,8 +2,8 @@
 // random.
 // GRASPBENCH_FAULTS="SEED PROBABILITY TEXT": opening for writing, write (at times half of it is
 // written first), fsync, fdatasync, ftruncate, rename and close (the file is closed all the same).
-// GRASPBENCH_FAULTS="at N EIO|ENOSPC TEXT": the Nth of these operations fails with that reason, and no
-// other; GRASPBENCH_COUNT names a file for how many there were.
+// GRASPBENCH_FAULTS="at N EIO|ENOSPC TEXT": the Nth of these operations fails with that reason, and
+// no other; GRASPBENCH_COUNT names a file for how many there were.
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>

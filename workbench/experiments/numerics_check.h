@@ -13,10 +13,10 @@ datasets/analysis/conditions/numerics_summary.h. */
 
 namespace graspbench {
 
-/** A quarter, half and double of the step, half and double contact stiffness (normal and tangential),
-friction 0.1 % lower and higher, so that flips of the step stand beside those of a draw that nobody
-can know, and Simbody's compliant contact ("compliant") where it has a geometry for hand and object;
-what is out of a session's range is left out. */
+/** A quarter, half and double of the step, half and double contact stiffness (normal and
+tangential), friction 0.1 % lower and higher, so that flips of the step stand beside those of a draw
+that nobody can know, and Simbody's compliant contact ("compliant") where it has a geometry for hand
+and object; what is out of a session's range is left out. */
 std::vector<Condition> ListNumericsVariants(const SessionConfig& config);
 
 /** Its folder, in which RunExperiment runs it. @throws as PrepareExperiment. */

@@ -11,21 +11,22 @@ or the sum has, all digits are shifted together by the error of the sum,
 
 with G_d = dF/ds the closing stiffness (grip_balance.h), so that the sides stay in balance: an
 integrator for each digit would let them drift against each other. With saturating drives digits
-close on, and the torques of those that touch are limited to c times what holds their shares, with the
-error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the end of the
-trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes on against a drive
-at its limit, or beyond s = kMostClosing: the target posture is where a digit that has found nothing
-stops; one that presses may be commanded beyond it, since a spring presses by what it is ahead.
+close on, and the torques of those that touch are limited to c times what holds their shares, with
+the error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the end of the
+trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes on against a
+drive at its limit, or beyond s = kMostClosing: the target posture is where a digit that has found
+nothing stops; one that presses may be commanded beyond it, since a spring presses by what it is
+ahead.
 
 Two digits that both oppose a third are shifted against each other, too, by the difference of their
 forces over their shares; four are not: equal shares of four on a rigid body are more than statics
 allow.
 
 Shares: each digit that does not oppose the others is asked for the force F; the opposing one, and
-the rest of the hand where it touches, for what balances them (grip_balance.h). F is grip_force; under margin
-grip_margin times the smallest force with which the contacts bear the weight (smallest_grip.h), and
-at least grip_force; before that is known, the same of two opposed sides, m g / (2 mu). The hand is
-told the object's weight and dynamic friction, and where its contacts are. */
+the rest of the hand where it touches, for what balances them (grip_balance.h). F is grip_force;
+under margin grip_margin times the smallest force with which the contacts bear the weight
+(smallest_grip.h), and at least grip_force; before that is known, the same of two opposed sides, m g
+/ (2 mu). The hand is told the object's weight and dynamic friction, and where its contacts are. */
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 A held object after its trial: the hand goes on with its last command, or regulates its grip on,
-while loads are put on the object or gravity is turned. Copies start from the same instant, so one grasp
-stands many tests. */
+while loads are put on the object or gravity is turned. Copies start from the same instant, so one
+grasp stands many tests. */
 
 #include "core/physics/world.h"
 #include "core/trial/grip/grip_regulator.h"

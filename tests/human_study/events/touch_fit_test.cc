@@ -100,7 +100,8 @@ TEST(FitTouch, TheObjectsOwnMotionIsNoMotionOfTheDigit) {
       const double blind = CalcTouchTime(FitTouch(samples), kUsualDepths).time - approach.touch;
       wrong += blind * blind;
     }
-    // Away from it leaves 44 mm/s against the object, which noise hides for longer, and that is said.
+    // Away from it leaves 44 mm/s against the object, which noise hides for longer, and that is
+    // said.
     if (push > 0.0) {
       EXPECT_LT(std::sqrt(right / 20.0), 0.004);
     }
@@ -185,7 +186,8 @@ TEST(CalcTouchTime, WhatWasLearnedIsStatedAsUncertain) {
   EXPECT_LT(learned.uncertainty, std::hypot(own, 0.021));
 }
 
-// Two touches that nothing tells apart: the mean between them, and their distance in what is stated.
+// Two touches that nothing tells apart: the mean between them, and their distance in what is
+// stated.
 TEST(MixFits, TheDistanceOfTwoTouchesIsInTheUncertainty) {
   RandomStream random("touch", "mix");
   Approach early, late;

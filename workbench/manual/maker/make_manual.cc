@@ -1,5 +1,6 @@
-/** @file make_manual SOURCE FOLDER SHARE: at build time. Writes the manual's pages to FOLDER, and the
-man page and the completions, which the parser knows, to where they are installed below SHARE. */
+/** @file make_manual SOURCE FOLDER SHARE: at build time. Writes the manual's pages to FOLDER, and
+the man page and the completions, which the parser knows, to where they are installed below SHARE.
+*/
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

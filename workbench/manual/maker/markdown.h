@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-Markdown (CommonMark with tables, read by cmark-gfm) as parts of a page of reports/page. Markup in the
-text is refused: what reaches the page goes through Element() and Text(). */
+Markdown (CommonMark with tables, read by cmark-gfm) as parts of a page of reports/page. Markup in
+the text is refused: what reaches the page goes through Element() and Text(). */
 
 #include <filesystem>
 #include <functional>
@@ -34,7 +34,8 @@ struct MarkdownPlaces {
 };
 
 /** Pictures (PNG, SVG) become part of the page. Headings of second and third order get anchors from
-their words. @throws Error(kFormat) naming page and line: no title, markup, a picture that is missing. */
+their words. @throws Error(kFormat) naming page and line: no title, markup, a picture that is
+missing. */
 ManualText ReadMarkdown(const std::string& markdown, const MarkdownPlaces& places);
 
 }  // namespace graspbench
