@@ -1,5 +1,6 @@
 #pragma once
-/** @file What `graspbench object check` does with a mesh file. */
+/** @file
+What `graspbench object check` does with a mesh file. */
 
 #include <filesystem>
 #include <optional>

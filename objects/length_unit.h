@@ -1,5 +1,6 @@
 #pragma once
-/** @file The unit of a mesh file's numbers. No mesh format states it reliably:
+/** @file
+The unit of a mesh file's numbers. No mesh format states it reliably:
 object.yaml does, or the user, or the size shows it (InferLengthUnit). */
 
 namespace graspbench {

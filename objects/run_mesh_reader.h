@@ -1,5 +1,6 @@
 #pragma once
-/** @file Runs graspbench-mesh-reader (mesh_reader.cc) on the bytes of one file. */
+/** @file
+Runs graspbench-mesh-reader (mesh_reader.cc) on the bytes of one file. */
 
 #include <filesystem>
 #include <string>

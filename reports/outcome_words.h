@@ -1,5 +1,6 @@
 #pragma once
-/** @file How an outcome, or the seat of an object, is called in a page. */
+/** @file
+How an outcome, or the seat of an object, is called in a page. */
 
 #include <string>
 

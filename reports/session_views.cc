@@ -77,7 +77,7 @@ SessionViews DrawSessionViews(const Session& session, const SessionSummary& summ
   }
   if (list.empty()) return {};
   Html body = MakeParagraph(
-      "One trial of each way in which the trials of a cell ended, carried out again: picture, "
+      "One trial of each way in which the trials of a condition ended, carried out again: picture, "
       "forces at the end of each phase, curves; with scripts a scene to turn and to play.");
   if (num_shown < chosen.size()) {
     body += MakeParagraph("The first " + std::to_string(num_shown) + " of " +

@@ -97,7 +97,7 @@ Html DrawCards(const DrawnTrial& data) {
 Html DrawScript(const DrawnTrial& data) {
   std::string text;
   for (const std::string& line : data.script) text += line + "\n";
-  return MakeParagraph("These lines, given to graspbench shell, lead here again.") +
+  return MakeParagraph("Reproduce in the shell: give these lines to graspbench shell.") +
          MakeScroll("Script", Element("pre", {}, text));
 }
 
@@ -114,7 +114,8 @@ Html DrawFindings(const DrawnTrial& data) {
   const bool is_early = std::any_of(result.contacts.begin(), result.contacts.end(),
                                     [](const DigitContact& contact) { return contact.time < 0.0; });
   if (is_early) {
-    findings.push_back("A digit touched before closure began: its times compare with no other's.");
+    findings.push_back(
+        "A digit touched before closure began (early contact): its times are not comparable.");
   }
   return findings.empty() ? MakeParagraph("No errors and no warnings.") : MakeList(findings);
 }
@@ -169,8 +170,8 @@ std::string MakeTrialPage(const TrialPageData& data) {
       {"pictures", "Pictures", &DrawPictures},
       {"course", "Course", &DrawCourse},
       {"contacts", "Contacts", &DrawContacts},
-      {"state", "State at the end", &DrawCards},
-      {"script", "How to get here", &DrawScript},
+      {"state", "Summary", &DrawCards},
+      {"script", "Reproduce in the shell", &DrawScript},
       {"findings", "Errors and warnings", &DrawFindings},
       {"methods", "Methods", &DrawMethods}};
   return AddScript(MakeSectionedPage(MakeFrame(data), sections, drawn), views.MakeScript());

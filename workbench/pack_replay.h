@@ -1,5 +1,6 @@
 #pragma once
-/** @file What graspbench replay PACK and graspbench pipeline replay PACK do. */
+/** @file
+What graspbench replay PACK and graspbench pipeline replay PACK do. */
 
 #include <filesystem>
 

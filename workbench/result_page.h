@@ -1,5 +1,6 @@
 #pragma once
-/** @file The page of a result of any kind, found by what its folder holds. */
+/** @file
+The page of a result of any kind, found by what its folder holds. */
 
 #include <filesystem>
 
@@ -10,7 +11,7 @@ namespace graspbench {
 /** 3-D views of chosen trials in a session's page, which are carried out again for them. */
 enum class PageViews { kAsBefore, kWith, kWithout };
 
-/** Makes the page of a session or a campaign anew below `place`; that of a whole result (a study, a
+/** Makes the page of a session or a campaign again below `place`; that of a whole result (a study, a
 basin) was written with it and is taken as it is.
 @returns its path from `place`.
 @throws Error(kUsage) for views of anything else; Error(kNotFound) when the folder holds neither;

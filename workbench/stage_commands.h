@@ -1,5 +1,6 @@
 #pragma once
-/** @file The commands that a stage of a pipeline can be, with the options that they have. */
+/** @file
+The commands that a stage of a pipeline can be, with the options that they have. */
 
 #include <vector>
 

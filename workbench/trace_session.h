@@ -1,5 +1,6 @@
 #pragma once
-/** @file Any trial of a session carried out again, for its report. */
+/** @file
+Any trial of a session carried out again, for its report. */
 
 #include "datasets/session/session_store.h"
 #include "reports/session_views.h"
@@ -10,7 +11,7 @@ namespace graspbench {
 @throws Error when a hand or an object of the session is gone. */
 TrialTracer MakeTrialTracer(const Session& session);
 
-/** For a page that is made anew: the same where the one before has 3-D views, else empty. Says on
+/** For a page that is made again: the same where the one before has 3-D views, else empty. Says on
 the terminal when they cannot be kept. */
 TrialTracer MakeKeptTracer(const Session& session);
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Where the trajectories of replayed trials go: one file, or a folder of their own. */
+/** @file
+Where the trajectories of replayed trials go: one file, or a folder of their own. */
 
 #include <filesystem>
 #include <map>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The files that `graspbench trial` writes of one trial: one row of a list each. */
+/** @file
+The files that `graspbench trial` writes of one trial: one row of a list each. */
 
 #include <string>
 #include <vector>

@@ -14,6 +14,7 @@ constexpr std::pair<const char*, const char*> kUnits[] = {{"_kg_per_m3", "kg/m3"
                                                           {"_nms_per_rad", "N m s/rad"},
                                                           {"_nm_per_rad", "N m/rad"},
                                                           {"_ns_per_m", "N s/m"},
+                                                          {"_rad_per_nm", "rad/(N m)"},
                                                           {"_n_per_m", "N/m"},
                                                           {"_m_per_s", "m/s"},
                                                           {"_hz", "Hz"},

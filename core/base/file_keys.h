@@ -17,7 +17,9 @@ inline constexpr double kAboveZero = std::numeric_limits<double>::min();
 struct FileKey {
   std::string key;       ///< in full: "palm.centre_m"; of the entries of a list: "digits.tip_m"
   std::string fallback;  ///< what holds where it is left out, kRequired, or empty: see `meaning`
-  std::string meaning;   ///< without full stop
+  /// Without full stop. Begins with "list" of a list, "a map:" of a map whose names are free, and
+  /// "of .." where a required key is needed of some entries only.
+  std::string meaning;
   double low = -std::numeric_limits<double>::infinity();  ///< of a number, or of each of several
   double high = std::numeric_limits<double>::infinity();
 };

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Angles of a rotation as URDF has them. */
+/** @file
+Angles of a rotation as URDF has them. */
 
 #include <Eigen/Geometry>
 #include <cmath>

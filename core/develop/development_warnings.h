@@ -1,5 +1,6 @@
 #pragma once
-/** @file What a user should know before relying on a developed grasp. */
+/** @file
+What a user should know before relying on a developed grasp. */
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Limits between which a number is drawn evenly. */
+/** @file
+Limits between which a number is drawn evenly. */
 
 #include "core/base/random.h"
 

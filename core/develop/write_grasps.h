@@ -1,5 +1,6 @@
 #pragma once
-/** @file Developed grasps as the section `grasps` of hand.yaml, each with a sentence on where it is
+/** @file
+Developed grasps as the section `grasps` of hand.yaml, each with a sentence on where it is
 from. */
 
 #include <string>

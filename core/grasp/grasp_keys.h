@@ -1,5 +1,6 @@
 #pragma once
-/** @file The keys of grasps: in hand.yaml, and in files of their own. */
+/** @file
+The keys of grasps: in hand.yaml, and in files of their own. */
 
 #include "core/base/file_keys.h"
 

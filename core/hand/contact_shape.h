@@ -14,7 +14,7 @@ struct CollisionShape {
   Kind kind = Kind::kSphere;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< extent along the axes of S [m]
   /** Objects and the table meet it, other links of the hand do not: it lies within the others'
-  solid and fills in their surface. In hand.urdf: <collision name="cover">. */
+  solid and fills in their surface. In hand.urdf: `<collision name="cover">`. */
   bool is_cover = false;
 };
 

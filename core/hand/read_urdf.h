@@ -1,5 +1,6 @@
 #pragma once
-/** @file Turns a checked URDF into the hand's tree, its collision shapes and its looks. */
+/** @file
+Turns a checked URDF into the hand's tree, its collision shapes and its looks. */
 
 #include <filesystem>
 #include <string>

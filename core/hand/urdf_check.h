@@ -4,8 +4,8 @@ Every problem of a URDF text, with its line.
 
 urdfdom turns a URDF into a model, but it knows no lines, stops at the first fault and prints to the
 console. So tinyxml2 looks at the text first, reports all problems at once, and hands on a tidied
-document: the part of URDF that describes a hand, without comments, extensions (<gazebo>,
-<transmission>, ...) and elements that are not used here (<dynamics>, <mimic>, ...). */
+document: the part of URDF that describes a hand, without comments, extensions (`<gazebo>`,
+`<transmission>`, ...) and elements that are not used here (`<dynamics>`, `<mimic>`, ...). */
 
 #include <filesystem>
 #include <string>

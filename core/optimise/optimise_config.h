@@ -1,5 +1,6 @@
 #pragma once
-/** @file The settings of an optimisation. */
+/** @file
+The settings of an optimisation. */
 
 #include <string>
 

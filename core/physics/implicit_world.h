@@ -99,7 +99,7 @@ class ImplicitWorld : public World {
   void UpdateBlocks(const std::vector<bool>& link_touches_object);
 
   SimConfig config_;
-  // Of sim.multibody=simbody; clones share the model, whose state is set anew in each step.
+  // Of sim.multibody=simbody; clones share the model, whose state is set again in each step.
   std::shared_ptr<SimbodyModel> simbody_model_;
   std::optional<SimbodyDynamics> simbody_;
   StepSolver solver_;

@@ -44,7 +44,7 @@ class StepSolver {
  public:
   static constexpr double kTolerance = 1e-9;  ///< largest impulse residual [N s, N m s]
   /** And at most what gives a degree of freedom alone this speed: a thin disc of 1 g would turn by
-  3e-3 rad/s for the other, in every step anew [m/s, rad/s]. */
+  3e-3 rad/s for the other, in every step again [m/s, rad/s]. */
   static constexpr double kSpeedTolerance = 1e-5;
   static constexpr int kMaxIterations = 50;  ///< of Newton, per pass
   static constexpr int kMaxPasses = 30;      ///< of friction limits and bias

@@ -103,7 +103,7 @@ class World {
   @throws Error(kUnsupported) where the backend cannot. */
   virtual std::unique_ptr<World> Clone() const = 0;
 
-  /** Starts anew, without contacts, history or external load. */
+  /** Starts again, without contacts, history or external load. */
   virtual void Reset(const WorldState& state) = 0;
 
   virtual StepReport Step(const WorldCommand& command) = 0;

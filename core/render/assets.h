@@ -1,5 +1,6 @@
 #pragma once
-/** @file Files of core/render/assets, compiled into the program (graspbench_embed). A stage is put
+/** @file
+Files of core/render/assets, compiled into the program (graspbench_embed). A stage is put
 together from them in shaders.cc. */
 
 #include <string_view>

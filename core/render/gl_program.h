@@ -1,5 +1,6 @@
 #pragma once
-/** @file A compiled GLSL program and its uniforms. */
+/** @file
+A compiled GLSL program and its uniforms. */
 
 #include <Eigen/Core>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The part of a mesh that bounds its solid (line_crossings.h). */
+/** @file
+The part of a mesh that bounds its solid (line_crossings.h). */
 
 #include "core/shape/tri_mesh.h"
 

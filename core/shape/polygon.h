@@ -1,5 +1,6 @@
 #pragma once
-/** @file A polygon of a mesh file, cut into triangles. */
+/** @file
+A polygon of a mesh file, cut into triangles. */
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Triangle mesh as plain data, in metres, counter-clockwise seen from outside. */
+/** @file
+Triangle mesh as plain data, in metres, counter-clockwise seen from outside. */
 
 #include <Eigen/Core>
 #include <vector>

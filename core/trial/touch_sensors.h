@@ -52,7 +52,7 @@ struct SensorConfig {
   double saturation = 10.0;     ///< of an element: more changes nothing [N]
   double hysteresis = 0.05;     ///< share by which a falling force is remembered
   double noise = 0.001;         ///< standard deviation, share of the full reading
-  double threshold = 0.006;     ///< likewise: above it is felt
+  double threshold = 0.006;     ///< detection threshold, share of the full reading
   double rate = 500.0;          ///< samples of every element [Hz]: a bounce may last 2 ms
 
   template <class V>

@@ -15,7 +15,7 @@ An outline that is shifted by d, turned by delta and thicker by b has
     h'(theta) = h(theta - delta) + d . (cos theta, sin theta) + b,
 
 which is fitted by least squares: first over all turns, then by Gauss-Newton steps with the outline
-thrown anew. b takes up that blur and threshold move the edge of the picture outwards.
+thrown again. b takes up that blur and threshold move the edge of the picture outwards.
 
 An outline that fits nearly as well after another turn does not tell which it is; the fit weighs the
 third moment of the outline, in which the ends of a long thing differ, with all its other parts. */
@@ -81,7 +81,7 @@ struct OutlineFit {
 };
 
 /** Of turns that fit alike, the nearest to the supposed one is taken; with no direction at all, the
-supposed one. Where the ends are not told apart, O is midway between what the two half-turns say.
+supposed one. Where the ends are not distinguished, O is midway between what the two half-turns say.
 @param tolerance  root mean square by which a worse fit is clearly worse [m]. */
 OutlineFit FitOutline(const Silhouette& seen, const OutlineModel& model,
                       const Eigen::Vector3d& p_WEye, const PlanarPose& supposed, double tolerance);

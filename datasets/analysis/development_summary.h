@@ -1,5 +1,6 @@
 #pragma once
-/** @file What the trials of a development were spent on, and what they gave. */
+/** @file
+What the trials of a development were spent on, and what they gave. */
 
 #include <string>
 #include <vector>

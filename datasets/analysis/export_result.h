@@ -1,5 +1,6 @@
 #pragma once
-/** @file What a finished session's folder holds beside its journals, by what kind of session it
+/** @file
+What a finished session's folder holds beside its journals, by what kind of session it
 is. */
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Does simultaneity matter? Of a session's trials as they came: how GFT, GOT, GFT% and GOT% go with
-what became of the trial, inside cells of one hand, object and grasp
+what became of the trial, within conditions (hand, object, grasp)
 (core/statistics/within_groups.h), so that easy objects do not pass for an effect. The trials of a
 cell differ in where the object stood and in the drives' errors, which move both sides: a relation
 is no cause. `delay_summary.h` imposes one.

@@ -16,7 +16,7 @@ void CheckSession(const fs::path& folder, const std::string& name, StoreState& s
   try {
     const Session session = LoadSession(folder / name, OnDamage::kAccept, RecordParts::kBrief);
     for (const Damage& damage : session.damage) {
-      if (damage.line == 0) continue;  // a manifest that was made anew, as the state says
+      if (damage.line == 0) continue;  // a manifest that was made again, as the state says
       state.damages.push_back({name + damage.path, damage.line, damage.text});
     }
     // Of an older session the state itself says that its files cannot be compared.

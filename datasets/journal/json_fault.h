@@ -1,5 +1,6 @@
 #pragma once
-/** @file What is wrong with a JSON text, in words of a person. */
+/** @file
+What is wrong with a JSON text, in words of a person. */
 
 #include <string>
 

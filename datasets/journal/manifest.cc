@@ -197,10 +197,11 @@ Manifest LoadManifest(const fs::path& folder) {
   } catch (const Json::exception&) {
   } catch (const Error&) {
   }
-  throw Error(ErrorKind::kFormat,
-              "\"" + path.string() +
-                  "\" is damaged, so that nothing vouches for the files beside it; take it from a "
-                  "backup, or make it anew with graspbench verify --repair");
+  throw Error(
+      ErrorKind::kFormat,
+      "\"" + path.string() +
+          "\" is damaged: the integrity of the files beside it cannot be verified; take it from a "
+          "backup, or make it again with graspbench verify --repair");
 }
 
 std::string FormatManifest(const Manifest& manifest) {

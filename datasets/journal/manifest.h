@@ -41,7 +41,7 @@ struct ManifestSource {
 
 /** How the files of a folder came about. */
 struct ManifestOrigin {
-  std::string command;             ///< that makes them anew; without names of places
+  std::string command;             ///< that makes them again; without names of places
   Json versions = Json::object();  ///< program, commit, physics, judge
   std::vector<ManifestSource> inputs;
 };

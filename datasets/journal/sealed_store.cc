@@ -76,7 +76,7 @@ Manifest MakeManifest(const StoreKind& kind, const fs::path& folder) {
   return manifest;
 }
 
-/** What never changes and cannot be made anew is judged by its first seal. */
+/** What never changes and cannot be made again is judged by its first seal. */
 void KeepFirstSeals(const StoreKind& kind, const Manifest& before, Manifest& after) {
   std::set<std::string> kept;  // thousands, in a session of many own objects
   for (const ManifestFile& old : before.files) {
@@ -195,7 +195,7 @@ void RepairJournals(const StoreKind& kind, const fs::path& folder, const Manifes
   }
 }
 
-/** True when something that can be made anew was damaged: then all of it is to be. */
+/** True when something that can be made again was damaged: then all of it is to be. */
 bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreState& state,
                    StoreRepair& repair) {
   bool is_damaged = false;
@@ -207,7 +207,7 @@ bool RepairDerived(const StoreKind& kind, const fs::path& folder, const StoreSta
       SetFileAside(folder / damage.path, kDamaged);
       action += "set aside as " + damage.path + kDamaged + "; ";
     }
-    repair.actions.push_back(action + "continuing makes it anew");
+    repair.actions.push_back(action + "continuing makes it again");
   }
   return is_damaged;
 }
@@ -220,7 +220,7 @@ void RepairOwnFiles(const StoreKind& kind, const fs::path& folder, StoreRepair& 
     before.versions = LoadVersions(kind, folder);
     before.is_made_anew = true;
     repair.actions.push_back(std::string(kManifestFile) +
-                             ": made anew from the files as they are now");
+                             ": made again from the files as they are now");
   }
   RepairJournals(kind, folder, before, state, repair);
   const bool are_derived_damaged = RepairDerived(kind, folder, state, repair);
@@ -258,7 +258,7 @@ void RepairOutputs(const StoreKind& kind, const fs::path& folder, StoreRepair& r
         SetFileAside(folder / name, kDamaged);
         action += "set aside as " + name + kDamaged + "; ";
       }
-      repair.actions.push_back(action + "graspbench " + output + " makes it anew");
+      repair.actions.push_back(action + "graspbench " + output + " makes it again");
     }
     if (!damages.empty()) UnsealOutput(folder / output);
   }

@@ -7,8 +7,8 @@ the last seal is good line by line. A store of a schema older than manifests can
 so; from its next run on it is sealed too.
 
 Tables and pages that are made from a store have a manifest each, in their own folder inside it.
-Nothing is read from them again, so that they stop no reader; CheckStore reports when one is not what
-was written. */
+Nothing is read from them again, so that they stop no reader; CheckStore reports when one is not
+what was written. */
 
 #include <filesystem>
 #include <map>
@@ -26,7 +26,7 @@ enum class OnDamage { kRefuse, kAccept };
 struct StaleResult {
   std::string path;     ///< "report", from the folder; ".": the folder itself
   std::string input;    ///< what has changed, from there: "../journal/*.jsonl"
-  std::string command;  ///< that makes it anew
+  std::string command;  ///< that makes it again
 };
 
 struct StoreState {
@@ -55,16 +55,17 @@ it is sealed with just these.
 void WriteDerived(const StoreKind& kind, const std::filesystem::path& folder,
                   const std::map<std::string, std::string>& contents);
 
-/** Before outputs are written into their folder: from now on nothing vouches for what is there.
-Files that somebody has changed since they were written are renamed to <file>.set-aside.
+/** Before outputs are written into their folder: from now on the integrity of what is there cannot
+be verified.
+Files that somebody has changed since they were written are renamed to `<file>.set-aside`.
 @throws Error(kUsage) when the folder is a link; kIo. */
 void UnsealOutput(const std::filesystem::path& output);
 /** When they are written. @param files  all of them, named from the folder. @throws Error(kIo). */
 void SealOutput(const std::filesystem::path& output, const std::vector<std::string>& files,
                 const ManifestOrigin& origin);
 
-/** The manifest's own text and files, each whole line behind them, the outputs, and whether what was
-made from something is older than that.
+/** The manifest's own text and files, each whole line behind them, the outputs, and whether what
+was made from something is older than that.
 @throws Error(kNotFound) when there is neither a store nor a manifest. */
 StoreState CheckStore(const std::filesystem::path& folder);
 
@@ -74,7 +75,7 @@ StoreState CheckStore(const std::filesystem::path& folder);
 StoreState VerifyStore(const std::filesystem::path& folder, OnDamage on_damage,
                        const std::vector<std::string>& only = {});
 
-/** Takes a journal out of a whole store: it is renamed to <journal>.set-aside, and what it holds
+/** Takes a journal out of a whole store: it is renamed to `<journal>.set-aside`, and what it holds
 counts as not run. @throws Error(kUsage) when there is no such journal, naming those that are there;
 as VerifyStore; kIo. */
 void SetJournalAside(const std::filesystem::path& folder, const std::string& journal);
@@ -83,9 +84,9 @@ struct StoreRepair {
   std::vector<std::string> actions;  ///< what was done, in words
   StoreState state;                  ///< afterwards: what cannot be repaired
 };
-/** Moves each line that is no record into <journal>.damaged, and files and outputs that can be made
-anew aside under such a name; no byte is lost. What is left is sealed; damage to files that never
-change stays damage. Nothing is done in a store older than manifests.
+/** Moves each line that is no record into `<journal>.damaged`, and files and outputs that can be
+made again aside under such a name; no byte is lost. What is left is sealed; damage to files that
+never change stays damage. Nothing is done in a store older than manifests.
 @throws as CheckStore; kFormat; kIo. */
 StoreRepair RepairStore(const std::filesystem::path& folder);
 

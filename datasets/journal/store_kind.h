@@ -26,11 +26,11 @@ struct StoreKind {
   int oldest_schema;    ///< that it still reads
   int sealed_schema;    ///< from here on there is a manifest
   const char* command;  ///< "graspbench run": starts one
-  const char* remedy;   ///< for another schema: "run the session anew into another folder"
+  const char* remedy;   ///< for another schema: "rerun the session into a new folder"
 
   // Names from the folder; one star in a part stands for any letters but a slash.
   std::vector<std::string> files;     ///< never change
-  std::vector<std::string> derived;   ///< never change, and can be made anew from the rest
+  std::vector<std::string> derived;   ///< never change, and can be made again from the rest
   std::vector<std::string> journals;  ///< grow by checked lines
   std::vector<std::string> stores;    ///< folders with a manifest of their own
 
@@ -42,7 +42,7 @@ struct StoreKind {
   whole lines are. None of them is continued behind a torn line (FindJournal of session_store.h). */
   std::vector<std::string> shared_journals = {};
 
-  /** Folders of what is made from the store and can be made anew at any time: see SealOutput. */
+  /** Folders of what is made from the store and can be made again at any time: see SealOutput. */
   std::vector<std::string> outputs = {};
 
   /** Of the journals; in one that is named by none of them any checked line may stand. */

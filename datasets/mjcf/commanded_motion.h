@@ -32,7 +32,7 @@ struct CommandedMotion {
 CommandedMotion RecordMotion(const TrialSetup& setup);
 
 /** One row a step, the start first: time_s, phase, arm_x_m .. arm_z_m and arm_x_m_per_s .. of the
-root's displacement from the start along the world's axes, <joint>_rad of every drive. */
+root's displacement from the start along the world's axes, `<joint>_rad` of every drive. */
 std::string FormatMotionCsv(const Hand& hand, const CommandedMotion& motion);
 
 }  // namespace graspbench

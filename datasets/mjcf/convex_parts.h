@@ -2,7 +2,7 @@
 /** @file
 A solid as a union of convex parts, for engines that know convex shapes only.
 
-The mesh is cut by planes across its axes, again and again, where the convex hull of a part reaches
+The mesh is cut by planes across its axes repeatedly, where the convex hull of a part reaches
 farthest out of the solid, until it reaches out by no more than a tolerance. The parts fill the
 solid (nothing of it is lost but slivers thinner than 0.1 mm) and stick out of it by at most
 `excess`: a groove or dimple shallower than the tolerance is bridged, a round hole becomes a

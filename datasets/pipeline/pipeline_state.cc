@@ -77,7 +77,7 @@ std::string DescribeChange(const std::string& fact, const std::string* before,
                            const std::string* now) {
   if (fact == "program") return "the program is another build";
   if (fact == "data") return "hands or objects of the program have changed";
-  if (HasPrefix(fact, kNeeded)) return fact + " was made anew";
+  if (HasPrefix(fact, kNeeded)) return fact + " was made again";
   if (HasPrefix(fact, kInput)) {
     return fact + (!before ? " is new" : !now ? " is not read any more" : " has changed");
   }
@@ -192,10 +192,11 @@ PipelineLock LoadPipelineLock(const fs::path& results) {
     if (json.at("schema") == kLockSchema && FormatLock(lock) == text) return lock;
   } catch (const Json::exception&) {
   }
-  throw Error(ErrorKind::kFormat,
-              "\"" + path.string() +
-                  "\" is not as it was written; remove it, and the next run makes every stage anew "
-                  "and keeps what is there as <stage>.set-aside");
+  throw Error(
+      ErrorKind::kFormat,
+      "\"" + path.string() +
+          "\" is not as it was written; remove it, and the next run makes every stage again "
+          "and keeps what is there as <stage>.set-aside");
 }
 
 void WritePipelineLock(const fs::path& results, const PipelineLock& lock) {

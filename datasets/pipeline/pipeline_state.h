@@ -53,7 +53,7 @@ std::vector<StageState> FindStageStates(const Pipeline& pipeline,
                                         const std::filesystem::path& results,
                                         const PipelineLock& lock, const StageFacts& program);
 
-/** That a stage has failed, as logs/<stage>.failed, until it runs again.
+/** That a stage has failed, as `logs/STAGE.failed`, until it runs again.
 @pre the folder of logs is there. @throws Error(kIo), std::filesystem::filesystem_error. */
 void KeepFailure(const std::filesystem::path& results, const std::string& stage, int exit_code);
 void ForgetFailure(const std::filesystem::path& results, const std::string& stage);

@@ -114,7 +114,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
   frozen.damage = std::move(state.damages);
   if (state.is_made_anew) {
     frozen.damage.push_back(
-        {kManifestFile, 0, "was lost and made anew: what had changed before is not noticed"});
+        {kManifestFile, 0, "was lost and made again: what had changed before is not noticed"});
   }
   return frozen;
 }

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What a session's hands and objects must have for its grip, asked before it starts. */
+/** @file
+What a session's hands and objects must have for its grip, asked before it starts. */
 
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"

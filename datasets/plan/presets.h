@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Named settings of sessions: the files of datasets/presets, <name>.yaml each. A preset is a session
+Named settings of sessions: the files of datasets/presets, `<name>.yaml` each. A preset is a session
 file that stands in the place of the defaults; a session that begins with one freezes what it
 contains, so a later change of the preset changes no session. */
 

@@ -31,7 +31,7 @@ const FileKeys& ListSessionKeys() {
       {"sensors.saturation_n", "", "force of an element above which nothing changes", 0.01, 1000},
       {"sensors.hysteresis", "", "share by which a falling force is remembered", 0, 0.9},
       {"sensors.noise", "", "standard deviation, share of the full reading", 0, 1},
-      {"sensors.threshold", "", "likewise: above it is felt", 0, 1},
+      {"sensors.threshold", "", "detection threshold, share of the full reading", 0, 1},
       {"sensors.rate_hz", "", "samples of every element", 1, 10000},
       {"imperfections.hysteresis_rad", "",
        "width of the loop between a drive's command and its joint; 0: none", 0, 0.3},

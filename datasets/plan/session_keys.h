@@ -1,5 +1,6 @@
 #pragma once
-/** @file The keys of a session file: what each is, and what its numbers may be. */
+/** @file
+The keys of a session file: what each is, and what its numbers may be. */
 
 #include "core/base/file_keys.h"
 

@@ -32,7 +32,7 @@ int ForEachTrialOf(const std::filesystem::path& journal, IndexUse index_use,
 
 class JournalIndex {
  public:
-  /** Makes it anew unless it ends where the journal ends, which nobody else writes.
+  /** Makes it again unless it ends where the journal ends, which nobody else writes.
   @throws Error(kIo). */
   explicit JournalIndex(const std::filesystem::path& journal);
 

@@ -233,7 +233,8 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"gft_ratio", "number", "", "gft_s / gct_s", TakeTiming(&ContactTiming::gft_ratio)},
       {"got_ratio", "number", "", "got_s / gct_s", TakeTiming(&ContactTiming::got_ratio)},
       {"contact_before_start", "boolean", "",
-       "1 when a digit touched before closure began: its times compare with no other trial's, and "
+       "1 when a digit touched before closure began (early contact): its times are not comparable, "
+       "and "
        "the medians of the report leave them out",
        [](const TrialRecord& record) {
          return Json(record.result.timing.contact_before_start ? 1 : 0);

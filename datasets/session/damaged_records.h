@@ -1,7 +1,7 @@
 #pragma once
 /** @file
-What lines that fail their checksum still say. Nothing vouches for it: it is for a comparison with
-the trial run again, which names what has changed, and for nothing else. */
+What lines that fail their checksum still say. Its integrity cannot be verified: it is for a
+comparison with the trial run again, which names what has changed, and for nothing else. */
 
 #include <vector>
 

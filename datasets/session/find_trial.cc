@@ -54,8 +54,8 @@ const PlannedTrial& FindByNumber(const Session& session, const std::string& name
     throw Error(ErrorKind::kNotFound, "\"" + name + "\": the session has " + cell + ":0 to " +
                                           cell + ":" + std::to_string(num_trials - 1));
   }
-  throw Error(ErrorKind::kNotFound,
-              "the session has no cell \"" + cell + "\"" + SuggestNames(cell, cells) + HowToName());
+  throw Error(ErrorKind::kNotFound, "the session has no condition \"" + cell + "\"" +
+                                        SuggestNames(cell, cells) + HowToName());
 }
 
 }  // namespace

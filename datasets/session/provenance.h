@@ -1,5 +1,6 @@
 #pragma once
-/** @file Which program has made something, and from what. */
+/** @file
+Which program has made something, and from what. */
 
 #include <filesystem>
 #include <string>

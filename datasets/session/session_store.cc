@@ -95,7 +95,7 @@ class Merger {
         ErrorKind::kFormat,
         "one trial has different results: two machines or versions of the program have written to "
         "this session or a file was edited; graspbench merge DIR --set-aside FILE leaves out what "
-        "one of these files holds and keeps it beside, or run the session anew");
+        "one of these files holds and keeps it beside, or rerun the session");
     if (parts_ == RecordParts::kPlaces) {
       lines_.judgements.resize(places_.size());
       lines_.trials = std::move(places_);

@@ -25,7 +25,7 @@ A session's folder:
 
 Finished = a valid journal line with the trial's id. Equal duplicates are fine, unequal ones are an
 error. Resume = plan minus finished. A worker of a shard (shard.h) has journals of its own,
-<shard>-<worker>.jsonl, and neither writes anything else nor reads what the others write.
+`SHARD-WORKER.jsonl`, and neither writes anything else nor reads what the others write.
 
 Results hold no wall clock or host, and no absolute path but those a person wrote into the
 configuration. session.json, plan.jsonl, index.sqlite and export/ have
@@ -99,7 +99,7 @@ struct ExportTable {
 };
 
 /** Writes index.sqlite and export/ from what LoadSession gives, record by record. Same records, same
-bytes. @param with_records  also records.jsonl; where it is, it is always written anew.
+bytes. @param with_records  also records.jsonl; where it is, it is always written again.
 @throws Error(kIo). */
 void ExportSession(const std::filesystem::path& folder, const Session& session,
                    bool with_records = false, const std::vector<ExportTable>& more = {});

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-A plan dealt out to several machines, as cards to players. A card is a run of trials of one hand and
-object, because the simulated world is built for a pair; a group of such trials is cut into halves,
-quarters, .. only until no shard has more than a fifth above its share. Card i goes to shard
+A plan partitioned, deterministically, over several machines. A card is a run of trials of one hand
+and object, because the simulated world is built for a pair; a group of such trials is cut into
+halves, quarters, .. only until no shard has more than a fifth above its share. Card i goes to shard
 i modulo N. A pure function of the plan, so that every machine knows its own part without asking. */
 
 #include <string>
@@ -23,7 +23,7 @@ Shard ParseShard(const std::string& text);
 /** "3/7", as ParseShard reads it. */
 std::string FormatShard(const Shard& shard);
 
-/** Whether the card of this number, from 0, is the shard's: cards are dealt one by one. */
+/** Whether the card of this number, from 0, is the shard's: cards go to the shards in turn. */
 bool IsCardOf(size_t card, const Shard& shard);
 
 /** "3of7": how the shard's files begin. */

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-The forms in which trajectories are written: one file <name>_trajectory.cc and one line of
+The forms in which trajectories are written: one file `<name>_trajectory.cc` and one line of
 trajectory_form_list.inc each. Equal trajectories give equal bytes. */
 
 #include <memory>

@@ -2,7 +2,7 @@
 /** @file
 When a digit first touched: several independent answers from the same trial.
 
-One detector is one file detectors/<id>.cc with Make<Name>Detector() and one line in
+One detector is one file `detectors/<id>.cc` with Make<Name>Detector() and one line in
 detectors/detector_list.inc. All are asked; one is believed (ContactOptions::detector), and the
 spread of the others is reported beside it.
 

@@ -365,7 +365,7 @@ const std::vector<TrialMeasure>& TrialMeasureList() {
        [](const A& a) { return a.timing_all.gft_ratio; }},
       {"touching_digits", "digits that touched", "",
        [](const A& a) { return static_cast<double>(a.num_touching); }},
-      {"contact_ties", "neighbours in the order of contact that cannot be told apart", "",
+      {"contact_ties", "neighbours in the order of contact whose instants are not resolved", "",
        [](const A& a) { return static_cast<double>(a.order.num_ties); }},
       {"peak_opening_m", "peak opening", "m", [](const A& a) { return a.closure_start_value; }},
       {"time_to_peak_opening_s", "onset to peak opening", "s",

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Files of human_study/statistics/assets, compiled into the program (graspbench_embed). */
+/** @file
+Files of human_study/statistics/assets, compiled into the program (graspbench_embed). */
 
 #include <string_view>
 

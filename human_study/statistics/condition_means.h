@@ -28,7 +28,7 @@ enum class BarKind { kBetweenPerson, kLoftusMasson, kCousineau, kCousineauMorey 
 /** All kinds, in the order above. */
 const std::vector<BarKind>& ListBarKinds();
 
-/** For the caption: "95 % interval of the mean between persons", .. */
+/** For the caption: "95 % interval of the mean between persons" and the like. */
 std::string_view NameOf(BarKind kind);
 
 /** Half the length of the 95 % bar of each cell.

@@ -1,8 +1,8 @@
 #pragma once
 /** @file
-What every statistic of a study starts from: one measure, a row a trial, in long ("tidy") form; and
-its mean per person and condition, the unit of analysis of a repeated-measures design. Factors vary
-within each person; groups (patients, controls) are factors that do not. */
+What every statistic of a study starts from: one measure, one row per trial, in long ("tidy") form;
+and its mean per person and condition, the unit of analysis of a repeated-measures design. Factors
+vary within each person; groups (patients, controls) are factors that do not. */
 
 #include <Eigen/Core>
 #include <limits>
@@ -65,7 +65,7 @@ is not a complete design (an unknown level, two factors of the same name, a pers
 ..) or a value is infinite. */
 Answer<CellMeans> CalcCellMeans(const MeasureTable& table);
 
-/** Why a value cannot be analysed: it is infinite, or so large that its square is. Empty: it can. */
+/** Why a value cannot be analysed: it is infinite, or so large that its square is; empty: it can. */
 std::string FindUnusable(double value);
 
 /** Index of a row's cell. No answer unless its levels are known. */

@@ -3,7 +3,7 @@
 The trials as one tidy table with its data dictionary, and a script that repeats the statistics with
 R: for readers who trust only what they have computed themselves.
 
-- tidy.csv: a row a trial and measure: person, trial, the factors, `<factor>_number` for factors
+- tidy.csv: one row per trial and measure: person, trial, the factors, `<factor>_number` for factors
   whose levels are quantities, the groups, the session, measure, value (core/base/text/csv.h; a
   missing value is an empty cell);
 - tidy.json: the data dictionary, a Frictionless Table Schema with the list of measures;

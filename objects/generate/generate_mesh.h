@@ -1,5 +1,6 @@
 #pragma once
-/** @file Draws the catalogue's meshes; see main.cc. */
+/** @file
+Draws the catalogue's meshes; see main.cc. */
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,7 @@ namespace graspbench {
 @throws Error(kNotFound) for an id that has no drawing. */
 TriMesh GenerateMesh(const std::string& id, const Eigen::Vector3d& size);
 
-/** Writes FOLDER/<id>/mesh.obj for every drawing, sized by FOLDER/<id>/object.yaml. */
+/** Writes `FOLDER/ID/mesh.obj` for every drawing, sized by `FOLDER/ID/object.yaml`. */
 void GenerateMeshes(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Everything a reader of a campaign must know before trusting the numbers, as sentences. */
+/** @file
+Everything a reader of a campaign must know before trusting the numbers, as sentences. */
 
 #include <string>
 #include <vector>

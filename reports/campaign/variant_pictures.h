@@ -1,5 +1,6 @@
 #pragma once
-/** @file The three variants of a scene's grasp side by side, closed, seen by one camera. */
+/** @file
+The three variants of a scene's grasp side by side, closed, seen by one camera. */
 
 #include <array>
 #include <map>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Files of reports/page/assets, compiled into the program (reports/CMakeLists.txt). */
+/** @file
+Files of reports/page/assets, compiled into the program (reports/CMakeLists.txt). */
 
 #include <string_view>
 

@@ -39,7 +39,7 @@ void AddNonsense(const ReportData& data, std::vector<std::string>& findings) {
       }
       findings.push_back("Not physical, so no success: " + NameOfCell(cell, data.models) +
                          ", trial " + std::to_string(record->plan.trial) + ": " +
-                         record->result.reason + "; the cell's pictures show such a trial.");
+                         record->result.reason + "; the condition's pictures show such a trial.");
     }
   }
 }

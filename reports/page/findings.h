@@ -1,5 +1,6 @@
 #pragma once
-/** @file Everything a reader must know before trusting the numbers, as sentences. */
+/** @file
+Everything a reader must know before trusting the numbers, as sentences. */
 
 #include <string>
 #include <vector>

@@ -43,7 +43,7 @@ class Html {
 /** The text, escaped. */
 Html Text(std::string_view text);
 
-/** <tag attributes>content</tag>; an HTML void element (img, br, col) is closed in its tag. SVG
+/** `<tag attributes>content</tag>`; an HTML void element (img, br, col) is closed in its tag. SVG
 elements are made in the same way. @pre a void element has no content. */
 Html Element(const char* tag, const Attributes& attributes, const Html& content = {});
 /** The element with text in it. */

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A page that runs a script of its own beside what every page has. */
+/** @file
+A page that runs a script of its own beside what every page has. */
 
 #include <string>
 

@@ -13,7 +13,7 @@ struct PaperFile {
   std::string content;
 };
 
-/** figures/<id>.svg in the light colours without variables, links and scripts; tables/<id>.csv; the
+/** `figures/ID.svg` in the light colours without variables, links and scripts; `tables/ID.csv`; the
 captions of both with the page's numbers and the methods, in Markdown; the references. The same page
 gives the same bytes. @pre a page of MakePage. */
 std::vector<PaperFile> MakePaperFiles(const std::string& page);

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A hand seen from its palm's side, its tactile elements as discs of their area. */
+/** @file
+A hand seen from its palm's side, its tactile elements as discs of their area. */
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 /** @file
 The report's plots as inline SVG: no script, no font files, the same data give the same bytes.
 
-Every plot has a <title> and a <desc> for people who cannot see it. Colours and strokes come from
+Every plot has a `<title>` and a `<desc>` for people who cannot see it. Colours and strokes come from
 classes of assets/style.css, so plots follow light, dark and print. Colour is never the only sign:
 cells and segments carry text, marks differ in shape. */
 

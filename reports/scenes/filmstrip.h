@@ -1,5 +1,6 @@
 #pragma once
-/** @file The pictures of one trial side by side, with their moments and times. */
+/** @file
+The pictures of one trial side by side, with their moments and times. */
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Instants of a trial as scenes: hand, object, contacts, and the forces they could bear. */
+/** @file
+Instants of a trial as scenes: hand, object, contacts, and the forces they could bear. */
 
 #include <memory>
 #include <optional>

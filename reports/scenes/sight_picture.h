@@ -1,5 +1,6 @@
 #pragma once
-/** @file A picture of a wrist camera with what was found in it. */
+/** @file
+A picture of a wrist camera with what was found in it. */
 
 #include "core/vision/wrist_camera.h"
 #include "reports/plots/svg_parts.h"

@@ -62,8 +62,8 @@ std::string ExplainCodes() {
 Html DrawCellTable(const ReportData& data) {
   const Align number = Align::kNumber;
   Table table(
-      "Every cell: successes with 95 % Wilson interval, other outcomes, median contact times.",
-      {{"Object", Align::kText, "leads to the cell's section"},
+      "Every condition: successes with 95 % Wilson interval, other outcomes, median contact times.",
+      {{"Object", Align::kText, "leads to the condition's section"},
        {"Hand"},
        {"Grasp"},
        {"n", number, "finished trials"},
@@ -98,6 +98,6 @@ Html DrawCellTable(const ReportData& data) {
 
 }  // namespace
 
-Section cell_table_section() { return {"table", "All cells", DrawCellTable}; }
+Section cell_table_section() { return {"table", "All conditions", DrawCellTable}; }
 
 }  // namespace graspbench

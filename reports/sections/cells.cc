@@ -44,7 +44,7 @@ Html DrawFilmstrips(const CellSummary& cell, const ReportData& data) {
   const auto found = data.pictures.by_cell.find(cell.key);
   if (found == data.pictures.by_cell.end()) {
     return Element("p", {{"class", "missing"}},
-                   Text("No pictures of this cell") +
+                   Text("No pictures of this condition") +
                        (data.pictures.problems.empty() && data.models.problems.empty()
                             ? Text(".")
                             : Text("; the reason is among the ") +
@@ -269,7 +269,8 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
 Html DrawCells(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
-      "Each cell shows one trial in pictures, the first successful one where there is any, and one "
+      "Each condition shows one trial in pictures, the first successful one where there is any, "
+      "and one "
       "of each other outcome, seen by a camera that only rises with a hand that lifts the object. "
       "The records hold these three moments; graspbench trial draws any other. Below them stand "
       "the times at which each grasping digit first touched the object, one mark per trial: a disc "
@@ -281,13 +282,14 @@ Html DrawCells(const ReportData& data) {
                       Text("digits that arrive late or never, crosses apart from the discs, "
                            "fingers that hold the object otherwise than the grasp intends."));
   if (!IsDrawnInFull(data.summary.cells.back(), data.summary)) {
-    html += MakeNote("info", "This session has too many cells for one page.",
+    html += MakeNote("info", "This session has too many conditions for one page.",
                      MakeParagraph("The first of them are shown in full, the others by their rates "
                                    "alone; export/trials.csv has all their trials."));
   }
-  html += Element("p", {{"class", "print"}},
-                  "Printed is one trial of each cell; the page on a screen has all trials, and "
-                  "export/trials.csv beside it their values.");
+  html +=
+      Element("p", {{"class", "print"}},
+              "Printed is one trial of each condition; the page on a screen has all trials, and "
+              "export/trials.csv beside it their values.");
   for (const std::string& hand : data.summary.hands) {
     Html cells;
     for (const CellSummary& cell : data.summary.cells) {
@@ -301,6 +303,6 @@ Html DrawCells(const ReportData& data) {
 
 }  // namespace
 
-Section cells_section() { return {"cells", "Cell by cell", DrawCells}; }
+Section cells_section() { return {"cells", "Condition by condition", DrawCells}; }
 
 }  // namespace graspbench

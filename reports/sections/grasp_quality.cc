@@ -41,7 +41,7 @@ Html DrawRanks(const JudgeEvidence& evidence) {
       "force, " +
           FormatCount(evidence.num_judged, "judged grasp") + " of " +
           FormatCount(evidence.num_cells, "cell") +
-          "; intervals at 95 % from drawing cells with replacement.",
+          "; intervals at 95 % from drawing conditions with replacement.",
       "1 ranks as the judge does, 0 knows nothing of it. Names of epsilons are conventions; "
       "dexgraspbench counts down and is taken with its sign turned.",
       MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
@@ -85,8 +85,8 @@ Html DrawAgreement(const JudgeEvidence& evidence) {
 
 Html DrawQualityOfCells(const ReportData& data) {
   const Align number = Align::kNumber;
-  Table table("Held grasps by cell and seat, medians.",
-              {{"Cell"},
+  Table table("Held grasps by condition and seat, medians.",
+              {{"Condition"},
                {"Seat"},
                {"Judged", number},
                {"Breaking force [N]", number, "smallest of six pulls, on top of the weight"},
@@ -102,7 +102,7 @@ Html DrawQualityOfCells(const ReportData& data) {
          Text(FormatFixed(MmFromM(loads.moment.median), 1)),
          Text(FormatFixed(loads.sigma.median, 2)), Text(FormatFixed(loads.epsilon.median, 3))});
   }
-  return MakeDetails("Breaking loads of every cell", table.ToHtml());
+  return MakeDetails("Breaking loads of every condition", table.ToHtml());
 }
 
 Html DrawGraspQuality(const ReportData& data) {

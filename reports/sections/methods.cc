@@ -53,7 +53,7 @@ Html DrawOrigins() {
     table.AddRow({Text(item), Text(origin)});
   };
   add("Five-phase strategy; four grasp types, five standard grasps", "known from the thesis");
-  add("Mass, size, centre of mass and friction of the 21 objects; ten trials per cell",
+  add("Mass, size, centre of mass and friction of the 21 objects; ten trials per condition",
       "known from the thesis, table 4.1");
   add("Joint accuracy of 2 degrees of the TUM Hand", "known from the thesis");
   add("Names of GCT, GFT, GOT, GFT%, GOT%; the order GCT, GFT, GOT from large to small",

@@ -35,7 +35,7 @@ Html DrawFailures(const ReportData& data) {
   constexpr int kMaxListed = 200;
   int num_listed = 0;
   Table table("Trials that ended as numerical failure.",
-              {{"Cell"}, {"Trial"}, {"Trial id"}, {"Reason", Align::kProse}});
+              {{"Condition"}, {"Trial"}, {"Trial id"}, {"Reason", Align::kProse}});
   for (const CellSummary& cell : data.summary.cells) {
     for (const TrialRecord* record : cell.records) {
       if (record->result.outcome != Outcome::kNumericalFailure) continue;

@@ -15,8 +15,8 @@ Html DrawHand(const std::string& hand, const ReportData& data) {
   StackedBars plot;
   plot.text.title = "Outcomes with the " + name;
   plot.text.description =
-      "One bar per cell, divided by outcome; the same counts stand in the table "
-      "of all cells.";
+      "One bar per condition, divided by outcome; the same counts stand in the table "
+      "of all conditions.";
   for (Outcome outcome : ListOutcomes())
     plot.classes.push_back({WordsOf(outcome), CodeOf(outcome)});
   plot.rows.push_back(MakeRow("all objects", {}, data.summary.TallyOf(hand)));

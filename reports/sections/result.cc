@@ -43,9 +43,9 @@ Html DescribeFailures(const ReportData& data) {
   for (const CellSummary& cell : data.summary.cells) {
     if (cell.tally.finished > 0 && cell.tally.successes() == 0) without.push_back(&cell);
   }
-  if (without.empty()) return text + Text(", and no cell is without a success.");
+  if (without.empty()) return text + Text(", and every condition succeeded at least once.");
   text += Text(", and " + std::to_string(without.size()) + " of " +
-               FormatCount(static_cast<int>(data.summary.cells.size()), "cell") +
+               FormatCount(static_cast<int>(data.summary.cells.size()), "condition") +
                (without.size() == 1 ? " has" : " have") + " no success: ");
   for (size_t i = 0; i < std::min(without.size(), kMaxNamedCells); ++i) {
     if (i > 0) text += Text(", ");
@@ -150,10 +150,11 @@ Html DrawWorstCells(const ReportData& data) {
     return a->tally.rate() < b->tally.rate();
   });
   const size_t num_shown = std::min(worst.size(), kMaxShown);
-  Table table("The weakest of " + FormatCount(static_cast<int>(data.summary.cells.size()), "cell") +
-                  "; " + std::to_string(worst.size()) + (worst.size() == 1 ? " has" : " have") +
+  Table table("The weakest of " +
+                  FormatCount(static_cast<int>(data.summary.cells.size()), "condition") + "; " +
+                  std::to_string(worst.size()) + (worst.size() == 1 ? " has" : " have") +
                   " failures.",
-              {{"Cell", Align::kProse}, {"Successes", Align::kNumber}, {"Most often"}});
+              {{"Condition", Align::kProse}, {"Successes", Align::kNumber}, {"Most often"}});
   for (size_t i = 0; i < num_shown; ++i) {
     const CellSummary& cell = *worst[i];
     table.AddRow(

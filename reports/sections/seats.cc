@@ -25,8 +25,8 @@ Html DrawSeats(const ReportData& data) {
       "Caged is a success that holds with less than 1.5 N or five weights. Figures of two seats "
       "are not averaged. ";
   const Align number = Align::kNumber;
-  Table table("Held grasps by cell and seat: medians, lowest to highest.",
-              {{"Cell"},
+  Table table("Held grasps by condition and seat: medians, lowest to highest.",
+              {{"Condition"},
                {"Seat"},
                {"Held", number, "successes that sit so"},
                {"Caged", number},

@@ -49,7 +49,7 @@ Html DrawMeasures(const std::string& hand, const SensitivitySummary& summary) {
   const Align number = Align::kNumber;
   Table table(
       "What single settings change of medians of the " + hand +
-          ", with 95 % intervals from drawing cells; trials in which both have the measure.",
+          ", with 95 % intervals from drawing conditions; trials in which both have the measure.",
       {{"Setting"},
        {"Was", number, "the session's value"},
        {"Pairs", number, "trials of the same draws"},
@@ -102,18 +102,19 @@ Html DrawSensitivity(const ReportData& data) {
   const Html hands = DrawHands(data, benchmark);
   if (hands.empty()) return html;
   return html +
-         MakeNote("info",
-                  "Measured on the benchmark session, the first 2 of 10 trials of each cell: both "
-                  "hands, 21 objects, best-suited grasp, seed 1, physics version " +
-                      std::to_string(benchmark.physics_version),
-                  MakeParagraph("Other objects, grasps and settings depend on other things.")) +
+         MakeNote(
+             "info",
+             "Measured on the benchmark session, the first 2 of 10 trials of each condition: both "
+             "hands, 21 objects, best-suited grasp, seed 1, physics version " +
+                 std::to_string(benchmark.physics_version),
+             MakeParagraph("Other objects, grasps and settings depend on other things.")) +
          hands;
 }
 
 }  // namespace
 
 Section sensitivity_section() {
-  return {"sensitivity", "How far these numbers depend on what nobody measured", DrawSensitivity};
+  return {"sensitivity", "Sensitivity to unmeasured parameters", DrawSensitivity};
 }
 
 }  // namespace graspbench

@@ -194,6 +194,6 @@ Html DrawSensors(const ReportData& data) {
 
 }  // namespace
 
-Section sensors_section() { return {"sensors", "What the hand saw and felt", DrawSensors}; }
+Section sensors_section() { return {"sensors", "Perception and touch", DrawSensors}; }
 
 }  // namespace graspbench

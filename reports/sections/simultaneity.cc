@@ -47,16 +47,16 @@ std::string DescribeHand(const std::string& name, const Relations& relations) {
              NameWithoutUnit(row) + " (" + FormatRho(row) + ")";
     ++num_found;
   }
-  if (num_tests == 0) return name + ": too few trials of a cell that differ.";
+  if (num_tests == 0) return name + ": too few trials of a condition that differ.";
   return name + ": " + (num_found == 0 ? "none" : std::to_string(num_found)) + " of " +
-         FormatCount(num_tests, "relation") + " can be told from chance" + found + ".";
+         FormatCount(num_tests, "relation") + " with a 95 % CI that excludes 0" + found + ".";
 }
 
 Html DrawRatios(const std::string& name, const Relations& relations) {
   IntervalPlot plot;
-  plot.text.title = "What goes with GFT% inside the cells of the " + name;
+  plot.text.title = "Within-condition correlations with GFT% of the " + name;
   plot.text.description = "Rank correlations with 95 % intervals, one row per response.";
-  plot.axis = "rank correlation with GFT%, inside cells";
+  plot.axis = "rank correlation with GFT%, within conditions";
   for (const SimultaneityRelation& row : relations) {
     if (row.measure != "gft_ratio" || !row.relation) continue;
     IntervalPlot::Row shown;
@@ -77,15 +77,15 @@ Html DrawRatios(const std::string& name, const Relations& relations) {
 Html DrawAll(const Relations& relations, const SessionModels& models) {
   const Align number = Align::kNumber;
   Table table(
-      "Rank correlation of measures of simultaneity with what became of the trial, inside "
-      "cells, with 95 % intervals.",
+      "Rank correlation of measures of simultaneity with what became of the trial, within "
+      "conditions, with 95 % intervals.",
       {{"Hand"},
        {"Of the trial"},
        {"Measure"},
-       {"Trials", number, "in cells that say something"},
-       {"Cells", number},
+       {"Trials", number, "in conditions with informative trials"},
+       {"Conditions", number},
        {"Correlation", number},
-       {"p", number, "two-sided, from shuffles inside cells"},
+       {"p", number, "two-sided, by permutation within conditions"},
        {"p of all", number, "after Holm, over the table"}});
   for (const SimultaneityRelation& row : relations) {
     if (!row.relation) continue;
@@ -107,9 +107,10 @@ Html DrawSimultaneity(const ReportData& data) {
   }
   const Relations relations = SummariseSimultaneity(data.session);
   Html html = MakeParagraph(
-      "Trials of one cell (hand, object, grasp) differ in where the object stood and in the "
+      "Trials of one condition (hand, object, grasp) differ in where the object stood and in the "
       "drives' "
-      "errors. Inside cells, how do GFT, GOT, GFT% and GOT% go with what became of the trial?");
+      "errors. Within conditions, how do GFT, GOT, GFT% and GOT% go with what became of the "
+      "trial?");
   Html figures;
   for (const std::string& hand : data.summary.hands) {
     const std::string name = data.models.NameOfHand(hand);

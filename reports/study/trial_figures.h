@@ -1,5 +1,6 @@
 #pragma once
-/** @file One trial of a study as figures, for the report and for the pages of a review. */
+/** @file
+One trial of a study as figures, for the report and for the pages of a review. */
 
 #include <string>
 #include <vector>

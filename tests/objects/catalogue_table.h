@@ -1,5 +1,6 @@
 #pragma once
-/** @file Table 4.1 of the thesis as printed, to hold the catalogue against. */
+/** @file
+Table 4.1 of the thesis as printed, to hold the catalogue against. */
 
 #include <string>
 #include <vector>

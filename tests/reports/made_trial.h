@@ -1,5 +1,6 @@
 #pragma once
-/** @file A trial of known numbers: a hand of one thumb that turns and slides, a box it lifts. */
+/** @file
+A trial of known numbers: a hand of one thumb that turns and slides, a box it lifts. */
 
 #include <cmath>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Pages of results made of known numbers, read back by an XML parser. */
+/** @file
+Pages of results made of known numbers, read back by an XML parser. */
 
 #include <tinyxml2.h>
 

@@ -181,7 +181,7 @@ TEST(SessionReport, DamagedJournalLinesAndMissingModelsAreTold) {
   ExpectContains(findings, "Warning in journal/2.jsonl, line 17: checksum does not fit");
   ExpectContains(findings, "the object \"can\" cannot be loaded: gone");
   ExpectContains(findings, "libOSMesa.so.8 is missing");
-  ExpectContains(TextOfSection(page, "tum-can-g3"), "No pictures of this cell; the reason is");
+  ExpectContains(TextOfSection(page, "tum-can-g3"), "No pictures of this condition; the reason is");
   ExpectContains(TextOfSection(page, "result"), "4 findings");
 }
 
@@ -346,7 +346,7 @@ TEST(SessionReport, ShowsWhatGoesWithSimultaneity) {
   ExpectContains(section, "GFT with slip in the hold (-1.00");
   EXPECT_EQ(section.find("GFT with sigma"), std::string::npos) << section;  // all alike
   ExpectContains(TextOfSection(MakePageOf(MakeSession({"tum"}, {"can"}, "g3", 2)), "simultaneity"),
-                 "too few trials of a cell that differ");
+                 "too few trials of a condition that differ");
 }
 
 // Who has not run it sees what the benchmark depends on, named as that.

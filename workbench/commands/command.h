@@ -42,7 +42,7 @@ void AddListOption(CLI::App& command, const std::string& name, std::vector<std::
                    const std::string& text, const std::string& form);
 /** "--hand" and "--object", with the configuration's defaults. */
 void AddSceneOptions(CLI::App& command, SessionConfig& config);
-/** "--set KEY=VALUE", again and again. */
+/** "--set KEY=VALUE", may be repeated. */
 void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
                        const std::string& example);
 /** "--evaluations" and "--fitness-trials". */

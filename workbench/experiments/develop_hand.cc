@@ -105,7 +105,7 @@ class GraspTrials {
     if (stored.stage == asked.stage && stored.id == asked.id) return;
     throw Error(ErrorKind::kUsage,
                 "the journal of the development was begun with another version of the hand, the "
-                "physics or the program; develop anew into another folder");
+                "physics or the program; develop into a new folder");
   }
 
   TrialSetup MakeSetup(const DevelopRequest& request, const DevelopRequest::Trial& trial) const {

@@ -3,7 +3,7 @@
 Develops the standard grasps of a hand (core/develop) in a folder that becomes a hand of its own:
 
     hand.urdf, meshes/     as they were
-    hand.yaml              with the section `grasps` made anew, when all grasps are developed
+    hand.yaml              with the section `grasps` made again, when all grasps are developed
     development/           how they came to be: a store of its own (datasets/scene/
                            development_store.h)
 

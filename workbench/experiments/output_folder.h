@@ -10,7 +10,7 @@ files are all listed and unchanged, but for those that its own scripts write. Ev
 refused and named: foreign or changed files, an existing file, an empty name, the home folder, a
 mount point, a folder that holds an input.
 
-A new folder is filled beside the target, in .<name>.part-<process>, and swapped in when it is
+A new folder is filled beside the target, in `.<name>.part-<process>`, and swapped in when it is
 complete, so that the target holds the old result, the new one, or nothing. What a killed program
 left there is removed by the next. */
 

@@ -18,8 +18,8 @@ namespace graspbench {
 struct SessionRequest {
   std::optional<SessionConfig> config;  ///< none: that of the session to resume, or the benchmark
   std::string name = "benchmark";       ///< of the folder without `out`
-  /** Empty: results/<name>-<hash of the plan>, so the same session always has the same folder and
-  another one never gets in its way; it is continued when it is there. */
+  /** Empty: `results/NAME-HASH` with the hash of the plan, so the same session always has the same
+  folder and another one never gets in its way; it is continued when it is there. */
   std::filesystem::path out;
   bool resume = false;                        ///< continue the session in `out`
   OnDamage on_damage = OnDamage::kRefuse;     ///< of the session to continue

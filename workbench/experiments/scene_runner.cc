@@ -51,7 +51,7 @@ class JournaledTrials {
     throw Error(ErrorKind::kUsage,
                 "the journal of " + config_.hand + ", " + config_.object + ", " + config_.grasp +
                     " was begun with another version of the hand, the object, the physics or the "
-                    "program; optimise anew into another folder");
+                    "program; optimise into a new folder");
   }
 
   void Simulate(const std::vector<LearningRequest>& requests, const std::vector<size_t>& left,

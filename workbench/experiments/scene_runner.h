@@ -62,8 +62,8 @@ ReplayedIndividual ReplayIndividual(const std::filesystem::path& folder, int num
 std::filesystem::path SaveReplayed(const std::filesystem::path& folder,
                                    const ReplayedIndividual& replayed);
 
-/** Where an optimisation goes that is not told where: named by its configuration, so that the same
-one is continued. */
+/** Where an optimisation goes without a folder of its own: named by its configuration, so that the
+same one is continued. */
 std::filesystem::path NameSceneFolder(const SceneConfig& config, const SceneInputs& inputs);
 
 }  // namespace graspbench

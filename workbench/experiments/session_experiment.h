@@ -1,10 +1,10 @@
 #pragma once
 /** @file
 An experiment on the draws of a session: a session of its own with conditions
-(datasets/plan/conditions.h), in the folder of the first, <kind>/<hash of the plan>. So it is run,
-stopped, continued, sharded, merged, judged, verified and reported like any other. What is there
-already, of the session and of earlier experiments of the kind, is not run again: a trial's id
-hashes everything that decides it.
+(datasets/plan/conditions.h), in the folder of the first, `KIND/HASH` with the hash of the plan. So
+it is run, stopped, continued, sharded, merged, judged, verified and reported like any other. What
+is there already, of the session and of earlier experiments of the kind, is not run again: a trial's
+id hashes everything that decides it.
 
 A kind of experiment is its conditions and its summary: run_sensitivity, numerics_check and
 delay_sweep have a file each. */

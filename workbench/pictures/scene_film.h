@@ -1,5 +1,6 @@
 #pragma once
-/** @file A hand and an object as a moving picture, from one camera that sees all of it. */
+/** @file
+A hand and an object as a moving picture, from one camera that sees all of it. */
 
 #include <functional>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Pictures of an instant of a trial, with its contacts and forces. */
+/** @file
+Pictures of an instant of a trial, with its contacts and forces. */
 
 #include <string>
 

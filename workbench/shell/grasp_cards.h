@@ -1,5 +1,6 @@
 #pragma once
-/** @file The grasp of a shell's scene as text: what its contacts can do, how its pads stand. */
+/** @file
+The grasp of a shell's scene as text: what its contacts can do, how its pads stand. */
 
 #include <string>
 

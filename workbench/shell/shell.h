@@ -34,7 +34,7 @@ class Shell {
   ShellScene& scene();
   /** What the scene is or will be made of; loads nothing. */
   const SceneChoice& choice() const { return scene_.choice(); }
-  /** Takes another choice, which `Undo` takes back; the trial starts anew. */
+  /** Takes another choice, which `Undo` takes back; the trial starts again. */
   void Change(const SceneChoice& choice);
   /** The same, and the trial stands at the time at which it stood. */
   void ChangeNow(const SceneChoice& choice);

@@ -131,8 +131,8 @@ Names ListFiles(const std::string& word) {
 
 const std::vector<ShellCommand>& ListShellCommands() {
   static const std::vector<ShellCommand> commands = {
-      {"scene", kScene, "", "Say what is chosen and where the trial stands.", "scene", 0, 0, -1,
-       nullptr, &ShowScene},
+      {"scene", kScene, "", "Say what is chosen and the current state of the trial.", "scene", 0, 0,
+       -1, nullptr, &ShowScene},
       {"hand", kScene, "HAND", "Take another hand, by id, name or folder.", "hand shadow", 1,
        kAnyNumber, 0, &ListHandNames, &ChooseHand},
       {"object", kScene, "OBJECT", "Take another object, by id, name or folder.",

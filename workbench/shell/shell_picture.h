@@ -24,7 +24,7 @@ characters in a pipe, under NO_COLOR and in a dumb terminal. tmux and screen sho
 they run in. @param environment  "NAME=value". */
 PictureForm ChoosePictureForm(bool is_terminal, const std::vector<std::string>& environment);
 
-/** Draws a scene again and again: meshes are uploaded once for each size of picture. */
+/** Draws a scene repeatedly: meshes are uploaded once for each size of picture. */
 class ScenePainter {
  public:
   /** @throws Error(kEnvironment) when the machine cannot draw. */

@@ -68,7 +68,7 @@ std::string FindStandardId(const Grasp& grasp);
 class ShellScene {
  public:
   /** Loads what is chosen, as far as it is not loaded, and stands at the start of its trial. What
-  stands in files of the user is read anew.
+  stands in files of the user is read again.
   @throws Error when that cannot be; the scene is then as it was. */
   void Choose(const SceneChoice& choice);
   const SceneChoice& choice() const { return choice_; }

@@ -1,5 +1,6 @@
 #pragma once
-/** @file How far shards are, as JSON and as a table for the terminal. */
+/** @file
+How far shards are, as JSON and as a table for the terminal. */
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What settings change, as text for the terminal. */
+/** @file
+What settings change, as text for the terminal. */
 
 #include <string>
 

@@ -37,7 +37,7 @@ std::string FormatRelations(const std::vector<SimultaneityRelation>& relations) 
     return "no relation can be found: no cell (hand, object, grasp) has three trials or more that "
            "differ in what is compared; run more trials of each\n";
   }
-  TextTable table({"hand", "of the trial", "measure", "trials", "cells", "rank correlation"});
+  TextTable table({"hand", "of the trial", "measure", "trials", "conditions", "rank correlation"});
   for (const SimultaneityRelation& row : relations) {
     const bool has_numbers = row.relation.has_value();
     table.AddRow({row.hand, row.response->shown.label, NameTimingMeasure(row.measure),
@@ -46,7 +46,7 @@ std::string FormatRelations(const std::vector<SimultaneityRelation>& relations) 
                   FormatRelation(row)});
   }
   return table.Format() +
-         "inside cells of one hand, object and grasp, with 95 % intervals; * differs from 0 at 5 % "
+         "within conditions (hand, object, grasp), with 95 % intervals; * differs from 0 at 5 % "
          "over all rows (Holm)\n";
 }
 
@@ -67,7 +67,7 @@ std::string FormatDoseResponses(const std::vector<DoseResponse>& rows) {
   }
   return table.Format() +
          "the same trials on the same draws with one digit late; 95 % intervals from drawing "
-         "cells; all but success, pushes and turns are of trials that succeed at every "
+         "conditions; all but success, pushes and turns are of trials that succeed at every "
          "delay\n";
 }
 

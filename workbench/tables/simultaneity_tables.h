@@ -1,5 +1,6 @@
 #pragma once
-/** @file What simultaneity and the lack of it go with, as text for the terminal. */
+/** @file
+What simultaneity and the lack of it go with, as text for the terminal. */
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What a sweep found, as text for the terminal. */
+/** @file
+What a sweep found, as text for the terminal. */
 
 #include <string>
 

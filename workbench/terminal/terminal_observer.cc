@@ -19,7 +19,7 @@ void TerminalObserver::BeginStage(const Stage& stage) {
 
 void TerminalObserver::ShowStatus(const BatchStatus& status, int num_trials) {
   if (stop_ && !has_told_) {
-    progress_->Say("stopping after the current trials; once more to stop at once");
+    progress_->Say("stopping after the current trials; press again to abort");
     has_told_ = true;
   }
   progress_->SetPlanned(num_trials);

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The program's commands and options, as the parser knows them, for shells and for man. */
+/** @file
+The program's commands and options, as the parser knows them, for shells and for man. */
 
 #include <string>
 #include <vector>

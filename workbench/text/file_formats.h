@@ -1,5 +1,6 @@
 #pragma once
-/** @file The files that people write, and their keys: the rows that the readers check. */
+/** @file
+The files that people write, and their keys: the rows that the readers check. */
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What `graspbench new` writes: small examples that can be used as they are. */
+/** @file
+What `graspbench new` writes: small examples that can be used as they are. */
 
 #include <string>
 #include <utility>

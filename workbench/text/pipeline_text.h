@@ -1,5 +1,6 @@
 #pragma once
-/** @file Pipelines and what they found, for people and for other programs. */
+/** @file
+Pipelines and what they found, for people and for other programs. */
 
 #include <string>
 #include <vector>

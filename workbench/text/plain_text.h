@@ -1,5 +1,6 @@
 #pragma once
-/** @file Text as a terminal shows it. */
+/** @file
+Text as a terminal shows it. */
 
 #include <string>
 

@@ -10,7 +10,7 @@ namespace {
 
 std::string DescribeReplayed(const ReplayedTrial& trial) {
   if (!trial.is_recorded) return "has no record: the session has not finished it";
-  if (!trial.difference) return "as recorded, in every field";
+  if (!trial.difference) return "re-simulation matches the record";
   return fmt::format("{} differs: recorded {}, now {}{}", trial.difference->field,
                      trial.difference->recorded, trial.difference->now,
                      trial.is_damaged ? "; its line fails its checksum" : "");

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What replaying a session has found, for the terminal and as JSON. */
+/** @file
+What replaying a session has found, for the terminal and as JSON. */
 
 #include <string>
 

@@ -95,9 +95,9 @@ std::string FormatFreeze(const Study& study) {
 
 std::string FormatZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
-  return "zero     GFT below " + FormatFixed(MsFromS(zero.limit), 0) +
-         " ms cannot be told from zero here; touching at once would show a median of " +
-         FormatFixed(MsFromS(zero.median), 0) + " ms\n";
+  return "zero     detection limit of the GFT " + FormatFixed(MsFromS(zero.limit), 0) +
+         " ms; touching at once would show a median of " + FormatFixed(MsFromS(zero.median), 0) +
+         " ms\n";
 }
 
 std::string FormatOpeningArgument(const StudyResult& result) {

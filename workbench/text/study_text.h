@@ -23,7 +23,7 @@ std::string FormatSuggestions(const StudySuggestions& suggestions);
 /** A line for each warning about the study as a whole. */
 std::string FormatWarnings(const StudyResult& result);
 
-/** What GFT can be told from zero; empty when no trial says. */
+/** Detection limit of the GFT; empty when no trial says. */
 std::string FormatZeroGft(const ZeroGft& zero);
 
 /** Whether the hand opening is more reliable than the aperture; empty when no trial counts. */

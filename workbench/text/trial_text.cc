@@ -28,7 +28,7 @@ std::string FormatJointErrors(const TrialSetup& setup) {
     if (worst < 0 || std::abs(error[j]) > std::abs(error[worst])) worst = j;
   }
   if (worst < 0) return "";
-  return fmt::format("; drives off by up to {} deg ({})",
+  return fmt::format("; joint error at most {} deg ({})",
                      FormatFixed(DegFromRad(std::abs(error[worst])), 2),
                      setup.hand->joints[static_cast<size_t>(worst)].name);
 }
@@ -138,7 +138,7 @@ std::string MakeShellLine(const ExaminedTrial& trial, const std::string& folder)
 
 std::string FormatComparison(const ExaminedTrial& trial) {
   if (!trial.recorded) return "not in the journal: the session has not run it yet";
-  if (!trial.difference) return "as recorded, in every field";
+  if (!trial.difference) return "re-simulation matches the record";
   return fmt::format(
       "differs from its record in {}: recorded {}, now {}; the session was run by "
       "another build or on another machine",

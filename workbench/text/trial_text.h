@@ -28,7 +28,7 @@ ExaminedTrial ExamineTrial(const Session& session, const PlannedTrial& planned, 
 /** Where the object was drawn: "x 1.2 mm, y -3.4 mm, yaw 5.6 deg". */
 std::string FormatObjectDraw(const TrialDraw& draw);
 
-/** Whether the trial is what its record says: "as recorded, in every field". */
+/** Whether the trial is what its record says: "re-simulation matches the record". */
 std::string FormatComparison(const ExaminedTrial& trial);
 
 /** Outcome, draw, phases, contacts by digit, what failed first, the nearest success beside it.

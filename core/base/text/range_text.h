@@ -1,5 +1,6 @@
 #pragma once
-/** @file The one way in which tables and sentences write a range. */
+/** @file
+The one way in which tables and sentences write a range. */
 
 #include <string>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Text in UTF-16, which spreadsheets write as "Unicode text" and nothing here reads. */
+/** @file
+Text in UTF-16, which spreadsheets write as "Unicode text" and nothing here reads. */
 
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Names of people as YAML that is written: read again, they are the same names. */
+/** @file
+Names of people as YAML that is written: read again, they are the same names. */
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 The looks of the project's hands: meshes made from a few numbers, so that they can be changed and
-made again. They are seen only; what touches stands in hand.urdf as <collision>. */
+made again. They are seen only; what touches stands in hand.urdf as `<collision>`. */
 
 #include <map>
 #include <string>

@@ -30,7 +30,7 @@ struct LoopPoint {
 };
 
 /** @param driven  joints with an actuator. Loops without one, or with several that do not follow
-each other, are cut and told. */
+each other, are cut and reported. */
 void CloseLoops(const std::vector<LoopPoint>& points, const std::set<int>& driven,
                 const std::string& file, Diagnostics& problems, ForeignHand& hand);
 

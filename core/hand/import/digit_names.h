@@ -1,5 +1,6 @@
 #pragma once
-/** @file What the digits of a foreign hand are called: by the names of their links and joints, then
+/** @file
+What the digits of a foreign hand are called: by the names of their links and joints, then
 by their place. */
 
 #include "core/hand/hand.h"

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A foreign joint held for good. */
+/** @file
+A foreign joint held for good. */
 
 #include "core/hand/import/foreign_hand.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What the readers of foreign XML have in common. */
+/** @file
+What the readers of foreign XML have in common. */
 
 #include <optional>
 #include <set>

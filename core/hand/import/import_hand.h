@@ -4,7 +4,7 @@ A hand from a foreign description, in the project's own form: `hand.urdf` with b
 boxes to touch with and OBJ pictures, `hand.yaml` whose guesses are marked, `README.md`, and
 `import.json` with all of it as data (import_record.h).
 
-What can be repaired is repaired and told as a warning; an error is what nobody can know: what
+What can be repaired is repaired and reported as a warning; an error is what nobody can know: what
 touches where a mesh is missing, which link is the palm of an arm, how a ring of joints moves, which
 unit a hand of 100 m is drawn in.
 

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 A URDF from elsewhere, read for what it means: what is missing or odd is filled in or left out and
-told as a warning with its line, all in one pass. Only what leaves no hand is an error: no XML, a
+reported as a warning with its line, all in one pass. Only what leaves no hand is an error: no XML, a
 macro file that was not expanded, no link, joints that form no tree.
 
     missing or reversed limits, an endless turn  given, exchanged, half a turn each way

@@ -1,5 +1,6 @@
 #pragma once
-/** @file An imported hand as files of the project's own form. */
+/** @file
+An imported hand as files of the project's own form. */
 
 #include <map>
 #include <string>

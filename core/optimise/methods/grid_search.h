@@ -1,5 +1,6 @@
 #pragma once
-/** @file A search over a regular grid, for few coordinates. */
+/** @file
+A search over a regular grid, for few coordinates. */
 
 #include "core/optimise/methods/search.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A search that learns nothing: the yardstick. */
+/** @file
+A search that learns nothing: the yardstick. */
 
 #include "core/optimise/methods/search.h"
 

@@ -66,7 +66,7 @@ class SearchMethod {
   virtual void Learn(const std::vector<Individual>& generation) = 0;
 };
 
-/** A method by its name; given by <Class>Row() beside the class of each line of the list. */
+/** A method by its name; given by `<Class>Row()` beside the class of each line of the list. */
 struct SearchMethodRow {
   const char* name;
   std::unique_ptr<SearchMethod> (*make)(const SearchSpace& space, int num_evaluations,

@@ -56,7 +56,7 @@ struct GraspSpaceStart {
   const Grasp& grasp;  ///< brings its placement
 };
 
-/** A space by its name; given by <Class>Row() beside the class of each line of the list. */
+/** A space by its name; given by `<Class>Row()` beside the class of each line of the list. */
 struct GraspSpaceRow {
   const char* name;   ///< in files and options
   const char* words;  ///< "the thumb's target angles"

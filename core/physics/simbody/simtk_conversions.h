@@ -1,5 +1,6 @@
 #pragma once
-/** @file Poses, vectors and inertias between Eigen and Simbody. */
+/** @file
+Poses, vectors and inertias between Eigen and Simbody. */
 
 #ifdef NDEBUG
 #error "Debian's Simbody is built without NDEBUG; with it every program that uses it crashes."

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Closes what a surface is open at, where there is no doubt how. */
+/** @file
+Closes what a surface is open at, where there is no doubt how. */
 
 #include "core/shape/tri_mesh.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The connected parts of a mesh, and what lies inside what. */
+/** @file
+The connected parts of a mesh, and what lies inside what. */
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Joins coincident vertices, so that neighbouring triangles share them. */
+/** @file
+Joins coincident vertices, so that neighbouring triangles share them. */
 
 #include "core/shape/tri_mesh.h"
 

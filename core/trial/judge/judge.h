@@ -1,9 +1,9 @@
 #pragma once
 /** @file
-The judge of grasps: what a held object really stands.
+The judge of grasps: the external load that a held object resists.
 
 From the end of the hold, with gravity as it is, the object is pulled at its centre of mass along
-the six half axes of the palm's frame, and twisted about them, each time anew, with a load that
+the six half axes of the palm's frame, and twisted about them, each time again, with a load that
 grows as
 
     L(t) = m g (exp(t / tau) - 1),   tau = 0.3 s,

@@ -96,7 +96,8 @@ const std::vector<VerdictRule>& ListVerdictRules() {
       {"multigrippergrasp", "MultiGripperGrasp", "shortest time until it fell, at most 6 [s]",
        "9.81 m/s^2 along six axes, 6 s each: moved below 0.3 m", JudgeMultiGripperGrasp},
       {"nist_pull", "NIST pull", "force at slip [N]",
-       "pulled straight down with growing force: stands its own weight once more", JudgeNistPull}};
+       "pulled straight down with growing force: resists one additional object weight",
+       JudgeNistPull}};
   return rules;
 }
 

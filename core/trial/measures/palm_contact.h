@@ -1,5 +1,6 @@
 #pragma once
-/** @file Whether the palm holds with the digits. */
+/** @file
+Whether the palm holds with the digits. */
 
 #include "core/trial/trial_result.h"
 

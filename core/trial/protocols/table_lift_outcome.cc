@@ -14,7 +14,7 @@ namespace {
 // 5 mm/s relative to the palm at the end).
 constexpr double kLiftedShare = 0.5;  ///< of the lift height
 constexpr double kPushedAway = 0.05;  ///< horizontal displacement of a free object [m]
-constexpr double kTippedShare = 0.1;  ///< change of the height of an object that lies anew
+constexpr double kTippedShare = 0.1;  ///< change of the height of an object that lies again
 
 /** A trial is given up after this long without the solver converging [s]. */
 constexpr double kMaxUnconvergedTime = 0.1;
@@ -71,10 +71,10 @@ OutcomeReason FindBreakdown(const TrialFacts& facts) {
   }
   if (IsArmOverloaded(facts)) {
     return {Outcome::kArmOverloaded,
-            fmt::format("the arm bore {:.0f} N and {:.1f} N m beside the hand's weight (limits "
-                        "{:.0f} N, {:.1f} N m)",
-                        facts.arm_force, facts.arm_moment, facts.arm_force_limit,
-                        facts.arm_moment_limit)};
+            fmt::format(
+                "the arm bore {:.0f} N and {:.1f} N m in addition to the hand's weight (limits "
+                "{:.0f} N, {:.1f} N m)",
+                facts.arm_force, facts.arm_moment, facts.arm_force_limit, facts.arm_moment_limit)};
   }
   return {Outcome::kNotRun, ""};
 }

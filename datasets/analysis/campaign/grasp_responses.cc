@@ -26,7 +26,7 @@ const std::vector<GraspResponse>& ListGraspResponses() {
        [](Record record) { return CalcDisturbance(record.result).before_lift.shift; }},
       {{"turn_rad", "turn before lift-off [deg]", DegFromRad(1.0), 2},
        [](Record record) { return CalcDisturbance(record.result).before_lift.turn; }},
-      {{"shift_in_hand_m", "way in the hand [mm]", MmFromM(1.0), 2},
+      {{"shift_in_hand_m", "in-hand displacement [mm]", MmFromM(1.0), 2},
        [](Record record) {
          return OfSuccess(record, CalcDisturbance(record.result).in_hand.shift);
        }},

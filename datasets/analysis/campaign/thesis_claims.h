@@ -6,7 +6,7 @@ campaign ran:
 
     claim                                             holds             does not hold
     good grasps touch simultaneously                  rank correlation of GFT% with success or
-                                                      sigma inside cells, for each hand:
+                                                      sigma within conditions, of a hand:
                                                       one below 0,      all within +-0.3 or above 0
                                                       after Holm
     a pre-grasp can be learned for it                 median GFT% over scenes, step 1:

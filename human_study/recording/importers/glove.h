@@ -13,7 +13,7 @@ from a tracker on the back of the hand:
       base: [x, y, z]                  # columns: the model's root in the laboratory, in `unit`
       base_quaternion: [qx, qy, qz, qw]  # columns: laboratory from root
 
-Points are <digit>_tip, the middle of the digit's pad, and wrist, the root. */
+Points are `<digit>_tip`, the middle of the digit's pad, and wrist, the root. */
 
 #include <Eigen/Geometry>
 #include <memory>

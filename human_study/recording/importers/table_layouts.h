@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Tables whose columns need no mapping one by one, because a tool always writes them alike (`layout` of
-table_mapping.h). Every point becomes three columns <point>_x, _y, _z.
+table_mapping.h). Every point becomes three columns `<point>_x`, _y, _z.
 
   deeplabcut: three heading rows (scorer, bodyparts, coords), four with several individuals
     (scorer, individuals, bodyparts, coords: points are individual:bodypart); a column with the

@@ -122,7 +122,7 @@ void CheckAnalysis(const AnalysisOptions& options, bool are_numbers_good, Config
 void CheckColumns(const StudyConfig& config, ConfigChecker& check) {
   std::set<std::string> columns;
   const auto add = [&](const char* key, const std::string& column) {
-    if (!columns.insert(column).second) check.Fail(key, "\"" + column + "\" stands twice");
+    if (!columns.insert(column).second) check.Fail(key, "\"" + column + "\" is listed twice");
     // The name becomes a heading of every table.
     if (column.find_first_of("=+-@") == 0) {
       check.Fail(key, "\"" + column +
@@ -335,7 +335,7 @@ std::vector<StudyObject> ReadObjects(DataTable& table, Diagnostics& problems) {
     object.id = table.Text(row, "object");
     for (const StudyObject& other : objects) {
       if (other.id == object.id) {
-        problems.Fail(table.file(), table.LineOfRow(row), "\"" + object.id + "\" stands twice");
+        problems.Fail(table.file(), table.LineOfRow(row), "\"" + object.id + "\" is listed twice");
       }
     }
     object.distance = ReadShape(table, row, problems);
@@ -380,7 +380,7 @@ std::vector<Hypothesis> ReadHypotheses(DataTable& table, Diagnostics& problems) 
            SuggestNames(hypothesis.measure, known));
     }
     if (!seen.insert(hypothesis.measure).second)
-      fail("\"" + hypothesis.measure + "\" stands twice");
+      fail("\"" + hypothesis.measure + "\" is listed twice");
     const double slope = table.Number(row, "slope");
     if (!std::isnan(slope)) hypothesis.slope = slope;
     hypothesis.equal_within = table.Number(row, "equal_within");

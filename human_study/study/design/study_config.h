@@ -3,7 +3,7 @@
 study.yaml: what was recorded, what the markers are, and every choice of the analysis.
 
     name: Five fingers on cylinders
-    trials: trials.csv          # beside this file; a row a trial, see below
+    trials: trials.csv          # beside this file; one row per trial, see below
     objects: objects.csv        # optional
     hypotheses: hypotheses.csv  # optional
     reviews: reviews.csv        # optional: contacts that a person looked at (trial_review.h)
@@ -75,7 +75,7 @@ struct PerDigit {
 
 /** "TH", "FF", "MF", "RF", "LF", as the robot hands call them. */
 const char* IdOfDigit(int digit);
-/** "thumb", "index", .. */
+/** "thumb", "index" and so on. */
 const char* NameOfDigit(int digit);
 /** The name for an id; the id itself when it is none of the five. */
 std::string NameOfDigit(const std::string& id);

@@ -193,7 +193,7 @@ FreezeCheck CompareWithFreeze(const std::string& text, const std::string& name,
   if (!frozen.value("settings", Json()).is_object() ||
       !frozen.value("tables", Json()).is_object() ||
       !frozen.value("num_recordings", Json()).is_number_integer()) {
-    FailFreeze(name, "settings, tables or num_recordings are missing; freeze anew");
+    FailFreeze(name, "settings, tables or num_recordings are missing; freeze again");
   }
   check.num_recordings = frozen["num_recordings"].get<int>();
   if (frozen.value("program", Json()) != program_version()) {

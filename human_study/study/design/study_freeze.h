@@ -1,13 +1,13 @@
 #pragma once
 /** @file
 The choices of a study, written down before its data: `graspbench study freeze study.yaml` makes
-<study>.freeze.json beside study.yaml, `study run` compares.
+`<study>.freeze.json` beside study.yaml, `study run` compares.
 
 Frozen are all settings, defaults included, the version of the program, what objects.csv, the
 mapping and hypotheses.csv hold, and the rows that trials.csv has by then: rows that come later are
 the data, rows that are changed or gone are deviations. Not frozen are the study's title and the
 robot beside it. The file says how many of the recordings that trials.csv names were there already.
-It carries its own SHA-256, which can be registered elsewhere: that no one wrote it anew afterwards,
+It carries its own SHA-256, which can be registered elsewhere: that no one wrote it again afterwards,
 nobody can tell from the file alone. */
 
 #include <filesystem>

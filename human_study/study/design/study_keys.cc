@@ -12,7 +12,8 @@ FileKeys MakeRows() {
       {"name", "", "title of the report"},
       {"task", "", "label of the Motion-BIDS derivative: letters and digits"},
       {"trials", "",
-       "table with a row a trial, beside study.yaml: participant, file; if needed trial, object, "
+       "table with one row per trial, beside study.yaml: participant, file; if needed trial, "
+       "object, "
        "table_trial (of a plain table with several), start_s, end_s, hand, remove (why it is left "
        "out) and the factors"},
       {"objects", "none",

@@ -28,7 +28,7 @@ class DataTable;
 class Diagnostics;
 
 enum class ReviewVerdict { kConfirmed, kCorrected, kNoContact };
-/** "confirmed", .. */
+/** "confirmed" and so on. */
 const char* NameOf(ReviewVerdict verdict);
 
 struct ContactReview {

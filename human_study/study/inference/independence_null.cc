@@ -377,7 +377,7 @@ std::string FormatTest(const char* name, const IndependenceTest& test, double fa
                        const std::string& unit) {
   return std::string(name) + " " + FormatFixed(factor * test.observed, 1) + unit +
          " on average, independent digits would have " + FormatFixed(factor * test.expected, 1) +
-         unit + " (95 % of dealings " + FormatFixed(factor * test.low, 1) + " to " +
+         unit + " (95 % range under permutation " + FormatFixed(factor * test.low, 1) + " to " +
          FormatFixed(factor * test.high, 1) + unit + ", p " +
          (test.p < 0.005 ? FormatFixed(test.p, 3) : FormatFixed(test.p, 2)) + ")";
 }

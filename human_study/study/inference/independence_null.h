@@ -3,7 +3,7 @@
 Are people more simultaneous than digits that move independently would be?
 
 A digit that moves on its own keeps its habits but knows nothing of the others in the same trial.
-Such digits are made from the study itself: the contact times of each digit are dealt out anew among
+Such digits are made from the study itself: the contact times of each digit are permuted among
 the trials of one person and condition, each digit on its own, and GFT and GFT% are taken again.
 Habits (the thumb first by 40 ms) stay; what digits share within a trial is lost. The p value is the
 share of 999 dealings at least as extreme, two-sided, from a stream that the study's trials name.
@@ -83,11 +83,11 @@ struct IndependenceNull {
 };
 
 /** No answer with fewer than two digits, or when there are so few trials of a person in a condition
-that no dealing could be told from chance. */
+that no permutation could exclude chance. */
 Answer<IndependenceNull> CalcIndependenceNull(const std::vector<StudyTrial>& trials,
                                               size_t num_digits);
 
-/** The verdict in a sentence: more simultaneous, less, or not told apart. */
+/** The verdict in a sentence: more simultaneous, less, or not decided. */
 std::string SayIndependence(const Answer<IndependenceNull>& null);
 /** With numbers of the strictest clock, and power. */
 std::string DescribeIndependence(const Answer<IndependenceNull>& null);

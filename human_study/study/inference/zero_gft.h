@@ -3,7 +3,7 @@
 What GFT a study would report if all digits had touched at once.
 
 GFT = T_all - T_first is a range: errors of the single contacts cannot make it negative, so they
-lift a true zero. Every kept trial is drawn again and again with its own digits and the
+lift a true zero. Every kept trial is drawn repeatedly with its own digits and the
 uncertainties of its own contacts (markers' places, gaps, noise, frame rate, filter, push and speed
 of that very trial stand behind them), without what all digits of a trial share. */
 

@@ -421,7 +421,7 @@ std::vector<StatisticRow> ListIndependence(const Answer<IndependenceNull>& null)
     for (size_t clock = 0; clock < kNumClocks; ++clock) {
       StatisticRow row;
       row.measure = measure;
-      row.analysis = "independent digits, dealt out anew";
+      row.analysis = "independent digits, by permutation";
       row.effect =
           std::string("mean over that of independent digits, clock ") + ListClocks()[clock];
       row.unit = "1";

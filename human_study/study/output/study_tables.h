@@ -4,10 +4,10 @@ A study's results as tables, for any other program:
 
     trials.csv    every trial of the plan: where it is, whether it counts and why not
     events.csv    every event of every analysed trial, by each detector, with its uncertainty
-    measures.csv  a row a trial that counts: all measures, openings and the contact order
+    measures.csv  one row per trial that counts: all measures, openings and the contact order
     statistics.csv  every test and estimate of the measures (statistics_table.h)
 
-Each has a data dictionary beside it, <name>.schema.json (Frictionless Table Schema). */
+Each has a data dictionary beside it, `<name>.schema.json` (Frictionless Table Schema). */
 
 #include <filesystem>
 #include <string>

@@ -4,7 +4,7 @@ A study's persons as rows, for jamovi, JASP and SPSS, whose repeated-measures an
 a condition: wide.csv with its dictionary wide.schema.json.
 
 A cell is the mean of the person's trials that count, in SI units; empty without any. Columns are
-<measure>_<levels> for the measures that the study tests, and num_trials_<levels>. Names are what
+`<measure>_<levels>` for the measures that the study tests, and num_trials_<levels>. Names are what
 SPSS takes: letters, digits and underscores, at most 64, unlike in any case; the dictionary says
 which condition each is. */
 

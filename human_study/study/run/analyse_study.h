@@ -1,5 +1,6 @@
 #pragma once
-/** @file A study analysed into a folder of tables. */
+/** @file
+A study analysed into a folder of tables. */
 
 #include <filesystem>
 #include <functional>

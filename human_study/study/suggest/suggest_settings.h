@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Settings that a study's data ask for. A study is run again and again, each time with one more change
+Settings that a study's data ask for. A study is run repeatedly, each time with one more change
 that one of its reasons for removing trials points to; a change stands when with it more trials
 count, or fewer are removed for that reason and no fewer count. First those that mend (a rule, a
 companion, an axis, a unit), then those that tolerate (limits of doubt), which cost trust and say

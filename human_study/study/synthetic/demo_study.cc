@@ -10,7 +10,7 @@ namespace graspbench {
 namespace {
 
 constexpr char kStudyYaml[] =
-    "name: Made-up reaches to cylinders\n"
+    "name: Synthetic reaches to cylinders\n"
     "objects: objects.csv\n"
     "hypotheses: hypotheses.csv\n"
     "factors: [diameter_m]\n"

@@ -99,7 +99,8 @@ enum class SyntheticFormat { kC3d, kQualisysTsv };
 /** "sub-01_trial-003.c3d". */
 std::string SyntheticFileName(const SyntheticTrial& trial, SyntheticFormat format);
 
-/** Writes every recording under its SyntheticFileName and truth.csv (a row a trial) into `folder`.
+/** Writes every recording under its SyntheticFileName and truth.csv (one row per trial) into
+`folder`.
 @throws Error(kIo). */
 void SaveSyntheticStudy(const std::vector<SyntheticTrial>& trials, SyntheticFormat format,
                         const std::filesystem::path& folder);

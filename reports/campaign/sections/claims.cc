@@ -27,7 +27,7 @@ Html DrawEvidence(const std::vector<ThesisClaim>& claims, const SessionModels& m
   IntervalPlot plot;
   plot.text.title = "What the verdicts rest on";
   plot.text.description = "One row per number with its 95 % interval, grouped by claim.";
-  plot.axis = "value less the one that says neither";
+  plot.axis = "difference from the null value";
   int series = 0;
   for (const ThesisClaim& claim : claims) {
     IntervalPlot::Row heading;
@@ -87,7 +87,7 @@ Html DrawClaims(const CampaignData& data) {
              "later because the hand squeezes harder is better, too; breaking force over grip says "
              "what is left of it with the same grip. Simultaneity is judged by the rank "
              "correlation "
-             "of GFT% with success and with sigma inside cells, equal grasps counted once: it "
+             "of GFT% with success and with sigma within conditions, equal grasps counted once: it "
              "matters where one is below 0 after Holm's correction, and does not where none can be "
              "stronger than 0.3. What it does to the object before the grasp is closed, graspbench "
              "simultaneity DIR/benchmark tells. Sigma and breaking force agree when more than half "

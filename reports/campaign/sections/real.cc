@@ -96,7 +96,7 @@ Html DrawReal(const CampaignData& data) {
          DrawCells(found, data) +
          MakeParagraph(
              "The table of the laboratory's trials is kept in real/trials.csv. That two success "
-             "rates cannot be told apart by few trials does not mean that they are equal.");
+             "rates do not differ significantly in few trials does not mean that they are equal.");
 }
 
 }  // namespace

@@ -173,9 +173,10 @@ std::string DescribeArguments(const StudyResult& result) {
   if (!result.statistics.independence) return text;
   return text +
          "GFT was compared with that of digits that move independently: contact times of each "
-         "digit dealt out anew 999 times among the trials of one person and condition, counted "
+         "digit permuted 999 times among the trials of one person and condition, counted "
          "from the onset, from the widest opening, and from the onset with the length of the "
-         "movement taken out; the clocks' own uncertainty was removed from the spread dealt out. ";
+         "movement taken out; the clocks' own uncertainty was removed from the spread that is "
+         "permuted. ";
 }
 
 Html DrawMethods(const StudyPageData& data) {

@@ -14,7 +14,7 @@ Html DrawFirstDigits(const OrderSummary& summary, const std::vector<std::string>
   plot.text.description =
       "Share of trials in which each digit touched first, beyond the uncertainty of its time.";
   for (const std::string& digit : digits) plot.classes.push_back({NameOfDigit(digit), digit});
-  plot.classes.push_back({"cannot be told apart", "="});
+  plot.classes.push_back({"not resolved", "="});
   for (const FirstDigits& row : summary.first) {
     plot.rows.push_back({row.participant, "", row.counts});
   }

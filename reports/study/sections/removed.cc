@@ -63,7 +63,7 @@ Html DrawRemoved(const StudyResult& result) {
 }
 
 Html DrawFlags(const StudyResult& result) {
-  Table table("Trials that count in spite of a flag; study.yaml can remove them (removal).",
+  Table table("Trials included with warnings; study.yaml can remove them (removal).",
               {{"Flag", Align::kProse},
                {"Trials", Align::kNumber},
                {"Of those that count", Align::kNumber}});

@@ -49,7 +49,7 @@ Html DrawTests(const IndependenceNull& null) {
       {"Found [%]", number, "smaller by so much is found in 8 of 10 such studies"}};
   if (has_persons) columns.push_back({"Ratio over persons", number, "95 % interval"});
   Table table(
-      "People against digits that move independently: contact times of each digit dealt out anew "
+      "People against digits that move independently: contact times of each digit permuted "
       "among the trials of one person and condition, 999 times.",
       columns);
   AddTests("GFT [ms]", null.gft, MsFromS(1.0), has_persons, table);

@@ -88,8 +88,8 @@ std::string DescribeMainTest(const StudyResult& result) {
 /** What this recording cannot separate from touching at once. */
 std::string DescribeZeroGft(const ZeroGft& zero) {
   if (zero.num_trials == 0) return "";
-  return " GFT below " + FormatWithUnit(zero.limit, "s") +
-         " cannot be told from zero here: digits that all touch at once would show a median of " +
+  return " The detection limit of the GFT is " + FormatWithUnit(zero.limit, "s") +
+         " here: digits that all touch at once would show a median of " +
          FormatWithUnit(zero.median, "s") + ".";
 }
 

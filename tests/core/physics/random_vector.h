@@ -1,5 +1,6 @@
 #pragma once
-/** @file Arguments of the oracles: vectors of independent normal values. */
+/** @file
+Arguments of the oracles: vectors of independent normal values. */
 
 #include <Eigen/Core>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Two meshes as one, for tests: neither is changed where they meet. */
+/** @file
+Two meshes as one, for tests: neither is changed where they meet. */
 
 #include "core/shape/tri_mesh.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Two long fingers that pinch a cube at its middle with a known force. */
+/** @file
+Two long fingers that pinch a cube at its middle with a known force. */
 
 #include <memory>
 

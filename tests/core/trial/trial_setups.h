@@ -1,5 +1,6 @@
 #pragma once
-/** @file Trials for the tests of the engine. */
+/** @file
+Trials for the tests of the engine. */
 
 #include <memory>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Small sessions and a campaign made of known numbers. */
+/** @file
+Small sessions and a campaign made of known numbers. */
 
 #include <string>
 #include <vector>

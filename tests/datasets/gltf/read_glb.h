@@ -1,5 +1,6 @@
 #pragma once
-/** @file A GLB file taken apart as the specification says, independent of the writer. */
+/** @file
+A GLB file taken apart as the specification says, independent of the writer. */
 
 #include <gtest/gtest.h>
 

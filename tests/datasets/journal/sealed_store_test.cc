@@ -100,7 +100,7 @@ TEST_F(SealedStore, RepairDoesNotBlessAChangedConfiguration) {
 
 TEST_F(SealedStore, ALostManifestIsSpokenOfForEver) {
   const std::string expected =
-      "\n  manifest.json: was lost and made anew: what had changed before is not noticed";
+      "\n  manifest.json: was lost and made again: what had changed before is not noticed";
   for (const fs::path& store : {session_, stores_[3]}) {
     fs::remove(store / "manifest.json");
     EXPECT_FALSE(RepairStore(store).actions.empty());
@@ -170,9 +170,9 @@ TEST_F(SealedStore, RepairSetsAChangedExportAside) {
   const StoreRepair repair = RepairStore(session_);
   EXPECT_EQ(repair.actions,
             (std::vector<std::string>{"index.sqlite: set aside as index.sqlite.damaged; graspbench "
-                                      "export makes it anew",
+                                      "export makes it again",
                                       "export/trials.csv: set aside as export/trials.csv.damaged; "
-                                      "graspbench export makes it anew"}));
+                                      "graspbench export makes it again"}));
   EXPECT_TRUE(repair.state.damages.empty());
   EXPECT_EQ(ReadFile(session_ / "export/trials.csv.damaged").substr(0, 8), "trial_ID");
   ExportSession(session_, LoadSession(session_));

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A trial of an object's best grasp without variation. */
+/** @file
+A trial of an object's best grasp without variation. */
 
 #include <memory>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Commands made up for the tests of pipelines. */
+/** @file
+Commands made up for the tests of pipelines. */
 
 #include <vector>
 

@@ -361,7 +361,7 @@ TEST_F(SessionStore, RefusesAnotherSchema) {
   const auto [kind, text] = FindError([&] { LoadSession(folder()); });
   EXPECT_EQ(kind, ErrorKind::kVersion);
   ExpectHas(text, "has schema 7, this program (");
-  ExpectHas(text, "reads schemas 3 to 5; use graspbench 9.9.9 for it, or run the session anew");
+  ExpectHas(text, "reads schemas 3 to 5; use graspbench 9.9.9 for it, or rerun the session");
 }
 
 TEST_F(SessionStore, TellsOfADamagedConfigurationOrPlan) {

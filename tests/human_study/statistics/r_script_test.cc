@@ -111,7 +111,7 @@ TEST(RScript, RepeatsEveryRowOfAStudyWithGroupsSessionsAndHypotheses) {
   EXPECT_EQ(against.find("DIFFERS"), std::string::npos) << against;
   EXPECT_NE(against.find(" 0 differ"), std::string::npos) << against;
   // Dealing contact times out anew is not R's, and is named.
-  EXPECT_NE(against.find("not repeated: independent digits, dealt out anew\n"), std::string::npos)
+  EXPECT_NE(against.find("not repeated: independent digits, by permutation\n"), std::string::npos)
       << against;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Pipelines run by the program itself, in a folder of their own. */
+/** @file
+Pipelines run by the program itself, in a folder of their own. */
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -20,7 +20,7 @@ SessionReplay MakeReplay() {
 
 TEST(ReplayText, NamesTrialFieldAndBothValues) {
   const std::string all = FormatReplay(MakeReplay(), true);
-  EXPECT_NE(all.find("aaaa tum-can-g2:0, success: as recorded, in every field\n"), all.npos);
+  EXPECT_NE(all.find("aaaa tum-can-g2:0, success: re-simulation matches the record\n"), all.npos);
   const std::string text = FormatReplay(MakeReplay(), false);
   EXPECT_EQ(text.find("aaaa"), text.npos);
   EXPECT_NE(

@@ -11,7 +11,7 @@ TEST(FormatZeroGft, GivesLimitAndMedianInMilliseconds) {
   zero.limit = 0.0304;
   zero.median = 0.0126;
   EXPECT_EQ(FormatZeroGft(zero),
-            "zero     GFT below 30 ms cannot be told from zero here; touching at once would show a "
+            "zero     detection limit of the GFT 30 ms; touching at once would show a "
             "median of 13 ms\n");
 }
 

@@ -39,7 +39,7 @@ TEST_F(TrialTextTest, ARecordThatHoldsIsConfirmed) {
   const ExaminedTrial trial = Examine();
   EXPECT_FALSE(trial.difference);
   const std::string text = FormatTrial(trial, "results/a b");
-  EXPECT_NE(text.find("as recorded, in every field"), text.npos) << text;
+  EXPECT_NE(text.find("re-simulation matches the record"), text.npos) << text;
   EXPECT_NE(text.find(session_.plan[shown_].id), text.npos);
   EXPECT_NE(text.find("outcome  success\n"), text.npos);
   EXPECT_EQ(text.find("nearest"), text.find("nearest [mm]")) << "a success needs no example";

@@ -50,14 +50,14 @@ void AddSensitivityCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
       program, "sensitivity",
       "Run a session's trials again under one changed setting each and show what that changes.",
-      "  graspbench sensitivity results/pilot       what nobody measured, half and twice\n"
+      "  graspbench sensitivity results/pilot       unmeasured parameters at 0.5 and 2 times\n"
       "  graspbench sensitivity results/pilot --set model.mass_scale=1.1 --trials 3");
   const auto options = std::make_shared<SensitivityOptions>();
   SensitivityRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder of the session");
   command
       .add_option("--set", request.settings,
-                  "a setting to try instead of the usual ones; again and again")
+                  "a setting to try instead of the usual ones; may be repeated")
       ->allow_extra_args(false)
       ->option_text("KEY=VALUE");
   command

@@ -52,7 +52,7 @@ void AddSimultaneityCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
       program, "simultaneity",
       "Ask a session's trials whether it matters that the digits touch at once.",
-      "  graspbench simultaneity results/pilot            inside cells, as the trials came\n"
+      "  graspbench simultaneity results/pilot            within conditions, as the trials came\n"
       "  graspbench simultaneity results/pilot --delay    the same trials, one digit delayed");
   const auto options = std::make_shared<SimultaneityOptions>();
   AddStoreFolder(command, options->request.folder, "folder of the session");

@@ -86,7 +86,7 @@ void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
   const auto json = std::make_shared<bool>(false);
   CLI::App& command =
       AddSubcommand(*program.get_subcommand("hand"), "import",
-                    "Make a hand of a URDF or MJCF from elsewhere; repairs and guesses are told.",
+                    "Import a hand from a URDF or MJCF; report repairs and assumptions.",
                     "  graspbench hand import allegro_hand_right.urdf --out allegro\n"
                     "  graspbench hand import urdf/svh.urdf --package-path ~/ros/src --out svh\n"
                     "  graspbench hand import shadow_hand/right_hand.xml --out shadow-mjcf");
@@ -106,9 +106,9 @@ void AddHandImportCommand(CLI::App& program, ExitCode& exit_code) {
         ->check(CLI::IsMember({"m", "dm", "cm", "mm", "in"}))
         ->option_text("m|dm|cm|mm|in");
   };
-  add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and told");
+  add_unit("--unit", import->unit, "unit of its lengths; otherwise inferred, and reported");
   add_unit("--mesh-unit", import->mesh_unit,
-           "unit of its mesh files; otherwise inferred, and told");
+           "unit of its mesh files; otherwise inferred, and reported");
   command.add_option("--angle", import->angle, "unit of its joint limits (MJCF: of all angles)")
       ->check(CLI::IsMember({"deg", "rad"}))
       ->option_text("deg|rad");

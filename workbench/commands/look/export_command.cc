@@ -45,7 +45,7 @@ void ExportMjcf(const ExportOptions& options, const Session& session) {
   const std::vector<PlannedTrial> trials = FindTrials(session, options.mjcf);
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kNow, session.folder);
   CheckSameSession(session, session.config, MakePlan(session.config, inputs));
-  const bool is_own = options.out.empty();  // below export/, which is written anew
+  const bool is_own = options.out.empty();  // below export/, which is written again
   const std::filesystem::path folder =
       std::filesystem::path(is_own ? options.folder + "/export/mjcf" : options.out);
   StagedFolder staged({folder, "mjcf", options.replace || is_own, {options.folder}});

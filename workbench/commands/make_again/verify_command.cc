@@ -50,7 +50,7 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
     text += "; only the checksums of its journals' lines can be checked, when they are read";
   }
   if (repair.state.is_made_anew) {
-    text += "; its manifest was lost and made anew: what had changed before is not noticed";
+    text += "; its manifest was lost and made again: what had changed before is not noticed";
   }
   text += FormatDamage(repair.state.damages) + "\n";
   for (const std::string& file : FindUnverified(options.folder)) {
@@ -58,7 +58,7 @@ std::string FormatVerdict(const VerifyOptions& options, const StoreRepair& repai
   }
   for (const StaleResult& stale : repair.state.stale) {
     text += stale.path + " is stale: " + stale.input + " has changed since";
-    if (!stale.command.empty()) text += "; anew: " + stale.command;
+    if (!stale.command.empty()) text += "; to update: " + stale.command;
     text += "\n";
   }
   return text;

@@ -11,6 +11,7 @@
 #include "workbench/commands/command.h"
 #include "workbench/tables/grasp_tables.h"
 #include "workbench/text/file_formats.h"
+#include "workbench/text/file_schema.h"
 
 namespace graspbench {
 namespace {
@@ -30,9 +31,10 @@ Json MakeFormatJson(const FileFormat& format) {
   return {{"file", format.name}, {"about", format.about}, {"keys", keys}};
 }
 
-void PrintFormat(const std::string& name, bool json) {
+void PrintFormat(const std::string& name, bool json, bool schema) {
   for (const FileFormat& format : ListFileFormats()) {
     if (format.name != name) continue;
+    if (schema) return PrintJson(MakeFileSchema(format));
     json ? PrintJson(MakeFormatJson(format))
          : PrintResult(format.name + ": " + format.about + "\n\n" + FormatFileKeys(format.keys));
   }
@@ -95,11 +97,12 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
       "  graspbench help                       commands, presets and files\n"
       "  graspbench help object.yaml\n"
       "  graspbench help session.yaml --json\n"
+      "  graspbench help study.yaml --schema   for an editor or validator\n"
       "  graspbench help hand develop          as graspbench hand develop --help");
   std::vector<std::string> files;
   for (const FileFormat& format : ListFileFormats()) files.push_back(format.name);
   const auto words = std::make_shared<std::vector<std::string>>();
-  const auto json = std::make_shared<bool>(false);
+  const auto json = std::make_shared<bool>(false), schema = std::make_shared<bool>(false);
   command
       .add_option(
           "topic", *words,
@@ -107,13 +110,19 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
       ->type_name("{" + JoinForCompletion(files, program) + "}")
       ->option_text("COMMAND|FILE");
   command.add_flag("--json", *json, "of a file: print one JSON object");
-  command.callback([&program, files, words, json] {
+  command.add_flag("--schema", *schema, "of a file: print its JSON Schema")->excludes("--json");
+  command.callback([&program, files, words, json, schema] {
+    const bool is_file =
+        !words->empty() && std::find(files.begin(), files.end(), words->front()) != files.end();
+    if (*schema && !is_file) {
+      throw Error(ErrorKind::kUsage, "--schema is of a file: " + ListNames(files));
+    }
     if (words->empty()) return PrintResult(FormatOverview(program, files));
     if (words->front() == kGraspTypesTopic) {
       return *json ? PrintJson(MakeGraspTypesJson()) : PrintResult(FormatGraspTypes());
     }
-    const bool is_file = std::find(files.begin(), files.end(), words->front()) != files.end();
-    is_file ? PrintFormat(words->front(), *json) : PrintResult(FindCommandHelp(program, *words));
+    is_file ? PrintFormat(words->front(), *json, *schema)
+            : PrintResult(FindCommandHelp(program, *words));
   });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-One machine's part of a campaign. Scenes are dealt out first. When all are finished, a merge plans
+One machine's part of a campaign. Scenes are partitioned first. When all are finished, a merge plans
 the benchmark, as it needs their grasps; then the same shards take the benchmark's trials, judge
 what they held, and run the searches that are compared. */
 
@@ -12,7 +12,7 @@ namespace graspbench {
 ShardResult WorkOnCampaign(const ShardRequest& request, Observer& observer,
                            const std::atomic<bool>& stop);
 
-/** The most shards that it can be dealt to: the trials of its benchmark. @throws as LoadCampaign. */
+/** The most shards that it can be split into: the trials of its benchmark. @throws as LoadCampaign. */
 int CountCampaignCards(const std::filesystem::path& folder);
 
 }  // namespace graspbench

@@ -1,5 +1,6 @@
 #pragma once
-/** @file What this process runs on and is; see Machine in datasets/shards/worker_log.h. */
+/** @file
+What this process runs on and is; see Machine in datasets/shards/worker_log.h. */
 
 #include <string>
 

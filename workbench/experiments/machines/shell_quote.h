@@ -1,5 +1,6 @@
 #pragma once
-/** @file Words of a shell script. */
+/** @file
+Words of a shell script. */
 
 #include <string>
 

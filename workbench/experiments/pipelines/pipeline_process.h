@@ -1,5 +1,6 @@
 #pragma once
-/** @file A stage of a pipeline as a process of this program. */
+/** @file
+A stage of a pipeline as a process of this program. */
 
 #include <sys/types.h>
 

@@ -60,7 +60,7 @@ bool IsNew(const fs::path& results) {
 
 /** Before anything is made there. @throws Error(kUsage, kFormat). */
 void CheckResults(const Pipeline& pipeline, const fs::path& results) {
-  // Whoever removes the lock file asks for every stage anew.
+  // Whoever removes the lock file asks for every stage again.
   const bool was_ours = fs::exists(results / kRunLock) && fs::is_directory(results / kStageLogs);
   const bool is_ours = IsNew(results) || fs::exists(results / kPipelineLock) || was_ours;
   if (!is_ours || fs::is_symlink(results / kRunLock) || fs::is_symlink(results / kPipelineLock)) {

@@ -5,7 +5,7 @@ need each other at the same time. A stage counts when its line is in the lock fi
 (datasets/pipeline/pipeline_state.h): after a crash those that do are not run again, and a run,
 campaign or optimisation that had begun goes on where it was.
 
-What somebody has changed in a result is never removed: its folder is renamed to <stage>.set-aside
+What somebody has changed in a result is never removed: its folder is renamed to `<stage>.set-aside`
 before the stage runs again. */
 
 #include <atomic>

@@ -17,7 +17,7 @@ void CheckSameResult(const Session& session, const PlannedTrial& planned,
   if (ToJson(LoadWhole(session, *record).result) == ToJson(result)) return;
   throw Error(ErrorKind::kVersion, "trial " + planned.id + " (" + DescribeTrial(planned) +
                                        ") gives another result than its record: the session was "
-                                       "run by another build or on another machine; run it anew "
+                                       "run by another build or on another machine; run it again "
                                        "to judge it");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file Files beside this one, compiled into the maker of the manual (workbench/CMakeLists.txt). */
+/** @file
+Files beside this one, compiled into the maker of the manual (workbench/CMakeLists.txt). */
 
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The manual as pages for a browser: read by double click, without a network. */
+/** @file
+The manual as pages for a browser: read by double click, without a network. */
 
 #include <filesystem>
 #include <string>
@@ -19,8 +20,8 @@ struct ManualPage {
 /** In the order of the contents (workbench/manual/contents.inc). */
 const std::vector<ManualPage>& ListManualPages();
 
-/** Writes index.html, with contents and search, and <id>.html for every page. The same sources, the
-same bytes.
+/** Writes index.html, with contents and search, and `<id>.html` for every page. The same sources,
+the same bytes.
 @param source  workbench/manual
 @param folder  is made; other files in it stay
 @throws Error(kFormat) naming page and line of what is wrong, also for links that lead nowhere. */

@@ -66,7 +66,9 @@ std::string MakeCommandReference(const CLI::App& program) {
 std::string MakeFileReference() {
   std::string page =
       "# Files that you write\n\nEvery key with unit, range, default and meaning, as `graspbench "
-      "help FILE` prints them; `graspbench new` writes a commented example.\n";
+      "help FILE` prints them; `graspbench new` writes a commented example, `graspbench help FILE "
+      "--schema` a JSON "
+      "Schema for editors and validators.\n";
   for (const FileFormat& format : ListFileFormats()) {
     page += "\n## " + format.name + "\n\n" + EscapeCell(format.about) + ".\n\n" +
             MakeHead({"key", "unit", "range", "default", "meaning"});

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The pages of the manual that the program itself knows best, as Markdown: made from the
+/** @file
+The pages of the manual that the program itself knows best, as Markdown: made from the
 parser, the tables of keys, the columns and the outcomes, so that they cannot fall behind. */
 
 #include <string>

@@ -129,7 +129,8 @@ std::string HandFinder::ListNames(const std::vector<int>& links) const {
 HandCandidate HandFinder::Find() {
   int top = tree_.order.front();
   if (num_ends_[top] == 0) {
-    problems_.Fail(file_, 0, "no joint moves anything that could touch: this is no hand");
+    problems_.Fail(file_, 0,
+                   "no joint moves anything that could touch: this is not a hand description");
     return {};
   }
   for (;;) {

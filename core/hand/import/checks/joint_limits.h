@@ -1,5 +1,6 @@
 #pragma once
-/** @file The limits of a foreign joint, repaired where they cannot be meant. */
+/** @file
+The limits of a foreign joint, repaired where they cannot be meant. */
 
 #include <string>
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file The extent of a geom of a MuJoCo model, and what of it weighs. */
+/** @file
+The extent of a geom of a MuJoCo model, and what of it weighs. */
 
 #include <optional>
 #include <string>

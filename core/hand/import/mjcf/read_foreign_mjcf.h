@@ -31,7 +31,7 @@ joints, the convex hull in which MuJoCo lets a mesh touch. */
 
 namespace graspbench {
 
-/** True when the outermost element is <mujoco>. */
+/** True when the outermost element is `<mujoco>`. */
 bool IsMjcf(const std::string& text);
 
 /** @param file  name of the text in messages. @param folder  included files lie there.

@@ -9,7 +9,7 @@ surface there and stays inside the solid is a candidate,
     c = p - rho n,  rho the largest with  dist(c, surface) >= rho,
 
 so none of them sticks out. The one that comes near to most of the points that are still too far
-away is taken, again and again (greedy set cover). */
+away is taken, repeatedly (greedy set cover). */
 
 #include <Eigen/Core>
 #include <vector>

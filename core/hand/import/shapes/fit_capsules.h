@@ -3,7 +3,7 @@
 Balls and capsules in the place of a mesh, for contact.
 
 The mesh need not be closed: what a flood from outside does not reach, on a grid of cells, is solid.
-The solid is cut in two, again and again, along one of the principal axes of the piece that fits
+The solid is cut in two repeatedly, along one of the principal axes of the piece that fits
 worst; each piece gets the capsule of least squares,
 
     min over A, B, r of  sum over the outer surface's points p of (|p - AB| - r)^2,

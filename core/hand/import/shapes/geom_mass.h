@@ -1,6 +1,6 @@
 #pragma once
 /** @file
-Mass of a homogeneous solid, as MuJoCo gives it to the geoms of a body without <inertial>. */
+Mass of a homogeneous solid, as MuJoCo gives it to the geoms of a body without `<inertial>`. */
 
 #include "core/hand/import/foreign_hand.h"
 #include "core/shape/mass_properties.h"

@@ -22,7 +22,7 @@ namespace graspbench {
 
 /** Puts places, extents and strokes in metres, and repairs strokes (joint_limits.h); meshes keep
 theirs (load_shapes.h).
-@param unit  of the description [m]; 0: inferred, and told unless it is the metre. */
+@param unit  of the description [m]; 0: inferred, and reported unless it is the metre. */
 void SetLengthUnit(double unit, const std::string& file, Diagnostics& problems, ForeignHand& hand);
 
 /** By link: the distance from its joint to the farthest joint on it; at an end that of its own from

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A hand of two fingers and a thumb as MuJoCo models are written: degrees, another order of
+/** @file
+A hand of two fingers and a thumb as MuJoCo models are written: degrees, another order of
 Euler angles, nested classes, two joints on a body, joints beside their body's origin, every way to
 give an orientation, a scene around it. */
 

@@ -1,5 +1,6 @@
 #pragma once
-/** @file A parallel gripper as hands are published: hung from the world, one finger without inertia
+/** @file
+A parallel gripper as hands are published: hung from the world, one finger without inertia
 that mimics the other, a name with a blank and one beyond ASCII. */
 
 #include <string>

@@ -136,7 +136,8 @@ TEST(WeldLinksTest, WithoutDigitsThereIsNoHand) {
     fixed = ReplaceOnce(fixed, std::string("slide_") + joint + "\" type=\"prismatic\"",
                         std::string("slide_") + joint + "\" type=\"fixed\"");
   }
-  EXPECT_EQ(told(fixed), "no joint moves anything that could touch: this is no hand");
+  EXPECT_EQ(told(fixed),
+            "no joint moves anything that could touch: this is not a hand description");
   const std::string arm = ReplaceOnce(kSmallGripper, "slide_right\" type=\"prismatic\"",
                                       "slide_right\" type=\"fixed\"");
   EXPECT_EQ(told(arm),

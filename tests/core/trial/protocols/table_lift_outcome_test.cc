@@ -100,7 +100,7 @@ TEST(TrialOutcome, AnOverloadedArmEndsTheTrial) {
   EXPECT_TRUE(IsDecided(facts));
   ExpectOutcome(
       facts, Outcome::kArmOverloaded,
-      "the arm bore 101 N and 0.0 N m beside the hand's weight (limits 100 N, 100.0 N m)");
+      "the arm bore 101 N and 0.0 N m in addition to the hand's weight (limits 100 N, 100.0 N m)");
   facts.arm_force = 99.0;
   facts.arm_moment = 101.0;
   EXPECT_TRUE(IsDecided(facts));

@@ -167,7 +167,7 @@ TEST_F(StudyFolder, FaultsOfTheDesignHaveTheirLine) {
          "trials.csv:2: error: group: empty");
   expect("session: day\n", "participant,file,day\n01,a,\n", "trials.csv:2: error: day: empty");
   expect("factors: [group]\ngroups: [group]\n", "participant,file,group\n01,a,old\n",
-         "groups: \"group\" stands twice");
+         "groups: \"group\" is listed twice");
   expect("groups: [=group]\n", "participant,file,=group\n01,a,old\n", "begins like a formula");
   Write("study.yaml", MakeDesignYaml("", "{hand}_thumb"));
   Write("trials.csv", "participant,file\n01,a\n");
@@ -265,7 +265,7 @@ TEST_F(StudyFolder, FaultsOfTheTablesHaveTheirLine) {
          "hypotheses.csv:2: error: measure \"peak_opening\" is not known; did you mean "
          "\"peak_opening_m\"?");
   expect("hypotheses.csv", "measure,slope\npeak_opening_m,1\npeak_opening_m,2\n",
-         "hypotheses.csv:3: error: \"peak_opening_m\" stands twice");
+         "hypotheses.csv:3: error: \"peak_opening_m\" is listed twice");
   expect("hypotheses.csv", "measure,equal_within\npeak_opening_m,0\n",
          "hypotheses.csv:2: error: equal_within: expected more than 0");
 }

@@ -1,0 +1,30 @@
+# Program, headers, READMEs and manual use the field's words: none of retired_words.txt. The manual's history
+# quotes what earlier versions printed.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/retired_words.txt rows REGEX "^[^#]")
+find_cxx_files(files ${ROOMS})
+foreach(room IN LISTS ROOMS)
+  foreach(ending md inc js yaml)
+    file(GLOB_RECURSE others RELATIVE ${SOURCE} ${SOURCE}/${room}/*.${ending})
+    list(APPEND files ${others})
+  endforeach()
+endforeach()
+list(APPEND files README.md CHANGELOG.md CONTRIBUTING.md)
+list(REMOVE_ITEM files workbench/manual/pages/history.md)
+
+set(offences "")
+foreach(file IN LISTS files)
+  file(READ ${SOURCE}/${file} text)
+  # A phrase may go on in the next line, of a comment or of a string.
+  string(REGEX REPLACE "[ \n*/\"]+" " " text "${text}")
+  foreach(row IN LISTS rows)
+    string(REGEX REPLACE " \\| .*" "" retired "${row}")
+    string(REGEX REPLACE ".* \\| " "" wanted "${row}")
+    string(REGEX MATCH "(^|[^A-Za-z_])${retired}($|[^A-Za-z_])" found "${text}")
+    if(found)
+      list(APPEND offences "${file}: \"${retired}\": ${wanted}")
+    endif()
+  endforeach()
+endforeach()
+fail_if_any("${offences}" "Retired words (tests/lint/retired_words.txt) and what to write:")

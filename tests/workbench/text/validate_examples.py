@@ -1,0 +1,44 @@
+"""Shipped files fit the schemas that `graspbench help FILE --schema` prints, and spoilt copies do not.
+
+python3 validate_examples.py GRASPBENCH SOURCE
+"""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+
+import jsonschema
+import yaml
+
+program, source = sys.argv[1], pathlib.Path(sys.argv[2])
+EXAMPLES = {
+    "object.yaml": "objects/catalogue/*/object.yaml",
+    "hand.yaml": "core/hand/models/*/hand.yaml",
+    "tactile.yaml": "core/hand/models/*/tactile.yaml",
+    "session.yaml": "datasets/presets/*.yaml",
+    "study.yaml": "human_study/examples/*/study.yaml",
+    "pipeline.yaml": "datasets/pipelines/*[!n].yaml",  # but for small_session.yaml
+    "grasp.yaml": "tests/datasets/stores/v*/optimisation/new-pregrasp.yaml",
+}
+failures, num_files = [], 0
+for name, pattern in EXAMPLES.items():
+    schema = json.loads(subprocess.check_output([program, "help", name, "--schema"]))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    files = sorted(source.glob(pattern))
+    if not files:
+        failures.append(f"{name}: no file {pattern}")
+    for file in files:
+        content = yaml.safe_load(file.read_text())
+        num_files += 1
+        for error in validator.iter_errors(content):
+            failures.append(f"{file}: {list(error.absolute_path)}: {error.message}")
+        spoilt = copy.deepcopy(content)
+        spoilt["no_such_key"] = 1
+        if validator.is_valid(spoilt):
+            failures.append(f"{file}: takes a key that no format has")
+    if "required" in schema and validator.is_valid({}):
+        failures.append(f"{name}: an empty file is taken")
+print(f"{num_files} files, {len(failures)} failures", *failures, sep="\n")
+sys.exit(1 if failures or num_files < 40 else 0)

@@ -1,0 +1,15 @@
+#pragma once
+/** @file
+A file format as a JSON Schema (draft 2020-12), for editors and validators of YAML: which keys there
+are, which are needed, which numbers are in range. The readers check more: ids, files, sums. */
+
+#include "core/base/text/json.h"
+#include "workbench/text/file_formats.h"
+
+namespace graspbench {
+
+/** Whether a key is a list or a map of names is taken from how its meaning begins
+(core/base/file_keys.h). */
+Json MakeFileSchema(const FileFormat& format);
+
+}  // namespace graspbench
