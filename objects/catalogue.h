@@ -5,7 +5,12 @@ Things to grasp: the catalogue's 21 objects by id, or any mesh of a user by path
 The mesh is moved so that its bounding box is centred at O. The inertia is that of the homogeneous
 solid of the mesh, scaled to the mass; where object.yaml gives a centre of mass, the same tensor is
 taken about that point. The thesis's table gives the centre of mass along the length only: across
-and upwards the catalogue puts it in the middle. */
+and upwards the catalogue puts it in the middle.
+
+@code
+const std::shared_ptr<const GraspObject> can = LoadObject("can");
+const double distance = can->field->CalcDistance({0.0, 0.0, 0.1});  // from the surface [m]
+@endcode */
 
 #include <memory>
 #include <string>

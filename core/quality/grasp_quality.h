@@ -1,6 +1,18 @@
 #pragma once
 /** @file
-All quality measures of one set of contacts under one convention. */
+All quality measures of one set of contacts under one convention.
+
+@code
+QualityRequest request;
+for (const double angle : {0.0, 2.1, 4.2}) {
+  GraspContact contact;
+  contact.nhat_O = {-std::cos(angle), -std::sin(angle), 0.0};
+  contact.p_OC = -0.03 * contact.nhat_O;
+  contact.mu = 0.5;
+  request.contacts.push_back(contact);
+}
+const GraspQuality quality = CalcGraspQuality(request);  // @pre ListProblems(request) is empty
+@endcode */
 
 #include <optional>
 #include <string>

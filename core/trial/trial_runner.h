@@ -1,7 +1,20 @@
 #pragma once
 /** @file
 One grasp trial by the setup's protocol (protocols/protocol.h), carried out by a hand on an object in
-physics. */
+physics.
+
+@code
+#include "core/hand/load_hand.h"
+#include "objects/catalogue.h"
+const auto hand = std::make_shared<const Hand>(LoadHand("tum"));
+TrialSetup setup;
+setup.hand = hand;
+setup.object = LoadObject("golf_ball");
+setup.grasp = LoadStandardGrasps(*hand).front();
+setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());
+const TrialResult result = TrialRunner(hand, setup.object).Run(setup);
+const bool is_held = IsSuccess(result.outcome);  // if not: result.reason
+@endcode */
 
 #include <functional>
 #include <memory>

@@ -29,7 +29,14 @@ error. Resume = plan minus finished. A worker of a shard (shard.h) has journals 
 
 Results hold no wall clock or host, and no absolute path but those a person wrote into the
 configuration. session.json, plan.jsonl, index.sqlite and export/ have
-the same bytes for any number of workers and any number of interruptions. */
+the same bytes for any number of workers and any number of interruptions.
+
+@code
+const Session session = LoadSession("results/benchmark");
+for (const TrialRecord& record : session.records) {
+  const double forming_time = record.result.timing.gft;  // [s]; of record.trial_id
+}
+@endcode */
 
 #include <filesystem>
 #include <optional>

@@ -4,7 +4,15 @@ A study from its recordings to its numbers: every trial is read, cut, cleaned an
 study's choices and under those of its multiverse; then the statistics (study_statistics.h).
 
 A trial that cannot be analysed is removed with a reason in words; it never stops the study. Nothing
-here depends on the clock, the machine or the order in which files lie in a folder. */
+here depends on the clock, the machine or the order in which files lie in a folder.
+
+@code
+const StudyResult result = RunStudy(LoadStudy("pilot/study.yaml"));
+for (const StudyTrial& trial : result.trials) {
+  if (!trial.IsKept()) continue;  // trial.removed says why
+  const double forming_time = trial.analysis->timing.gft;  // [s]; NaN: a contact is not resolved
+}
+@endcode */
 
 #include <functional>
 #include <optional>

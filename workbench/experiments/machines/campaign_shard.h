@@ -12,7 +12,7 @@ namespace graspbench {
 ShardResult WorkOnCampaign(const ShardRequest& request, Observer& observer,
                            const std::atomic<bool>& stop);
 
-/** The most shards that it can be split into: the trials of its benchmark. @throws as LoadCampaign. */
+/** The most shards that it can be split into: its benchmark's trials. @throws as LoadCampaign. */
 int CountCampaignCards(const std::filesystem::path& folder);
 
 }  // namespace graspbench
