@@ -5,14 +5,14 @@ physics.
 
 @code
 #include "core/hand/load_hand.h"
-#include "objects/catalogue.h"
+std::shared_ptr<const GraspObject> object;  // from LoadObject("golf_ball"), objects/catalogue.h
 const auto hand = std::make_shared<const Hand>(LoadHand("tum"));
 TrialSetup setup;
 setup.hand = hand;
-setup.object = LoadObject("golf_ball");
+setup.object = object;
 setup.grasp = LoadStandardGrasps(*hand).front();
 setup.draw.joint_error = Eigen::VectorXd::Zero(hand->num_joints());
-const TrialResult result = TrialRunner(hand, setup.object).Run(setup);
+const TrialResult result = TrialRunner(hand, object).Run(setup);
 const bool is_held = IsSuccess(result.outcome);  // if not: result.reason
 @endcode */
 
