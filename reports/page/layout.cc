@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/sha256.h"
 #include "reports/page/assets.h"
+#include "reports/page/page_script.h"
 
 namespace graspbench {
 namespace {
@@ -154,16 +154,6 @@ std::string NumberParts(const std::string& body) {
   return numbered.append(body, done, std::string::npos);
 }
 
-/** For the content security policy. */
-std::string CalcScriptHash(const std::string& script) {
-  const std::string digits = CalcSha256(script);
-  std::string bytes;
-  for (size_t i = 0; i < digits.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
-  }
-  return EncodeBase64(bytes);
-}
-
 /** @param provenance  for machines; empty: none */
 std::string RenderPage(const PlainPage& plain, const std::string& provenance) {
   // The comments make the script a part of XML, too.
@@ -174,7 +164,7 @@ std::string RenderPage(const PlainPage& plain, const std::string& provenance) {
   data.set("subtitle", Text(plain.subtitle).markup());
   data.set("style", std::string(assets::kStyle) + std::string(assets::kPlotStyle));
   data.set("script", script);
-  data.set("script_hash", CalcScriptHash(script));
+  data.set("script_source", FormatScriptSource(script));
   if (!provenance.empty()) data.set("provenance", provenance);
   data.set("contents", plain.navigation.markup());
   data.set("body", NumberParts(plain.body.markup()));

@@ -15,8 +15,9 @@ void InsertAt(std::string& page, size_t at, std::string_view what, const std::st
   page.insert(at, text);
 }
 
-/** As a content security policy wants it. */
-std::string FormatSource(const std::string& script) {
+}  // namespace
+
+std::string FormatScriptSource(const std::string& script) {
   const std::string digest = CalcSha256(script);
   std::string bytes;
   for (size_t i = 0; i < digest.size(); i += 2) {
@@ -24,8 +25,6 @@ std::string FormatSource(const std::string& script) {
   }
   return "'sha256-" + EncodeBase64(bytes) + "'";
 }
-
-}  // namespace
 
 std::string AddStyle(std::string page, const std::string& style) {
   constexpr std::string_view kHeadEnd = "</head>";
@@ -47,10 +46,10 @@ std::string AddScript(std::string page, const PageScript& added) {
   const size_t head_end = page.find(kHeadEnd);
   const size_t scripts = page.find(kScripts), policy = page.find(kPolicy);
   if (scripts < head_end) {
-    page.insert(scripts + kScripts.size(), FormatSource(script) + " ");
+    page.insert(scripts + kScripts.size(), FormatScriptSource(script) + " ");
   } else {
     GRASPBENCH_DEMAND(policy < head_end, std::string(kPolicy));
-    page.insert(policy + kPolicy.size(), std::string(kScripts) + FormatSource(script) + "; ");
+    page.insert(policy + kPolicy.size(), std::string(kScripts) + FormatScriptSource(script) + "; ");
   }
   return page;
 }

@@ -6,6 +6,9 @@ A page that runs a script of its own beside what every page has. */
 
 namespace graspbench {
 
+/** A script as a page's content security policy names it: 'sha256-...'. */
+std::string FormatScriptSource(const std::string& script);
+
 /** The page of MakePage or MakePlainPage with a style sheet of its own. */
 std::string AddStyle(std::string page, const std::string& style);
 
