@@ -228,6 +228,13 @@ void DriveJoint(Shell& shell, const ShellArguments& arguments) {
 }
 
 void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
+  if (!arguments.empty() && arguments[0] == "-e") {
+    if (arguments.size() < 2 || (arguments[1] != "on" && arguments[1] != "off")) {
+      throw Error(ErrorKind::kUsage,
+                  "expected set -e on (a script ends at its first error) or off");
+    }
+    return shell.StopAtErrors(arguments[1] == "on");
+  }
   SceneChoice choice = shell.scene().choice();
   const std::string key = arguments.empty() ? "" : ToLower(arguments[0]);
   for (const char* own : {"hands", "objects", "grasps", "trials"}) {

@@ -43,6 +43,9 @@ class Shell {
   void Undo();
   int num_changes() const { return static_cast<int>(former_.size()); }
   void Quit() { is_ended_ = true; }
+  /** Whether a script ends at its first line that is refused; a person goes on. */
+  bool stops_at_errors() const { return stops_at_errors_; }
+  void StopAtErrors(bool stops) { stops_at_errors_ = stops; }
 
   /** A person asked to stop what runs; asked after every step. */
   bool IsStopped() const;
@@ -65,7 +68,7 @@ class Shell {
   ShellScene scene_;
   std::vector<SceneChoice> former_;
   std::vector<std::string> script_;
-  bool is_ended_ = false;
+  bool is_ended_ = false, stops_at_errors_ = true;
   mutable bool was_stopped_ = false;
 };
 

@@ -34,7 +34,8 @@ std::string FormatRelations(const std::vector<SimultaneityRelation>& relations) 
   const bool is_any = std::any_of(relations.begin(), relations.end(),
                                   [](const auto& row) { return row.relation.has_value(); });
   if (!is_any) {
-    return "no relation can be found: no cell (hand, object, grasp) has three trials or more that "
+    return "no relation can be found: no condition (hand, object, grasp) has three trials or more "
+           "that "
            "differ in what is compared; run more trials of each\n";
   }
   TextTable table({"hand", "of the trial", "measure", "trials", "conditions", "rank correlation"});

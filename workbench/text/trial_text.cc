@@ -189,7 +189,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
                         FormatFixed(MmFromM(trial.nearest_distance), 1)) +
             FormatBeside(trial);
   } else if (!IsSuccess(result.outcome)) {
-    text += "nearest  no trial of its cell succeeded\n";
+    text += "nearest  no trial of its condition succeeded\n";
   }
   return text + "again    " + FormatComparison(trial) + "\n" + "open     " +
          MakeShellLine(trial, folder) + "\n";

@@ -87,7 +87,7 @@ void AddReportCommand(CLI::App& program, ExitCode&) {
         name, [options, views] { options->views = views; }, text);
   };
   CLI::Option* with = add_views("--3d", PageViews::kWith,
-                                "of a session: one trial of each outcome and cell carried out "
+                                "of a session: one trial of each outcome and condition carried out "
                                 "again, as a scene to turn and play; a page that has them keeps "
                                 "them");
   add_views("--no-3d", PageViews::kWithout, "leave them out of a page that has them")

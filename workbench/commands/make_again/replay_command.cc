@@ -116,7 +116,7 @@ void AddReplayCommand(CLI::App& program, ExitCode& exit_code) {
   command
       .add_option("trials", options->names,
                   "trials, each its trial_id, the first letters of it, or hand-object-grasp:number")
-      ->option_text("ID|CELL:N ..");
+      ->option_text("ID|CONDITION:N ..");
   CLI::Option* failed =
       command.add_flag("--failed", options->failed, "the finished trials that are no success");
   command.add_flag("--all", options->all, "every trial of the plan")->excludes(failed);

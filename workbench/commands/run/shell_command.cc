@@ -65,7 +65,8 @@ class ShellLog {
   std::ofstream stream_;
 };
 
-/** Refused lines of a script make it end with the exit code of a wrong usage; a person sees them. */
+/** A script ends at its first line that is refused, unless it says "set -e off"; its exit code is
+that of a wrong usage either way. A person goes on. */
 ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& source) {
   ExitCode exit_code = kExitOk;
   int number = 0;
@@ -77,7 +78,13 @@ ExitCode Converse(Shell& shell, ShellLog& log, const LineSource& source) {
     if (MustShellEnd()) return kExitInterrupted;
     if (shell.was_stopped()) log.Write("goto " + FormatFixed(shell.scene().time(), 6));
     if (reply == Shell::Reply::kQuit) break;
-    if (reply == Shell::Reply::kRefused && !source.is_person) exit_code = kExitUsage;
+    if (reply == Shell::Reply::kRefused && !source.is_person) {
+      exit_code = kExitUsage;
+      if (shell.stops_at_errors()) {
+        PrintMessage("the script ends at its first error (set -e off: it goes on)");
+        break;
+      }
+    }
     if (!source.is_person && shell.was_stopped()) return kExitInterrupted;
   }
   return log.has_failed() ? kExitFailed : exit_code;

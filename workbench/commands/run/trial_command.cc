@@ -86,7 +86,7 @@ void AddTrialCommand(CLI::App& program, ExitCode& exit_code) {
       .add_option("trial", options->name,
                   "its trial_id, the first letters of it, or hand-object-grasp:number")
       ->required()
-      ->option_text("ID|CELL:N");
+      ->option_text("ID|CONDITION:N");
   for (const TrialFile& form : ListTrialFiles()) {
     if (!*form.text) continue;  // another form of an option that is there
     command
