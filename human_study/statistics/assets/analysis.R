@@ -154,10 +154,20 @@ test_pairs <- function(m, y) {
 }
 
 # The default optimiser stops after three or four digits.
-fit <- function(formula, data) tryCatch(suppressWarnings(suppressMessages(lmerTest::lmer(
-  as.formula(formula), data, control = lme4::lmerControl(optimizer = "bobyqa", calc.derivs = FALSE,
-  check.conv.singular = "ignore", optCtrl = list(rhoend = 1e-12, maxfun = 1e5))))),
+fit_by <- function(formula, data, optimizer, options, start = NULL) tryCatch(suppressWarnings(
+  suppressMessages(lmerTest::lmer(as.formula(formula), data, start = start,
+    control = lme4::lmerControl(optimizer = optimizer, calc.derivs = FALSE,
+                                check.conv.singular = "ignore", optCtrl = options)))),
   error = function(e) NULL)
+bobyqa <- list(rhoend = 1e-12, maxfun = 1e5)
+# A search that ends on the boundary may have missed a better fit beside it.
+fit <- function(formula, data) {
+  model <- fit_by(formula, data, "bobyqa", bobyqa)
+  if (is.null(model) || !lme4::isSingular(model, 1e-4)) return(model)
+  other <- fit_by(formula, data, "nloptwrap", list(xtol_abs = 1e-10, ftol_abs = 1e-10))
+  if (is.null(other) || lme4::REMLcrit(other) >= lme4::REMLcrit(model)) return(model)
+  fit_by(formula, data, "bobyqa", bobyqa, start = lme4::getME(other, "theta"))
+}
 spreads <- function(model) {
   v <- as.data.frame(lme4::VarCorr(model))
   v <- v[v$grp != "Residual" & is.na(v$var2), ]
@@ -335,6 +345,8 @@ test_openings <- function(o) {
     between <- sum(n * (sapply(own, mean) - mean(t$open))^2) / (length(own) - 1)
     sqrt(between / (sum(sapply(own, function(v) sum((v - mean(v))^2))) / (sum(n) - length(own))))
   }
+  # With two digits every opening is the aperture, up to rounding.
+  log_of <- function(ratio) if (isTRUE(abs(log(ratio)) < 1e-12)) 0 else log(ratio)
   d_prime <- function(t) mean(tapply(t$open - t$closed, t$person, mean)) / spread(t, TRUE)
   slopes <- function(t) unlist(lapply(split(t, t$person), function(own)
     if (length(unique(own$x)) > 1) coef(lm(open ~ x, own))[["x"]]))
@@ -364,7 +376,10 @@ test_openings <- function(o) {
   for (id in ids[-1]) for (criterion in names(criteria)) {
     a <- view(id); b <- view(ids[1])
     if (criterion == "robustness") {
-      a <- view(id, worst(id)); b <- view(ids[1], worst(ids[1]))
+      # With two digits nothing is left of an opening without one of them.
+      without <- c(worst(id), worst(ids[1]))
+      if (length(without) < 2) next
+      a <- view(id, without[1]); b <- view(ids[1], without[2])
     }
     if (criterion == "slope") {
       aperture <- both(b, b)[[1]]
@@ -373,16 +388,16 @@ test_openings <- function(o) {
     }
     pair <- both(a, b); persons <- unique(pair[[1]]$person); n <- length(persons)
     if (n < 5) next
-    ratio <- function(keep) log(criteria[[criterion]](pair[[1]][pair[[1]]$person %in% keep, ]) /
+    ratio <- function(keep) log_of(criteria[[criterion]](pair[[1]][pair[[1]]$person %in% keep, ]) /
                                 criteria[[criterion]](pair[[2]][pair[[2]]$person %in% keep, ]))
     all <- ratio(persons); left <- sapply(persons, function(p) ratio(setdiff(persons, p)))
-    if (!all(is.finite(c(all, left)))) next
+    if (!all(is.finite(c(all, left))) || length(unique(left)) == 1) next
     se <- sqrt((n - 1) / n * sum((left - mean(left))^2)); t <- qt(0.975, n - 1)
     found[[length(found) + 1]] <- list(measure = paste0("open_", id, "_m"), effect = criterion,
       estimate = exp(all), low = exp(all - t * se), high = exp(all + t * se),
       p = 2 * pt(-abs(all / se), n - 1))
   }
-  holm <- p.adjust(sapply(found, function(one) one$p), "holm")
+  holm <- p.adjust(vapply(found, function(one) one$p, 0), "holm")
   for (i in seq_along(found)) with(found[[i]], add(measure, analysis, effect, estimate, low = low,
                                                    high = high, p = p, p_holm = holm[i]))
 }

@@ -217,7 +217,10 @@ OpeningComparison Compare(size_t criterion, const TrialsByPerson& own,
     return comparison;
   }
   const Answer<JackknifeInterval> answer = CalcJackknife(own.size(), [&](const Members& members) {
-    return std::log(kCalcs[criterion](own, members) / kCalcs[criterion](aperture, members));
+    // With two digits every opening is the aperture, up to rounding.
+    const double ratio =
+        std::log(kCalcs[criterion](own, members) / kCalcs[criterion](aperture, members));
+    return std::abs(ratio) < 1e-12 ? 0.0 : ratio;
   });
   if (!answer) {
     comparison.no_answer = answer.reason();
