@@ -11,8 +11,6 @@ extern const std::string_view kStyle;       ///< style.css
 extern const std::string_view kPlotStyle;   ///< plot.css, which uses the variables of style.css
 extern const std::string_view kScript;      ///< page.js
 extern const std::string_view kReferences;  ///< references.bib
-/** benchmark_sensitivity.json: what `graspbench sensitivity --json` prints of the benchmark. */
-extern const std::string_view kBenchmarkSensitivity;
 extern const std::string_view kLibraries;  ///< "Simbody 3.7, .."
 /** For scene_3d.h: three.js with its loader and controls and scene_3d.js, in this order. */
 extern const std::string_view kSceneScript;

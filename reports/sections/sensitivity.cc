@@ -4,20 +4,12 @@
 #include "core/base/text/range_text.h"
 #include "core/base/units.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
-#include "reports/page/assets.h"
 #include "reports/page/layout.h"
 #include "reports/plots/line_plot.h"
 #include "reports/sections/section.h"
 
 namespace graspbench {
 namespace {
-
-/** That of the benchmark session, for sessions that have not run theirs. */
-SensitivitySummary ReadBenchmarkSensitivity() {
-  SensitivitySummary summary;
-  ReadRecord(Json::parse(assets::kBenchmarkSensitivity), summary);
-  return summary;
-}
 
 std::string FormatChange(const SettingChange& change, const char* measure, double scale,
                          int decimals) {
@@ -94,21 +86,10 @@ Html DrawSensitivity(const ReportData& data) {
       "sheet gives them. Here one of them at a time has another value, and the same trials run "
       "again with the same draws.");
   if (!data.sensitivity.changes.empty()) return html + DrawHands(data, data.sensitivity);
-  html += Element("p", {},
-                  Text("This session has not been run so; ") +
-                      Element("code", {}, "graspbench sensitivity") +
-                      Text(" with its folder does it and shows the changes here."));
-  const SensitivitySummary benchmark = ReadBenchmarkSensitivity();
-  const Html hands = DrawHands(data, benchmark);
-  if (hands.empty()) return html;
-  return html +
-         MakeNote(
-             "info",
-             "Measured on the benchmark session, the first 2 of 10 trials of each condition: both "
-             "hands, 21 objects, best-suited grasp, seed 1, physics version " +
-                 std::to_string(benchmark.physics_version),
-             MakeParagraph("Other objects, grasps and settings depend on other things.")) +
-         hands;
+  return html + Element("p", {},
+                        Text("This session has not been run so; ") +
+                            Element("code", {}, "graspbench sensitivity") +
+                            Text(" with its folder does it and shows the changes here."));
 }
 
 }  // namespace
