@@ -62,7 +62,7 @@ const StoreKind kSessionStore = {
     /*stores=*/{"sensitivity/*", "numerics/*", "delays/*"},
     /*keeps_torn_lines=*/true,
     /*shared_journals=*/{"journal/*-*.jsonl", "judge/*-*.jsonl", "workers/*-*.jsonl"},
-    /*outputs=*/{"export", "report"},
+    /*outputs=*/{"check-numerics", "export", "report"},
     /*lines=*/
     {{{"journal/*.jsonl"}, {"trial_id", "hand", "result"}},
      {{"judge/*.jsonl"}, {"trial_id", "judge_version", "judgement"}},

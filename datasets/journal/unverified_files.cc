@@ -20,6 +20,12 @@ std::vector<std::string> FindUnverified(const fs::path& folder) {
                     [&](const ManifestFile& sealed) { return sealed.path == file; });
     if (!is_sealed && fs::is_regular_file(folder / file)) files.push_back(file);
   }
+  for (const std::string& output : kind->outputs) {
+    if (HasManifest(folder / output) || !fs::is_directory(folder / output)) continue;
+    for (const std::string& file : ListMatches(folder, {output + "/*"})) {
+      if (fs::is_regular_file(folder / file)) files.push_back(file);
+    }
+  }
   for (const std::string& store : ListMatches(folder, kind->stores)) {
     for (const std::string& file : FindUnverified(folder / store)) {
       files.push_back(store + "/" + file);

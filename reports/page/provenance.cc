@@ -32,9 +32,11 @@ std::string FindReference(const std::string& key) {
 }  // namespace
 
 std::string MakeBibtex(const std::vector<std::string>& keys) {
-  const std::string version = program_version();
-  std::string text = "@software{graspbench,\n  title   = {graspbench: a workbench for grasping " +
-                     std::string("experiments},\n  version = {") + version + "}\n}\n";
+  std::string text =
+      "@software{graspbench,\n  author  = {{The graspbench developers}},\n"
+      "  title   = {graspbench: a workbench for grasping experiments},\n  version = {" +
+      std::string(program_version()) + "},\n  year    = {" + std::string(assets::kReleaseYear) +
+      "},\n  note    = {commit " + program_commit() + "}\n}\n";
   for (const std::string& key : keys) text += "\n" + FindReference(key);
   return text;
 }

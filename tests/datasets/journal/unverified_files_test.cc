@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/files/files.h"
 #include "datasets/journal/sealed_store.h"
 #include "tests/datasets/journal/store_mutations.h"
@@ -29,6 +31,20 @@ TEST(UnverifiedFiles, AreMadeFilesWithoutAHash) {
   EXPECT_EQ(find("campaign"), Names{"scenes/tum-mug/new-other.yaml"});
   EXPECT_EQ(DescribeUnverified("comparison.csv"),
             "comparison.csv: cannot be verified, no hash of it is kept");
+}
+
+TEST(UnverifiedFiles, AreTablesWhoseManifestIsGone) {
+  const TemporaryFolder folder;
+  MakeStores(folder.path());
+  const std::filesystem::path session = folder.path() / "session";
+  std::filesystem::create_directories(session / "export");
+  UnsealOutput(session / "export");
+  WriteFile(session / "export" / "trials.csv", "trial_id\n");
+  SealOutput(session / "export", {"trials.csv"}, {});
+  EXPECT_EQ(FindUnverified(session), Names());
+  std::filesystem::remove(session / "export" / "manifest.json");
+  const Names found = FindUnverified(session);
+  EXPECT_NE(std::find(found.begin(), found.end(), "export/trials.csv"), found.end());
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace {
 TEST(MakeBibtex, GivesTheWholeEntriesAskedForAndNoOthers) {
   const std::string text = MakeBibtex({"wilson1927", "holm1979"});
   EXPECT_EQ(text.rfind("@software{graspbench,", 0), 0u);
+  for (const char* part : {"The graspbench developers", "year    = {20", "commit "}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
   EXPECT_NE(text.find("@article{wilson1927,"), std::string::npos);
   EXPECT_NE(text.find("10.1080/01621459.1927.10502953"), std::string::npos);
   EXPECT_NE(text.find("@article{holm1979,"), std::string::npos);

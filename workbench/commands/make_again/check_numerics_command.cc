@@ -5,6 +5,7 @@
 
 #include "core/base/files/files.h"
 #include "core/base/text/text.h"
+#include "datasets/journal/sealed_store.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/commands/command.h"
 #include "workbench/experiments/interrupt.h"
@@ -49,10 +50,12 @@ void Check(const NumericsOptions& options) {
   const std::vector<NumericsComparison> comparisons = ListNumericsComparisons(
       LoadSession(experiment.folder, options.request.on_damage, RecordParts::kBrief));
   const std::vector<NumericsSummary> summaries = SummariseNumerics(comparisons);
-  const fs::path out =
-      options.out.empty() ? folder / "check" / "numerics.csv" : fs::path(options.out);
+  const fs::path own = folder / "check-numerics";
+  const fs::path out = options.out.empty() ? own / "numerics.csv" : fs::path(options.out);
+  if (options.out.empty()) UnsealOutput(own);
   if (out.has_parent_path()) MakeFolder(out.parent_path());
   WriteFileAtomically(out, FormatNumericsCsv(comparisons));
+  if (options.out.empty()) SealOutput(own, {"numerics.csv"}, {});
   if (options.json) {
     Json json = MakeNumericsJson(summaries, comparisons);
     json["session"] = folder.string();
@@ -84,7 +87,7 @@ void AddCheckNumericsCommand(CLI::App& program, ExitCode&) {
   AddPlanOnlyOption(command, options->request.plan_only);
   command.add_option("--out", options->out, "table of all comparisons")
       ->option_text("FILE")
-      ->default_str("check/numerics.csv in the session");
+      ->default_str("check-numerics/numerics.csv in the session");
   command.add_flag("--json", options->json, "print one JSON object");
   command.callback([options] { Check(*options); });
 }
