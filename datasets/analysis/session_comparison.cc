@@ -49,8 +49,17 @@ std::string ExplainNoPair(const Session& before, const Session& after) {
   if (a.variation.offset != b.variation.offset || a.variation.yaw != b.variation.yaw) {
     return "they vary the object's place by other amounts (variation.offset_m, variation.yaw_rad)";
   }
-  return differ("they have no hand, object and grasp in common, and more than one of them", a.hands,
-                b.hands);
+  const auto list_keys = [](const Session& session) {
+    std::set<std::string> keys;
+    for (const TrialRecord& record : session.records) {
+      const PlannedTrial& plan = record.plan;
+      keys.insert(plan.hand + "-" + plan.object + "-" + plan.grasp +
+                  (plan.condition ? "@" + *plan.condition : ""));
+    }
+    return keys;
+  };
+  return differ("they have no condition (hand, object, grasp, setting) in common",
+                list_keys(before), list_keys(after));
 }
 
 }  // namespace

@@ -43,16 +43,24 @@ const PlannedTrial& FindByNumber(const Session& session, const std::string& name
   const std::string cell = FindCell(session, name.substr(0, name.find(':')));
   const std::string number = name.substr(name.find(':') + 1);
   std::vector<std::string> cells;
+  std::string under_conditions;
   int num_trials = 0;
   for (const PlannedTrial& planned : session.plan) {
     const std::string key = NameCell(planned);
     if (ToLower(NameTrial(planned)) == cell + ":" + number) return planned;
     if (key == cell && !planned.condition) ++num_trials;
-    if (cells.empty() || cells.back() != key) cells.push_back(key);
+    if (key == cell && planned.condition && std::to_string(planned.trial) == number) {
+      under_conditions += (under_conditions.empty() ? "" : ", ") + NameTrial(planned);
+    }
+    if (std::find(cells.begin(), cells.end(), key) == cells.end()) cells.push_back(key);
   }
   if (num_trials > 0) {
     throw Error(ErrorKind::kNotFound, "\"" + name + "\": the session has " + cell + ":0 to " +
                                           cell + ":" + std::to_string(num_trials - 1));
+  }
+  if (!under_conditions.empty()) {
+    throw Error(ErrorKind::kNotFound, "the base of the sweep has no \"" + name +
+                                          "\", its conditions have: " + under_conditions);
   }
   throw Error(ErrorKind::kNotFound, "the session has no condition \"" + cell + "\"" +
                                         SuggestNames(cell, cells) + HowToName());

@@ -80,6 +80,11 @@ std::string FormatChoices(const std::vector<BestGrasp>& rows) {
 
 void FindBest(const BestOptions& options) {
   const Session session = LoadSession(options.session, OnDamage::kRefuse, RecordParts::kBrief);
+  if (!session.config.conditions.empty()) {
+    throw Error(ErrorKind::kUsage, "\"" + options.session +
+                                       "\" is a sweep; its report and export/effects.csv compare "
+                                       "its conditions, graspbench best reads a session without");
+  }
   const SessionSummary summary = SummariseSession(session);
   const SessionInputs inputs = LoadSessionInputs(session.config, FieldUse::kLater, options.session);
   const std::vector<BestGrasp> rows = FindBestGrasps(session, summary, inputs);

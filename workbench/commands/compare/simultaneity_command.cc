@@ -40,6 +40,11 @@ void RunDelays(const SimultaneityOptions& options) {
 void Run(const SimultaneityOptions& options) {
   if (options.delays) return RunDelays(options);
   const Session session = LoadSession(options.request.folder);
+  if (!session.config.conditions.empty()) {
+    throw Error(ErrorKind::kUsage, "\"" + options.request.folder.string() +
+                                       "\" is a sweep, whose conditions would be mixed; sweep "
+                                       "delay.last instead, or take a session without conditions");
+  }
   if (!session.findings.entries().empty()) PrintMessage(session.findings.Format());
   const std::vector<SimultaneityRelation> relations = SummariseSimultaneity(session);
   if (options.json) return PrintJson({{"relations", ListRows(relations)}});
