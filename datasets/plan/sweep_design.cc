@@ -99,6 +99,15 @@ std::vector<Point> ListOneAtATime(const std::vector<SweepFactor>& factors) {
 }
 
 std::vector<Point> ListLatin(const std::vector<SweepFactor>& factors, size_t count, int seed) {
+  size_t num_all = 1;
+  for (const SweepFactor& factor : factors) {
+    num_all = std::min(num_all * factor.levels.size(), kMostConditions + 1);
+  }
+  if (count >= num_all) {
+    throw Error(ErrorKind::kUsage, "latin:" + std::to_string(count) + ": the factors have " +
+                                       std::to_string(num_all) +
+                                       " combinations in all; expected fewer, or --design full");
+  }
   std::vector<Point> points(count);
   for (const SweepFactor& factor : factors) {
     std::vector<size_t> levels(count);
@@ -150,11 +159,12 @@ SweepConfig LoadSweepConfig(const std::string& path) {
 
 const FileKeys& ListSweepKeys() {
   static const FileKeys keys = [] {
-    FileKeys rows = {{"factors", "",
-                      "list of KEY=VALUE,VALUE,..: a session's setting, grasp, delay.last, "
-                      "delay.first or backend; the base's level first"},
-                     {"design", "", "full, one-at-a-time or latin:N"},
-                     {"judge", "", "also break what is held; some five times as long"}};
+    FileKeys rows = {
+        {"factors", "",
+         "list of KEY=VALUE,VALUE,..: a session's setting, grasp, delay.last, "
+         "delay.first or backend; the base's level first"},
+        {"design", "", "full, one-at-a-time or latin:N (the base and up to N combinations)"},
+        {"judge", "", "also break what is held; some five times as long"}};
     const FileKeys& session = ListSessionKeys();
     rows.insert(rows.end(), session.begin(), session.end());
     return DescribeConfig(SweepConfig(), rows);

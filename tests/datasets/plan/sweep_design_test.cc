@@ -78,6 +78,8 @@ TEST(SweepDesign, RefusesWhatIsNoDesign) {
   expect(explain({"model.mass_scale=1,2", "model.mass_scale=3,4"}, "full"), "is named twice");
   expect(explain({"model.mass_scale=1,2"}, "half"), "no design \"half\"");
   expect(explain({"model.mass_scale=1,2"}, "latin:x"), "no design \"latin:x\"");
+  expect(explain({"model.mass_scale=1,2", "sim.step_s=0.002,0.001"}, "latin:4"),
+         "the factors have 4 combinations in all");
   expect(explain({"seed=1,2"}, "full"), "decides which trials there are");
   expect(explain({"delay.last=0.1,0.2"}, "full"), "the first level of delay.last");
   expect(explain({"delay.last=0,0.2", "delay.first=0,0.1"}, "full"), "cannot delay two digits");

@@ -132,7 +132,7 @@ void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("KEY=A,B,..");
   command
       .add_option("--design", options->design,
-                  "full, one-at-a-time, or latin:N: N conditions of a Latin hypercube")
+                  "full, one-at-a-time, or latin:N: base and at most N of a Latin hypercube")
       ->option_text("DESIGN")
       ->default_str("full");
   command.add_flag("--judge", options->judge, "also break what is held; some five times as long");
