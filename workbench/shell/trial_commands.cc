@@ -180,9 +180,10 @@ std::string DescribeMissing(const TrialResult& result) {
   std::string text;
   for (size_t d = 0; d < result.contacts.size(); ++d) {
     if (!std::isnan(result.contacts[d].time)) continue;
-    text += fmt::format("missing  {} never touched; its nearest was {} mm\n",
+    const double gap = MmFromM(result.touches[d].smallest_gap);
+    text += fmt::format("missing  {} did not touch before lift-off; its nearest was {} mm\n",
                         result.contacts[d].digit.str(),
-                        FormatFixed(MmFromM(result.touches[d].smallest_gap), 1));
+                        gap < 0.05 ? "less than 0.1" : FormatFixed(gap, 1));
   }
   return text;
 }
