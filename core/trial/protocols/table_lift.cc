@@ -428,9 +428,9 @@ int TableLift::ChooseNumSteps() const {
   const int num_steps = CalcSteadySteps(setup_.sim);
   const double end = phase == Phase::kHold ? setup_.strategy.hold_time : setup_.strategy.lift_time;
   const double step = setup_.sim.step, time = notes_.strategy.time_in_phase();
-  // So that phases end, and samples are taken, when they would be.
+  // So that samples are taken, and phases end, when they would be: a phase's last step is short.
   const bool is_aligned = std::lround(time / step) % num_steps == 0;
-  return is_aligned && time + num_steps * step < end + 0.5 * step ? num_steps : 1;
+  return is_aligned && time + num_steps * step < end - 0.5 * step ? num_steps : 1;
 }
 
 StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, int num_steps) {
