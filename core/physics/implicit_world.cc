@@ -91,7 +91,7 @@ void ImplicitWorld::MovePositions(double h, const VectorXd& u, WorldState& state
 }
 
 void ImplicitWorld::AddArm(const WorldCommand& command) {
-  const double h = config_.step;
+  const double h = problem_.h;
   const Eigen::AngleAxisd turn(Matrix3d(command.X_WH.linear() * middle_.X_WH.linear().transpose()));
   const Vector3d turned = turn.angle() * turn.axis();
   const Vector3d moved = command.X_WH.translation() - middle_.X_WH.translation();
@@ -110,7 +110,7 @@ void ImplicitWorld::AddArm(const WorldCommand& command) {
 }
 
 void ImplicitWorld::AddDrives(const WorldCommand& command) {
-  const double h = config_.step;
+  const double h = problem_.h;
   for (int dof = 0; dof < dynamics_.num_dofs(); ++dof) {
     const int joint = dynamics_.joint_of_dof(dof), distal = dynamics_.distal_of_dof(dof);
     if (dynamics_.is_deviation(dof)) {
@@ -151,7 +151,7 @@ void ImplicitWorld::AddStops(int dof, double rate, double q, double lower, doubl
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // Far from its limits a joint cannot reach them within the step.
   constexpr double kNear = 0.1;
-  const double gain = stiffness * config_.step * rate * rate;
+  const double gain = stiffness * problem_.h * rate * rate;
   if (q < lower + kNear) {
     problem_.scalars.push_back({dof, stiffness * rate * (lower - q), gain, 0.0, kInfinity});
   }
@@ -234,6 +234,7 @@ void ImplicitWorld::UpdateDynamics() {
 bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
   return step_number_ > 0 && command.q == last_command_.q &&
          command.torque_limit == last_command_.torque_limit &&
+         command.num_steps == last_command_.num_steps &&
          command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
          last_command_.v_WH.isZero(0.0);
 }
@@ -241,7 +242,9 @@ bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
 StepReport ImplicitWorld::Step(const WorldCommand& command) {
   const bool is_as_before = IsAsBefore(command);
   if (stands_ && is_as_before) return last_report_;
-  const double h = config_.step;
+  const double h = command.num_steps * config_.step;
+  if (h != problem_.h) solver_.Forget();
+  problem_.h = h;
   const int dofs = dynamics_.num_dofs(), object = dynamics_.num_speeds();
   ChooseDistalModes(command, energy_.limits);
   problem_.u << CalcHandSpeeds(), state_.w_WO, state_.v_WOcm;
@@ -300,7 +303,7 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
 }
 
 void ImplicitWorld::FinishForces(const VectorXd& v) {
-  const double h = config_.step;
+  const double h = problem_.h;
   const VectorXd mean = 0.5 * (problem_.u + v);
   // Momentum along W's axes of unit speeds, times gravity: the weight's generalised force.
   const int base = dynamics_.num_dofs(), object = dynamics_.num_speeds();

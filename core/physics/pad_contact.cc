@@ -33,7 +33,7 @@ PadCompression CalcPadCompression(double hertz, double stiffness, double pad_dep
   for (int i = 0; i < 50; ++i) {
     const double change = (w * w * (1.0 + ratio * w) - x) / (w * (2.0 + 3.0 * ratio * w));
     w -= change;
-    if (change <= 1e-15 * w) break;
+    if (change <= 1e-8 * w) break;  // what is left is its square
   }
   return {w * w, hertz * w * w * w, 1.0 / (1.0 / (1.5 * hertz * w) + 1.0 / stiffness)};
 }

@@ -11,11 +11,13 @@ namespace graspbench {
 
 /** Counts changes of the physics, or of a record's measures, that change results. Part of every
 trial id, so that records of different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 11;
+inline constexpr int kPhysicsVersion = 12;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
   double step = 0.002;                 ///< [s]
+  /** Where contacts are steady, one step is as long as so many (steady_contacts.h); 1: none is. */
+  int steady_step_factor = 5;
   double gravity = kStandardGravity;   ///< downwards [m/s^2]
   double contact_stiffness = 1e5;      ///< normal, per contact point [N/m]
   double tangential_stiffness = 1e5;   ///< bristle, per contact point [N/m]
@@ -46,6 +48,7 @@ struct SimConfig {
   template <class V>
   void Visit(V&& v) {
     v("step_s", step);
+    v("steady_step_factor", steady_step_factor);
     v("gravity_m_per_s2", gravity);
     v("contact_stiffness_n_per_m", contact_stiffness);
     v("tangential_stiffness_n_per_m", tangential_stiffness);

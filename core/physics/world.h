@@ -46,6 +46,7 @@ struct WorldCommand {
   Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();
   /** Of the drives, where below their own (num_joints) [N m]; empty: their own. */
   Eigen::VectorXd torque_limit = {};
+  int num_steps = 1;  ///< of the settings' length that are taken as one
 };
 
 /** What happened in a step. Forces are those of its end. */

@@ -73,19 +73,29 @@ void Pivot(Eigen::Index enter, Eigen::Index leave, Tableau& tableau) {
   tableau.basis[leave] = enter;
 }
 
+/** The variable that gains most for its share; -1 when none gains (Dantzig's rule: fewer pivots). */
+Eigen::Index FindSteepest(const Tableau& tableau) {
+  Eigen::Index steepest = -1;
+  const double gain =
+      -tableau.values.row(tableau.num_rows).head(tableau.num_columns).minCoeff(&steepest);
+  return gain > kZero ? steepest : -1;
+}
+
 /** Pivots until nothing gains. */
 LinearProgramEnd RunSimplex(double rounding_gain, Tableau& tableau) {
   // After so many steps it might cycle, which Bland's rule prevents, but for rounding.
   const Eigen::Index num_stable_steps = kStableSteps * (tableau.num_rows + tableau.num_columns);
   for (Eigen::Index step = 0; step <= 4 * num_stable_steps; ++step) {
-    // The first variable that gains enters. A tiny gain that no row limits is rounding, not a way
-    // to infinity.
-    Eigen::Index enter = -1, leave = -1;
+    const bool is_stable = step < num_stable_steps;
+    Eigen::Index enter = is_stable ? FindSteepest(tableau) : -1, leave = -1;
+    if (enter >= 0) leave = FindLeavingRow(tableau, enter, is_stable);
+    // Where that one is not limited, or under Bland's rule, the first variable that gains enters. A
+    // tiny gain that no row limits is rounding, not a way to infinity.
     for (Eigen::Index column = 0; column < tableau.num_columns && leave < 0; ++column) {
       const double gain = -tableau.values(tableau.num_rows, column);
       if (gain <= kZero) continue;
       enter = column;
-      leave = FindLeavingRow(tableau, enter, step < num_stable_steps);
+      leave = FindLeavingRow(tableau, enter, is_stable);
       if (leave < 0 && gain > rounding_gain) return LinearProgramEnd::kUnbounded;
     }
     if (leave < 0) return LinearProgramEnd::kOptimum;

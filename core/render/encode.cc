@@ -36,13 +36,25 @@ std::string EncodePng(const Image& image) {
 
 std::string EncodeWebp(const Image& image) {
   CheckPixels(image);
-  constexpr float kQuality = 75.0f;  // of 100
-  uint8_t* encoded = nullptr;
-  const size_t size = WebPEncodeRGB(image.rgb.data(), image.width, image.height, 3 * image.width,
-                                    kQuality, &encoded);
-  const std::string bytes(reinterpret_cast<const char*>(encoded), size);
-  WebPFree(encoded);
-  if (size == 0) {
+  WebPConfig config;
+  WebPPicture picture;
+  WebPMemoryWriter writer;
+  WebPMemoryWriterInit(&writer);
+  bool is_written = WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, /*quality=*/75.0f) != 0 &&
+                    WebPPictureInit(&picture) != 0;
+  if (is_written) {
+    config.method = 2;  // of 0 to 6: with 4, libwebp's own, 2.4 times the time for 6 % fewer bytes
+    picture.width = image.width;
+    picture.height = image.height;
+    picture.writer = WebPMemoryWrite;
+    picture.custom_ptr = &writer;
+    is_written = WebPPictureImportRGB(&picture, image.rgb.data(), 3 * image.width) != 0 &&
+                 WebPEncode(&config, &picture) != 0;
+    WebPPictureFree(&picture);
+  }
+  const std::string bytes(reinterpret_cast<const char*>(writer.mem), writer.size);
+  WebPMemoryWriterClear(&writer);
+  if (!is_written) {
     throw Error(ErrorKind::kUnsupported,
                 "cannot write a WebP picture of " + std::to_string(image.width) + " x " +
                     std::to_string(image.height) + " pixels; expected 1 to " +

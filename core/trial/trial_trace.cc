@@ -30,13 +30,14 @@ TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double inte
   const long every = std::max(1L, std::lround(num_steps));
   TracedTrial traced;
   TraceInstant latest;
-  long step = 0;
+  long next_kept = 0;
   bool is_kept = true;
   const auto keep_latest = [&] {
     if (!is_kept) traced.trace.push_back(latest);
     is_kept = true;
   };
   traced.result = runner.Run(setup, [&](TrialCourse& course) {
+    const long step = std::lround(course.time() / setup.sim.step);
     if (step > 0 && course.phase() != latest.phase) {
       keep_latest();
       traced.trace.back().next_phase = course.phase();
@@ -44,7 +45,9 @@ TracedTrial TraceTrial(TrialRunner& runner, const TrialSetup& setup, double inte
     latest = MakeInstant(course);
     traced.closure_start = course.closure_start();
     is_kept = false;
-    if (step++ % every == 0) keep_latest();
+    if (step < next_kept) return;
+    keep_latest();
+    next_kept = (step / every + 1) * every;
   });
   keep_latest();
   return traced;

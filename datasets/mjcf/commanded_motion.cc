@@ -9,7 +9,9 @@
 
 namespace graspbench {
 
-CommandedMotion RecordMotion(const TrialSetup& setup) {
+CommandedMotion RecordMotion(const TrialSetup& recorded) {
+  TrialSetup setup = recorded;
+  setup.sim.steady_step_factor = 1;  // a row for every step
   TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   CommandedMotion motion;
   motion.step = setup.sim.step;

@@ -55,6 +55,12 @@ void AddSettingsOfPhysics11(Json& config) {
   if (scale.is_null()) scale = ConfigToJson(ModelConfig()).at("pad_stiffness_scale");
 }
 
+/** Before physics 12 every step had the same length. */
+void AddSettingsOfPhysics12(Json& config) {
+  Json& conditions = config.contains("session") ? config["session"] : config;
+  if (conditions.contains("sim")) conditions["sim"].emplace("steady_step_factor", 1);
+}
+
 /** Advice must not lead a new result into a folder that holds something. */
 bool MayBegin(const fs::path& folder) {
   std::error_code status;
@@ -103,6 +109,7 @@ Frozen LoadFrozen(const StoreKind& kind, const fs::path& folder, OnDamage on_dam
     if (&kind != &kSessionStore) {
       if (frozen.physics_version < 10) AddSettingsOfPhysics10(frozen.config);
       if (frozen.physics_version < 11) AddSettingsOfPhysics11(frozen.config);
+      if (frozen.physics_version < 12) AddSettingsOfPhysics12(frozen.config);
     }
   } catch (const Json::exception& e) {
     throw Error(ErrorKind::kFormat,

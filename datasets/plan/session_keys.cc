@@ -76,6 +76,10 @@ const FileKeys& ListSessionKeys() {
        "how drives hold a regulated force: hold (a position, with their stiffness) or saturating "
        "(a limit of their torque, without)"},
       {"sim.step_s", "", "of the physics", 1e-4, 1e-2},
+      {"sim.steady_step_factor", "",
+       "so many steps, of 10 ms together at most, are one while what hangs in the hand keeps its "
+       "contacts; 1: none are",
+       1, 100},
       {"sim.gravity_m_per_s2", "", "downwards", 0, 100},
       {"sim.contact_stiffness_n_per_m", "", "normal, of one contact point", 100, 1e7},
       {"sim.tangential_stiffness_n_per_m", "", "of one contact point before it slips", 100, 1e7},

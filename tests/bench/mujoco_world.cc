@@ -71,7 +71,7 @@ class SceneWriter {
       torsion_radius = std::fmax(torsion_radius, CalcTorsionRadius(link));
     }
     text_ << "<mujoco>\n<compiler angle='radian'/>\n<size njmax='800' nconmax='200'/>\n"
-          << "<option timestep='" << config_.step << "' gravity='0 0 " << -config.gravity
+          << "<option timestep='" << config_.step << "' gravity='0 0 " << -sim_.gravity
           << "' cone='elliptic' impratio='" << config_.impratio
           << "' solver='Newton' noslip_iterations='" << config_.noslip_iterations
           << "' noslip_tolerance='" << config_.noslip_tolerance << "'/>\n"

@@ -139,6 +139,7 @@ void RunScene(const std::shared_ptr<const Hand>& hand, const Scene& scene, int n
   for (const MujocoConfig& config : configs) {
     TrialSetup peer_setup = setup;
     peer_setup.sim.step = config.step;
+    peer_setup.sim.steady_step_factor = 1;
     auto world = std::make_unique<Recorded<MujocoWorld>>(
         *hand, *setup.object, scene.shape, peer_setup.sim, config, placement.approach_W);
     peers.push_back(world.get());

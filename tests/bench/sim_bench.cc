@@ -106,7 +106,8 @@ void BM_Step(benchmark::State& state, const char* hand_id, const char* object_id
   TableLift course(std::make_unique<ImplicitWorld>(*setup.hand, *setup.object, setup.sim), setup);
   World& world = course.world();
   if (course.Run().outcome != Outcome::kSuccess) state.SkipWithError("the object is not held");
-  const WorldCommand command = course.last_command();
+  WorldCommand command = course.last_command();
+  command.num_steps = 1;
   const WorldState held = world.state();
   HandDynamics& dynamics = world.dynamics();
   Collider collider(*setup.hand, *setup.object, setup.sim, TablePresence::kPresent);

@@ -360,7 +360,7 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
   Model& model = *model_;
   const Eigen::VectorXd q_before = course_.q1;
   course_.start = model.integrator->getTime();
-  course_.length = sim_.step;
+  course_.length = command.num_steps * sim_.step;
   course_.p0 = course_.p1;
   course_.v0 = course_.v1;
   course_.p1 = (command.X_WH * hand_->links[0].X_PJ).translation();
@@ -381,7 +381,7 @@ StepReport CompliantWorld::Step(const WorldCommand& command) {
   if (has_changed) model.integrator->reinitialize(SimTK::Stage::Time, false);
 
   // The integrator must not look beyond what has been commanded.
-  const double end = course_.start + sim_.step;
+  const double end = course_.start + course_.length;
   while (model.integrator->getTime() < end - 1e-9) model.integrator->stepTo(end, end);
   TakeState(command);
   StepReport report = TakeContacts();

@@ -22,7 +22,9 @@ HeldObject::HeldObject(const World& world, const WorldCommand& command, const Tr
       mass_(setup.object->mass_properties.mass),
       radius_(CalcObjectRadius(*setup.object)),
       R_WPalm_(CalcPalmPose(*hand_, world.state()).linear()),
-      X_PalmStart_(CalcObjectInPalm()) {}
+      X_PalmStart_(CalcObjectInPalm()) {
+  command_.num_steps = 1;  // loads grow in every step
+}
 
 Pose HeldObject::CalcObjectInPalm() const {
   const WorldState& state = world_->state();

@@ -31,8 +31,8 @@ bool HasSettled(bool condition, double time, double& since) {
 
 }  // namespace
 
-ContactEventRecorder::ContactEventRecorder(const Hand& hand, double step)
-    : hand_(&hand), step_(step), links_(hand.links.size()) {}
+ContactEventRecorder::ContactEventRecorder(const Hand& hand)
+    : hand_(&hand), links_(hand.links.size()) {}
 
 void ContactEventRecorder::AddEvent(double time, ContactEventKind kind, size_t link,
                                     double impulse) {
@@ -41,7 +41,8 @@ void ContactEventRecorder::AddEvent(double time, ContactEventKind kind, size_t l
       {time, kind, digit < 0 ? "palm" : hand_->digits[digit].id, hand_->links[link].name, impulse});
 }
 
-void ContactEventRecorder::Observe(double time, const std::vector<HandContact>& contacts) {
+void ContactEventRecorder::Observe(double time, double duration,
+                                   const std::vector<HandContact>& contacts) {
   std::vector<LinkNow> now(links_.size());
   for (const HandContact& contact : contacts) {
     LinkNow& link = now[static_cast<size_t>(contact.link)];
@@ -51,7 +52,7 @@ void ContactEventRecorder::Observe(double time, const std::vector<HandContact>& 
   }
   for (size_t i = 0; i < links_.size(); ++i) {
     LinkState& link = links_[i];
-    link.impulse += now[i].force * step_;
+    link.impulse += now[i].force * duration;
     if (HasSettled(now[i].is_touching != link.is_touching, time, link.changed_since)) {
       link.is_touching = now[i].is_touching;
       if (link.is_touching) {

@@ -69,11 +69,11 @@ const ContactEvent* FindSlipBefore(const std::vector<ContactEvent>& events,
 /** Watches a trial. */
 class ContactEventRecorder {
  public:
-  /** @param step  of the physics [s] */
-  ContactEventRecorder(const Hand& hand, double step);
+  explicit ContactEventRecorder(const Hand& hand);
 
-  /** To be called after every step with the contacts of that step. */
-  void Observe(double time, const std::vector<HandContact>& contacts);
+  /** To be called after every step with the contacts of that step. @param duration  its length [s]
+  */
+  void Observe(double time, double duration, const std::vector<HandContact>& contacts);
 
   /** In the order of their times, links in the hand's order. */
   std::vector<ContactEvent> MakeEvents() const;
@@ -89,7 +89,6 @@ class ContactEventRecorder {
   void AddEvent(double time, ContactEventKind kind, size_t link, double impulse = kUnset);
 
   const Hand* hand_;
-  double step_;
   std::vector<LinkState> links_;
   std::vector<ContactEvent> events_;
 };

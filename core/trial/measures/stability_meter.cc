@@ -33,7 +33,7 @@ StabilityMeter::StabilityMeter(const TrialSetup& setup)
       step_(setup.sim.step),
       object_radius_(CalcObjectRadius(*setup.object)) {}
 
-void StabilityMeter::Observe(const World& world, Phase phase, double time_in_phase) {
+void StabilityMeter::Observe(const World& world, Phase phase, double time_in_phase, int num_steps) {
   std::vector<GraspInstant>* samples = nullptr;
   double interval = 0.0;
   switch (phase) {
@@ -57,7 +57,7 @@ void StabilityMeter::Observe(const World& world, Phase phase, double time_in_pha
   }
   const long number = std::lround(time_in_phase / step_);
   const long every = std::max(1L, std::lround(interval / step_));
-  if (number % every == 0) samples->push_back(MakeInstant(world));
+  if (number % every < num_steps) samples->push_back(MakeInstant(world));
 }
 
 GraspInstant StabilityMeter::MakeInstant(const World& world) const {

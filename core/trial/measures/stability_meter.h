@@ -23,8 +23,8 @@ class StabilityMeter {
  public:
   explicit StabilityMeter(const TrialSetup& setup);
 
-  /** To be called after each step. */
-  void Observe(const World& world, Phase phase, double time_in_phase);
+  /** To be called after each step. @param num_steps  of the settings' length that it took */
+  void Observe(const World& world, Phase phase, double time_in_phase, int num_steps);
 
   /** The grasp now. */
   GraspInstant MakeInstant(const World& world) const;

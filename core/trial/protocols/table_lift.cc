@@ -59,7 +59,7 @@ TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, Wris
       placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
       digits_(FindGraspingDigits(hand_, setup.grasp)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
-             ContactEventRecorder(hand_, setup.sim.step), MakeRegulator(setup_, digits_)} {
+             ContactEventRecorder(hand_), MakeRegulator(setup_, digits_)} {
   for (const int digit : digits_) {
     const bool opposes = digit == FindOpposingDigit(hand_, setup.grasp);
     notes_.result.contacts.push_back(
@@ -219,12 +219,13 @@ SeatMeter::Place TableLift::FindPlace() const {
 }
 
 void TableLift::Observe(const StepReport& report) {
+  const double duration = notes_.command.num_steps * setup_.sim.step;
   notes_.report = report;
-  notes_.time += setup_.sim.step;
+  notes_.time += duration;
   ++notes_.result.num_steps;
   if (!report.converged) {
     ++notes_.result.num_unconverged;
-    notes_.unconverged_time += setup_.sim.step;
+    notes_.unconverged_time += duration;
   } else {
     notes_.unconverged_time = 0.0;
   }
@@ -237,13 +238,17 @@ void TableLift::Observe(const StepReport& report) {
   ObserveTouches();
   world_->FindHandContacts(hand_contacts_);
   if (notes_.strategy.phase() < Phase::kLiftOff) {
-    notes_.seat.Observe(hand_contacts_, setup_.sim.step);
+    notes_.seat.Observe(hand_contacts_, duration);
+  } else {
+    notes_.steady.Observe(hand_contacts_, report.table_force,
+                          CalcSlipSpeed(world_->state(), object_radius_), duration);
   }
-  notes_.events.Observe(notes_.time, hand_contacts_);
+  notes_.events.Observe(notes_.time, duration, hand_contacts_);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
   notes_.grip.Observe(notes_.strategy.phase(), *world_, hand_contacts_,
                       notes_.sensors ? &*notes_.sensors : nullptr);
-  notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase());
+  notes_.stability.Observe(*world_, notes_.strategy.phase(), notes_.strategy.time_in_phase(),
+                           notes_.command.num_steps);
   if (notes_.strategy.phase() == Phase::kHold && !notes_.settled_at &&
       notes_.strategy.time_in_phase() >= kSettlingShare * setup_.strategy.hold_time) {
     notes_.settled_at = CalcObjectInPalm();
@@ -412,9 +417,25 @@ StrategyObservation TableLift::FindObservation() const {
   return observation;
 }
 
-StrategyCommand TableLift::NextCommand(const StrategyObservation& observation) {
+/** A regulated grip, sensors and a person's drives ask for something in every step. */
+int TableLift::ChooseNumSteps() const {
   const Phase phase = notes_.strategy.phase();
-  const StrategyCommand command = notes_.strategy.Step(setup_.sim.step, observation);
+  const bool is_lifted = phase == Phase::kLiftOff || phase == Phase::kHold;
+  if (!is_lifted || !notes_.steady.are_steady() || notes_.grip.is_regulated() || notes_.sensors ||
+      !setup_.drives.empty()) {
+    return 1;
+  }
+  const int num_steps = CalcSteadySteps(setup_.sim);
+  const double end = phase == Phase::kHold ? setup_.strategy.hold_time : setup_.strategy.lift_time;
+  const double step = setup_.sim.step, time = notes_.strategy.time_in_phase();
+  // So that samples are taken, and phases end, when they would be: a phase's last step is short.
+  const bool is_aligned = std::lround(time / step) % num_steps == 0;
+  return is_aligned && time + num_steps * step < end - 0.5 * step ? num_steps : 1;
+}
+
+StrategyCommand TableLift::NextCommand(const StrategyObservation& observation, int num_steps) {
+  const Phase phase = notes_.strategy.phase();
+  const StrategyCommand command = notes_.strategy.Step(num_steps * setup_.sim.step, observation);
   notes_.grip.Advance(phase);
   return command;
 }
@@ -422,7 +443,8 @@ StrategyCommand TableLift::NextCommand(const StrategyObservation& observation) {
 bool TableLift::Advance() {
   notes_.is_over = notes_.is_over || IsDecided(MakeFacts());
   if (notes_.is_over) return false;
-  const StrategyCommand command = NextCommand(FindObservation());
+  const int num_steps = ChooseNumSteps();
+  const StrategyCommand command = NextCommand(FindObservation(), num_steps);
   if (notes_.strategy.phase() != notes_.phase) {
     notes_.phase = notes_.strategy.phase();
     EnterPhase(notes_.phase);
@@ -431,12 +453,13 @@ bool TableLift::Advance() {
     if (notes_.is_over) return false;
   }
   notes_.command = MakeCommand(command);
+  notes_.command.num_steps = num_steps;
   Observe(world_->Step(notes_.command));
   return true;
 }
 
 std::optional<WorldCommand> TableLift::ComputeOpenLoopCommand() {
-  const StrategyCommand command = NextCommand({});
+  const StrategyCommand command = NextCommand({}, 1);
   notes_.phase = notes_.strategy.phase();
   if (notes_.phase == Phase::kDone) return std::nullopt;
   return MakeCommand(command);

@@ -23,6 +23,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/trial/grip/grip_regulator.h"
 #include "core/trial/measures/seat.h"
 #include "core/trial/measures/stability_meter.h"
+#include "core/trial/measures/steady_contacts.h"
 #include "core/trial/protocols/protocol.h"
 #include "core/trial/protocols/table_lift_outcome.h"
 #include "core/trial/trial_result.h"
@@ -53,6 +54,7 @@ struct TrialNotes {
   double rest_extent = 0.0;                                 ///< height of the object [m]
   Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();  ///< p_WOcm [m]
   SeatMeter seat = {};
+  SteadyContacts steady = {};
   std::optional<Eigen::Vector3d> held_at = {};  ///< p_HOcm at the start of the hold
   std::optional<Pose> settled_at = {};          ///< X_PalmOcm when creep starts to count
 };
@@ -101,10 +103,12 @@ class TableLift : public TrialCourse {
   void Position(WristCamera* camera);
   double FindPlacingStart(const Pose& X_WO, const Eigen::VectorXd& q);
   WorldCommand MakeCommand(const StrategyCommand& command) const;
+  /** How many steps of the settings' length the next one is. */
+  int ChooseNumSteps() const;
   void MakeSensors();
   StrategyObservation FindObservation() const;
   /** Of the strategy, and the digits' closing with it. */
-  StrategyCommand NextCommand(const StrategyObservation& observation);
+  StrategyCommand NextCommand(const StrategyObservation& observation, int num_steps);
   void Observe(const StepReport& report);
   void ObserveTouches();
   void EnterPhase(Phase phase);

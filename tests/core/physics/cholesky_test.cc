@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <string>
 
 #include "core/base/random.h"
@@ -39,6 +40,29 @@ TEST(FactorCholesky, IsEigensToTheLastBit) {
     const MatrixXd L = factored.triangularView<Eigen::Lower>();
     const MatrixXd expected = H.llt().matrixL();
     EXPECT_EQ((L - expected).cwiseAbs().maxCoeff(), 0.0) << n;
+  }
+}
+
+/** Fingers that meet in the palm only: blocks along the diagonal, and rows that are full below. */
+MatrixXd MakeHandLike(int num_fingers, int num_joints, int num_others) {
+  MatrixXd H = MakePositiveDefinite(num_fingers * num_joints + num_others);
+  for (int a = 0; a < num_fingers * num_joints; ++a) {
+    for (int b = 0; b < num_fingers * num_joints; ++b) {
+      if (a / num_joints != b / num_joints) H(a, b) = 0.0;
+    }
+  }
+  return H + 4.0 * static_cast<double>(H.rows()) * MatrixXd::Identity(H.rows(), H.rows());
+}
+
+TEST(FactorCholesky, SkipsZerosWithoutAChangeOfABit) {
+  for (const auto& [fingers, joints, others] : {std::array{3, 3, 12}, {5, 4, 12}, {4, 7, 12}}) {
+    const MatrixXd H = MakeHandLike(fingers, joints, others);
+    MatrixXd factored = H;
+    ASSERT_TRUE(FactorCholesky(factored));
+    const MatrixXd L = factored.triangularView<Eigen::Lower>();
+    const MatrixXd expected = H.llt().matrixL();
+    EXPECT_EQ((L - expected).cwiseAbs().maxCoeff(), 0.0) << fingers;
+    EXPECT_LT((L * L.transpose() - H).cwiseAbs().maxCoeff(), 1e-12) << fingers;
   }
 }
 

@@ -30,7 +30,7 @@ class Script {
         contact.slip_speed = contact.is_at_limit ? 0.01 : 0.0;
         contacts.push_back(contact);
       }
-      recorder_.Observe(time_, contacts);
+      recorder_.Observe(time_, kStep, contacts);
     }
   }
   std::vector<ContactEvent> events() const { return recorder_.MakeEvents(); }
@@ -47,7 +47,7 @@ class Script {
   }
 
   Hand hand_ = MakeHand();
-  ContactEventRecorder recorder_{hand_, kStep};
+  ContactEventRecorder recorder_{hand_};
   double time_ = 0.0;
 };
 

@@ -90,12 +90,18 @@ TEST_P(TableLiftTest, IsOverOnceAndForAll) {
   TableLift course = MakeCourse(setup);
   EXPECT_FALSE(course.is_held());
   course.Begin();
-  int num_steps = 0;
+  int num_steps = 0, num_long = 0;
+  double time = 0.0;
   while (course.Advance()) {
     ++num_steps;
-    ASSERT_NEAR(course.time(), num_steps * setup.sim.step, 1e-9);
+    const bool is_long = course.last_command().num_steps > 1;
+    num_long += is_long ? 1 : 0;
+    ASSERT_TRUE(!is_long || course.phase() >= Phase::kLiftOff);
+    time += course.last_command().num_steps * setup.sim.step;
+    ASSERT_NEAR(course.time(), time, 1e-9);
     ASSERT_FALSE(course.is_held());
   }
+  EXPECT_GT(num_long, 100);
   EXPECT_TRUE(course.is_held());
   const std::string first = ToJson(course.End()).dump();
   const Eigen::VectorXd q = course.world().state().q;
@@ -104,6 +110,21 @@ TEST_P(TableLiftTest, IsOverOnceAndForAll) {
   EXPECT_EQ(ToJson(course.End()).dump(), first) << "asking twice changes nothing";
   EXPECT_EQ(course.End().num_steps, num_steps);
   EXPECT_EQ(ToJson(TrialRunner(setup.hand, setup.object).Run(setup)).dump(), first);
+}
+
+TEST_P(TableLiftTest, LongStepsWhereNothingHappensGiveTheSameTrial) {
+  TrialSetup setup = MakeHeld();
+  const TrialResult with = MakeCourse(setup).Run();
+  setup.sim.steady_step_factor = 1;
+  const TrialResult without = MakeCourse(setup).Run();
+  EXPECT_LT(with.num_steps, 0.7 * without.num_steps);
+  EXPECT_EQ(with.outcome, without.outcome);
+  EXPECT_EQ(with.grip_force, without.grip_force) << "until lift-off nothing differs";
+  EXPECT_EQ(with.stability.hold.num_samples, without.stability.hold.num_samples);
+  EXPECT_EQ(with.stability.lift.num_samples, without.stability.lift.num_samples);
+  EXPECT_NEAR(with.stability.sigma, without.stability.sigma, 0.01 * without.stability.sigma);
+  EXPECT_NEAR(with.simulated_time, without.simulated_time, 1e-9);
+  EXPECT_LT(std::abs(with.energy_residual), 1e-4);
 }
 
 TEST_P(TableLiftTest, PhasesFollowEachOtherAsPlanned) {
