@@ -1,7 +1,6 @@
 #include "datasets/campaign/campaign_progress.h"
 
 #include <algorithm>
-#include <map>
 
 #include "datasets/campaign/campaign_store.h"
 #include "datasets/journal/checked_line.h"
@@ -12,28 +11,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** @param ages  of the workers' files of one deal, by shard [s]. */
-void AddShards(const std::vector<fs::path>& scenes, int num_shards,
-               const std::map<int, double>& ages, const std::set<std::string>& at_rest,
+void AddShards(const std::vector<fs::path>& scenes, int num_shards, const Deal& deal,
                double stale_after, std::vector<ShardProgress>& shards) {
+  std::vector<ShardProgress> of_deal;
   for (int number = 1; number <= num_shards; ++number) {
-    ShardProgress progress;
+    ShardProgress& progress = of_deal.emplace_back();
     progress.shard = {number, num_shards};
-    const auto age = ages.find(number);
-    if (age != ages.end()) progress.age = age->second;
     for (size_t i = 0; i < scenes.size(); ++i) {
       if (!IsCardOf(i, progress.shard)) continue;
       ++progress.num_trials;
       progress.num_finished += HasSceneResult(scenes[i]);
       const fs::path journal = scenes[i] / "journal.jsonl";
-      if (progress.age && fs::exists(journal)) {
-        progress.age = std::min(*progress.age, CalcAge(journal));
-      }
+      if (deal.ages.count(number) == 0 || !fs::exists(journal)) continue;
+      progress.age = std::min(CalcAge(journal), progress.age.value_or(CalcAge(journal)));
     }
-    const bool is_at_rest = at_rest.count(FormatLabel(progress.shard)) > 0;
-    progress.state = FindState(progress, is_at_rest, stale_after);
-    shards.push_back(progress);
   }
+  CompleteShards(deal, stale_after, of_deal);
+  shards.insert(shards.end(), of_deal.begin(), of_deal.end());
 }
 
 }  // namespace
@@ -51,15 +45,9 @@ CampaignProgress ReadCampaignProgress(const fs::path& folder, double stale_after
   Diagnostics ignored;  // a merge reports them
   const Workers workers = LoadWorkers(folder, ignored);
   progress.unchecked = FindUnchecked(folder, workers.starts);
-  std::map<int, std::map<int, double>> ages;  // by number of shards, by shard
-  for (const fs::path& path : ListJournals(folder, "workers")) {
-    const Shard shard = FindShardOfFile(path.filename().string());
-    constexpr int kMostShards = 100000;  // a file of another origin must not fill the memory
-    if (shard.count == 0 || shard.count > kMostShards) continue;
-    KeepYoungest(shard.number, CalcAge(path), ages[shard.count]);
-  }
-  for (const auto& [num_shards, of_deal] : ages) {
-    AddShards(scenes, num_shards, of_deal, workers.at_rest, stale_after, progress.shards);
+  constexpr int kMostShards = 100000;  // a file of another origin must not fill the memory
+  for (const auto& [num_shards, deal] : FindDeals(folder, "journal", "", workers, kMostShards)) {
+    AddShards(scenes, num_shards, deal, stale_after, progress.shards);
   }
   if (HasSession(folder / "benchmark")) {
     progress.benchmark = ReadProgress(folder / "benchmark", stale_after, index_use);

@@ -114,9 +114,15 @@ std::string NormaliseSetting(const std::string& assignment, const SessionConfig&
                     (group == "camera" ? "positioning: " + config.positioning + ", not camera"
                                        : "touch: " + config.touch + ", not sensed"));
   }
+  const std::string level = FindBaseLevel(changed, key);
+  if (level != FindBaseLevel(config, key) && ToJson(changed) == ToJson(config)) {
+    throw Error(ErrorKind::kUsage, "\"" + key + "=" + level +
+                                       "\" changes nothing here: the session's other settings "
+                                       "leave no use for it");
+  }
   // A session that looks, varied to one that does not, leaves the settings of the camera behind.
   CheckSessionConfig(SessionConfigFromJson(ToJson(changed), assignment));
-  return key + "=" + FindBaseLevel(changed, key);
+  return key + "=" + level;
 }
 
 ConditionInputs ApplyCondition(const Condition& condition, const SessionConfig& config) {

@@ -270,13 +270,13 @@ std::vector<PlannedTrial> MakePlan(const SessionConfig& config, const SessionInp
   CheckNamesFit("object", object_names);
   CheckNamesDiffer("hands", hand_names);
   CheckNamesDiffer("objects", object_names);
-  CheckGraspsExist(config, inputs);
+  const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
+  for (const ConditionBlock& block : blocks) CheckGraspsExist(*block.config, *block.inputs);
   CheckCamerasExist(config, inputs);
   CheckSkinsExist(config, inputs);
   CheckGrips(config, inputs);
 
   std::vector<PlannedTrial> plan;
-  const std::vector<ConditionBlock> blocks = ListBlocks(config, inputs);
   for (size_t hand = 0; hand < inputs.hands.size(); ++hand) {
     for (size_t object = 0; object < inputs.objects.size(); ++object) {
       for (const ConditionBlock& block : blocks) PlanPair(block, hand, object, plan);

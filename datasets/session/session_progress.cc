@@ -67,12 +67,6 @@ Outline LoadOutline(const fs::path& path) {
   return outline;
 }
 
-/** What the files of workers say of the shards of one deal, by number. */
-struct Deal {
-  std::map<int, double> ages;  // of the youngest file [s]
-  std::set<int> at_rest;
-};
-
 /** What is to be done and what is, by place in the plan. */
 struct Tasks {
   std::vector<bool> planned, finished;
@@ -88,35 +82,8 @@ void AddShards(const Outline& outline, const Tasks& tasks, int num_shards, const
     progress.num_trials += tasks.planned[place];
     progress.num_finished += tasks.finished[place];
   }
-  for (ShardProgress& progress : of_deal) {
-    const int number = progress.shard.number;
-    const auto age = known.ages.find(number);
-    if (age != known.ages.end()) progress.age = age->second;
-    progress.state = FindState(progress, known.at_rest.count(number) > 0, stale_after);
-    shards.push_back(progress);
-  }
-}
-
-/** @param subfolder  of the results; @param prefix  of the label of a worker;
-@param num_trials  there are no more shards. @returns by number of shards. */
-std::map<int, Deal> FindDeals(const fs::path& folder, const char* subfolder,
-                              const std::string& prefix, const Workers& workers, int num_trials) {
-  std::map<int, Deal> deals;
-  const auto look_at = [&](const fs::path& path, const std::string& name) {
-    const Shard shard = FindShardOfFile(name);
-    if (shard.count == 0 || shard.count > num_trials) return;
-    Deal& deal = deals[shard.count];
-    KeepYoungest(shard.number, CalcAge(path), deal.ages);
-    if (workers.at_rest.count(prefix + FormatLabel(shard)) > 0) deal.at_rest.insert(shard.number);
-  };
-  for (const fs::path& path : ListJournals(folder, subfolder)) {
-    look_at(path, path.filename().string());
-  }
-  for (const fs::path& path : ListJournals(folder, "workers")) {
-    const std::string name = path.filename().string();
-    if (name.compare(0, prefix.size(), prefix) == 0) look_at(path, name.substr(prefix.size()));
-  }
-  return deals;
+  CompleteShards(known, stale_after, of_deal);
+  shards.insert(shards.end(), of_deal.begin(), of_deal.end());
 }
 
 JudgeProgress ReadJudgeProgress(const fs::path& folder, const Outline& outline,
@@ -152,16 +119,40 @@ double CalcAge(const fs::path& path) {
   return std::max(0.0, std::difftime(std::time(nullptr), status.st_mtime));
 }
 
-void KeepYoungest(int shard, double age, std::map<int, double>& ages) {
-  double& youngest = ages.try_emplace(shard, age).first->second;
-  youngest = std::min(youngest, age);
+std::map<int, Deal> FindDeals(const fs::path& folder, const char* subfolder,
+                              const std::string& prefix, const Workers& workers, int num_trials) {
+  std::map<int, Deal> deals;
+  const auto look_at = [&](const fs::path& path, const std::string& name) {
+    const Shard shard = FindShardOfFile(name);
+    if (shard.count == 0 || shard.count > num_trials) return;
+    Deal& deal = deals[shard.count];
+    double& youngest = deal.ages.try_emplace(shard.number, CalcAge(path)).first->second;
+    youngest = std::min(youngest, CalcAge(path));
+    if (workers.at_rest.count(prefix + FormatLabel(shard)) > 0) deal.at_rest.insert(shard.number);
+  };
+  for (const fs::path& path : ListJournals(folder, subfolder)) {
+    look_at(path, path.filename().string());
+  }
+  for (const fs::path& path : ListJournals(folder, "workers")) {
+    const std::string name = path.filename().string();
+    if (name.compare(0, prefix.size(), prefix) == 0) look_at(path, name.substr(prefix.size()));
+  }
+  return deals;
 }
 
-ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stale_after) {
-  if (progress.num_finished == progress.num_trials) return ShardState::kFinished;
-  if (is_at_rest) return ShardState::kStopped;
-  if (!progress.age) return ShardState::kWaiting;
-  return *progress.age <= stale_after ? ShardState::kRunning : ShardState::kStale;
+void CompleteShards(const Deal& deal, double stale_after, std::vector<ShardProgress>& shards) {
+  for (ShardProgress& progress : shards) {
+    const auto age = deal.ages.find(progress.shard.number);
+    if (age != deal.ages.end())
+      progress.age = std::min(age->second, progress.age.value_or(age->second));
+    if (progress.num_finished == progress.num_trials) {
+      progress.state = ShardState::kFinished;
+    } else if (deal.at_rest.count(progress.shard.number) > 0) {
+      progress.state = ShardState::kStopped;
+    } else if (progress.age) {
+      progress.state = *progress.age <= stale_after ? ShardState::kRunning : ShardState::kStale;
+    }
+  }
 }
 
 std::set<int> FindShardCounts(const fs::path& folder) {

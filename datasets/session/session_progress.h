@@ -15,6 +15,7 @@ for a million trials, unless they are being judged; without them every line is l
 #include "datasets/journal/manifest.h"
 #include "datasets/records/journal_index.h"
 #include "datasets/shards/shard.h"
+#include "datasets/shards/worker_log.h"
 
 namespace graspbench {
 
@@ -58,12 +59,19 @@ struct SessionProgress {
   std::optional<JudgeProgress> judge;  ///< none: nobody has begun to judge
 };
 
-/** From what is finished and how old its files are. @param is_at_rest  its worker has ended. */
-ShardState FindState(const ShardProgress& progress, bool is_at_rest, double stale_after);
+/** What the files of workers say of the shards of one deal, by number. */
+struct Deal {
+  std::map<int, double> ages;  ///< since the youngest file was written [s]
+  std::set<int> at_rest;       ///< whose worker has ended
+};
+/** @param subfolder  of the results; @param prefix  of the label of a worker;
+@param num_trials  there are no more shards. @returns by number of shards. */
+std::map<int, Deal> FindDeals(const std::filesystem::path& folder, const char* subfolder,
+                              const std::string& prefix, const Workers& workers, int num_trials);
+/** Adds age and state of the shards of a deal whose trials are counted. @param stale_after  [s]. */
+void CompleteShards(const Deal& deal, double stale_after, std::vector<ShardProgress>& shards);
 /** Since the file was written [s]; 0: it cannot be asked. */
 double CalcAge(const std::filesystem::path& path);
-/** @param ages  of the youngest file of each shard, by its number [s] */
-void KeepYoungest(int shard, double age, std::map<int, double>& ages);
 
 /** The numbers of shards that journals of the folder are of; 0: a journal of no shard. */
 std::set<int> FindShardCounts(const std::filesystem::path& folder);

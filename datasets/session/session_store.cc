@@ -301,9 +301,28 @@ std::vector<PlannedTrial> FindUnfinished(const Session& session) {
   return unfinished;
 }
 
+namespace {
+
+/** The first condition in which they differ, there and now; empty: in none. */
+std::string DescribeConditions(const std::vector<Condition>& there,
+                               const std::vector<Condition>& now) {
+  const auto describe = [](const std::vector<Condition>& conditions, size_t i) {
+    return i < conditions.size() ? conditions[i].name : "none";
+  };
+  for (size_t i = 0; i < std::max(there.size(), now.size()); ++i) {
+    if (describe(there, i) == describe(now, i)) continue;
+    return "\n  condition " + std::to_string(i + 1) + ": " + describe(there, i) + " and " +
+           describe(now, i);
+  }
+  return "";
+}
+
+}  // namespace
+
 void CheckSameSession(const Session& session, const SessionConfig& config,
                       const std::vector<PlannedTrial>& plan) {
-  std::string text = ListDifferences(FindConfigDifferences(session.config, config));
+  std::string text = ListDifferences(FindConfigDifferences(session.config, config)) +
+                     DescribeConditions(session.config.conditions, config.conditions);
   if (!text.empty()) {
     throw Error(ErrorKind::kUsage,
                 "the session was started with other settings (there and now):" + text +

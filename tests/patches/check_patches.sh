@@ -1,7 +1,7 @@
 #!/bin/bash
 # A kind of experiment is at most three files of the product, a protocol two, a factor none: applies
-# the patches to copies of what they touch, builds that with the flags of this build, links it before
-# the libraries as they are, and runs it.
+# the patches to copies of what they touch, builds the objects that these are part of with the flags
+# of this build, links them before the libraries as they are, and runs the result.
 # check_patches.sh SOURCE BUILD
 set -eu
 source_folder=$1 build=$2 patches=$(dirname "$(realpath "$0")")
@@ -10,15 +10,19 @@ trap 'rm -rf "$work"' EXIT
 
 fail() { echo "$*" >&2; exit 1; }
 
-# The command that compiles a file as those of the program's library, without input and output.
-compile=$(grep -m1 '"command":.*workbench/CMakeFiles/workbench.dir/' "$build/compile_commands.json" |
-  sed -E 's/^ *"command": "(.*)",$/\1/; s/\\"/"/g; s/\\\\/\\/g; s/ -o [^ ]+ -c .*//')
-link=$(ninja -C "$build" -t commands graspbench | tail -1)
-[ -n "$compile" ] && [[ $link == *" -o graspbench "* ]] || fail "no commands in $build"
+# find_compile OBJECT: the command that makes it, without input and output.
+find_compile() { ninja -C "$build" -t commands "$1" | tail -1 | sed -E 's/ -MD .*//'; }
 
-# apply PATCH COUNT: into $work/PATCH; every touched .cc, and what includes another, to an object.
+program=workbench/CMakeFiles/workbench.dir/Unity/unity_0_cxx.cxx.o
+link=$(ninja -C "$build" -t commands graspbench | tail -1)
+[[ $(find_compile $program) && $link == *" -o graspbench "* ]] || fail "no commands in $build"
+ninja -C "$build" -t deps >"$work/deps"
+
+# apply PATCH COUNT: into $work/PATCH; what the patch adds, and every object of the product with a
+# source that it changes or whose list it makes longer, is built. Linked first, these leave nothing
+# to ask the libraries for.
 apply() {
-  local tree=$work/$1 files file includer
+  local tree=$work/$1 files file sources object copy
   files=$(sed -nE 's#^\+\+\+ b/([^ ]+).*#\1#p' "$patches/$1.patch")
   [ "$(wc -w <<<"$files")" -le "$2" ] || fail "$1.patch touches more than $2 files:" $files
   for file in $files; do
@@ -26,29 +30,47 @@ apply() {
     [ ! -e "$source_folder/$file" ] || cp "$source_folder/$file" "$tree/$file"
   done
   patch -s -p1 -d "$tree" <"$patches/$1.patch"
-  objects=
+  objects= sources=
   for file in $files; do
-    if [[ $file == *.cc ]]; then
-      build_object "$tree" "$tree/$file"
+    if [ ! -e "$source_folder/$file" ]; then
+      build_object "$tree" "$tree/$file" $program
     else
-      for includer in $(grep -rl --include='*.cc' "#include \"$file\"" "$source_folder"/{core,datasets,workbench}); do
-        build_object "$tree" "$includer"
-      done
+      sources="$sources $file $(cd "$source_folder" &&
+        grep -rl --include='*.cc' "#include \"$file\"" core datasets workbench || true)"
     fi
+  done
+  for object in $(list_objects "$sources"); do
+    copy=$tree/$(tr / _ <<<"$object").cc
+    cp "$(find_source "$object")" "$copy"
+    for file in $files; do sed -i "s#\"$source_folder/$file\"#\"$tree/$file\"#" "$copy"; done
+    build_object "$tree" "$copy" "$object"
   done
 }
 
-# build_object TREE FILE: headers of the tree come first.
+# list_objects SOURCES: those of the product that are made of any of them.
+list_objects() {
+  awk -v root="$source_folder/" -v sources="$1" '
+    BEGIN { split(sources, names); for (i in names) if (names[i] ~ /cc$/) is_asked[root names[i]] }
+    /^[^ ]/ { object = substr($1, 1, length($1) - 1) }
+    ($1 in is_asked) && object ~ /^(core|datasets|workbench)\// { print object }
+  ' "$work/deps" | sort -u
+}
+
+# find_source OBJECT: one file, or one that includes several.
+find_source() { ninja -C "$build" -t query "$1" | awk '/^    [^|]/ { print $1; exit }'; }
+
+# build_object TREE FILE OBJECT: as that object is; headers of the tree come first.
 build_object() {
-  local object
+  local object compile
   object=$1/$(basename "$2" .cc).o
+  compile=$(find_compile "$3")
   (cd "$build" && eval "${compile/ -I/ -I$1 -I} -o $object -c $2")
   objects="$objects $object"
 }
 
 # make_program NAME [without main]
 make_program() {
-  local line=${link/ -o graspbench / -Wl,--allow-multiple-definition $objects -o $work/$1 }
+  local line=${link/ -o graspbench / $objects -o $work/$1 }
   [ $# -lt 2 ] || line=${line/workbench\/CMakeFiles\/graspbench.dir\/main.cc.o/}
   (cd "$build" && eval "$line")
 }
@@ -62,7 +84,7 @@ grep -q '^2 trials compared' "$work/told" || fail "the new kind has compared not
 "$work/graspbench" verify "$work/session" >/dev/null  # its stores are the session's
 
 apply protocol 2
-build_object "$work/protocol" "$patches/run_protocol.cc"
+build_object "$work/protocol" "$patches/run_protocol.cc" $program
 make_program run_protocol without_main
 "$work/run_protocol"
 

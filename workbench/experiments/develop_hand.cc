@@ -250,9 +250,8 @@ std::vector<DevelopedGrasp> DevelopHand(const DevelopHandRequest& request, Obser
 
   DevelopmentJournal journal(request.out / kDevelopment / "journal.jsonl");
   TrialPool pool(request.num_workers, stop, request.trial_time_limit);
-  Stage stage;
-  stage.kind = StageKind::kDevelopment;
-  stage.num_all = stage.num_left = static_cast<int>(taxa.size());
+  Stage stage = MakeStage(StageKind::kDevelopment, taxa.size());
+  stage.num_trials = 0;
   const std::vector<int> budgets = ShareBudget(request.config.budget, taxa);
   for (const int budget : budgets) stage.num_trials += CountDevelopTrials(budget).all();
   observer.BeginStage(stage);

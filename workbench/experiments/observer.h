@@ -22,8 +22,6 @@ enum class StageKind {
   kOptimisation,
   kBenchmark,
   kComparison,
-  kBasin,
-  kVariant,
   kDevelopment,
   kReplay
 };
@@ -41,15 +39,12 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kOptimisation, "optimisation", "scene", "scenes", "optimise", "evaluations", false},
     {StageKind::kBenchmark, "benchmark", "trial", "trials", "run", "trials", true},
     {StageKind::kComparison, "comparison", "search", "searches", "run", "evaluations", false},
-    {StageKind::kBasin, "basin", "sample", "samples", "run", "samples", true},
-    {StageKind::kVariant, "variant", "trial", "trials", "run", "trials", true},
     {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false},
     {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {
   StageKind kind = StageKind::kRun;
-  std::string variant;            ///< of kVariant: which of an experiment's variants
   int num_all = 0;                ///< tasks, as the kind's row says
   int num_left = 0;               ///< of those; 0: finished before, nothing runs
   int num_trials = 0;             ///< at most, with those of earlier runs
@@ -65,6 +60,12 @@ struct BatchStatus {
   0: all cost the same. */
   double work_done = 0.0, work_left = 0.0;
 };
+
+/** Of so many tasks that nobody has begun, each one trial. */
+inline Stage MakeStage(StageKind kind, size_t num_tasks) {
+  const int num = static_cast<int>(num_tasks);
+  return {kind, num, num, num, {}};
+}
 
 /** Called in the thread that started the experiment. */
 class Observer {

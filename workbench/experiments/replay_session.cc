@@ -124,11 +124,8 @@ SessionReplay ReplaySession(const Session& session, const SessionInputs& inputs,
     worker.give_up = compare;
     return worker;
   };
-  Stage stage;
-  stage.kind = StageKind::kReplay;
-  stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(request.trials.size());
-  if (!RunBatchStage(stage, request.trials, request.num_workers, make_worker, observer, stop,
-                     request.trial_time_limit)) {
+  if (!RunBatchStage(MakeStage(StageKind::kReplay, request.trials.size()), request.trials,
+                     request.num_workers, make_worker, observer, stop, request.trial_time_limit)) {
     throw Error(ErrorKind::kInterrupted,
                 "stopped before all trials were compared; nothing was written. Start again with "
                 "the same command");

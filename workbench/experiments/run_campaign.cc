@@ -34,7 +34,7 @@ class CampaignRun {
 
   bool Run() {
     Plan();
-    return OptimiseScenes() && Benchmark() && Compare();
+    return Search(ListOptimisations(scenes_)) && Benchmark() && Compare();
   }
 
   int Plan() {
@@ -75,38 +75,20 @@ class CampaignRun {
     problems.ThrowIfErrors(ErrorKind::kFormat, "the trials with real hands cannot be used");
   }
 
-  bool OptimiseScenes() {
-    std::vector<LearningTask> tasks;
-    for (const CampaignScene& scene : scenes_) {
-      if (!IsSceneFinished(scene.folder, scene.inputs)) tasks.push_back(MakeSceneTask(scene));
-    }
-    return RunTasks(StageKind::kOptimisation, tasks, scenes_.size());
+  /** @pre what the round was made of outlives this. */
+  bool Search(const SearchRound& round) {
+    RunRecorder recorder(folder_, num_workers_, observer_);
+    const int num_done = RunSearches(round, num_workers_, recorder, stop_, trial_time_limit_);
+    if (round.left.empty()) return true;
+    SealStore(kCampaignStore, folder_);
+    const bool is_complete = num_done == static_cast<int>(round.left.size());
+    recorder.Keep(is_complete);
+    return is_complete;
   }
 
   bool Compare() {
     const std::vector<ComparisonTask> searches = PlanComparison(config_, scenes_, folder_);
-    std::vector<LearningTask> tasks;
-    for (const ComparisonTask& search : searches) {
-      tasks.push_back(MakeSearchTask(search));
-    }
-    return tasks.empty() || RunTasks(StageKind::kComparison, tasks, searches.size());
-  }
-
-  bool RunTasks(StageKind kind, const std::vector<LearningTask>& tasks, size_t num_all) {
-    Stage stage;
-    stage.kind = kind;
-    stage.num_all = static_cast<int>(num_all);
-    stage.num_left = static_cast<int>(tasks.size());
-    for (const LearningTask& task : tasks) stage.num_trials += task.num_trials;
-    observer_.BeginStage(stage);
-    if (tasks.empty()) return true;
-    RunRecorder recorder(folder_, num_workers_, observer_);
-    const bool is_complete =
-        RunLearningBatch(tasks, num_workers_, recorder, stop_, trial_time_limit_);
-    SealStore(kCampaignStore, folder_);
-    recorder.EndStage();
-    recorder.Keep(is_complete);
-    return is_complete;
+    return searches.empty() || Search(ListComparisons(searches));
   }
 
   bool Benchmark() {
@@ -135,8 +117,6 @@ class CampaignRun {
   const std::atomic<bool>& stop_;
 };
 
-}  // namespace
-
 LearningTask MakeSceneTask(const CampaignScene& scene) {
   return {scene.inputs.hand->id, scene.inputs.object->id, scene.config.grasp,
           CountLearningTrials(scene.config.optimise),
@@ -156,6 +136,7 @@ LearningTask MakeSearchTask(const ComparisonTask& search) {
           }};
 }
 
+/** Whether its journal holds all answers: they are given again, and nothing is simulated. */
 bool IsSearchFinished(const ComparisonTask& search) {
   if (!fs::exists(search.journal)) return false;
   const std::atomic<bool> simulate_nothing{true};
@@ -167,6 +148,50 @@ bool IsSearchFinished(const ComparisonTask& search) {
     return false;
   }
   return true;
+}
+
+}  // namespace
+
+SearchRound ListOptimisations(const std::vector<CampaignScene>& scenes, const Shard& shard) {
+  SearchRound round;
+  for (const CampaignScene& scene : scenes) {
+    if (!IsCardOf(FindSceneNumber(scenes, scene), shard)) continue;
+    ++round.num_all;
+    if (!IsSceneFinished(scene.folder, scene.inputs)) round.left.push_back(MakeSceneTask(scene));
+  }
+  return round;
+}
+
+SearchRound ListComparisons(const std::vector<ComparisonTask>& searches, const Shard& shard) {
+  SearchRound round;
+  round.stage = StageKind::kComparison;
+  for (size_t i = 0; i < searches.size(); ++i) {
+    if (!IsCardOf(i, shard)) continue;
+    ++round.num_all;
+    if (!IsSearchFinished(searches[i])) round.left.push_back(MakeSearchTask(searches[i]));
+  }
+  return round;
+}
+
+int RunSearches(const SearchRound& round, int num_workers, Observer& observer,
+                const std::atomic<bool>& stop, double trial_time_limit) {
+  Stage stage = MakeStage(round.stage, round.left.size());
+  stage.num_all = round.num_all;
+  stage.num_trials = 0;
+  std::atomic<int> num_done{0};
+  std::vector<LearningTask> counted = round.left;
+  for (LearningTask& task : counted) {
+    stage.num_trials += task.num_trials;
+    task.run = [run = task.run, &num_done](TrialPool& pool, const ObserveLearning& observe) {
+      run(pool, observe);
+      ++num_done;
+    };
+  }
+  observer.BeginStage(stage);
+  if (counted.empty()) return 0;
+  RunLearningBatch(counted, num_workers, observer, stop, trial_time_limit);
+  observer.EndStage();
+  return num_done;
 }
 
 int PlanCampaign(const CampaignRequest& request) {

@@ -8,17 +8,23 @@ same trial poses, judge what was held, compare search methods. */
 #include <optional>
 
 #include "datasets/campaign/campaign_store.h"
+#include "datasets/shards/shard.h"
 #include "workbench/experiments/observer.h"
 #include "workbench/experiments/pool/learning_batch.h"
 
 namespace graspbench {
 
-/** The optimisation of a scene, one search of the comparison, as tasks; both refer to what they are
-given. */
-LearningTask MakeSceneTask(const CampaignScene& scene);
-LearningTask MakeSearchTask(const ComparisonTask& search);
-/** Whether its journal holds all answers: they are given again, and nothing is simulated. */
-bool IsSearchFinished(const ComparisonTask& search);
+/** A round of searches as far as it is a shard's: what is left of it. */
+struct SearchRound {
+  StageKind stage = StageKind::kOptimisation;
+  int num_all = 0;
+  std::vector<LearningTask> left;  ///< refer to what the round was made of
+};
+SearchRound ListOptimisations(const std::vector<CampaignScene>& scenes, const Shard& shard = {});
+SearchRound ListComparisons(const std::vector<ComparisonTask>& searches, const Shard& shard = {});
+/** Runs what is left. @returns how many of it are finished. @throws as RunLearningBatch. */
+int RunSearches(const SearchRound& round, int num_workers, Observer& observer,
+                const std::atomic<bool>& stop, double trial_time_limit);
 
 struct CampaignRequest {
   std::filesystem::path folder;

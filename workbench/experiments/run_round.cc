@@ -8,10 +8,8 @@ namespace graspbench {
 namespace {
 
 /** Trials go on where earlier runs ended. */
-Stage MakeStage(const RoundKind& kind, const Session& session, size_t num_left) {
-  Stage stage;
-  stage.kind = kind.stage;
-  stage.num_all = stage.num_left = stage.num_trials = static_cast<int>(num_left);
+Stage MakeRoundStage(const RoundKind& kind, const Session& session, size_t num_left) {
+  Stage stage = MakeStage(kind.stage, num_left);
   if (kind.find_left != FindUnfinished) return stage;
   stage.num_all = stage.num_trials = static_cast<int>(session.plan.size());
   for (const TrialRecord& finished : session.records) ++stage.before[finished.result.outcome];
@@ -33,7 +31,7 @@ RunRecord RunRound(const RoundKind& kind, const Session& session, const SessionI
   RunRecorder recorder(session.folder, num_workers, observer);
   SealStore(kSessionStore, session.folder);
   const bool is_complete = RunBatchStage(
-      MakeStage(kind, session, trials.size()), trials, num_workers,
+      MakeRoundStage(kind, session, trials.size()), trials, num_workers,
       kind.make_workers(session, inputs, session.folder, ""), recorder, stop, trial_time_limit);
   SealStore(kSessionStore, session.folder);
   if (trials.empty()) return {{}, 0.0, num_workers, 0, RunEnding::kFinished};

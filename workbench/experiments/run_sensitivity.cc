@@ -72,9 +72,4 @@ PreparedSession PrepareSensitivity(const SensitivityRequest& request) {
   return PrepareExperiment(session, "sensitivity", conditions, request);
 }
 
-bool RunSensitivity(const SensitivityRequest& request, int num_workers, Observer& observer,
-                    const std::atomic<bool>& stop) {
-  return RunExperiment(PrepareSensitivity(request), request, num_workers, observer, stop);
-}
-
 }  // namespace graspbench

@@ -3,7 +3,6 @@
 The finished trials of a session again, on the same draws, under one changed setting after the
 other (datasets/session/sensitivity_store.h). */
 
-#include <atomic>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,12 +20,8 @@ struct SensitivityRequest : ExperimentRequest {
   std::vector<std::string> settings;  ///< "sim.step_s=0.001"; empty: ListDefaultVariations
 };
 
-/** Runs what is left. @returns whether nothing is left.
-@throws Error(kUsage, kRange) for a setting that cannot be used or is named twice, before anything
-runs; as PrepareExperiment. */
-bool RunSensitivity(const SensitivityRequest& request, int num_workers, Observer& observer,
-                    const std::atomic<bool>& stop);
-/** Its folder alone. @throws as RunSensitivity. */
+/** @throws Error(kUsage, kRange) for a setting that cannot be used or is named twice; as
+PrepareExperiment. */
 PreparedSession PrepareSensitivity(const SensitivityRequest& request);
 
 }  // namespace graspbench

@@ -145,9 +145,7 @@ OptimisedGrasp RunSceneStage(const std::filesystem::path& folder, const SceneCon
                              const SceneInputs& inputs, int num_workers, Observer& observer,
                              const std::atomic<bool>& stop, double trial_time_limit) {
   if (!HasScene(folder)) PlanScene(folder, config);
-  Stage stage;
-  stage.kind = StageKind::kOptimisation;
-  stage.num_all = stage.num_left = 1;
+  Stage stage = MakeStage(StageKind::kOptimisation, 1);
   stage.num_trials = CountLearningTrials(config.optimise);
   observer.BeginStage(stage);
   TrialPool pool(num_workers, stop, trial_time_limit);

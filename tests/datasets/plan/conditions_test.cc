@@ -42,6 +42,7 @@ TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
                 "changes nothing here: the session has touch: exact, not sensed"},
            Case{"camera.noise_grey_levels=5", ErrorKind::kUsage,
                 "positioning: nominal, not camera"},
+           Case{"strategy.grip_force_n=5", ErrorKind::kUsage, "changes nothing here"},
            Case{"model.mas_scale=2", ErrorKind::kUsage, "did you mean \"model.mass_scale\"?"},
            Case{"model.mass_scale", ErrorKind::kUsage, "expected KEY=VALUE"},
            Case{"model.mass_scale=heavy", ErrorKind::kUsage, "expected a finite number"},

@@ -11,6 +11,7 @@
 #include "core/hand/load_hand.h"
 #include "core/hand/tactile.h"
 #include "core/shape/primitives.h"
+#include "datasets/plan/conditions.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -328,6 +329,15 @@ TEST(SessionPlan, TellsWhatCannotBePlanned) {
       "g3, g4, g5");
 
   SessionInputs inputs = MakeFakeInputs();
+  config = SessionConfig();
+  config.conditions = {{"other", {"grasp=g7"}}};
+  inputs.conditions["other"] = ApplyCondition(config.conditions.front(), config);
+  inputs.conditions["other"].inputs = std::make_shared<const SessionInputs>(MakeFakeInputs());
+  error = FindError(config, inputs);
+  EXPECT_EQ(error.first, ErrorKind::kNotFound);
+  EXPECT_NE(error.second.find("can do a grasp \"g7\""), std::string::npos) << error.second;
+
+  inputs = MakeFakeInputs();
   inputs.hands.push_back(inputs.hands[0]);
   error = FindError(SessionConfig(), inputs);
   EXPECT_EQ(error.first, ErrorKind::kUsage);

@@ -422,6 +422,16 @@ TEST_F(SessionStore, ListsTheSettingsThatDifferOnResume) {
   ExpectHas(text, "\n  trials: 3 and 4\n  sim.step_s: 0.002 and 0.001\n");
 }
 
+TEST_F(SessionStore, NamesTheFirstConditionThatDiffersOnResume) {
+  CreateFakeSession(folder(), 1);
+  const Session session = LoadSession(folder());
+  SessionConfig config = session.config;
+  config.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
+  const auto [kind, text] = FindError([&] { CheckSameSession(session, config, session.plan); });
+  EXPECT_EQ(kind, ErrorKind::kUsage);
+  ExpectHas(text, "\n  condition 1: none and heavy\n");
+}
+
 TEST_F(SessionStore, NamesTheCellsWhoseInputsChangedOnResume) {
   CreateFakeSession(folder(), 3);
   const Session session = LoadSession(folder());

@@ -25,6 +25,9 @@ class RunSensitivityTest : public testing::Test {
     RunSession(PrepareSession(request), 1, observer_, stop_);
     return LoadSession(request.out);
   }
+  bool Run(const SensitivityRequest& request, int num_workers) {
+    return RunExperiment(PrepareSensitivity(request), request, num_workers, observer_, stop_);
+  }
   SensitivityData Load(const Session& session) {
     Diagnostics findings;
     SensitivityData data = LoadSensitivity(session, findings);
@@ -45,7 +48,7 @@ TEST_F(RunSensitivityTest, FindsWhatASessionOfThatSettingFinds) {
   SensitivityRequest request;
   request.folder = session.folder;
   request.settings = settings;
-  ASSERT_TRUE(RunSensitivity(request, 2, observer_, stop_));
+  ASSERT_TRUE(Run(request, 2));
   const SensitivityData data = Load(session);
   ASSERT_EQ(data.size(), settings.size());
   for (const std::string& setting : settings) {
@@ -70,12 +73,12 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
   request.settings = {"model.mass_scale=3", "model.mass_scale=2"};
   request.trials_per_cell = 1;
   stop_ = true;
-  EXPECT_FALSE(RunSensitivity(request, 1, observer_, stop_));
+  EXPECT_FALSE(Run(request, 1));
   stop_ = false;
-  ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
+  ASSERT_TRUE(Run(request, 1));
   EXPECT_EQ(Load(session).at("model.mass_scale=2.0").size(), 1u);
   request.trials_per_cell = 0;
-  ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
+  ASSERT_TRUE(Run(request, 1));
   const SensitivityData data = Load(session);
   EXPECT_EQ(data.at("model.mass_scale=2.0").size(), 2u);
   EXPECT_EQ(data.at("model.mass_scale=3.0").size(), 2u);
@@ -85,7 +88,7 @@ TEST_F(RunSensitivityTest, GoesOnWhereItStopped) {
             std::string::npos);
   // Nothing is left: nothing is written.
   const auto size = std::filesystem::file_size(experiment.folder / "journal" / "0.jsonl");
-  ASSERT_TRUE(RunSensitivity(request, 1, observer_, stop_));
+  ASSERT_TRUE(Run(request, 1));
   EXPECT_EQ(std::filesystem::file_size(experiment.folder / "journal" / "0.jsonl"), size);
 }
 
@@ -94,7 +97,7 @@ TEST_F(RunSensitivityTest, RefusesASettingNamedTwiceBeforeAnythingRuns) {
   SensitivityRequest request;
   request.folder = session.folder;
   request.settings = {"model.mass_scale=2", "model.mass_scale=2.0"};
-  EXPECT_THROW(RunSensitivity(request, 1, observer_, stop_), Error);
+  EXPECT_THROW(Run(request, 1), Error);
   EXPECT_TRUE(Load(session).empty());
 }
 

@@ -15,6 +15,7 @@ namespace {
 std::string FindNextCommand(const std::string& kind, const std::string& folder) {
   const std::string name = QuoteForShell(folder);
   if (kind == "session") return "run " + QuoteForShell(folder + "/session.yaml");
+  if (kind == "sweep") return "sweep " + QuoteForShell(folder + "/sweep.yaml");
   if (kind == "object") return "object check " + name;
   if (kind == "hand") return "hand check " + name;
   if (kind == "trials") {

@@ -22,7 +22,6 @@
 
 namespace graspbench {
 namespace fs = std::filesystem;
-
 namespace {
 
 struct MergeOptions {
@@ -102,28 +101,29 @@ ExitCode Merge(const MergeOptions& options) {
   // Damage is found before it is sealed.
   const Session session = LoadSession(options.folder, OnDamage::kRefuse, RecordParts::kBrief);
   SealStore(kSessionStore, options.folder);
-  ExportResult(options.folder, session);
-  const fs::path report = WriteSessionReport(options.folder, session, MakeKeptTracer(session));
+  fs::path report;
+  std::string page = "\nthe command that planned this shows it with its session\n";
+  if (!HasSession(options.folder / ".." / "..")) {
+    ExportResult(options.folder, session);
+    report = WriteSessionReport(options.folder, session, MakeKeptTracer(session));
+    page = "\nreport   " + report.string() + "\ndata     " +
+           (options.folder / "export" / "trials.csv").string() + "\n";
+  }
   const std::vector<MachineShards> machines = ListMachines(options.folder);
   const SessionSummary summary = SummariseSession(session);
   if (options.json) {
     PrintJson(MakeJson(summary, machines, session, options, report));
   } else {
-    PrintResult(FormatMachines(machines) + FormatSummaryTable(summary) + "\nreport   " +
-                report.string() + "\ndata     " +
-                (options.folder / "export" / "trials.csv").string() + "\n");
+    PrintResult(FormatMachines(machines) + FormatSummaryTable(summary) + page);
   }
   if (num_new > 0) PrintMessage(FormatCount(num_new, "trial") + " came from other folders");
-  const size_t num_builds = CountBuilds(machines);
-  if (num_builds > 1) {
-    PrintMessage("note: " + std::to_string(num_builds) +
-                 " builds of graspbench have worked on this session");
+  if (const size_t num = CountBuilds(machines); num > 1) {
+    PrintMessage("note: " + std::to_string(num) + " builds of graspbench have worked on this");
   }
   for (const std::string& difference : session.machine_differences) {
     PrintMessage("warning: " + difference);
   }
-  const std::string rest = DescribeRest(session);
-  if (!rest.empty()) FailOnRest(options, rest);
+  if (const std::string rest = DescribeRest(session); !rest.empty()) FailOnRest(options, rest);
   return summary.total.CountOf(Outcome::kNumericalFailure) > 0 ? kExitNumericalFailures : kExitOk;
 }
 

@@ -26,7 +26,8 @@ class CampaignShard {
   }
 
   ShardResult Work() {
-    const ShardResult optimised = OptimiseScenes();
+    ShardResult optimised = Search(ListOptimisations(scenes_, request_.shard));
+    optimised.goes_on = !HasSession(folder_ / "benchmark");
     if (optimised.num_left > 0 || optimised.goes_on) return optimised;
     ShardResult result;
     result.unit = "task";
@@ -36,27 +37,14 @@ class CampaignShard {
       result.num_left += done.num_left;
       if (result.num_left > 0) return result;
     }
-    const ShardResult compared = Compare();
+    const std::vector<ComparisonTask> searches = PlanComparison(config_, scenes_, folder_);
+    const ShardResult compared = Search(ListComparisons(searches, request_.shard));
     result.num_all += compared.num_all;
     result.num_left += compared.num_left;
     return result;
   }
 
  private:
-  ShardResult OptimiseScenes() {
-    ShardResult result;
-    result.unit = "scene";
-    result.goes_on = !HasSession(folder_ / "benchmark");
-    std::vector<LearningTask> tasks;
-    for (const CampaignScene& scene : scenes_) {
-      if (!IsCardOf(FindSceneNumber(scenes_, scene), request_.shard)) continue;
-      ++result.num_all;
-      if (!IsSceneFinished(scene.folder, scene.inputs)) tasks.push_back(MakeSceneTask(scene));
-    }
-    Run(StageKind::kOptimisation, tasks, result);
-    return result;
-  }
-
   ShardResult Benchmark(bool judge) {
     ShardRequest request = request_;
     request.folder = folder_ / "benchmark";
@@ -65,47 +53,22 @@ class CampaignShard {
     return WorkOnSession(request, AddSceneGrasps(inputs_, scenes_), budget_, budget_.stop());
   }
 
-  ShardResult Compare() {
-    const std::vector<ComparisonTask> searches = PlanComparison(config_, scenes_, folder_);
+  ShardResult Search(const SearchRound& round) {
     ShardResult result;
-    std::vector<LearningTask> tasks;
-    for (size_t i = 0; i < searches.size(); ++i) {
-      if (!IsCardOf(i, request_.shard)) continue;
-      ++result.num_all;
-      if (!IsSearchFinished(searches[i])) tasks.push_back(MakeSearchTask(searches[i]));
-    }
-    Run(StageKind::kComparison, tasks, result);
-    return result;
-  }
-
-  /** Adds what is left when it ends. */
-  void Run(StageKind kind, const std::vector<LearningTask>& tasks, ShardResult& result) {
-    if (tasks.empty()) return;
-    result.num_left = static_cast<int>(tasks.size());
+    result.unit = "scene";
+    result.num_all = round.num_all;
+    result.num_left = static_cast<int>(round.left.size());
+    if (round.left.empty()) return result;
     ShardPresence presence(folder_, FormatLabel(request_.shard), result.num_left);
     const SessionConfig& config = config_.session;
     const std::vector<PlannedTrial> sentinels =
         presence.ListMissingSentinels(MakePlan(config, inputs_));
     budget_.Look();
-    if (!presence.Begin(sentinels, config, inputs_, budget_, request_.trial_time_limit)) return;
-    Stage stage;
-    stage.kind = kind;
-    stage.num_all = result.num_all;
-    stage.num_left = result.num_left;
-    for (const LearningTask& task : tasks) stage.num_trials += task.num_trials;
-    budget_.BeginStage(stage);
-    std::atomic<int> num_done{0};
-    std::vector<LearningTask> counted = tasks;
-    for (LearningTask& task : counted) {
-      task.run = [run = task.run, &num_done](TrialPool& pool, const ObserveLearning& observe) {
-        run(pool, observe);
-        ++num_done;
-      };
+    if (presence.Begin(sentinels, config, inputs_, budget_, request_.trial_time_limit)) {
+      result.num_left -= RunSearches(round, request_.num_workers, budget_, budget_.stop(),
+                                     request_.trial_time_limit);
     }
-    RunLearningBatch(counted, request_.num_workers, budget_, budget_.stop(),
-                     request_.trial_time_limit);
-    budget_.EndStage();
-    result.num_left -= num_done;
+    return result;
   }
 
   const ShardRequest request_;

@@ -1,7 +1,5 @@
 #include "workbench/experiments/machines/merge_campaign.h"
 
-#include <algorithm>
-
 #include "datasets/campaign/merge_campaigns.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/session/merge_sessions.h"
@@ -17,9 +15,7 @@ int CountSearchesLeft(const fs::path& folder) {
   const CampaignConfig config = LoadCampaignConfig(folder);
   const SessionInputs inputs = LoadSessionInputs(config.session, FieldUse::kNow, folder);
   const std::vector<CampaignScene> scenes = PlanScenes(config, inputs, folder);
-  const std::vector<ComparisonTask> searches = PlanComparison(config, scenes, folder);
-  return static_cast<int>(searches.size() -
-                          std::count_if(searches.begin(), searches.end(), IsSearchFinished));
+  return static_cast<int>(ListComparisons(PlanComparison(config, scenes, folder)).left.size());
 }
 
 }  // namespace

@@ -93,10 +93,7 @@ class SessionShard {
       return result;
     }
     if (trials.empty()) return result;
-    Stage stage;
-    stage.kind = round_.stage;
-    stage.num_all = stage.num_left = stage.num_trials = result.num_left;
-    RunBatchStage(stage, trials, request_.num_workers,
+    RunBatchStage(MakeStage(round_.stage, trials.size()), trials, request_.num_workers,
                   round_.make_workers(session_, inputs_, folder_, label_), budget_, budget_.stop(),
                   request_.trial_time_limit);
     result.num_left -= budget_.num_done();
