@@ -24,8 +24,8 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"no_opening", Curve::kOpening,
        "markers.companions and cleaning.max_gap_s: a digit is hidden during the movement"},
       {"no_contact", Curve::kOpening,
-       "the marker of that digit under markers; contact.max_pad_offset_m and max_looseness, if it "
-       "does touch"},
+       "the marker of that digit under markers; markers.companions, if it is hidden; "
+       "contact.max_pad_offset_m and max_looseness, if it does touch"},
       {"not_usable", Curve::kOpening,
        "markers.companions, if a digit is hidden; contact.max_uncertainty_s, above which a contact "
        "is not usable (0: all are)"},

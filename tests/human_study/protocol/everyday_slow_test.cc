@@ -3,6 +3,8 @@ Figures over 100 studies a case, each of files, as ../../../human_study/ACCURACY
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "tests/human_study/protocol/everyday_study.h"
@@ -12,9 +14,9 @@ namespace graspbench::everyday {
 namespace {
 
 std::filesystem::path SlowScratch() {
-  return std::filesystem::path(::testing::TempDir()) /
-         (std::string("everyday_slow_") +
-          ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  return std::filesystem::path(::testing::TempDir()) / ("everyday_slow_" + name);
 }
 
 /** 10 persons of 20 trials: 1,000 contacts a case. */
@@ -93,36 +95,39 @@ TEST(EverydaySlow, DigitsThatShareADelayAreFoundInNinetyPerCent) {
   }
 }
 
-void CheckIndependentRecordings(const std::vector<NamedPlan>& plans) {
-  for (const NamedPlan& named : plans) {
-    const Verdicts verdicts = CountVerdicts(named.plan, kNumStudies, SlowScratch());
-    Print(named, verdicts);
-    EXPECT_LE(verdicts.num_more, kNumStudies / 10) << named.name;
-    EXPECT_EQ(verdicts.num_none, 0) << named.name;
+/** One case by itself: each takes a minute of processor time. */
+class IndependentPeople : public ::testing::TestWithParam<NamedPlan> {};
+class CoordinatedPeople : public ::testing::TestWithParam<NamedPlan> {};
+
+TEST_P(IndependentPeople, AreCalledMoreSimultaneousInTenPerCentAtMost) {
+  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies, SlowScratch());
+  Print(GetParam(), verdicts);
+  EXPECT_LE(verdicts.num_more, kNumStudies / 10);
+  EXPECT_EQ(verdicts.num_none, 0);
+}
+
+TEST_P(CoordinatedPeople, AreFoundInNinetyPerCent) {
+  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies, SlowScratch());
+  Print(GetParam(), verdicts);
+  EXPECT_GE(verdicts.num_more, kNumStudies * 9 / 10);
+}
+
+std::string NameOfCase(const ::testing::TestParamInfo<NamedPlan>& info) {
+  std::string name;
+  for (const char c : info.param.name) {
+    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
   }
+  return name;
 }
 
-void CheckCoordinatedRecordings(const std::vector<NamedPlan>& plans) {
-  for (const NamedPlan& named : plans) {
-    const Verdicts verdicts = CountVerdicts(named.plan, kNumStudies, SlowScratch());
-    Print(named, verdicts);
-    EXPECT_GE(verdicts.num_more, kNumStudies * 9 / 10) << named.name;
-  }
-}
-
-TEST(EverydaySlow, RecordedIndependentDigits) {
-  CheckIndependentRecordings(ListIndependentPeople());
-}
-
-TEST(EverydaySlow, RecordedSharedDelays) { CheckCoordinatedRecordings(ListCoordinatedPeople()); }
-
-TEST(EverydaySlow, RecordedIndependentDigitsOfAStranger) {
-  CheckIndependentRecordings(MadeByStranger(ListIndependentPeople()));
-}
-
-TEST(EverydaySlow, RecordedSharedDelaysOfAStranger) {
-  CheckCoordinatedRecordings(MadeByStranger(ListCoordinatedPeople()));
-}
+INSTANTIATE_TEST_SUITE_P(Everyday, IndependentPeople, ::testing::ValuesIn(ListIndependentPeople()),
+                         NameOfCase);
+INSTANTIATE_TEST_SUITE_P(Stranger, IndependentPeople,
+                         ::testing::ValuesIn(MadeByStranger(ListIndependentPeople())), NameOfCase);
+INSTANTIATE_TEST_SUITE_P(Everyday, CoordinatedPeople, ::testing::ValuesIn(ListCoordinatedPeople()),
+                         NameOfCase);
+INSTANTIATE_TEST_SUITE_P(Stranger, CoordinatedPeople,
+                         ::testing::ValuesIn(MadeByStranger(ListCoordinatedPeople())), NameOfCase);
 
 }  // namespace
 }  // namespace graspbench::everyday

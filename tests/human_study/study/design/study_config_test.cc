@@ -187,6 +187,9 @@ TEST_F(StudyFolder, AShapeWithoutItsCentreIsWarnedOf) {
     return std::pair(study.warnings.entries().size(),
                      text.find("the centre of the solid is taken to be the middle of its markers"));
   };
+  std::string yaml = kGood;
+  yaml.insert(yaml.find("contact:"), "  object: top\n");
+  Write("study.yaml", yaml);
   const auto [num_complete, nowhere] = count();
   EXPECT_EQ(nowhere, std::string::npos);
   Write("objects.csv",
@@ -197,6 +200,17 @@ TEST_F(StudyFolder, AShapeWithoutItsCentreIsWarnedOf) {
   EXPECT_EQ(num_incomplete, num_complete + 2);
   Write("objects.csv", "object\ncup\nball\n");  // no shape, no centre needed
   EXPECT_EQ(count().first, num_complete);
+}
+
+// Without a marker of the object its shape is nowhere, and a centre would not help.
+TEST_F(StudyFolder, AShapeOfAnObjectWithoutMarkersIsNotUsed) {
+  Write("study.yaml", "markers: {thumb: t, index: i}\nobjects: objects.csv\n");
+  Write("objects.csv", "object,shape,length_m\ncup,sphere,0.08\nball,sphere,0.06\n");
+  const std::string text = LoadStudy(folder_ / "study.yaml").warnings.Format();
+  EXPECT_NE(text.find("objects.csv:3: warning: the shape is not used: markers.object is empty"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("centre_x_m"), std::string::npos) << text;
 }
 
 TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
