@@ -350,7 +350,7 @@ std::vector<StudyObject> ReadObjects(DataTable& table, bool has_markers, Diagnos
     if (object.distance && !has_markers) {
       problems.Warn(table.file(), table.LineOfRow(row),
                     "the shape is not used: markers.object is empty, so nobody knows where the "
-                    "object is. Name its markers there, or leave objects.csv out");
+                    "object is. Name its markers there, or leave the shape out");
     } else if (object.distance && num_stated < 3) {
       problems.Warn(table.file(), table.LineOfRow(row),
                     "centre_x_m, centre_y_m or centre_z_m is empty and counts as 0: the centre of "

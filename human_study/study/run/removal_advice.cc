@@ -14,7 +14,7 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"missing_marker", Curve::kNone, "markers: a label that this recording has"},
       {"no_reach", Curve::kNone,
        "cut.near_m and cut.far_m: distances between the middle of the fingertips and of the "
-       "object's markers"},
+       "object's markers; recording.unit, if it is in another unit"},
       {"no_onset", Curve::kSpeed,
        "movement.rule: regression, which needs no rest before the movement; or "
        "movement.speed_threshold_m_per_s; or start_s, for a rest before it"},

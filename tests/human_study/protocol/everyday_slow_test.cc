@@ -35,25 +35,41 @@ const Behaviour kBehaviours[] = {
     {"tremor 0.4 mm", [](Conditions& c) { c.tremor = 0.4e-3; }},
 };
 
+void CheckContacts(const Behaviour& behaviour, bool has_shape, const std::string& seed,
+                   ReachMaker make_reach) {
+  StudyPlan plan;
+  plan.seed = seed + ", " + behaviour.name;
+  plan.make_reach = make_reach;
+  plan.num_people = 10;
+  plan.trials_per_person = 20;
+  plan.has_shape = has_shape;
+  behaviour.change(plan.conditions);
+  const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
+  std::printf(
+      "%-20s %s kept %3d of %3d, contacts %4d, bias %5.1f ms, SD %4.1f ms, coverage %.3f, "
+      "silent %d\n",
+      behaviour.name, has_shape ? "shape   " : "no shape", a.num_kept, a.num_trials, a.num_contacts,
+      1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
+  std::fflush(stdout);
+  EXPECT_GE(a.coverage, 0.9) << behaviour.name << " " << has_shape;
+  // Soft touches are stated too carefully.
+  const bool is_soft = std::string(behaviour.name) == "soft touch";
+  EXPECT_LE(a.coverage, is_soft ? 0.995 : 0.98) << behaviour.name << " " << has_shape;
+  EXPECT_LE(a.num_silent, a.num_contacts / 50) << behaviour.name << " " << has_shape;
+}
+
 TEST(EverydaySlow, ContactsAreCoveredOrNotUsableHoweverPeopleMove) {
   for (const bool has_shape : {true, false}) {
     for (const Behaviour& behaviour : kBehaviours) {
-      StudyPlan plan;
-      plan.seed = std::string("report, ") + behaviour.name;
-      plan.num_people = 10;
-      plan.trials_per_person = 20;
-      plan.has_shape = has_shape;
-      behaviour.change(plan.conditions);
-      const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
-      std::printf(
-          "%-20s %s kept %3d of %3d, contacts %4d, bias %5.1f ms, SD %4.1f ms, coverage %.3f, "
-          "silent %d\n",
-          behaviour.name, has_shape ? "shape   " : "no shape", a.num_kept, a.num_trials,
-          a.num_contacts, 1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
-      std::fflush(stdout);
-      EXPECT_GE(a.coverage, 0.9) << behaviour.name << " " << has_shape;
-      EXPECT_LE(a.num_silent, a.num_contacts / 50) << behaviour.name << " " << has_shape;
+      CheckContacts(behaviour, has_shape, "report", MakeReach);
     }
+  }
+}
+
+// What is stated of contacts was not chosen on these.
+TEST(EverydaySlow, ContactsOfAStrangerAreCovered) {
+  for (const bool has_shape : {true, false}) {
+    CheckContacts(kBehaviours[0], has_shape, "stranger's report", MakeStrangerReach);
   }
 }
 

@@ -20,7 +20,7 @@ table at z = 0. SI units. */
 
 namespace graspbench::everyday {
 
-/** A pure function of conditions, id (one person) and trial (from 0, in the order of the session). */
+/** A pure function of conditions, id (of a person) and trial (from 0, as in the session). */
 Reach MakeStrangerReach(const Conditions& conditions, const std::string& id, int trial);
 
 }  // namespace graspbench::everyday

@@ -55,6 +55,7 @@ class StudyFolder : public ::testing::Test {
       "markers:\n"
       "  thumb: [thumb_tip, RTTI]\n"
       "  index: index_tip\n"
+      "  object: top\n"
       "contact:\n"
       "  cutoff_hz: 15\n"
       "pad_offsets_m: {thumb: 0.01}\n";
@@ -187,9 +188,6 @@ TEST_F(StudyFolder, AShapeWithoutItsCentreIsWarnedOf) {
     return std::pair(study.warnings.entries().size(),
                      text.find("the centre of the solid is taken to be the middle of its markers"));
   };
-  std::string yaml = kGood;
-  yaml.insert(yaml.find("contact:"), "  object: top\n");
-  Write("study.yaml", yaml);
   const auto [num_complete, nowhere] = count();
   EXPECT_EQ(nowhere, std::string::npos);
   Write("objects.csv",
@@ -207,7 +205,7 @@ TEST_F(StudyFolder, AShapeOfAnObjectWithoutMarkersIsNotUsed) {
   Write("study.yaml", "markers: {thumb: t, index: i}\nobjects: objects.csv\n");
   Write("objects.csv", "object,shape,length_m\ncup,sphere,0.08\nball,sphere,0.06\n");
   const std::string text = LoadStudy(folder_ / "study.yaml").warnings.Format();
-  EXPECT_NE(text.find("objects.csv:3: warning: the shape is not used: markers.object is empty"),
+  EXPECT_NE(text.find("objects.csv:2: warning: the shape is not used: markers.object is empty"),
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("centre_x_m"), std::string::npos) << text;
