@@ -64,13 +64,14 @@ double CalcHoldNoise(const Trajectory& p_O, const Hold& hold) {
   return kSdPerMedian * CalcMedian(std::move(deviations));
 }
 
-/** RMS distance from the mean place, without what noise of that SD makes of it. */
+/** RMS distance from the mean place, without what noise of that SD makes of it. Filled samples take no
+part: a bridge over a gap does not follow an object that is carried. */
 double CalcLooseness(const SmoothPath& smooth, double noise, const Hold& hold) {
   const SampleRun window = FindSamples(smooth.path.times, hold.time, hold.end);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double squares = 0.0, count = 0.0;
   for (size_t i = window.first; i < window.last; ++i) {
-    if (!smooth.path.IsValid(i)) continue;
+    if (smooth.path.states[i] != SampleState::kMeasured) continue;
     const Eigen::Vector3d p = smooth.path.p.col(static_cast<Column>(i));
     sum += p;
     squares += p.squaredNorm();

@@ -26,6 +26,7 @@ constexpr double kHeldTremor = 0.6;       // share of a tremor that a digit keep
 constexpr double kPadTolerance = 0.5e-3;  // of a given pad offset [m]
 constexpr double kModel = 0.5e-3;         // SD of what no model says [s]
 constexpr double kLearnedShare = 1.5;     // of the time by which learned depths move a touch ..
+constexpr double kUnseen = 0.75;          // of the time that the least depth takes
 constexpr double kMostLearned = 0.02;     // .. and no more, as deep settling is seen as such [s]
 constexpr double kMinStep = 0.5e-3;       // between the touches tried [s]
 constexpr double kMaxStep = 4e-3;
@@ -346,21 +347,24 @@ namespace {
 /** Of the touch over all depths; weight 0: none explains the path. */
 struct TouchMoments {
   double weight = 0.0, time = 0.0, variance = 0.0;
+  double at_once = 0.0;  ///< share of the depth zero
 };
 
 TouchMoments CalcTouchMoments(const TouchFit& fit, const DepthWeights& weights) {
   const double best = *std::max_element(fit.log_evidence.begin(), fit.log_evidence.end());
   const double origin = fit.time[0];
-  double sum = 0.0, moment = 0.0, squares = 0.0;
+  double sum = 0.0, moment = 0.0, squares = 0.0, at_once = 0.0;
   for (size_t k = 0; k < weights.size(); ++k) {
     const double weight = weights[k] * std::exp(fit.log_evidence[k] - best);
     const double time = fit.time[k] - origin;
+    if (k == 0) at_once = weight;
     sum += weight;
     moment += weight * time;
     squares += weight * (time * time + fit.variance[k]);
   }
   if (!(sum > 0.0)) return {};
-  return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum))};
+  return {sum, origin + moment / sum, std::max(0.0, squares / sum - Square(moment / sum)),
+          at_once / sum};
 }
 
 }  // namespace
@@ -376,9 +380,12 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const double moved = touch.time - CalcTouchMoments(fit, kUsualDepths).time;
   const double excess = std::sqrt(std::max(0.0, moved * moved - 0.25 * touch.variance));
   const double learned = std::min(kLearnedShare * excess, kMostLearned);
+  // All skin sinks in by some 0.3 mm. Where that is less than the noise shows, the touch seems to
+  // come when it is over.
+  const double unseen = kUnseen * touch.at_once * std::max(0.0, fit.time[0] - fit.time[1]);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
-  event.uncertainty =
-      std::hypot(kModel, learned, std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance));
+  const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
+  event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));
   return event;
 }
 

@@ -77,7 +77,7 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share);
 
 /** The touch under those weights: mean and standard deviation over all depths. Weights that were
 learned add 1.5 times the time by which they move the touch beyond half a standard deviation, at most
-20 ms. */
+20 ms; what depth zero weighs adds 0.75 of the time of the next depth, as all skin sinks in. */
 EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights);
 
 /** The part of that standard deviation which is not about the depth [s]: digits do not share it, so

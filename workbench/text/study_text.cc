@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -9,6 +10,7 @@
 #include "core/base/units.h"
 #include "human_study/study/run/removal_advice.h"
 #include "human_study/study/run/trial_removal.h"
+#include "workbench/experiments/machines/shell_quote.h"
 
 namespace graspbench {
 namespace {
@@ -32,6 +34,19 @@ std::string FormatGroup(const RemovalGroup& group) {
          "\n";
 }
 
+/** Where half of the trials were looked at and do not count. */
+std::string FormatAdvice(const StudyResult& result) {
+  const auto num_lost =
+      std::count_if(result.trials.begin(), result.trials.end(),
+                    [](const StudyTrial& trial) { return trial.analysis && !trial.IsKept(); });
+  if (num_lost == 0 || 2 * static_cast<size_t>(num_lost) < result.trials.size()) return "";
+  const Study& study = result.study;
+  const bool is_elsewhere = study.recordings != study.folder;
+  return "advice   graspbench study suggest " + QuoteForShell(study.file) +
+         (is_elsewhere ? " --data " + QuoteForShell(study.recordings.string()) : "") +
+         " proposes keys from these recordings\n";
+}
+
 }  // namespace
 
 std::string FormatRemoved(const StudyResult& result) {
@@ -40,7 +55,7 @@ std::string FormatRemoved(const StudyResult& result) {
     text += fmt::format("removed  {} [{}] {}\n", group.trials.size(), group.code, group.text) +
             FormatGroup(group);
   }
-  return text;
+  return text + FormatAdvice(result);
 }
 
 std::string FormatSuggestions(const StudySuggestions& suggestions) {

@@ -125,25 +125,43 @@ std::string NameConfusion(double factor) {
 }
 
 /** How far a digit goes from one sample to another beyond what the others do, coordinate by
-coordinate their median; NaN when it or all others are hidden. */
-double CalcOwnStep(const std::vector<DigitTrack>& digits, size_t own, size_t from, size_t to) {
-  std::vector<double> others[3];
-  Vector3d way = Vector3d::Zero();
-  for (size_t d = 0; d < digits.size(); ++d) {
-    const Trajectory& tip = digits[d].tip;
-    const bool is_seen = tip.IsValid(from) && tip.IsValid(to);
-    if (!is_seen && d == own) return std::nan("");
-    if (!is_seen) continue;
-    const Vector3d step = tip.p.col(static_cast<Column>(to)) - tip.p.col(static_cast<Column>(from));
-    if (d == own) {
-      way = step;
-      continue;
+coordinate their median; NaN when it or all others are hidden.
+@param others  a buffer: this is asked some thousand times a trial. */
+double CalcOwnStep(const std::vector<DigitTrack>& digits, size_t own, size_t from, size_t to,
+                   std::vector<double>& others) {
+  const auto is_seen = [&](const DigitTrack& digit) {
+    return digit.tip.IsValid(from) && digit.tip.IsValid(to);
+  };
+  if (!is_seen(digits[own])) return std::nan("");
+  Vector3d way;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto step_of = [&](const DigitTrack& digit) {
+      return digit.tip.p(axis, static_cast<Column>(to)) -
+             digit.tip.p(axis, static_cast<Column>(from));
+    };
+    others.clear();
+    for (size_t d = 0; d < digits.size(); ++d) {
+      if (d != own && is_seen(digits[d])) others.push_back(step_of(digits[d]));
     }
-    for (int axis = 0; axis < 3; ++axis) others[axis].push_back(step[axis]);
+    if (others.empty()) return std::nan("");
+    std::sort(others.begin(), others.end());
+    way[axis] = step_of(digits[own]) - CalcSortedQuantile(others, 0.5);
   }
-  if (others[0].empty()) return std::nan("");
-  for (int axis = 0; axis < 3; ++axis) way[axis] -= CalcMedian(std::move(others[axis]));
   return way.norm();
+}
+
+/** Longest way of any digit from one sample to the next. */
+double FindLongestStep(const std::vector<DigitTrack>& digits) {
+  double longest = 0.0;
+  for (const DigitTrack& digit : digits) {
+    const Trajectory& tip = digit.tip;
+    for (size_t i = 1; i < tip.size(); ++i) {
+      if (!tip.IsValid(i - 1) || !tip.IsValid(i)) continue;
+      const auto column = static_cast<Column>(i);
+      longest = std::max(longest, (tip.p.col(column) - tip.p.col(column - 1)).norm());
+    }
+  }
+  return longest;
 }
 
 }  // namespace
@@ -193,26 +211,30 @@ std::vector<Doubt> FindLabelJump(const std::vector<DigitTrack>& digits) {
   constexpr double kFastest = 3.0, kLeast = 0.015;  // [m/s], [m]
   constexpr double kNoiseFactor = 8.0;              // of the track's usual step
   constexpr size_t kStay = 4;                       // samples; what comes back sooner is an outlier
+  // Each coordinate of a median of steps is at most the longest step: most trials end here.
+  if ((1.0 + std::sqrt(3.0)) * FindLongestStep(digits) <= kLeast) return {};
   const size_t num_samples = digits.front().tip.size();
+  std::vector<double> others;
   for (size_t d = 0; d < digits.size(); ++d) {
+    const auto own_step = [&](size_t from, size_t to) {
+      return CalcOwnStep(digits, d, from, to, others);
+    };
     std::vector<double> steps;
     for (size_t i = 1; i < num_samples; ++i) {
-      const double step = CalcOwnStep(digits, d, i - 1, i);
+      const double step = own_step(i - 1, i);
       if (!std::isnan(step)) steps.push_back(step);
     }
-    if (steps.empty()) continue;
+    if (steps.empty() || *std::max_element(steps.begin(), steps.end()) <= kLeast) continue;
     const double usual = CalcMedian(steps);
     const std::vector<double>& times = digits[d].tip.times;
     for (size_t i = 1 + kStay; i + kStay < num_samples; ++i) {
       const double limit =
           std::max({kLeast, kFastest * (times[i] - times[i - 1]), kNoiseFactor * usual});
-      const double step = CalcOwnStep(digits, d, i - 1, i);
+      const double step = own_step(i - 1, i);
       bool stays = step > limit;
       for (size_t k = 1; stays && k <= kStay; ++k) {
-        stays = CalcOwnStep(digits, d, i - 1, i + k) > 0.5 * step &&
-                CalcOwnStep(digits, d, i - 1 - k, i) > 0.5 * step &&
-                CalcOwnStep(digits, d, i - 1 - k, i - 1) < 0.5 * step &&
-                CalcOwnStep(digits, d, i, i + k) < 0.5 * step;
+        stays = own_step(i - 1, i + k) > 0.5 * step && own_step(i - 1 - k, i) > 0.5 * step &&
+                own_step(i - 1 - k, i - 1) < 0.5 * step && own_step(i, i + k) < 0.5 * step;
       }
       if (!stays) continue;
       return {{"label_jump",

@@ -327,7 +327,7 @@ SurfaceDistance ReadShape(DataTable& table, size_t row, Diagnostics& problems) {
   return {};
 }
 
-std::vector<StudyObject> ReadObjects(DataTable& table, Diagnostics& problems) {
+std::vector<StudyObject> ReadObjects(DataTable& table, bool has_markers, Diagnostics& problems) {
   table.Require("object");
   std::vector<StudyObject> objects;
   for (size_t row = 0; row < table.num_rows(); ++row) {
@@ -347,7 +347,11 @@ std::vector<StudyObject> ReadObjects(DataTable& table, Diagnostics& problems) {
       object.p_MO_L[axis] = value;
       ++num_stated;
     }
-    if (object.distance && num_stated < 3) {
+    if (object.distance && !has_markers) {
+      problems.Warn(table.file(), table.LineOfRow(row),
+                    "the shape is not used: markers.object is empty, so nobody knows where the "
+                    "object is. Name its markers there, or leave the shape out");
+    } else if (object.distance && num_stated < 3) {
       problems.Warn(table.file(), table.LineOfRow(row),
                     "centre_x_m, centre_y_m or centre_z_m is empty and counts as 0: the centre of "
                     "the solid is taken to be the middle of its markers. Markers on its surface "
@@ -499,7 +503,7 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings,
   };
   if (!study.config.objects.empty()) {
     if (auto table = read("objects", study.config.objects)) {
-      study.objects = ReadObjects(*table, problems);
+      study.objects = ReadObjects(*table, !study.config.markers.object.empty(), problems);
     }
   }
   if (!study.config.hypotheses.empty()) {

@@ -14,7 +14,7 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"missing_marker", Curve::kNone, "markers: a label that this recording has"},
       {"no_reach", Curve::kNone,
        "cut.near_m and cut.far_m: distances between the middle of the fingertips and of the "
-       "object's markers"},
+       "object's markers; recording.unit, if it is in another unit"},
       {"no_onset", Curve::kSpeed,
        "movement.rule: regression, which needs no rest before the movement; or "
        "movement.speed_threshold_m_per_s; or start_s, for a rest before it"},
@@ -24,8 +24,8 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"no_opening", Curve::kOpening,
        "markers.companions and cleaning.max_gap_s: a digit is hidden during the movement"},
       {"no_contact", Curve::kOpening,
-       "the marker of that digit under markers; contact.max_pad_offset_m and max_looseness, if it "
-       "does touch"},
+       "the marker of that digit under markers; markers.companions, if it is hidden; "
+       "contact.max_pad_offset_m and max_looseness, if it does touch"},
       {"not_usable", Curve::kOpening,
        "markers.companions, if a digit is hidden; contact.max_uncertainty_s, above which a contact "
        "is not usable (0: all are)"},

@@ -23,10 +23,11 @@ std::string DescribeRange(const StudyResult& result, const char* unit) {
 std::string DescribeTestRange(const std::vector<Universe>& universes) {
   const UniverseSummary summary = SummariseUniverses(universes);
   if (summary.num_tests < 2) return "";
-  return " (p " + FormatP(summary.lowest_p) + " to " + FormatP(summary.highest_p) +
-         ", below 0.05 in " + std::to_string(summary.num_significant) + " of " +
-         std::to_string(summary.num_tests) + " choices; eta squared " +
-         FormatRange(summary.lowest_effect, summary.highest_effect, 2) + ")";
+  const std::string lowest = FormatP(summary.lowest_p), highest = FormatP(summary.highest_p);
+  return " (p " + lowest + (lowest == highest ? "" : " to " + highest) + ", below 0.05 in " +
+         std::to_string(summary.num_significant) + " of " + std::to_string(summary.num_tests) +
+         " choices; eta squared " + FormatRange(summary.lowest_effect, summary.highest_effect, 2) +
+         ")";
 }
 
 /** "F(1.8, 12.3) = 4.56". */

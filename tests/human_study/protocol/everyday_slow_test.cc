@@ -3,17 +3,20 @@ Figures over 100 studies a case, each of files, as ../../../human_study/ACCURACY
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "tests/human_study/protocol/everyday_study.h"
+#include "tests/human_study/protocol/stranger_reach.h"
 
 namespace graspbench::everyday {
 namespace {
 
 std::filesystem::path SlowScratch() {
-  return std::filesystem::path(::testing::TempDir()) /
-         (std::string("everyday_slow_") +
-          ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  return std::filesystem::path(::testing::TempDir()) / ("everyday_slow_" + name);
 }
 
 /** 10 persons of 20 trials: 1,000 contacts a case. */
@@ -32,36 +35,63 @@ const Behaviour kBehaviours[] = {
     {"tremor 0.4 mm", [](Conditions& c) { c.tremor = 0.4e-3; }},
 };
 
+void CheckContacts(const Behaviour& behaviour, bool has_shape, const std::string& seed,
+                   ReachMaker make_reach) {
+  StudyPlan plan;
+  plan.seed = seed + ", " + behaviour.name;
+  plan.make_reach = make_reach;
+  plan.num_people = 10;
+  plan.trials_per_person = 20;
+  plan.has_shape = has_shape;
+  behaviour.change(plan.conditions);
+  const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
+  std::printf(
+      "%-20s %s kept %3d of %3d, contacts %4d, bias %5.1f ms, SD %4.1f ms, coverage %.3f, "
+      "silent %d\n",
+      behaviour.name, has_shape ? "shape   " : "no shape", a.num_kept, a.num_trials, a.num_contacts,
+      1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
+  std::fflush(stdout);
+  EXPECT_GE(a.coverage, 0.9) << behaviour.name << " " << has_shape;
+  // Soft touches are stated too carefully.
+  const bool is_soft = std::string(behaviour.name) == "soft touch";
+  EXPECT_LE(a.coverage, is_soft ? 0.995 : 0.98) << behaviour.name << " " << has_shape;
+  EXPECT_LE(a.num_silent, a.num_contacts / 50) << behaviour.name << " " << has_shape;
+}
+
 TEST(EverydaySlow, ContactsAreCoveredOrNotUsableHoweverPeopleMove) {
   for (const bool has_shape : {true, false}) {
     for (const Behaviour& behaviour : kBehaviours) {
-      StudyPlan plan;
-      plan.seed = std::string("report, ") + behaviour.name;
-      plan.num_people = 10;
-      plan.trials_per_person = 20;
-      plan.has_shape = has_shape;
-      behaviour.change(plan.conditions);
-      const Accuracy a = CompareWithTruth(RunPlan(plan, SlowScratch()));
-      std::printf(
-          "%-20s %s kept %3d of %3d, contacts %4d, bias %5.1f ms, SD %4.1f ms, coverage %.3f, "
-          "silent %d\n",
-          behaviour.name, has_shape ? "shape   " : "no shape", a.num_kept, a.num_trials,
-          a.num_contacts, 1e3 * a.bias, 1e3 * a.sd, a.coverage, a.num_silent);
-      std::fflush(stdout);
-      EXPECT_GE(a.coverage, 0.9) << behaviour.name << " " << has_shape;
-      EXPECT_LE(a.num_silent, a.num_contacts / 50) << behaviour.name << " " << has_shape;
+      CheckContacts(behaviour, has_shape, "report", MakeReach);
     }
   }
 }
 
+// What is stated of contacts was not chosen on these.
+TEST(EverydaySlow, ContactsOfAStrangerAreCovered) {
+  for (const bool has_shape : {true, false}) {
+    CheckContacts(kBehaviours[0], has_shape, "stranger's report", MakeStrangerReach);
+  }
+}
+
 constexpr int kNumStudies = 100;
-constexpr int kNumRecorded = 12;
 
 void Print(const NamedPlan& named, const Verdicts& verdicts) {
   std::printf("%-40s more %3d less %3d not decided %3d no difference %3d none %d\n",
               named.name.c_str(), verdicts.num_more, verdicts.num_less, verdicts.num_not_decided,
               verdicts.num_no_difference, verdicts.num_none);
   std::fflush(stdout);
+}
+
+/** On seeds of their own, by a stranger's generator, which has families of profiles of its own. */
+std::vector<NamedPlan> MadeByStranger(const std::vector<NamedPlan>& plans) {
+  std::vector<NamedPlan> made;
+  for (NamedPlan named : plans) {
+    if (named.plan.conditions.family != SpeedProfile::Family::kWarped) continue;
+    named.plan.seed = "stranger, " + named.plan.seed;
+    named.plan.make_reach = MakeStrangerReach;
+    made.push_back(named);
+  }
+  return made;
 }
 
 TEST(EverydaySlow, IndependentDigitsAreCalledMoreSimultaneousInTenPerCentAtMost) {
@@ -81,18 +111,39 @@ TEST(EverydaySlow, DigitsThatShareADelayAreFoundInNinetyPerCent) {
   }
 }
 
-TEST(EverydaySlow, FromRecordingsTheVerdictsAreTheSame) {
-  for (const NamedPlan& named : ListIndependentPeople()) {
-    const Verdicts verdicts = CountVerdicts(named.plan, kNumRecorded, SlowScratch());
-    Print(named, verdicts);
-    EXPECT_LE(verdicts.num_more, 1) << named.name;
-  }
-  for (const NamedPlan& named : ListCoordinatedPeople()) {
-    const Verdicts verdicts = CountVerdicts(named.plan, kNumRecorded, SlowScratch());
-    Print(named, verdicts);
-    EXPECT_GE(verdicts.num_more, 11) << named.name;
-  }
+/** One case by itself: each takes a minute of processor time. */
+class IndependentPeople : public ::testing::TestWithParam<NamedPlan> {};
+class CoordinatedPeople : public ::testing::TestWithParam<NamedPlan> {};
+
+TEST_P(IndependentPeople, AreCalledMoreSimultaneousInTenPerCentAtMost) {
+  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies, SlowScratch());
+  Print(GetParam(), verdicts);
+  EXPECT_LE(verdicts.num_more, kNumStudies / 10);
+  EXPECT_EQ(verdicts.num_none, 0);
 }
+
+TEST_P(CoordinatedPeople, AreFoundInNinetyPerCent) {
+  const Verdicts verdicts = CountVerdicts(GetParam().plan, kNumStudies, SlowScratch());
+  Print(GetParam(), verdicts);
+  EXPECT_GE(verdicts.num_more, kNumStudies * 9 / 10);
+}
+
+std::string NameOfCase(const ::testing::TestParamInfo<NamedPlan>& info) {
+  std::string name;
+  for (const char c : info.param.name) {
+    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
+  }
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Everyday, IndependentPeople, ::testing::ValuesIn(ListIndependentPeople()),
+                         NameOfCase);
+INSTANTIATE_TEST_SUITE_P(Stranger, IndependentPeople,
+                         ::testing::ValuesIn(MadeByStranger(ListIndependentPeople())), NameOfCase);
+INSTANTIATE_TEST_SUITE_P(Everyday, CoordinatedPeople, ::testing::ValuesIn(ListCoordinatedPeople()),
+                         NameOfCase);
+INSTANTIATE_TEST_SUITE_P(Stranger, CoordinatedPeople,
+                         ::testing::ValuesIn(MadeByStranger(ListCoordinatedPeople())), NameOfCase);
 
 }  // namespace
 }  // namespace graspbench::everyday

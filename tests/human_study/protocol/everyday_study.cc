@@ -69,7 +69,7 @@ Judged RunPlan(const StudyPlan& plan, const fs::path& scratch) {
     for (int trial = 0; trial < plan.trials_per_person; ++trial) {
       Conditions conditions = plan.conditions;
       if (plan.other_rate > 0.0 && trial % 2 == 1) conditions.rate = plan.other_rate;
-      judged.truth.push_back(MakeReach(conditions, plan.seed + "/" + name, trial));
+      judged.truth.push_back(plan.make_reach(conditions, plan.seed + "/" + name, trial));
       const std::string file = name + "_" + std::to_string(trial + 1) + ".c3d";
       std::ofstream out(folder / file, std::ios::binary);
       WriteC3d(out, MakeRecording(judged.truth.back(), conditions.rate));
@@ -183,7 +183,7 @@ Verdicts CountVerdictsOfEvents(StudyPlan plan, int num_studies) {
           plan.seed + ", events " + std::to_string(study) + "/p" + std::to_string(person);
       RandomStream random(id, "errors of events");
       for (int i = 0; i < plan.trials_per_person; ++i) {
-        const Reach reach = MakeReach(plan.conditions, id, i);
+        const Reach reach = plan.make_reach(plan.conditions, id, i);
         StudyTrial& trial = trials.emplace_back();
         trial.participant = "p" + std::to_string(person);
         trial.id = id + "-" + std::to_string(i);

@@ -12,8 +12,12 @@ RunStudy; and the counts by which such a study is judged. */
 
 namespace graspbench::everyday {
 
+/** MakeReach, or another generator that takes the same conditions. */
+using ReachMaker = Reach (*)(const Conditions& conditions, const std::string& id, int trial);
+
 struct StudyPlan {
   Conditions conditions;
+  ReachMaker make_reach = MakeReach;
   std::string seed;
   int num_people = 4;
   int trials_per_person = 10;

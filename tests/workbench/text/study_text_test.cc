@@ -37,6 +37,23 @@ TEST(FormatRemoved, NamesTheTrialsAndTheKeys) {
             "keeps it\n");
 }
 
+TEST(FormatRemoved, WhereHalfOfTheAnalysedDoNotCountTheWayOnIsNamed) {
+  StudyResult result;
+  result.study.file = "my study.yaml";
+  result.study.folder = result.study.recordings = "there";
+  result.trials.resize(4);
+  for (StudyTrial& trial : result.trials) trial.analysis.emplace();
+  result.trials[0].removed_code = result.trials[0].removed = "no_hold";
+  EXPECT_EQ(FormatRemoved(result).find("advice"), std::string::npos);
+  result.trials[1].removed_code = result.trials[1].removed = "no_hold";
+  EXPECT_NE(FormatRemoved(result).find("advice   graspbench study suggest 'my study.yaml' proposes "
+                                       "keys from these recordings\n"),
+            std::string::npos);
+  result.study.recordings = "elsewhere";
+  EXPECT_NE(FormatRemoved(result).find("'my study.yaml' --data elsewhere proposes"),
+            std::string::npos);
+}
+
 TEST(FormatWarnings, ManyOfAKindAreCounted) {
   StudyResult result;
   for (int i = 0; i < 200; ++i) {
@@ -60,7 +77,8 @@ TEST(FormatSuggestions, SaysWhyWhatItCostsAndWhatIsLeft) {
       "         why: no rest\n         cost: it is less exact\n         then 15 trials count\n"
       "then     15 of 21 trials count\n"
       "left     1 [no_contact] no contact of the thumb: hidden\n         trials: p1-1\n"
-      "         keys: the marker of that digit under markers; contact.max_pad_offset_m and "
+      "         keys: the marker of that digit under markers; markers.companions, if it is hidden; "
+      "contact.max_pad_offset_m and "
       "max_looseness, if it does touch\n");
 }
 

@@ -55,6 +55,7 @@ class StudyFolder : public ::testing::Test {
       "markers:\n"
       "  thumb: [thumb_tip, RTTI]\n"
       "  index: index_tip\n"
+      "  object: top\n"
       "contact:\n"
       "  cutoff_hz: 15\n"
       "pad_offsets_m: {thumb: 0.01}\n";
@@ -197,6 +198,17 @@ TEST_F(StudyFolder, AShapeWithoutItsCentreIsWarnedOf) {
   EXPECT_EQ(num_incomplete, num_complete + 2);
   Write("objects.csv", "object\ncup\nball\n");  // no shape, no centre needed
   EXPECT_EQ(count().first, num_complete);
+}
+
+// Without a marker of the object its shape is nowhere, and a centre would not help.
+TEST_F(StudyFolder, AShapeOfAnObjectWithoutMarkersIsNotUsed) {
+  Write("study.yaml", "markers: {thumb: t, index: i}\nobjects: objects.csv\n");
+  Write("objects.csv", "object,shape,length_m\ncup,sphere,0.08\nball,sphere,0.06\n");
+  const std::string text = LoadStudy(folder_ / "study.yaml").warnings.Format();
+  EXPECT_NE(text.find("objects.csv:2: warning: the shape is not used: markers.object is empty"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("centre_x_m"), std::string::npos) << text;
 }
 
 TEST_F(StudyFolder, FaultsOfStudyYamlHaveTheirLine) {
