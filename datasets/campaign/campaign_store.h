@@ -131,7 +131,7 @@ struct Campaign {
   std::vector<SceneRecord> scenes;
   Session benchmark;  ///< empty plan: not begun
   std::vector<ComparisonRun> comparison;
-  std::vector<RealTrial> real;
+  std::vector<RealTrial> real;  ///< a laboratory's, or else the published ones
   std::vector<Damage> damage;  ///< found and accepted, that of scenes and benchmark too
 };
 /** Everything that is stored, finished or not; hands and objects are not loaded.

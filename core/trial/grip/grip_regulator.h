@@ -64,7 +64,7 @@ class GripRegulator {
 
  private:
   static constexpr double kBandTime = 0.2;     // [s]
-  static constexpr double kMostClosing = 1.5;  // s of a digit that presses
+  static constexpr double kMostClosing = 3.0;  // s of a digit that presses
 
   struct DigitGrip {
     int digit;
