@@ -132,7 +132,7 @@ struct Campaign {
   Session benchmark;  ///< empty plan: not begun
   std::vector<ComparisonRun> comparison;
   std::vector<RealTrial> real;  ///< a laboratory's, or else the published ones
-  std::vector<Damage> damage;  ///< found and accepted, that of scenes and benchmark too
+  std::vector<Damage> damage;   ///< found and accepted, that of scenes and benchmark too
 };
 /** Everything that is stored, finished or not; hands and objects are not loaded.
 @throws Error(kNotFound, kVersion, kFormat, kIo). */

@@ -58,7 +58,7 @@ struct SceneChoice {
   std::optional<HandPlace> hand_place;
   std::vector<JointEdit> joints;
   std::map<std::string, ClosingSchedule> closing;  ///< of digits, instead of the grasp's
-  std::vector<DriveEdit> drives;  ///< by time
+  std::vector<DriveEdit> drives;                   ///< by time
 
   /** TUM Hand, golf ball, its best grasp, no variation. */
   static SceneChoice MakeDefault();

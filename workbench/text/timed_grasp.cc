@@ -119,10 +119,8 @@ std::string MakeTimedGrasp(const std::string& hand_id, const std::string& grasp_
     known.push_back(grasp.id);
     if (grasp.id != grasp_id) continue;
     const std::string made_from = grasp.id;
-    if (!study.empty()) {
-      grasp.closing = ReadStudyTiming(study, grasp.digits);
-      grasp.id += "-timed";
-    }
+    if (!study.empty()) grasp.closing = ReadStudyTiming(study, grasp.digits);
+    grasp.id += study.empty() ? "-new" : "-timed";  // that of a standard grasp is taken
     return FormatGraspFile(hand, grasp, made_from);
   }
   throw Error(ErrorKind::kNotFound, "the " + hand.name + " has no grasp \"" + grasp_id + "\"" +

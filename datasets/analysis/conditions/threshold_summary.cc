@@ -98,10 +98,8 @@ std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale,
   for (int place = 0; place <= kMostGripPlace; ++place) {
     const double grip = CalcGripAt(scale, place);
     Condition condition = {scale.name + (" " + FormatFixed(grip, 3)), {}};
-    for (const std::string& setting : common) {
-      condition.settings.push_back(NormaliseSetting(setting, config));
-    }
-    condition.settings.push_back(NormaliseSetting(scale.key + ("=" + FormatJson(grip)), config));
+    condition.settings = common;
+    condition.settings.push_back(scale.key + ("=" + FormatJson(grip)));
     grips.push_back(condition);
   }
   return grips;

@@ -40,6 +40,7 @@ TEST_F(GripThresholdsTest, FindsWhatABisectionOfTheDrawFinds) {
   EXPECT_LE(found[0].num_trials, 2 * kMostThresholdTrials);
   for (const DrawThreshold& draw : found[0].draws) {
     TrialSetup setup = MakeTrialSetup(session.config, experiment.inputs, draw.draw);
+    setup.object = CompleteObject(setup.object);
     TrialRunner runner(setup.hand, setup.object);
     setup.strategy.grip_force = 0.0;
     const GripThreshold alone = FindGripThreshold([&](int place) {

@@ -15,7 +15,7 @@ GripThreshold Find(const Held& held) {
   return FindGripThreshold([&](int place) { return held.count(place) > 0; });
 }
 
-Held From(int first, int last = kMostGripPlace) {
+Held HeldFrom(int first, int last = kMostGripPlace) {
   Held held;
   for (int place = first; place <= last; ++place) held.insert(place);
   return held;
@@ -37,7 +37,7 @@ TEST(GripThreshold, ScalesAreLogarithmic) {
 
 TEST(GripThreshold, FindsEveryThresholdOfAMonotoneDraw) {
   for (int truth = 0; truth <= kMostGripPlace; ++truth) {
-    const GripThreshold found = Find(From(truth));
+    const GripThreshold found = Find(HeldFrom(truth));
     EXPECT_LE(CountTrials(found), kMostThresholdTrials);
     EXPECT_TRUE(found.is_monotone) << truth;
     EXPECT_EQ(found.place, truth);
@@ -52,10 +52,10 @@ TEST(GripThreshold, SaysThatNoGripHolds) {
   EXPECT_LE(CountTrials(never), kMostThresholdTrials);
 }
 
-// Held from 3 to 7 and from 14 on: bisection finds one of the two and names the draw, or not.
+// Held from 3 to 8 and from 13 on: bisection goes to the lower end and names the draw.
 TEST(GripThreshold, NamesADrawThatFailsAgainAbove) {
-  Held held = From(3, 9);
-  held.merge(From(13));
+  Held held = HeldFrom(3, 8);
+  held.merge(HeldFrom(13));
   const GripThreshold found = Find(held);
   EXPECT_FALSE(found.is_monotone);
   EXPECT_EQ(found.place, 3);
@@ -65,7 +65,7 @@ TEST(GripThreshold, NamesADrawThatFailsAgainAbove) {
 TEST(GripThreshold, FindsAGripThatIsNotTooStrong) {
   for (int last = 2; last < kMostGripPlace; ++last) {
     for (int first = 0; first <= last; ++first) {
-      const Held held = From(first, last);
+      const Held held = HeldFrom(first, last);
       const GripThreshold found = Find(held);
       EXPECT_LE(CountTrials(found), kMostThresholdTrials);
       const bool can_be_found = std::any_of(
@@ -74,7 +74,9 @@ TEST(GripThreshold, FindsAGripThatIsNotTooStrong) {
       if (!can_be_found) continue;
       EXPECT_TRUE(held.count(*found.place));
       EXPECT_FALSE(found.is_monotone);
-      if (last < 12) EXPECT_EQ(*found.place, first) << "to " << last;
+      if (last < 12) {
+        EXPECT_EQ(*found.place, first) << "to " << last;
+      }
     }
   }
 }

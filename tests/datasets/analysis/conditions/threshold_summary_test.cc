@@ -66,7 +66,7 @@ TEST(ThresholdSummary, FewDrawsHaveNoInterval) {
 }
 
 TEST(ThresholdSummary, NamesDrawsThatFailAgain) {
-  const auto gap = [](int place) { return (place >= 3 && place <= 9) || place >= 13; };
+  const auto gap = [](int place) { return (place >= 4 && place <= 9) || place >= 13; };
   const ThresholdSummary summary = SummariseThresholds(MakeExperiment({From(4), gap}));
   EXPECT_EQ(summary.cells[0].not_monotone, std::vector<int>{1});
   EXPECT_EQ(summary.num_not_monotone(), 1);
