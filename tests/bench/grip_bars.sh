@@ -20,9 +20,8 @@ for margin in 1.5 2 4; do
 done
 run "$bench" "$2" people strategy.grip=margin strategy.grip_margin=2 strategy.grip_force_n=0.7
 run "$bench" "$2" sensed-1.5 strategy.grip=force strategy.grip_force_n=1.5 touch=sensed
-for step in 0.001 0.002; do
-  run "$bench" "$2" "step-$step" strategy.grip=force strategy.grip_force_n=0.7 "sim.step_s=$step"
-done
+run "$bench" "$2" people-1-ms strategy.grip=margin strategy.grip_margin=2 strategy.grip_force_n=0.7 \
+  sim.step_s=0.001 trials=6
 for hand in tum shadow; do
   run "$bench" "$2" "thresholds-$hand" --thresholds "hands=$hand" strategy.grip=margin \
     strategy.grip_force_n=0

@@ -187,7 +187,10 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   if (phase == Phase::kLiftOff && phase_ != Phase::kLiftOff) {
     was_in_band_ = is_in_band();
     closed_ = sum_;
-    for (DigitGrip& digit : digits_) digit.closed = digit.force;
+    for (DigitGrip& digit : digits_) {
+      digit.closed = digit.force;
+      digit.fault = FindFault(digit, digit.asked, digit.force);
+    }
   }
   phase_ = phase;
   FollowTouches(world, contacts, sensors);
@@ -381,7 +384,9 @@ GripRecord GripRegulator::MakeRecord() const {
     of.closed = digit.closed;
     if (num_held_ > 0) of.held = digit.held_sum / num_held_;
     of.closing = digit.CalcClosing();
-    of.fault = FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
+    const bool was_lost = num_held_ == 0 && !std::isnan(closed_);  // then the end says nothing
+    of.fault =
+        was_lost ? digit.fault : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
   }
   return record;
 }

@@ -78,6 +78,7 @@ class GripRegulator {
     double stiffness = kLeastStiffness;
     Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
     double closed = kUnset, held_sum = 0.0, asked_sum = 0.0;
+    GripFault fault = GripFault::kNone;  // at the start of lift-off
 
     double CalcClosing() const { return law.closing() + beyond; }
     void Shift(double by) {
