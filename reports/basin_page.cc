@@ -6,6 +6,7 @@
 #include "core/base/text/text.h"
 #include "core/base/version.h"
 #include "datasets/analysis/conditions/basin_summary.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "reports/outcome_words.h"
 #include "reports/page/sectioned_page.h"
 #include "reports/plots/svg_parts.h"
@@ -30,23 +31,29 @@ std::string DescribeSample(const BasinSample& sample) {
                                               : "");
 }
 
-/** Successes are discs whose area grows with sigma, failures crosses. */
-Html DrawSample(const BasinSample& sample, double left, double most_sigma) {
+/** A disc whose area is this share of the largest; not above 0: a cross. */
+Html DrawSample(const BasinSample& sample, double left, double share, const std::string& text) {
   const double x = left + 0.5 * kPanel * (1.0 + sample.offset_x / kBasinOffset);
   const double y = kTop + 0.5 * kPanel * (1.0 - sample.offset_y / kBasinOffset);
-  const Html hint = Hint(DescribeSample(sample));
-  if (sample.outcome != Outcome::kSuccess) {
+  const Html hint = Hint(text);
+  if (!(share > 0.0)) {
     return Element("path",
                    {{"class", "cross"},
                     {"d", "M" + Px(x - 3.2) + " " + Px(y - 3.2) + "l6.4 6.4m0 -6.4l-6.4 6.4"}},
                    hint);
   }
-  const double share = most_sigma > 0.0 ? sample.sigma / most_sigma : 0.0;
   const double r = std::max(kSmallDot, kLargeDot * std::sqrt(share));
   return Element("circle", {{"class", "dot"}, {"cx", Px(x)}, {"cy", Px(y)}, {"r", Px(r)}}, hint);
 }
 
-Html DrawMap(const std::vector<BasinSample>& samples, double most_sigma) {
+/** What a map shows of each sample. */
+struct SampleMark {
+  double share = 0.0;
+  std::string text;
+};
+
+Html DrawMap(const std::vector<BasinSample>& samples, const std::vector<SampleMark>& marks,
+             const PlotText& text) {
   Html content;
   for (int slice = 0; slice < kNumSlices; ++slice) {
     const double left = 40.0 + slice * (kPanel + kGap);
@@ -66,13 +73,11 @@ Html DrawMap(const std::vector<BasinSample>& samples, double most_sigma) {
       }
     }
     content += Label("middle small", left + 0.5 * kPanel, kTop + kPanel + 29.0, "x [mm]");
-    for (const BasinSample& sample : samples) {
-      if (FindSlice(sample) == slice) content += DrawSample(sample, left, most_sigma);
+    for (size_t i = 0; i < samples.size(); ++i) {
+      if (FindSlice(samples[i]) != slice) continue;
+      content += DrawSample(samples[i], left, marks[i].share, marks[i].text);
     }
   }
-  const PlotText text = {"Success by the object's offset",
-                         "Offsets in x and y in three slices of yaw; discs are successes, crosses "
-                         "failures."};
   return Svg("img", 40.0 + kNumSlices * (kPanel + kGap), kTop + kPanel + kBottom, text, content);
 }
 
@@ -80,6 +85,49 @@ struct BasinView {
   const BasinPageData& data;
   BasinSummary summary;
 };
+
+/** Successes are discs whose area grows with sigma. */
+Html DrawSigmaMap(const BasinView& view) {
+  std::vector<SampleMark> marks;
+  for (const BasinSample& sample : view.data.samples) {
+    const double most = view.summary.most_sigma;
+    const double share = most > 0.0 ? std::fmax(sample.sigma / most, 1e-3) : 1e-3;
+    marks.push_back({sample.outcome == Outcome::kSuccess ? share : 0.0, DescribeSample(sample)});
+  }
+  return DrawMap(view.data.samples, marks,
+                 {"Success by the object's offset",
+                  "Offsets in x and y in three slices of yaw; discs are successes, crosses "
+                  "failures."});
+}
+
+/** Discs whose area falls with the threshold: what the least margin holds is the largest. */
+Html DrawBasinThresholdMap(const BasinView& view) {
+  std::vector<SampleMark> marks;
+  for (size_t i = 0; i < view.data.samples.size(); ++i) {
+    const double threshold = view.data.thresholds[i];
+    const std::string name = FormatThreshold(kThresholdScales[0], threshold);
+    marks.push_back({std::isfinite(threshold) ? kThresholdScales[0].least / threshold : 0.0,
+                     "sample " + std::to_string(i) + ": margin " + name});
+  }
+  return DrawMap(view.data.samples, marks,
+                 {"Grip threshold by the object's offset",
+                  "Offsets in x and y in three slices of yaw; large discs are held by a small "
+                  "margin, crosses by none that was asked."});
+}
+
+Html DrawBasinThresholds(const BasinView& view) {
+  if (view.data.thresholds.empty()) {
+    return Element("p", {},
+                   Text("How strong a grip each offset needs has not been looked for; ") +
+                       Element("code", {}, "graspbench threshold") +
+                       Text(" with the basin's folder does it and shows it here."));
+  }
+  return MakeFigure(
+      "The smallest margin with which the object is held from each offset. Large discs need a "
+      "small one; crosses are held by none that was asked, or were not looked at.",
+      "discs that shrink towards an edge: there only a stronger grip holds.",
+      MakeScroll("Grip threshold by the object's offset", DrawBasinThresholdMap(view)));
+}
 
 Html DrawRadius(const BasinView& view) {
   const BasinSummary& summary = view.summary;
@@ -98,8 +146,7 @@ Html DrawRadius(const BasinView& view) {
                  FormatFixed(summary.most_sigma, 1) + " N); crosses are failures.",
              "crosses near the middle; crosses on one side only: the hand should stand farther to "
              "that side; discs that shrink towards an edge.",
-             MakeScroll("Success by the object's offset",
-                        DrawMap(view.data.samples, summary.most_sigma)));
+             MakeScroll("Success by the object's offset", DrawSigmaMap(view)));
 }
 
 Html DrawSamples(const BasinView& view) {
@@ -163,6 +210,7 @@ Html DrawBasinMethods(const BasinView& view) {
 std::string MakeBasinPage(const BasinPageData& data) {
   static const std::vector<PageSection<BasinView>> sections = {
       {"result", "Result", &DrawRadius},
+      {"thresholds", "The smallest grip that holds", &DrawBasinThresholds},
       {"samples", "Samples", &DrawSamples},
       {"findings", "Errors and warnings", &DrawBasinFindings},
       {"methods", "Methods", &DrawBasinMethods}};

@@ -13,6 +13,8 @@ struct BasinPageData {
   std::string title;    ///< names hand, object and grasp
   std::string command;  ///< that gives the same samples
   std::vector<BasinSample> samples;
+  /** Grip thresholds as margins, one a sample, infinite: no grip held; empty: not looked for. */
+  std::vector<double> thresholds = {};
 };
 
 /** A self-contained page like the session's report. */

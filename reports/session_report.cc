@@ -15,8 +15,10 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
                               const SessionModels& models, const CellPictures& pictures,
                               const SensitivitySummary& sensitivity,
                               const std::vector<NumericsSummary>& numerics,
+                              const std::vector<ThresholdSummary>& thresholds,
                               const SessionViews& views) {
-  const ReportData data = {session, summary, models, pictures, sensitivity, numerics, views.body};
+  const ReportData data = {session,     summary,  models,     pictures,
+                           sensitivity, numerics, thresholds, views.body};
   const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
                                FormatCount(static_cast<int>(summary.objects.size()), "object") +
                                ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
@@ -48,8 +50,8 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
   const std::vector<NumericsSummary> numerics = SummariseNumerics(LoadNumericsComparisons(session));
   const SessionViews views =
       trace ? DrawSessionViews(session, summary, models, trace) : SessionViews();
-  return WriteReportPage(
-      folder, MakeSessionReport(session, summary, models, pictures, sensitivity, numerics, views));
+  return WriteReportPage(folder, MakeSessionReport(session, summary, models, pictures, sensitivity,
+                                                   numerics, LoadThresholds(session), views));
 }
 
 /** The page of a session that is more than its trials; empty: it is not. */
@@ -58,10 +60,16 @@ std::string MakeKindPage(const Session& session) {
   if (!IsBasin(session)) return "";
   const SessionModels models = LoadSessionModels(session);
   const PlannedTrial& planned = session.plan.front();
+  std::vector<double> thresholds;
+  for (const ThresholdSummary& summary : LoadThresholds(session)) {
+    if (summary.scale->mode == GripMode::kMargin) {
+      thresholds = ListThresholdsOf(session, summary);
+    }
+  }
   return MakeBasinPage({models.NameOfHand(planned.hand) + ", " +
                             models.NameOfObject(planned.object) + ", " + planned.grasp,
-                        "graspbench run DIR/session.json --out ANOTHER",
-                        ListBasinSamples(session)});
+                        "graspbench run DIR/session.json --out ANOTHER", ListBasinSamples(session),
+                        thresholds});
 }
 
 }  // namespace

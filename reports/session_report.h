@@ -9,6 +9,7 @@ snapshots. */
 
 #include "datasets/analysis/conditions/numerics_summary.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/session/session_store.h"
 #include "reports/page/models.h"
 #include "reports/scenes/cell_pictures.h"
@@ -32,6 +33,7 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
                               const SessionModels& models, const CellPictures& pictures,
                               const SensitivitySummary& sensitivity = {},
                               const std::vector<NumericsSummary>& numerics = {},
+                              const std::vector<ThresholdSummary>& thresholds = {},
                               const SessionViews& views = {});
 
 }  // namespace graspbench

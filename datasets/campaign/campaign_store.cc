@@ -261,6 +261,13 @@ Campaign LoadCampaign(const fs::path& folder, OnDamage on_damage) {
   }
   campaign.comparison = LoadComparison(folder, campaign.config, on_damage);
   campaign.real = LoadRealTrials(folder);
+  if (campaign.real.empty()) {
+    std::vector<RealScene> scenes;
+    for (const SceneRecord& scene : campaign.scenes) {
+      scenes.emplace_back(scene.config.hand, scene.config.object);
+    }
+    campaign.real = LoadPublishedTrials(scenes);
+  }
   return campaign;
 }
 

@@ -131,8 +131,8 @@ struct Campaign {
   std::vector<SceneRecord> scenes;
   Session benchmark;  ///< empty plan: not begun
   std::vector<ComparisonRun> comparison;
-  std::vector<RealTrial> real;
-  std::vector<Damage> damage;  ///< found and accepted, that of scenes and benchmark too
+  std::vector<RealTrial> real;  ///< a laboratory's, or else the published ones
+  std::vector<Damage> damage;   ///< found and accepted, that of scenes and benchmark too
 };
 /** Everything that is stored, finished or not; hands and objects are not loaded.
 @throws Error(kNotFound, kVersion, kFormat, kIo). */

@@ -168,4 +168,39 @@ std::vector<RealTrial> LoadRealTrials(const fs::path& campaign) {
   return trials;
 }
 
+namespace {
+
+fs::path FindPublished(const char* file) { return FindDataRoot() / "datasets" / kFolder / file; }
+
+}  // namespace
+
+std::vector<RealTrial> LoadPublishedTrials(const std::vector<RealScene>& scenes) {
+  const fs::path path = FindPublished(kFile);
+  Diagnostics problems;
+  std::vector<RealTrial> trials;
+  for (RealTrial& trial : ReadRealTrials(ReadFile(path), path.string(), problems)) {
+    const RealScene scene = {trial.hand, trial.object};
+    if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) continue;
+    trial.is_published = true;
+    trials.push_back(std::move(trial));
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the published trials cannot be read");
+  return trials;
+}
+
+std::vector<PublishedFigure> LoadPublishedFigures() {
+  const fs::path path = FindPublished("figures.csv");
+  Diagnostics problems;
+  DataTable table(ReadFile(path), path.string(), problems);
+  for (const char* column : {"hand", "figure", "value", "unit", "source"}) table.Require(column);
+  std::vector<PublishedFigure> figures;
+  for (size_t row = 0; row < table.num_rows(); ++row) {
+    figures.push_back({table.Text(row, "hand"), table.Text(row, "figure"),
+                       table.Number(row, "value"), table.Text(row, "unit"),
+                       table.Text(row, "source")});
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the published figures cannot be read");
+  return figures;
+}
+
 }  // namespace graspbench

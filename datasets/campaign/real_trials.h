@@ -11,10 +11,12 @@ trial a row, comma- or tab-separated:
                    empty: it never touched
     note           optional; trials whose note has "made up" in it are called so on the page
 
-They are kept in the campaign's folder, real/trials.csv. */
+They are kept in the campaign's folder, real/trials.csv. Published trials and figures of real hands
+come with the program, in datasets/real; they stand there where a laboratory has none of its own. */
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/diagnostics.h"
@@ -31,6 +33,7 @@ struct RealTrial {
   int trial = 0;
   bool is_success = false;
   bool is_made_up = false;
+  bool is_published = false;           ///< of datasets/real
   std::vector<DigitContact> contacts;  ///< of the columns; none: not measured
 };
 
@@ -46,5 +49,20 @@ void CheckRealTrials(const std::vector<RealTrial>& trials, const std::string& fi
 void KeepRealTrials(const std::filesystem::path& campaign, const std::string& text);
 /** None when there are none. @throws Error(kFormat, kIo). */
 std::vector<RealTrial> LoadRealTrials(const std::filesystem::path& campaign);
+
+/** A hand and an object, by their ids. */
+using RealScene = std::pair<std::string, std::string>;
+/** The published ones of these scenes. @throws Error(kFormat, kIo). */
+std::vector<RealTrial> LoadPublishedTrials(const std::vector<RealScene>& scenes);
+
+/** Something that was measured once. */
+struct PublishedFigure {
+  std::string hand;  ///< id, or "people"
+  std::string what;
+  double value = 0.0;
+  std::string unit, source;
+};
+/** @throws Error(kFormat, kIo). */
+std::vector<PublishedFigure> LoadPublishedFigures();
 
 }  // namespace graspbench

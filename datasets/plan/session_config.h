@@ -29,10 +29,19 @@ struct VariationConfig {
   }
 };
 
+/** How people grip, which is what sessions do by default (datasets/presets/people.yaml): twice the
+smallest force that bears the weight, at least grip_force, closing gently after the touch. */
+inline StrategyConfig MakePeopleGrip() {
+  StrategyConfig strategy;
+  strategy.grip = "margin";
+  strategy.touch_speed = 0.25;
+  return strategy;
+}
+
 /** What holds for every trial of a session, and of a scene's optimisation. */
 struct TrialConditions {
   VariationConfig variation;
-  StrategyConfig strategy;
+  StrategyConfig strategy = MakePeopleGrip();
   SimConfig sim;
   ModelConfig model;
 

@@ -40,6 +40,37 @@ std::string FindWeakestForce(const Judgement& judgement) {
   return weakest ? weakest->direction : "";
 }
 
+/** "FF: posture ends; TH: balance". */
+std::string DescribeGripFaults(const GripRecord& grip) {
+  std::string text;
+  for (const DigitGripRecord& digit : grip.digits) {
+    if (digit.fault == GripFault::kNone) continue;
+    text += (text.empty() ? "" : "; ") + digit.digit + ": " + NameOf(digit.fault);
+  }
+  return text;
+}
+
+/** Of a trial that regulates its grip; missing else. */
+void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
+  const auto take = [](double GripRecord::*force) {
+    return [force](const TrialRecord& record) {
+      return record.result.grip ? JsonNumber((*record.result.grip).*force) : Json();
+    };
+  };
+  columns.push_back({"grip_asked_n", "number", "N",
+                     "sum of the forces that the regulated grip asks of the hand, mean of the hold",
+                     take(&GripRecord::asked)});
+  columns.push_back({"grip_held_n", "number", "N",
+                     "what it has of them, exactly or as the elements feel it, likewise",
+                     take(&GripRecord::held)});
+  columns.push_back(
+      {"grip_faults", "string", "",
+       "digits that differ from what was asked of them by more than a fifth, each with the reason",
+       [](const TrialRecord& record) {
+         return record.result.grip ? Json(DescribeGripFaults(*record.result.grip)) : Json();
+       }});
+}
+
 void AddJudgementColumns(std::vector<TrialColumn>& columns) {
   std::vector<TrialColumn> fields;
   AddFieldColumns<Judgement>(
@@ -257,6 +288,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
        [](const TrialRecord& record) { return Json(TouchesPalmAtEnd(record.result) ? 1 : 0); }});
   columns.push_back({"hold_force_n", "number", "N", "mean sum of the normal forces over the hold",
                      TakePart(&Stability::hold, &StabilityPart::normal_force)});
+  AddGripColumns(columns);
   columns.push_back(
       {"seat", "string", "",
        "kept, or reseated: closure_rise_m is above 5 mm and 43 % of object_height_m, and "

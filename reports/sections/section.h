@@ -7,6 +7,7 @@ line in section_list.inc, which fixes the order of the page. */
 
 #include "datasets/analysis/conditions/numerics_summary.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/session_summary.h"
 #include "reports/page/models.h"
 #include "reports/page/sectioned_page.h"
@@ -21,7 +22,8 @@ struct ReportData {
   const CellPictures& pictures;
   const SensitivitySummary& sensitivity;         ///< of this session; without changes: was not run
   const std::vector<NumericsSummary>& numerics;  ///< empty: was not checked
-  Html views = {};                               ///< of session_views.h; empty: not asked for
+  const std::vector<ThresholdSummary>& thresholds;  ///< empty: none were looked for
+  Html views = {};                                  ///< of session_views.h; empty: not asked for
 };
 
 /** Must bear a session without a plan or without records. */

@@ -82,16 +82,21 @@ void PrintShares(const std::vector<TrialResult>& results, double band) {
   for (const auto& [fault, number] : faults) fmt::print("{}: {}\n", fault, number);
 }
 
-GripThreshold FindThreshold(TrialRunner& runner, TrialSetup setup) {
-  const bool is_force = setup.strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
-  const ThresholdRange range = is_force ? ThresholdRange{0.1, 12.8} : ThresholdRange{1.0, 16.0};
-  return FindGripThreshold(range, [&](double grip) {
-    (is_force ? setup.strategy.grip_force : setup.strategy.grip_margin) = grip;
+const ThresholdScale& FindScale(const SessionConfig& config) {
+  const bool is_force = config.strategy.grip == RowOf(kGripModes, GripMode::kForce).name;
+  return kThresholdScales[is_force ? 1 : 0];
+}
+
+GripThreshold FindThreshold(const ThresholdScale& scale, TrialRunner& runner, TrialSetup setup) {
+  return FindGripThreshold([&](int place) {
+    const double grip = CalcGripAt(scale, place);
+    (scale.mode == GripMode::kForce ? setup.strategy.grip_force : setup.strategy.grip_margin) =
+        grip;
     return IsSuccess(runner.Run(setup).outcome);
   });
 }
 
-void PrintThresholds(const std::vector<PlannedTrial>& plan,
+void PrintThresholds(const ThresholdScale& scale, const std::vector<PlannedTrial>& plan,
                      const std::vector<GripThreshold>& thresholds, size_t cell) {
   size_t num_trials = 0, num_not_monotone = 0;
   for (size_t first = 0; first < plan.size(); first += cell) {
@@ -102,8 +107,8 @@ void PrintThresholds(const std::vector<PlannedTrial>& plan,
       const GripThreshold& found = thresholds[i];
       num_trials += found.failed.size() + found.succeeded.size();
       // One that never succeeds is above all others in the order.
-      values.push_back(std::isnan(found.value) ? HUGE_VAL : found.value);
-      num_never += std::isnan(found.value) ? 1 : 0;
+      values.push_back(found.place ? CalcGripAt(scale, *found.place) : HUGE_VAL);
+      num_never += found.place ? 0 : 1;
       num_below += found.is_below_range ? 1 : 0;
       if (found.is_monotone) continue;
       ++num_not_monotone;
@@ -148,7 +153,7 @@ int Run(int argc, char** argv) {
       for (size_t i = first; i < std::min(plan.size(), first + cell); ++i) {
         const TrialSetup drawn = MakeTrialSetup(config, inputs, plan[i]);
         if (finds_thresholds) {
-          thresholds[i] = FindThreshold(runner, drawn);
+          thresholds[i] = FindThreshold(FindScale(config), runner, drawn);
         } else {
           results[i] = runner.Run(drawn);
         }
@@ -159,7 +164,7 @@ int Run(int argc, char** argv) {
   for (size_t i = 0; i < num_threads; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   if (finds_thresholds) {
-    PrintThresholds(plan, thresholds, cell);
+    PrintThresholds(FindScale(config), plan, thresholds, cell);
     return 0;
   }
   for (size_t i = 0; lists && i < plan.size(); ++i) PrintTrial(plan[i], results[i]);

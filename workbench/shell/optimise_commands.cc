@@ -127,6 +127,7 @@ void OptimiseTrial(Shell& shell, const ShellArguments& arguments) {
   if (!is_new) return PrintResult("the grasp stays as it is\n");
   SceneChoice choice = scene.choice();
   choice.joints.clear();
+  choice.closing.clear();
   choice.drives.clear();
   choice.hand_place.reset();
   choice.learned = step == "1" ? result.new_pregrasp : result.new_target;

@@ -29,6 +29,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kMaxOffset_mm = 200.0;
+/** Of a digit's closing, as grasp files have them. */
+constexpr double kMaxDelay = 10.0;  // [s]
+constexpr double kMinSpeed = 0.05, kMaxSpeed = 10.0;
 constexpr double kPrintedExact = 1e-6;  // of a joint position as it is shown
 
 /** "light bulb" given as two words is one name. */
@@ -46,6 +49,7 @@ void RefuseAll(const std::string& name) {
 /** What was changed by hand belongs to one grasp. */
 void ForgetEdits(SceneChoice& choice) {
   choice.joints.clear();
+  choice.closing.clear();
   choice.drives.clear();
   choice.hand_place.reset();
   choice.learned.reset();
@@ -209,6 +213,30 @@ void SetJoint(Shell& shell, const ShellArguments& arguments) {
   auto& joints = choice.joints;
   joints.erase(std::remove_if(joints.begin(), joints.end(), is_same), joints.end());
   joints.push_back(edit);
+  Take(shell, choice);
+}
+
+void SetDigit(Shell& shell, const ShellArguments& arguments) {
+  const Grasp& grasp = shell.scene().setup().grasp;
+  const auto digit = std::find_if(
+      grasp.digits.begin(), grasp.digits.end(),
+      [&](const std::string& id) { return MakeComparable(id) == MakeComparable(arguments[0]); });
+  if (digit == grasp.digits.end()) {
+    throw Error(ErrorKind::kNotFound, "no digit of the grasp is \"" + arguments[0] + "\"" +
+                                          SuggestNames(arguments[0], grasp.digits));
+  }
+  SceneChoice choice = shell.scene().choice();
+  const auto own = grasp.closing.find(*digit);
+  ClosingSchedule schedule = own == grasp.closing.end() ? ClosingSchedule() : own->second;
+  const std::string what = ToLower(arguments[1]);
+  if (what == "delay") {
+    schedule.delay = ParseNumber(arguments[2], "the delay of " + *digit, "s", 0.0, kMaxDelay);
+  } else if (what == "speed") {
+    schedule.speed = ParseNumber(arguments[2], "the speed of " + *digit, "", kMinSpeed, kMaxSpeed);
+  } else {
+    FailUsage("digit DIGIT delay SECONDS, or digit DIGIT speed SHARE");
+  }
+  choice.closing[*digit] = schedule;
   Take(shell, choice);
 }
 

@@ -72,6 +72,7 @@ std::string FormatScene(ShellScene& scene) {
   if (!choice.drives.empty()) {
     text += ", " + FormatCount(static_cast<int64_t>(choice.drives.size()), "drive") + " by hand";
   }
+  if (!choice.closing.empty()) text += ", closing schedule by hand";
   text += choice.hand_place ? ", hand moved\n" : "\n";
   text += "draw     " + draw + (choice.place ? ", moved by hand" : "") + ": " +
           FormatObjectDraw(setup.draw) + "\n";
@@ -209,6 +210,13 @@ std::string FormatChanges(const ShellScene& scene) {
                         FormatFixed(ToDisplayUnits(joint, edit.position), 1), DisplayUnitOf(joint),
                         edit.is_target ? "target" : "pre",
                         FormatFixed(ToDisplayUnits(joint, q[index]), 1), DisplayUnitOf(joint));
+  }
+  for (const auto& [digit, schedule] : choice.closing) {
+    const auto own = grasp.closing.find(digit);
+    const ClosingSchedule of_grasp = own == grasp.closing.end() ? ClosingSchedule() : own->second;
+    text += fmt::format("digit    {} delay {} s, speed {}, the grasp's {} s, {}\n", digit,
+                        FormatFixed(schedule.delay, 3), FormatFixed(schedule.speed, 2),
+                        FormatFixed(of_grasp.delay, 3), FormatFixed(of_grasp.speed, 2));
   }
   for (const DriveEdit& edit : choice.drives) {
     const HandJoint& joint = hand.joints[static_cast<size_t>(hand.FindJoint(edit.joint))];

@@ -90,6 +90,11 @@ Names ListJoints(Shell& shell, size_t index) {
   return index == 2 ? Names{"pre", "target"} : names;
 }
 
+Names ListGraspDigits(Shell& shell, size_t index) {
+  if (index == 1) return {"delay", "speed"};
+  return index == 0 ? shell.scene().setup().grasp.digits : Names();
+}
+
 Names ListMovable(Shell&, size_t index) { return index == 0 ? Names{"hand", "object"} : Names(); }
 
 Names ListTurns(Shell& shell, size_t index) {
@@ -150,6 +155,9 @@ const std::vector<ShellCommand>& ListShellCommands() {
       {"joint", kScene, "JOINT ANGLE [pre|target]",
        "Set a joint of the target or pre-grasp posture (deg, mm).", "joint FFJ3 30", 2, 3, -1,
        &ListJoints, &SetJoint},
+      {"digit", kScene, "DIGIT delay SECONDS|speed SHARE",
+       "Let a digit close later (s), or faster than all (1).", "digit FF delay 0.05", 3, 3, -1,
+       &ListGraspDigits, &SetDigit},
       {"set", kScene, "[KEY [VALUE]]",
        "Change a setting of session files, or list them; -e off: scripts go on after errors.",
        "set model.friction_scale 0.5", 0, 2, -1, &ListSettings, &ChangeSetting},

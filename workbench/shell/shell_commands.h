@@ -45,6 +45,7 @@ void ChooseDraw(Shell& shell, const ShellArguments& arguments);
 void MoveThing(Shell& shell, const ShellArguments& arguments);
 void TurnThing(Shell& shell, const ShellArguments& arguments);
 void SetJoint(Shell& shell, const ShellArguments& arguments);
+void SetDigit(Shell& shell, const ShellArguments& arguments);
 void DriveJoint(Shell& shell, const ShellArguments& arguments);
 void ChangeSetting(Shell& shell, const ShellArguments& arguments);
 void OpenTrial(Shell& shell, const ShellArguments& arguments);

@@ -77,6 +77,7 @@ TrialSetup MakeChosenSetup(const SceneChoice& choice, const SessionInputs& input
   }
   if (choice.learned) setup.grasp = *choice.learned;
   for (const JointEdit& edit : choice.joints) ApplyEdit(*setup.hand, edit, setup.grasp);
+  for (const auto& [digit, schedule] : choice.closing) setup.grasp.closing[digit] = schedule;
   if (choice.hand_place) ApplyHandPlace(*choice.hand_place, setup, setup.grasp);
   for (const DriveEdit& edit : choice.drives) {
     setup.drives.push_back({edit.time, setup.hand->FindJoint(edit.joint), edit.position});

@@ -7,6 +7,7 @@ What decides it is plain data (SceneChoice): equal choices give the bytes of the
 session. Going back restores the nearest saved instant and simulates on from there. */
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,7 +57,8 @@ struct SceneChoice {
   std::optional<Grasp> learned;  ///< instead of the grasp of the configuration
   std::optional<HandPlace> hand_place;
   std::vector<JointEdit> joints;
-  std::vector<DriveEdit> drives;  ///< by time
+  std::map<std::string, ClosingSchedule> closing;  ///< of digits, instead of the grasp's
+  std::vector<DriveEdit> drives;                   ///< by time
 
   /** TUM Hand, golf ball, its best grasp, no variation. */
   static SceneChoice MakeDefault();

@@ -106,6 +106,24 @@ std::string FormatSeat(const TrialResult& result) {
   return text + "\n";
 }
 
+/** What a regulated grip asked and reached. */
+std::string FormatGrip(const TrialResult& result) {
+  if (!result.grip) return "";
+  const GripRecord& grip = *result.grip;
+  std::string text =
+      fmt::format("grip     asked {} N in sum, {} N in the hold, peak {} N{}\n",
+                  FormatFixed(grip.asked, 2), FormatFixed(grip.held, 2), FormatFixed(grip.peak, 2),
+                  grip.was_in_band ? "" : "; not in its band when it was lifted");
+  TextTable table({"digit", "asked [N]", "before lift-off [N]", "in the hold [N]", "closed by",
+                   "why it differs"});
+  for (const DigitGripRecord& digit : grip.digits) {
+    table.AddRow({digit.digit + (digit.opposes ? " (opposes)" : ""), FormatFixed(digit.asked, 2),
+                  FormatFixed(digit.closed, 2), FormatFixed(digit.held, 2),
+                  FormatPercent(digit.closing), NameOf(digit.fault)});
+  }
+  return text + table.Format();
+}
+
 /** This trial and the nearest success beside each other. */
 std::string FormatBeside(const ExaminedTrial& trial) {
   const TrialRecord& other = *trial.nearest;
@@ -181,7 +199,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatObjectDraw(trial.setup.draw) + FormatJointErrors(trial.setup) + "\n" + "phases   " +
       FormatPhases(trial.traced) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
-  text += FormatSeat(result);
+  text += FormatSeat(result) + FormatGrip(result);
   if (!IsSuccess(result.outcome)) text += "let go   " + FormatFirstFailure(trial.traced) + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",

@@ -8,6 +8,7 @@ What of a grasp step 2 may change, as coordinates of a search:
     all-digits  target angles of all grasping digits
     synergy     target angles of all grasping digits along the principal components of the hand's
                 own standard postures (Santello, Flanders and Soechting 1998 for people's hands)
+    closing     when each grasping digit begins to close, up to 0.22 s after the first
 
 Every coordinate counts in radians, so that one step fits all: a shift of 40 mm counts as one. No
 target angle leaves its joint's limits or goes farther than 25 deg from the start's; coupled joints

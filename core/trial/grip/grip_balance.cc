@@ -15,8 +15,8 @@ std::vector<PartLoad> CalcPartLoads(const std::vector<HandContact>& contacts,
   for (const HandContact& contact : contacts) {
     PartLoad& load = loads[static_cast<size_t>(parts[static_cast<size_t>(contact.link)])];
     load.force += contact.normal_force;
-    load.push_W += contact.normal_force * contact.nhat_W + contact.friction_W -
-                   contact.friction_W.dot(down_W) * down_W;
+    const Vector3d f_W = contact.normal_force * contact.nhat_W + contact.friction_W;
+    load.push_W += f_W - f_W.dot(down_W) * down_W;
     for (const int joint : dynamics.chain(contact.link)) {
       const SpatialVector& S = dynamics.motion(joint);
       const Vector3d v_W = S.tail<3>() + S.head<3>().cross(contact.p_WC);

@@ -15,14 +15,14 @@ namespace graspbench {
 /** The contacts of one part of the hand, a digit or all the rest, taken together. */
 struct PartLoad {
   double force = 0.0;  ///< sum of normal forces [N]
-  /** Force on the object for a unit of `force`: normals, and friction as far as it does not bear
-  the weight. */
+  /** Force on the object for a unit of `force`, normals and friction, as far as it does not bear
+  the weight: a finger below the widest place of a ball holds it up as well. */
   Eigen::Vector3d push_W = Eigen::Vector3d::Zero();
   /** Generalised force on the part's joints that holds a unit of `force` (num_dofs) [m]. */
   Eigen::VectorXd torque;
 };
 
-/** @param parts  of each link, in [0, num_parts).  @param gravity_W  friction along it is left out.
+/** @param parts  of each link, in [0, num_parts).  @param gravity_W  what is along it is left out.
 */
 std::vector<PartLoad> CalcPartLoads(const std::vector<HandContact>& contacts,
                                     const std::vector<int>& parts, int num_parts,

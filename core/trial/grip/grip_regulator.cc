@@ -18,6 +18,9 @@ constexpr double kBandShare = 0.1;        // of A, in which stabilisation ends
 constexpr double kLookInterval = 0.1;     // between two looks for the smallest force [s]
 constexpr double kAtTarget = 1e-9;        // of s
 constexpr double kAtLimit = 1.0 - 1e-6;   // of a torque limit
+/** Likewise, of a drive that is said to give all it can: what it holds creeps, and its torque with
+it. */
+constexpr double kNearLimit = 0.9;
 constexpr double kStopAngle = 1e-3;       // [rad]
 constexpr double kMostTorqueShare = 4.0;  // c, and its inverse the least
 /** Of a drive's torque limit: it bears its finger whatever the grip. */
@@ -184,7 +187,10 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   if (phase == Phase::kLiftOff && phase_ != Phase::kLiftOff) {
     was_in_band_ = is_in_band();
     closed_ = sum_;
-    for (DigitGrip& digit : digits_) digit.closed = digit.force;
+    for (DigitGrip& digit : digits_) {
+      digit.closed = digit.force;
+      digit.fault = FindFault(digit, digit.asked, digit.force);
+    }
   }
   phase_ = phase;
   FollowTouches(world, contacts, sensors);
@@ -252,8 +258,8 @@ void GripRegulator::NoteHold(Phase phase) {
   }
 }
 
-/** A drive of it, of those that close it, gives all it can. */
-bool GripRegulator::IsAtLimit(const DigitGrip& digit) const {
+/** A drive of it, of those that close it, gives this share of all it can. */
+bool GripRegulator::IsAtLimit(const DigitGrip& digit, double share) const {
   if (drive_positions_.size() == 0) return false;
   return std::any_of(digit.joints.begin(), digit.joints.end(), [&](int joint) {
     if (way_[joint] == 0.0) return false;
@@ -261,13 +267,13 @@ bool GripRegulator::IsAtLimit(const DigitGrip& digit) const {
     const double asked = setup_->grasp.q_pre[joint] + digit.CalcClosing() * way_[joint] +
                          setup_->draw.joint_error[joint];
     const double torque = drive.stiffness * (asked - drive_positions_[joint]);
-    return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= kAtLimit * drive.torque_limit;
+    return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= share * drive.torque_limit;
   });
 }
 
 bool GripRegulator::IsStopped(const DigitGrip& digit) const {
   return digit.CalcClosing() >= (digit.has_touched ? kMostClosing : 1.0) - kAtTarget ||
-         IsAtLimit(digit);
+         IsAtLimit(digit, kAtLimit);
 }
 
 /** Two digits that both oppose a third: what one gains the other gives up, so that the sum, and the
@@ -305,7 +311,7 @@ void GripRegulator::Advance(Phase phase) {
       if (is_saturating_ || !digit.has_touched || !digit.is_felt) continue;
       const double shift =
           std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
-      if (shift > 0.0 && IsAtLimit(digit)) continue;
+      if (shift > 0.0 && IsAtLimit(digit, kAtLimit)) continue;
       digit.Shift(shift);
     }
     return;
@@ -314,7 +320,9 @@ void GripRegulator::Advance(Phase phase) {
   for (DigitGrip& digit : digits_) {
     if (phase > Phase::kStabilisation && !digit.is_late) continue;
     const bool has_force = digit.has_touched && digit.force >= digit.asked;
-    if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit))) continue;
+    if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit, kAtLimit))) {
+      continue;
+    }
     digit.law.Advance(step_, strategy.closure_time, digit.has_touched ? strategy.touch_speed : 1.0);
   }
 }
@@ -347,7 +355,7 @@ GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double 
   if (std::abs(reached - asked) <= kGripTolerance * asked) return GripFault::kNone;
   if (reached > asked) return GripFault::kBalance;
   if (digit.CalcClosing() >= kMostClosing - kAtTarget) return GripFault::kPosture;
-  if (IsAtLimit(digit)) return GripFault::kLimit;
+  if (IsAtLimit(digit, kNearLimit)) return GripFault::kLimit;
   for (const int link : setup_->hand->digits[static_cast<size_t>(digit.digit)].links) {
     const int joint = setup_->hand->links[static_cast<size_t>(link)].joint;
     if (joint >= 0 && !is_stopped_.empty() && is_stopped_[static_cast<size_t>(joint)]) {
@@ -376,7 +384,9 @@ GripRecord GripRegulator::MakeRecord() const {
     of.closed = digit.closed;
     if (num_held_ > 0) of.held = digit.held_sum / num_held_;
     of.closing = digit.CalcClosing();
-    of.fault = FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
+    const bool was_lost = num_held_ == 0 && !std::isnan(closed_);  // then the end says nothing
+    of.fault =
+        was_lost ? digit.fault : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
   }
   return record;
 }

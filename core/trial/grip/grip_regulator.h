@@ -64,7 +64,7 @@ class GripRegulator {
 
  private:
   static constexpr double kBandTime = 0.2;     // [s]
-  static constexpr double kMostClosing = 1.5;  // s of a digit that presses
+  static constexpr double kMostClosing = 3.0;  // s of a digit that presses
 
   struct DigitGrip {
     int digit;
@@ -78,6 +78,7 @@ class GripRegulator {
     double stiffness = kLeastStiffness;
     Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
     double closed = kUnset, held_sum = 0.0, asked_sum = 0.0;
+    GripFault fault = GripFault::kNone;  // at the start of lift-off
 
     double CalcClosing() const { return law.closing() + beyond; }
     void Shift(double by) {
@@ -94,7 +95,7 @@ class GripRegulator {
   void ShareWithinSide();
   void TakeBack(DigitGrip& digit, const World& world) const;
   double CalcDrivePosition(int joint, const WorldState& state) const;
-  bool IsAtLimit(const DigitGrip& digit) const;
+  bool IsAtLimit(const DigitGrip& digit, double share) const;
   bool IsStopped(const DigitGrip& digit) const;
   GripFault FindFault(const DigitGrip& digit, double asked, double reached) const;
   double CalcAskedForce() const;

@@ -1,42 +1,95 @@
 #include "core/trial/grip/grip_threshold.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 
 namespace graspbench {
 
-GripThreshold FindGripThreshold(const ThresholdRange& range,
-                                const std::function<bool(double grip)>& succeeds) {
-  GRASPBENCH_DEMAND(range.least > 0.0 && range.most > range.least, std::to_string(range.most));
-  GripThreshold found;
-  const auto ask = [&](double grip) {
-    const bool has_succeeded = succeeds(grip);
-    (has_succeeded ? found.succeeded : found.failed).push_back(grip);
-    return has_succeeded;
-  };
-  if (!ask(range.most)) return found;
-  double lower = range.least, upper = range.most;
-  bool is_lower_asked = false;
-  for (int asked = 1; asked < kMostThresholdTrials - 1; ++asked) {
-    const double middle = std::sqrt(lower * upper);
-    if (ask(middle)) {
-      upper = middle;
+double CalcGripAt(const ThresholdScale& scale, int place) {
+  GRASPBENCH_DEMAND(place >= 0 && place <= kMostGripPlace, std::to_string(place));
+  return scale.least * std::pow(scale.most / scale.least, place / double{kMostGripPlace});
+}
+
+namespace {
+
+/** One bisection; once an answer is not known it asks nothing more. */
+class Bisection {
+ public:
+  explicit Bisection(const std::function<std::optional<bool>(int place)>& succeeds)
+      : succeeds_(succeeds) {}
+
+  GripThreshold Find() {
+    if (Holds(kMostGripPlace)) {
+      upper_ = kMostGripPlace;
     } else {
-      lower = middle;
-      is_lower_asked = true;
+      FindWeakerGrip();
+    }
+    if (upper_ < 0) return found_;
+    while (upper_ - lower_ > 1 && CountAsked() < kMostThresholdTrials - 1) {
+      Ask((lower_ + upper_) / 2);
+    }
+    if (!is_lower_asked_ && Holds(0)) {
+      upper_ = 0;
+      found_.is_below_range = true;
+    } else if (is_lower_asked_ && found_.is_monotone) {
+      const int above = (upper_ + kMostGripPlace) / 2;
+      if (above > upper_ && above < kMostGripPlace) found_.is_monotone = Holds(above);
+    } else if (upper_ - lower_ > 1 && CountAsked() < kMostThresholdTrials) {
+      Ask((lower_ + upper_) / 2);
+    }
+    found_.place = upper_;
+    return found_;
+  }
+
+ private:
+  int CountAsked() const {
+    return static_cast<int>(found_.failed.size() + found_.succeeded.size()) +
+           (found_.next ? kMostThresholdTrials : 0);
+  }
+
+  bool Holds(int place) {
+    if (found_.next) return false;
+    const std::optional<bool> answer = succeeds_(place);
+    if (!answer) {
+      found_.next = place;
+      return false;
+    }
+    (*answer ? found_.succeeded : found_.failed).push_back(place);
+    return *answer;
+  }
+
+  void Ask(int place) {
+    if (Holds(place)) {
+      upper_ = place;
+    } else {
+      lower_ = place;
+      is_lower_asked_ = true;
     }
   }
-  if (!is_lower_asked && ask(range.least)) {
-    found.value = range.least;
-    found.is_below_range = true;
-    return found;
+
+  void FindWeakerGrip() {
+    for (const int place : {8, 4, 2, 12}) {
+      if (!Holds(place)) continue;
+      found_.is_monotone = false;
+      upper_ = place;
+      is_lower_asked_ = place == 12;
+      lower_ = is_lower_asked_ ? 8 : 0;
+      return;
+    }
   }
-  found.value = upper;
-  if (is_lower_asked && upper < range.most) {
-    found.is_monotone = ask(std::sqrt(upper * range.most));
-  }
+
+  const std::function<std::optional<bool>(int place)>& succeeds_;
+  GripThreshold found_;
+  int lower_ = 0, upper_ = -1;  // places; the threshold is above the one, at most the other
+  bool is_lower_asked_ = false;
+};
+
+}  // namespace
+
+GripThreshold FindGripThreshold(const std::function<std::optional<bool>(int place)>& succeeds) {
+  GripThreshold found = Bisection(succeeds).Find();
+  if (found.next) found.place = std::nullopt;
   return found;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/campaign/real_comparison.h"
@@ -73,16 +75,38 @@ Html DrawCells(const RealComparison& found, const CampaignData& data) {
   return table.ToHtml();
 }
 
+Html DrawFigures(const CampaignData& data) {
+  Table table("Published figures of real hands and of people.",
+              {{"Of"}, {"What"}, {"Value", Align::kNumber}, {"Source"}});
+  for (const PublishedFigure& figure : LoadPublishedFigures()) {
+    const bool is_here =
+        figure.hand == "people" ||
+        std::any_of(data.scenes.begin(), data.scenes.end(),
+                    [&](const SceneVariants& scene) { return scene.hand == figure.hand; });
+    if (!is_here) continue;
+    table.AddRow({Text(figure.hand), Text(figure.what),
+                  Text(FormatJson(figure.value) + " " + figure.unit), Text(figure.source)});
+  }
+  return table.ToHtml();
+}
+
 Html DrawReal(const CampaignData& data) {
   const auto num_all = static_cast<int>(data.campaign.real.size());
   if (num_all == 0) {
-    return MakeParagraph(
-        "There are none. A laboratory that tries the grasps with its own hands fills in the table "
-        "that graspbench new trials DIR writes; graspbench campaign --out DIR --resume --real FILE "
-        "puts it here, beside the simulated trials.");
+    return DrawFigures(data) + MakeParagraph(
+                                   "There are none of these scenes. A laboratory that tries the "
+                                   "grasps with its own hands fills in the table "
+                                   "that graspbench new trials DIR writes; graspbench campaign "
+                                   "--out DIR --resume --real FILE "
+                                   "puts it here, beside the simulated trials.");
   }
   const RealComparison found = CompareWithReal(data.campaign.real, data.scenes);
-  Html html;
+  Html html = DrawFigures(data);
+  if (data.campaign.real.front().is_published) {
+    html += MakeParagraph(FormatCount(num_all, "trial") +
+                          " of these are published ones, whose source stands in the program's "
+                          "datasets/real; a laboratory's own take their place (--real FILE).");
+  }
   if (found.num_made_up > 0) {
     html += MakeParagraph("Not a measurement: " + std::to_string(found.num_made_up) + " of these " +
                           FormatCount(num_all, "trial") + " are marked as made up in their notes.");
@@ -95,8 +119,8 @@ Html DrawReal(const CampaignData& data) {
   return html + (found.totals.empty() ? Html() : DrawTotals(found)) + DrawAgreements(found) +
          DrawCells(found, data) +
          MakeParagraph(
-             "The table of the laboratory's trials is kept in real/trials.csv. That two success "
-             "rates do not differ significantly in few trials does not mean that they are equal.");
+             "A laboratory's own trials are kept in real/trials.csv. That two success rates do not "
+             "differ significantly in few trials does not mean that they are equal.");
 }
 
 }  // namespace

@@ -51,6 +51,21 @@ TEST(ReadRealTrials, EveryFaultIsToldWithItsLine) {
   EXPECT_NE(FindProblems("", "").find("holds no rows"), std::string::npos);
 }
 
+// Ten of ten with each of three grasps of the adhesive tape.
+TEST(PublishedTrials, AreThoseOfTheScenesAndSaySo) {
+  const std::vector<RealTrial> trials =
+      LoadPublishedTrials({{"tum", "adhesive_tape"}, {"shadow", "can"}});
+  EXPECT_EQ(trials.size(), 30u);
+  for (const RealTrial& trial : trials) {
+    EXPECT_TRUE(trial.is_success && trial.is_published && !trial.is_made_up);
+  }
+  EXPECT_TRUE(LoadPublishedTrials({{"shadow", "adhesive_tape"}}).empty());
+  for (const PublishedFigure& figure : LoadPublishedFigures()) {
+    EXPECT_GT(figure.value, 0.0) << figure.what;
+    EXPECT_FALSE(figure.source.empty() || figure.unit.empty()) << figure.what;
+  }
+}
+
 TEST(CheckRealTrials, NamesWhatTheCampaignDoesNotHave) {
   SessionInputs inputs;
   auto hand = std::make_shared<Hand>();

@@ -22,9 +22,10 @@ TEST(FirmGripTest, AFirmGripIsNotWritten) {
 }
 
 TEST(FirmGripTest, WhatSaysNothingIsFirm) {
-  Json conditions = {{"strategy", StrategyToJson(StrategyConfig())}};
-  conditions["strategy"].erase("grip");
-  conditions["strategy"].erase("touch_speed");
+  Json conditions = {{"strategy", StrategyToJson(MakePeopleGrip())}};
+  for (const char* key : {"grip", "grip_force_n", "grip_margin", "touch_speed"}) {
+    EXPECT_EQ(conditions["strategy"].erase(key), 1u) << "a grip that is not firm says so: " << key;
+  }
   AddFirmGrip(conditions);
   EXPECT_EQ(conditions["strategy"]["grip"], "posture");
   EXPECT_EQ(conditions["strategy"]["touch_speed"], 1.0);

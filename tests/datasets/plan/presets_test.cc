@@ -59,6 +59,16 @@ TEST(Presets, TheBenchmarkIsTodaysDefaults) {
             std::vector<std::string>());
 }
 
+TEST(Presets, FirmIsWhatStoresWithoutAWordOfGripMean) {
+  Json silent = ToJson(LoadPreset("firm"));
+  EXPECT_FALSE(silent["strategy"].contains("grip"));
+  SessionConfig defaults = LoadPreset("people");
+  EXPECT_EQ(FindConfigDifferences(defaults, SessionConfig()), std::vector<std::string>());
+  defaults.strategy = StrategyConfig();
+  EXPECT_EQ(FindConfigDifferences(SessionConfigFromJson(silent), defaults),
+            std::vector<std::string>());
+}
+
 TEST(Presets, EveryOneCanBeRunAndSaysWhatItIs) {
   ASSERT_FALSE(ListPresets().empty());
   for (const Preset& preset : ListPresets()) {

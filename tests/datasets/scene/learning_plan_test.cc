@@ -36,7 +36,8 @@ TEST(ValidateOptimiseConfig, NamesTheKnownSpaces) {
   const std::vector<ConfigProblem> problems = Validate(config);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].key, "search");
-  EXPECT_NE(problems[0].text.find("thumb, hand-pose, all-digits, synergy"), std::string::npos)
+  EXPECT_NE(problems[0].text.find("thumb, hand-pose, all-digits, synergy, closing"),
+            std::string::npos)
       << problems[0].text;
 }
 

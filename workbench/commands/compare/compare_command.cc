@@ -4,10 +4,12 @@
 
 #include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
+#include "datasets/analysis/conditions/threshold_comparison.h"
 #include "datasets/analysis/session_comparison.h"
 #include "datasets/session/find_trial.h"
 #include "workbench/commands/command.h"
 #include "workbench/tables/text_table.h"
+#include "workbench/tables/threshold_tables.h"
 
 namespace graspbench {
 namespace {
@@ -73,6 +75,8 @@ void Compare(const CompareOptions& options) {
   const Session before = LoadSession(options.before, OnDamage::kRefuse, RecordParts::kBrief);
   const Session after = LoadSession(options.after, OnDamage::kRefuse, RecordParts::kBrief);
   const SessionComparison comparison = CompareSessions(before, after);
+  const std::vector<ThresholdChange> thresholds =
+      CompareThresholds(comparison.pairs, LoadThresholds(before), LoadThresholds(after));
   if (options.json) {
     Json changes = Json::array();
     for (const SettingChange& change : comparison.changes) {
@@ -85,6 +89,7 @@ void Compare(const CompareOptions& options) {
                       {"only_after", comparison.num_only_after},
                       {"settings", comparison.settings},
                       {"changes", changes},
+                      {"thresholds", ToJson(thresholds)},
                       {"won", ListFlips(comparison.pairs, &TrialPair::is_won)},
                       {"lost", ListFlips(comparison.pairs, &TrialPair::is_lost)}});
   }
@@ -94,7 +99,7 @@ void Compare(const CompareOptions& options) {
                      " only in the second\n";
   if (!comparison.settings.empty()) text += "settings that differ, of the first and the second\n";
   for (const std::string& setting : comparison.settings) text += "  " + setting + "\n";
-  PrintResult(text + FormatChanges(comparison.changes) +
+  PrintResult(text + FormatChanges(comparison.changes) + FormatThresholdChanges(thresholds) +
               FormatFlips(comparison.pairs, "won", &TrialPair::is_won) +
               FormatFlips(comparison.pairs, "lost", &TrialPair::is_lost));
 }

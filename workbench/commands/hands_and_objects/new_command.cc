@@ -7,12 +7,27 @@
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/experiments/output_folder.h"
 #include "workbench/text/new_files.h"
+#include "workbench/text/timed_grasp.h"
 
 namespace graspbench {
 namespace {
 
+constexpr char kGrasp[] = "grasp";  // of a hand, so that it is no example of its own
+
+struct NewOptions {
+  std::string kind, folder, study;
+  std::string hand = "shadow", grasp = "g1";
+};
+
+std::vector<std::string> ListKinds() {
+  std::vector<std::string> kinds = ListNewKinds();
+  kinds.emplace_back(kGrasp);
+  return kinds;
+}
+
 /** How to go on with what was written. */
-std::string FindNextCommand(const std::string& kind, const std::string& folder) {
+std::string FindNextCommand(const NewOptions& options) {
+  const std::string &kind = options.kind, &folder = options.folder;
   const std::string name = QuoteForShell(folder);
   if (kind == "session") return "run " + QuoteForShell(folder + "/session.yaml");
   if (kind == "sweep") return "sweep " + QuoteForShell(folder + "/sweep.yaml");
@@ -21,36 +36,63 @@ std::string FindNextCommand(const std::string& kind, const std::string& folder) 
   if (kind == "trials") {
     return "campaign --resume --out CAMPAIGN --real " + QuoteForShell(folder + "/trials.csv");
   }
+  if (kind == kGrasp) {
+    return "run --hand " + QuoteForShell(options.hand) + " --grasp " +
+           QuoteForShell(folder + "/grasp.yaml");
+  }
   return "study run " + QuoteForShell(folder + "/study.yaml") + " --out results/study";
 }
 
-void WriteNewFiles(const std::string& kind, const std::string& folder) {
-  StagedFolder staged({folder, "", false, {}});
+std::vector<NewFile> MakeFiles(const NewOptions& options) {
+  if (options.kind != kGrasp) return MakeNewFiles(options.kind);
+  return {{"grasp.yaml", MakeTimedGrasp(options.hand, options.grasp, options.study)}};
+}
+
+void WriteNewFiles(const NewOptions& options) {
+  const std::vector<NewFile> files = MakeFiles(options);
+  StagedFolder staged({options.folder, "", false, {options.study}});
   std::string text;
-  for (const auto& [name, content] : MakeNewFiles(kind)) {
+  for (const auto& [name, content] : files) {
     WriteFile(staged.path() / name, content);
-    text += folder + "/" + name + "\n";
+    text += options.folder + "/" + name + "\n";
   }
-  CheckNewFiles(kind, staged.path().string());
+  if (options.kind != kGrasp) CheckNewFiles(options.kind, staged.path().string());
   staged.Commit();
-  PrintResult(text + "next     graspbench " + FindNextCommand(kind, folder) + "\n");
+  PrintResult(text + "next     graspbench " + FindNextCommand(options) + "\n");
 }
 
 }  // namespace
 
 void AddNewCommand(CLI::App& program, ExitCode&) {
-  CLI::App& command =
-      AddSubcommand(program, "new", "Write a small example to start from, every key explained.",
-                    "  graspbench new object my_object\n"
-                    "  graspbench new session pilot");
-  const auto kind = std::make_shared<std::string>();
-  const auto folder = std::make_shared<std::string>();
-  command.add_option("kind", *kind, ListNames(ListNewKinds()))
+  CLI::App& command = AddSubcommand(
+      program, "new", "Write a small example to start from, every key explained.",
+      "  graspbench new object my_object\n"
+      "  graspbench new session pilot\n"
+      "  graspbench new grasp timed --timing results/study --hand shadow   as people close");
+  const auto options = std::make_shared<NewOptions>();
+  command.add_option("kind", options->kind, ListNames(ListKinds()))
       ->required()
-      ->check(CLI::IsMember(ListNewKinds()))
+      ->check(CLI::IsMember(ListKinds()))
       ->option_text("KIND");
-  command.add_option("folder", *folder, "new or empty")->required()->option_text("DIR");
-  command.callback([kind, folder] { WriteNewFiles(*kind, *folder); });
+  command.add_option("folder", options->folder, "new or empty")->required()->option_text("DIR");
+  std::vector<CLI::Option*> of_grasp = {
+      command
+          .add_option("--timing", options->study, "of a grasp: a study whose contact times it has")
+          ->option_text("STUDY"),
+      command.add_option("--hand", options->hand, "of a grasp")
+          ->option_text("HAND")
+          ->capture_default_str(),
+      command.add_option("--grasp", options->grasp, "of the hand, to begin with")
+          ->option_text("ID")
+          ->capture_default_str()};
+  command.callback([options, of_grasp] {
+    for (const CLI::Option* option : of_grasp) {
+      if (options->kind == kGrasp || option->empty()) continue;
+      throw Error(ErrorKind::kUsage, option->get_name() + " is for a grasp, and \"" +
+                                         options->kind + "\" is not; leave it out");
+    }
+    WriteNewFiles(*options);
+  });
 }
 
 }  // namespace graspbench

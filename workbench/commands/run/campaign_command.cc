@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -84,7 +85,9 @@ ExitCode Run(CampaignOptions options) {
   }
   const Campaign campaign = LoadCampaign(folder);
   if (!options.real.empty()) {
-    PrintMessage(FormatCount(static_cast<int>(campaign.real.size()), "trial") +
+    const auto num_own = std::count_if(campaign.real.begin(), campaign.real.end(),
+                                       [](const RealTrial& trial) { return !trial.is_published; });
+    PrintMessage(FormatCount(num_own, "trial") +
                  " with real hands kept; rows without a success are trials to come");
   }
   ExportCampaign(folder, campaign);

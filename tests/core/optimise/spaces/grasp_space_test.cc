@@ -194,5 +194,22 @@ TEST(GraspSpace, RefusesAnUnknownName) {
   }
 }
 
+// Delays, and nothing else, of the digits that grasp; what they are at the start stays within.
+TEST(ClosingSpace, ChangesWhenDigitsClose) {
+  const Hand hand = LoadHand("tum");
+  Grasp grasp = MakeObjectGrasp(hand, Ball(), LoadStandardGrasps(hand).at(2), "made");
+  grasp.closing["FF"] = {0.6, 1.5};
+  const auto space = MakeGraspSpace("closing", {hand, Ball(), grasp});
+  EXPECT_EQ(space->box().size(), static_cast<int>(grasp.digits.size()));
+  EXPECT_EQ(space->MakeGrasp(space->box().start).closing, grasp.closing);
+  const Grasp late = space->MakeGrasp(space->box().upper);
+  for (const std::string& digit : grasp.digits) {
+    EXPECT_NEAR(late.closing.at(digit).delay, digit == "FF" ? 0.6 : 0.5 * kLargestChange, 1e-12);
+  }
+  EXPECT_EQ(late.closing.at("FF").speed, 1.5);
+  EXPECT_EQ(late.q_target, grasp.q_target);
+  EXPECT_EQ(space->MakeGrasp(space->box().lower).closing.at("FF").delay, 0.0);
+}
+
 }  // namespace
 }  // namespace graspbench

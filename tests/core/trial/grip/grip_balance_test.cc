@@ -64,8 +64,8 @@ TEST(BalanceForces, NoOtherForcesLeaveLess) {
   }
 }
 
-// What friction pushes along the sides counts, what it bears of the weight does not.
-TEST(CalcPartLoads, FrictionThatBearsTheWeightIsNoPush) {
+// What contacts push along the sides counts, what they bear of the weight does not.
+TEST(CalcPartLoads, WhatBearsTheWeightIsNoPush) {
   Hand hand = MakeBareHand();
   AddRodLink(hand, 0, Pose::Identity(), Vector3d::UnitY(), 0.02, 0.1);
   HandDynamics dynamics(hand);
@@ -80,6 +80,9 @@ TEST(CalcPartLoads, FrictionThatBearsTheWeightIsNoPush) {
   EXPECT_LE((load.push_W - Vector3d(1.0, 0.25, 0.0)).norm(), 1e-12);
   const PartLoad afloat = CalcPartLoads({contact}, {1, 0}, 2, dynamics, Vector3d::Zero())[0];
   EXPECT_LE((afloat.push_W - Vector3d(1.0, 0.25, 0.4)).norm(), 1e-12);
+  contact.nhat_W = Vector3d(0.6, 0.0, 0.8);  // below the widest place of a ball
+  const PartLoad below = CalcPartLoads({contact}, {1, 0}, 2, dynamics, down_W)[0];
+  EXPECT_LE((below.push_W - Vector3d(0.6, 0.25, 0.0)).norm(), 1e-12);
 }
 
 // A rod of 0.1 m hangs on a drive of 2 N m/rad; its tip is held fixed. Asked to turn by 1 rad it

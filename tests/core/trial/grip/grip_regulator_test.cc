@@ -66,14 +66,16 @@ TEST(GripRegulator, TooLittleForceDoesNotHold) {
 }
 
 TEST(GripRegulator, MoreThanThePostureGivesIsNamed) {
-  const TrialResult result = RunSetup(MakeRegulated("tum", "g2", "force", 200.0));
+  TrialSetup setup = MakeRegulated("tum", "g2", "force", 200.0);
+  setup.strategy.stabilisation_max_time = 8.0;  // in which the digits have closed all they can
+  const TrialResult result = RunSetup(setup);
   ASSERT_TRUE(result.grip);
   EXPECT_FALSE(result.grip->was_in_band);
   for (const DigitGripRecord& digit : result.grip->digits) {
     EXPECT_LT(digit.closed, 200.0);
     EXPECT_TRUE(digit.fault == GripFault::kPosture || digit.fault == GripFault::kLimit)
         << NameOf(digit.fault);
-    EXPECT_LE(digit.closing, 1.5);
+    EXPECT_LE(digit.closing, 3.0);
   }
 }
 

@@ -2,51 +2,101 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-
-#include "core/base/random.h"
+#include <set>
 
 namespace graspbench {
 namespace {
 
-constexpr ThresholdRange kRange = {1.0, 16.0};
+using Held = std::set<int>;  // places with which a draw holds
 
-// Whatever the threshold, it is found within a sixteenth of the four octaves, from above.
-TEST(GripThreshold, FindsAnyThresholdOfAMonotoneDraw) {
-  RandomStream random("grip threshold", "test");
-  for (int i = 0; i < 500; ++i) {
-    const double truth = std::pow(2.0, random.NextUniform(0.01, 3.99));
-    int num_asked = 0;
-    const GripThreshold found = FindGripThreshold(kRange, [&](double grip) {
-      ++num_asked;
-      return grip >= truth;
-    });
-    EXPECT_LE(num_asked, kMostThresholdTrials);
-    EXPECT_TRUE(found.is_monotone);
-    EXPECT_GE(found.value, truth);
-    EXPECT_LE(found.value, truth * std::pow(16.0, 1.0 / 16.0) * (1.0 + 1e-12));
+GripThreshold Find(const Held& held) {
+  return FindGripThreshold([&](int place) { return held.count(place) > 0; });
+}
+
+Held HeldFrom(int first, int last = kMostGripPlace) {
+  Held held;
+  for (int place = first; place <= last; ++place) held.insert(place);
+  return held;
+}
+
+int CountTrials(const GripThreshold& found) {
+  return static_cast<int>(found.failed.size() + found.succeeded.size());
+}
+
+TEST(GripThreshold, ScalesAreLogarithmic) {
+  const ThresholdScale& margin = kThresholdScales[0];
+  const ThresholdScale& force = kThresholdScales[1];
+  EXPECT_DOUBLE_EQ(CalcGripAt(margin, 0), 1.0);
+  EXPECT_DOUBLE_EQ(CalcGripAt(margin, 4), 2.0);
+  EXPECT_DOUBLE_EQ(CalcGripAt(margin, 16), 16.0);
+  EXPECT_DOUBLE_EQ(CalcGripAt(force, 0), 0.1);
+  EXPECT_NEAR(CalcGripAt(force, 16), 12.8, 1e-12);
+}
+
+TEST(GripThreshold, FindsEveryThresholdOfAMonotoneDraw) {
+  for (int truth = 0; truth <= kMostGripPlace; ++truth) {
+    const GripThreshold found = Find(HeldFrom(truth));
+    EXPECT_LE(CountTrials(found), kMostThresholdTrials);
+    EXPECT_TRUE(found.is_monotone) << truth;
+    EXPECT_EQ(found.place, truth);
+    EXPECT_EQ(found.is_below_range, truth == 0);
+    EXPECT_FALSE(found.next);
   }
 }
 
-TEST(GripThreshold, SaysWhereTheRangeEnds) {
-  const GripThreshold never = FindGripThreshold(kRange, [](double) { return false; });
-  EXPECT_TRUE(std::isnan(never.value));
-  EXPECT_EQ(never.failed.size(), 1u);
-  const GripThreshold always = FindGripThreshold(kRange, [](double) { return true; });
-  EXPECT_EQ(always.value, kRange.least);
-  EXPECT_TRUE(always.is_below_range);
-  const GripThreshold only_most =
-      FindGripThreshold(kRange, [](double grip) { return grip == kRange.most; });
-  EXPECT_EQ(only_most.value, kRange.most);
+TEST(GripThreshold, SaysThatNoGripHolds) {
+  const GripThreshold never = Find({});
+  EXPECT_FALSE(never.place);
+  EXPECT_LE(CountTrials(never), kMostThresholdTrials);
 }
 
-// Held with 2 to 3 and from 12 on: bisection goes to the lower threshold and names the draw.
+// Held from 3 to 8 and from 13 on: bisection goes to the lower end and names the draw.
 TEST(GripThreshold, NamesADrawThatFailsAgainAbove) {
-  const GripThreshold found = FindGripThreshold(
-      kRange, [](double grip) { return (grip >= 1.5 && grip <= 4.1) || grip >= 12.0; });
+  Held held = HeldFrom(3, 8);
+  held.merge(HeldFrom(13));
+  const GripThreshold found = Find(held);
   EXPECT_FALSE(found.is_monotone);
-  EXPECT_GE(found.value, 1.5);
-  EXPECT_LE(found.value, 4.1);
+  EXPECT_EQ(found.place, 3);
+}
+
+// Squeezed out by every strong grip.
+TEST(GripThreshold, FindsAGripThatIsNotTooStrong) {
+  for (int last = 2; last < kMostGripPlace; ++last) {
+    for (int first = 0; first <= last; ++first) {
+      const Held held = HeldFrom(first, last);
+      const GripThreshold found = Find(held);
+      EXPECT_LE(CountTrials(found), kMostThresholdTrials);
+      const bool can_be_found = std::any_of(
+          held.begin(), held.end(), [](int k) { return k == 2 || k == 4 || k == 8 || k == 12; });
+      EXPECT_EQ(found.place.has_value(), can_be_found) << first << " to " << last;
+      if (!can_be_found) continue;
+      EXPECT_TRUE(held.count(*found.place));
+      EXPECT_FALSE(found.is_monotone);
+      if (last < 12) {
+        EXPECT_EQ(*found.place, first) << "to " << last;
+      }
+    }
+  }
+}
+
+// Answer by answer, as trials that run one after the other, the same is found.
+TEST(GripThreshold, SaysWhatMustBeAskedNext) {
+  for (int truth = 0; truth <= kMostGripPlace; ++truth) {
+    Held known;
+    int num_asked = 0;
+    GripThreshold found;
+    do {
+      found = FindGripThreshold([&](int place) {
+        return known.count(place) > 0 ? std::optional<bool>(place >= truth) : std::nullopt;
+      });
+      if (!found.next) break;
+      EXPECT_FALSE(found.place);
+      EXPECT_TRUE(known.insert(*found.next).second) << "asked again";
+    } while (++num_asked <= kMostThresholdTrials);
+    EXPECT_EQ(found.place, truth);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,289 @@
+#include "datasets/analysis/conditions/threshold_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
+#include "core/statistics/summary.h"
+#include "datasets/plan/conditions.h"
+
+namespace graspbench {
+namespace {
+
+/** What is known of every draw of an experiment. */
+class KnownGrips {
+ public:
+  explicit KnownGrips(const Session& experiment) {
+    for (size_t place = 0; place < experiment.config.conditions.size(); ++place) {
+      places_[experiment.config.conditions[place].name] = static_cast<int>(place);
+    }
+    for (const TrialRecord& record : experiment.records) {
+      if (!record.plan.condition) continue;
+      held_[{NameDraw(record.plan), places_.at(*record.plan.condition)}] =
+          IsSuccess(record.result.outcome);
+    }
+  }
+
+  GripThreshold Find(const PlannedTrial& draw) const {
+    return FindGripThreshold([&](int place) -> std::optional<bool> {
+      const auto known = held_.find({NameDraw(draw), place});
+      if (known == held_.end()) return std::nullopt;
+      return known->second;
+    });
+  }
+
+  int FindPlace(const std::string& condition) const { return places_.at(condition); }
+
+ private:
+  std::map<std::string, int> places_;  // of a condition
+  std::map<std::pair<std::string, int>, bool> held_;
+};
+
+/** The largest k with P(B < k) <= 2.5 % for B of n draws with 1/2; 0: there is none. */
+int CalcOrderRank(int n) {
+  double probability = std::pow(0.5, n), below = 0.0;
+  int k = 0;
+  while (k < n && below + probability <= 0.025) {
+    below += probability;
+    probability *= static_cast<double>(n - k) / (k + 1);
+    ++k;
+  }
+  return k;
+}
+
+CellThreshold SummariseCell(const std::vector<const DrawThreshold*>& draws) {
+  const PlannedTrial& first = draws.front()->draw;
+  CellThreshold cell = {first.hand, first.object, first.grasp, 0, 0, 0, {}};
+  std::vector<double> values;
+  for (const DrawThreshold* draw : draws) {
+    if (std::isnan(draw->value)) continue;
+    values.push_back(draw->value);
+    if (std::isinf(draw->value)) ++cell.num_never;
+    if (draw->found.is_below_range) ++cell.num_below;
+    if (!draw->found.is_monotone) cell.not_monotone.push_back(draw->draw.trial);
+  }
+  cell.num_draws = static_cast<int>(values.size());
+  if (values.empty()) return cell;
+  cell.median = CalcMedian(values);
+  if (const auto interval = CalcMedianInterval(values)) {
+    cell.low = interval->low;
+    cell.high = interval->high;
+  }
+  return cell;
+}
+
+/** JSON and tables know no infinity. */
+Json JsonThreshold(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+}  // namespace
+
+std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale,
+                                          const SessionConfig& config) {
+  std::vector<std::string> common = {std::string("strategy.grip=") +
+                                     RowOf(kGripModes, scale.mode).name};
+  // None of the grips may be the session's own trial: the key that its scale does not look at, or
+  // hardly, has another value than there.
+  const StrategyConfig& base = config.strategy;
+  common.push_back(scale.mode == GripMode::kMargin
+                       ? "strategy.grip_force_n=" + FormatJson(base.grip_force > 0.0 ? 0.0 : 1e-3)
+                       : "strategy.grip_margin=" + FormatJson(base.grip_margin > 1.0 ? 1.0 : 2.0));
+  if (config.strategy.grip == RowOf(kGripModes, GripMode::kPosture).name) {
+    common.push_back("strategy.touch_speed=" + FormatJson(MakePeopleGrip().touch_speed));
+  }
+  std::vector<Condition> grips;
+  for (int place = 0; place <= kMostGripPlace; ++place) {
+    const double grip = CalcGripAt(scale, place);
+    Condition condition = {scale.name + (" " + FormatFixed(grip, 3)), {}};
+    condition.settings = common;
+    condition.settings.push_back(scale.key + ("=" + FormatJson(grip)));
+    grips.push_back(condition);
+  }
+  return grips;
+}
+
+const ThresholdScale& FindThresholdScale(const SessionConfig& experiment) {
+  for (const ThresholdScale& scale : kThresholdScales) {
+    const std::string mode = std::string("strategy.grip=") + RowOf(kGripModes, scale.mode).name;
+    const auto& conditions = experiment.conditions;
+    const bool is_all =
+        conditions.size() == size_t{kMostGripPlace} + 1 &&
+        std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+          const auto& settings = condition.settings;
+          return std::find(settings.begin(), settings.end(), mode) != settings.end();
+        });
+    if (is_all) return scale;
+  }
+  throw Error(ErrorKind::kFormat,
+              "the conditions of an experiment below thresholds/ are no grips of a scale; move its "
+              "folder elsewhere and run graspbench threshold again");
+}
+
+int ThresholdSummary::num_not_monotone() const {
+  int number = 0;
+  for (const CellThreshold& cell : cells) number += static_cast<int>(cell.not_monotone.size());
+  return number;
+}
+
+ThresholdSummary SummariseThresholds(const Session& experiment) {
+  ThresholdSummary summary;
+  summary.scale = &FindThresholdScale(experiment.config);
+  const KnownGrips known(experiment);
+  for (const PlannedTrial& planned : experiment.plan) {
+    if (planned.condition) continue;
+    DrawThreshold draw = {planned, known.Find(planned)};
+    if (!draw.found.next) {
+      draw.value = draw.found.place ? CalcGripAt(*summary.scale, *draw.found.place) : HUGE_VAL;
+    }
+    summary.num_trials += static_cast<int>(draw.found.failed.size() + draw.found.succeeded.size());
+    summary.draws.push_back(std::move(draw));
+  }
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<const DrawThreshold*>> cells;
+  for (const DrawThreshold& draw : summary.draws) {
+    const std::string key = draw.draw.hand + " " + draw.draw.object + " " + draw.draw.grasp;
+    if (cells[key].empty()) order.push_back(key);
+    cells[key].push_back(&draw);
+  }
+  for (const std::string& key : order) summary.cells.push_back(SummariseCell(cells[key]));
+  return summary;
+}
+
+std::vector<ThresholdSummary> LoadThresholds(const Session& session) {
+  std::map<const ThresholdScale*, ThresholdSummary> found;
+  const auto count = [](const ThresholdSummary& summary) {
+    return std::count_if(summary.draws.begin(), summary.draws.end(),
+                         [](const DrawThreshold& draw) { return !std::isnan(draw.value); });
+  };
+  const std::vector<std::string> stores = session.folder.empty()
+                                              ? std::vector<std::string>()
+                                              : ListMatches(session.folder, {"thresholds/*"});
+  for (const std::string& store : stores) {
+    if (!HasSession(session.folder / store)) continue;
+    ThresholdSummary one = SummariseThresholds(
+        LoadSession(session.folder / store, OnDamage::kAccept, RecordParts::kBrief));
+    ThresholdSummary& known = found[one.scale];
+    if (!known.scale || count(one) > count(known)) known = std::move(one);
+  }
+  std::vector<ThresholdSummary> all;
+  for (const ThresholdScale& scale : kThresholdScales) {
+    if (const auto one = found.find(&scale); one != found.end()) all.push_back(one->second);
+  }
+  return all;
+}
+
+std::string NameNotMonotone(const CellThreshold& cell) {
+  std::string text;
+  for (const int number : cell.not_monotone) {
+    text += (text.empty() ? "" : ", ") + std::to_string(number);
+  }
+  return text;
+}
+
+std::vector<double> ListThresholdsOf(const Session& session, const ThresholdSummary& summary) {
+  std::map<std::string, double> known;
+  for (const DrawThreshold& draw : summary.draws) known[draw.draw.id] = draw.value;
+  std::vector<double> values;
+  for (const TrialRecord& record : session.records) {
+    const auto value = known.find(record.plan.id);
+    values.push_back(value == known.end() ? kUnset : value->second);
+  }
+  return values;
+}
+
+std::vector<PlannedTrial> FindThresholdTrials(const Session& experiment) {
+  const KnownGrips known(experiment);
+  std::map<std::string, std::optional<int>> next;  // by draw
+  for (const PlannedTrial& planned : experiment.plan) {
+    if (!planned.condition) next[NameDraw(planned)] = known.Find(planned).next;
+  }
+  std::vector<PlannedTrial> trials;
+  for (const PlannedTrial& planned : experiment.plan) {
+    if (!planned.condition) continue;
+    if (next.at(NameDraw(planned)) == known.FindPlace(*planned.condition)) {
+      trials.push_back(planned);
+    }
+  }
+  return trials;
+}
+
+std::optional<Interval> CalcMedianInterval(std::vector<double> values) {
+  const int rank = CalcOrderRank(static_cast<int>(values.size()));
+  if (rank == 0) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  return Interval{values[static_cast<size_t>(rank - 1)],
+                  values[values.size() - static_cast<size_t>(rank)]};
+}
+
+std::string FormatThreshold(const ThresholdScale& scale, double value) {
+  if (std::isnan(value)) return "n/a";
+  if (std::isinf(value)) return "none held";
+  return FormatFixed(value, 2) + (*scale.unit ? std::string(" ") + scale.unit : "");
+}
+
+std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>& thresholds) {
+  if (thresholds.empty()) return {};
+  struct Row {
+    const ThresholdScale* scale;
+    const DrawThreshold* draw;
+  };
+  std::vector<Row> rows;
+  for (const ThresholdSummary& summary : thresholds) {
+    for (const DrawThreshold& draw : summary.draws) {
+      if (!std::isnan(draw.value)) rows.push_back({summary.scale, &draw});
+    }
+  }
+  const std::vector<CsvColumn<Row>> columns = {
+      {"trial_id", "string", "", "of the session's trial with the same draw",
+       [](const Row& row) { return Json(row.draw->draw.id); }},
+      {"hand", "string", "", "id of the hand",
+       [](const Row& row) { return Json(row.draw->draw.hand); }},
+      {"object", "string", "", "id of the object",
+       [](const Row& row) { return Json(row.draw->draw.object); }},
+      {"grasp", "string", "", "id of the grasp",
+       [](const Row& row) { return Json(row.draw->draw.grasp); }},
+      {"trial", "integer", "", "number of the trial within its hand, object and grasp, from 0",
+       [](const Row& row) { return Json(row.draw->draw.trial); }},
+      {"threshold_scale", "string", "", "margin, or force [N]",
+       [](const Row& row) { return Json(row.scale->name); }},
+      {"grip_threshold", "number", "",
+       "smallest grip with which the draw succeeds; empty: no grip that was asked held",
+       [](const Row& row) { return JsonThreshold(row.draw->value); }},
+      {"threshold_is_least", "boolean", "",
+       "1 when the least grip of the scale held: the threshold is no larger",
+       [](const Row& row) { return Json(row.draw->found.is_below_range ? 1 : 0); }},
+      {"threshold_is_monotone", "boolean", "",
+       "0 when a larger grip failed where a smaller one held",
+       [](const Row& row) { return Json(row.draw->found.is_monotone ? 1 : 0); }},
+      {"threshold_trials", "integer", "", "that its bisection took", [](const Row& row) {
+         return Json(row.draw->found.failed.size() + row.draw->found.succeeded.size());
+       }}};
+  return {{"thresholds", FormatCsv(columns, rows), MakeTableSchema(columns, "")}};
+}
+
+Json ToJson(const ThresholdSummary& summary) {
+  Json cells = Json::array();
+  for (const CellThreshold& cell : summary.cells) {
+    cells.push_back({{"hand", cell.hand},
+                     {"object", cell.object},
+                     {"grasp", cell.grasp},
+                     {"draws", cell.num_draws},
+                     {"never_held", cell.num_never},
+                     {"held_by_least", cell.num_below},
+                     {"not_monotone", cell.not_monotone},
+                     {"median", JsonThreshold(cell.median)},
+                     {"low", JsonThreshold(cell.low)},
+                     {"high", JsonThreshold(cell.high)}});
+  }
+  return {{"scale", summary.scale->name},
+          {"unit", summary.scale->unit},
+          {"cells", cells},
+          {"draws", summary.draws.size()},
+          {"trials", summary.num_trials},
+          {"not_monotone", summary.num_not_monotone()}};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,33 @@
+#pragma once
+/** @file
+How regulated grips of each condition came out: what was asked and held in sum, and which digits
+differ from what was asked of them by more than kGripTolerance, for which reason. */
+
+#include <string>
+#include <vector>
+
+#include "datasets/analysis/session_summary.h"
+
+namespace graspbench {
+
+/** A digit that did not have its force for this reason, in so many finished trials. */
+struct GripFaultCount {
+  std::string digit;
+  GripFault fault = GripFault::kNone;
+  int num = 0;
+};
+
+struct GripSummary {
+  const CellSummary* cell = nullptr;
+  Spread asked, held;  ///< sums over the hand, of the trials that reached the hold [N]
+  int num_within = 0;  ///< of them, whose sum is within kGripTolerance
+  std::vector<GripFaultCount> faults;  ///< by digit, then by reason
+};
+
+/** Cells in their order, of those that regulate their grip. The result points into `summary`. */
+std::vector<GripSummary> ListGrips(const SessionSummary& summary);
+
+/** "FF: limit 3; TH: balance 1"; empty: every digit had its force. */
+std::string DescribeFaults(const std::vector<GripFaultCount>& faults);
+
+}  // namespace graspbench

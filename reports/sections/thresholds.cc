@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text/text.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
+#include "reports/page/layout.h"
+#include "reports/plots/line_plot.h"
+#include "reports/sections/section.h"
+
+namespace graspbench {
+namespace {
+
+Html NameCell(const ReportData& data, const CellThreshold& cell) {
+  const auto& cells = data.summary.cells;
+  const auto known = std::find_if(cells.begin(), cells.end(), [&](const auto& one) {
+    return one.hand == cell.hand && one.object == cell.object && one.grasp == cell.grasp;
+  });
+  if (known == cells.end()) return Text(cell.hand + ", " + cell.object + ", " + cell.grasp);
+  return LinkTo(known->key, NameOfCell(*known, data.models));
+}
+
+Html DrawCellThresholds(const ReportData& data, const ThresholdSummary& summary) {
+  const ThresholdScale& scale = *summary.scale;
+  const Align number = Align::kNumber;
+  Table table("Grip thresholds of the draws of each cell, as a " + std::string(scale.name) + ".",
+              {{"Cell"},
+               {"Draws", number},
+               {"Median", number, "smallest grip with which the draw in the middle succeeds"},
+               {"95 % interval", number, "of order statistics"},
+               {"Held by the least", number, "the threshold is no larger than the scale's end"},
+               {"Never held", number, "by no grip that was asked"},
+               {"Not monotone", number, "trials that fail again with a larger grip"}});
+  for (const CellThreshold& cell : summary.cells) {
+    const std::string interval = std::isnan(cell.low) ? "n/a"
+                                                      : FormatThreshold(scale, cell.low) + " to " +
+                                                            FormatThreshold(scale, cell.high);
+    table.AddRow({NameCell(data, cell), Text(std::to_string(cell.num_draws)),
+                  Text(FormatThreshold(scale, cell.median)), Text(interval),
+                  Text(std::to_string(cell.num_below)), Text(std::to_string(cell.num_never)),
+                  Text(cell.not_monotone.empty() ? "-" : NameNotMonotone(cell))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
+  const ThresholdScale& scale = *summary.scale;
+  IntervalPlot plot;
+  plot.text.title = "Median grip threshold by cell";
+  plot.text.description = "Medians with 95 % intervals, one row per hand, object and grasp.";
+  plot.axis = std::string("grip threshold, ") + scale.name +
+              (*scale.unit ? std::string(" [") + scale.unit + "]" : "");
+  const auto finite = [](double value) { return std::isfinite(value) ? value : kUnset; };
+  for (const CellThreshold& cell : summary.cells) {
+    IntervalPlot::Row row;
+    row.label = data.models.NameOfHand(cell.hand) + ", " + data.models.NameOfObject(cell.object) +
+                ", " + cell.grasp;
+    row.value = finite(cell.median);
+    row.low = std::isfinite(cell.high) ? cell.low : kUnset;
+    row.high = finite(cell.high);
+    row.text = FormatThreshold(scale, cell.median);
+    plot.rows.push_back(row);
+  }
+  return MakeFigure(plot.text.title + ".",
+                    "cells far to the right need a strong grip; the text names those that no grip "
+                    "holds in half of their draws.",
+                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+}
+
+Html DrawThresholds(const ReportData& data) {
+  Html html = MakeParagraph(
+      "The grip threshold of a draw is the smallest grip with which its trial succeeds, found by "
+      "bisection: it tells hands, grasps and settings apart where success is at its ceiling. A "
+      "margin is a multiple of the smallest contact forces that bear the weight; a force is that "
+      "of each digit that does not oppose the others.");
+  if (data.thresholds.empty()) {
+    return html + Element("p", {},
+                          Text("They have not been looked for in this session; ") +
+                              Element("code", {}, "graspbench threshold") +
+                              Text(" with its folder does it and shows them here."));
+  }
+  for (const ThresholdSummary& summary : data.thresholds) {
+    html += DrawMedians(data, summary) + DrawCellThresholds(data, summary);
+  }
+  return html;
+}
+
+}  // namespace
+
+Section thresholds_section() {
+  return {"thresholds", "The smallest grip that holds", DrawThresholds};
+}
+
+}  // namespace graspbench

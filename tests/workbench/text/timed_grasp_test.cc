@@ -1,0 +1,84 @@
+#include "workbench/text/timed_grasp.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "core/grasp/grasp_file.h"
+#include "core/hand/load_hand.h"
+#include "tests/datasets/session/fake_session.h"
+
+namespace graspbench {
+namespace {
+
+class TimedGraspTest : public testing::Test {
+ protected:
+  /** @param times  of a trial: thumb, index, middle [s]; NaN: no contact. */
+  void Write(const std::vector<std::vector<double>>& times, const std::string& kept = "1") {
+    std::string trials = "trial_id,is_kept\n";
+    std::string events = "trial_id,event,digit,is_believed,time_s\n";
+    const char* digits[] = {"TH", "FF", "MF"};
+    for (size_t k = 0; k < times.size(); ++k) {
+      const std::string id = "P01-" + std::to_string(k);
+      trials += id + "," + kept + "\n";
+      events += id + ",movement_onset,,1,0.0\n";
+      for (size_t d = 0; d < times[k].size(); ++d) {
+        const std::string time = std::isnan(times[k][d]) ? "" : std::to_string(times[k][d]);
+        events += id + ",contact," + digits[d] + ",1," + time + "\n";
+        events += id + ",contact," + digits[d] + ",0,9.9\n";  // of a detector that is not believed
+      }
+    }
+    WriteFileAtomically(folder_.path() / "trials.csv", trials);
+    WriteFileAtomically(folder_.path() / "events.csv", events);
+  }
+  std::string FindFault(const std::vector<std::string>& digits = {"TH", "FF", "MF"}) {
+    try {
+      ReadStudyTiming(folder_.path(), digits);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  TemporaryFolder folder_;
+};
+
+// Lags after the first: thumb 0.06, 0.04, 0.05; middle 0.01, 0.03, 0.02; the index is always first.
+TEST_F(TimedGraspTest, DelaysAreMedianLagsAfterTheFirst) {
+  Write({{1.06, 1.0, 1.01}, {2.04, 2.0, 2.03}, {0.55, 0.5, 0.52}, {7.0, NAN, 7.9}});
+  const auto closing = ReadStudyTiming(folder_.path(), {"TH", "FF", "MF"});
+  ASSERT_EQ(closing.size(), 2u) << "the first needs no schedule";
+  EXPECT_NEAR(closing.at("TH").delay, 0.05, 1e-9);
+  EXPECT_NEAR(closing.at("MF").delay, 0.02, 1e-9);
+  EXPECT_EQ(closing.at("MF").speed, 1.0);
+}
+
+TEST_F(TimedGraspTest, RefusesWhatCannotBePlayed) {
+  EXPECT_NE(FindFault().find("expected the folder of a study"), std::string::npos);
+  Write({{0.5, 0.6, 0.7}});
+  EXPECT_NE(FindFault({"TH", "LF"}).find("no contact of the grasp's digit LF; it has FF, MF, TH"),
+            std::string::npos)
+      << FindFault({"TH", "LF"});
+  Write({{0.5, 0.6, 0.7}}, "0");
+  EXPECT_NE(FindFault().find("no contact in a trial that counts"), std::string::npos);
+  Write({{0.5, 0.6, NAN}, {0.5, NAN, 0.6}});
+  EXPECT_NE(FindFault().find("in no trial"), std::string::npos);
+  Write({{500, 600, 512}});  // milliseconds
+  EXPECT_NE(FindFault().find("stay open for good"), std::string::npos);
+  Write({{500, 500.01, 500.02}});
+  EXPECT_EQ(FindFault(), "");
+}
+
+TEST_F(TimedGraspTest, TheFileIsReadBack) {
+  Write({{1.06, 1.0, 1.01}});
+  const Hand hand = LoadHand("tum");
+  const std::string text = MakeTimedGrasp("tum", "g3", folder_.path());
+  const GraspFile file = ParseGraspFile(text, "grasp.yaml", {&hand});
+  EXPECT_EQ(file.grasp.id, "g3-timed");
+  EXPECT_NEAR(file.grasp.closing.at("TH").delay, 0.06, 1e-9);
+  EXPECT_TRUE(
+      ParseGraspFile(MakeTimedGrasp("tum", "g3", ""), "g.yaml", {&hand}).grasp.closing.empty());
+  EXPECT_THROW(MakeTimedGrasp("tum", "g9", ""), Error);
+}
+
+}  // namespace
+}  // namespace graspbench

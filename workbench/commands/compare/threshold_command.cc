@@ -1,0 +1,73 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "core/base/enum_table.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
+#include "datasets/analysis/export_result.h"
+#include "reports/session_report.h"
+#include "workbench/commands/command.h"
+#include "workbench/experiments/grip_thresholds.h"
+#include "workbench/experiments/interrupt.h"
+#include "workbench/tables/threshold_tables.h"
+#include "workbench/terminal/terminal_observer.h"
+#include "workbench/trace_session.h"
+
+namespace graspbench {
+namespace {
+
+struct ThresholdOptions {
+  ExperimentRequest request;
+  std::string scale = kThresholdScales[0].name;
+  int num_workers = 1;
+  bool json = false;
+};
+
+void Run(const ThresholdOptions& options) {
+  const ExperimentRequest& request = options.request;
+  const std::filesystem::path& folder = request.folder;
+  const PreparedSession experiment =
+      PrepareThresholds(request, RowFromName(kThresholdScales, options.scale, "scale"));
+  const std::atomic<bool>& stop = CatchInterrupts();
+  TerminalObserver observer(DescribeTasks, stop);
+  DemandFinished(RunThresholds(experiment, request, options.num_workers, observer, stop));
+  const ThresholdSummary summary =
+      SummariseThresholds(LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief));
+  const Session session = LoadSession(folder, request.on_damage, RecordParts::kBrief);
+  ExportResult(folder, session);
+  const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
+  if (options.json) return PrintJson(ToJson(summary));
+  PrintResult(FormatThresholdTables(summary) + "\nreport   " + report.string() + "\ndata     " +
+              (folder / "export" / "thresholds.csv").string() + "\n");
+}
+
+}  // namespace
+
+void AddThresholdCommand(CLI::App& program, ExitCode&) {
+  CLI::App& command = AddSubcommand(
+      program, "threshold", "Find the smallest grip with which each draw of a session succeeds.",
+      "  graspbench threshold results/pilot             margins of 1 to 16, by bisection\n"
+      "  graspbench threshold results/pilot --by force --trials 3");
+  const auto options = std::make_shared<ThresholdOptions>();
+  ExperimentRequest& request = options->request;
+  AddStoreFolder(command, request.folder, "folder of the session");
+  command
+      .add_option("--by", options->scale,
+                  "what is bisected: margin (1 to 16), force (0.1 to 12.8 N)")
+      ->check(CLI::IsMember(ListNames(kThresholdScales)))
+      ->option_text("SCALE")
+      ->capture_default_str();
+  command
+      .add_option("--trials", request.trials_per_cell,
+                  "finished trials of each hand, object, grasp to take")
+      ->check(CLI::Range(1, 100000))
+      ->option_text("N")
+      ->default_str("all");
+  AddJobsOption(command, options->num_workers);
+  AddTrialTimeoutOption(command, request.trial_time_limit);
+  AddAcceptDamageOption(command, request.on_damage);
+  command.add_flag("--json", options->json, "print the thresholds as one JSON object");
+  command.callback([options] { Run(*options); });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,21 @@
+#pragma once
+/** @file
+Grip thresholds of a session's draws: an experiment whose conditions are the grips of a scale and
+which runs of every draw the trials that its bisection asks for
+(datasets/analysis/conditions/threshold_summary.h), a round for each step of all bisections. */
+
+#include "core/trial/grip/grip_threshold.h"
+#include "workbench/experiments/session_experiment.h"
+
+namespace graspbench {
+
+/** Its folder, in which RunThresholds runs it. @throws as PrepareExperiment; Error(kRange) for a
+margin of an object without friction, and for forces with touch: sensed of a hand that feels
+nothing. */
+PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
+
+/** Runs what is left. @returns whether nothing is left. */
+bool RunThresholds(const PreparedSession& experiment, const ExperimentRequest& request,
+                   int num_workers, Observer& observer, const std::atomic<bool>& stop);
+
+}  // namespace graspbench
