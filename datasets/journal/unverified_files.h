@@ -1,8 +1,8 @@
 #pragma once
 /** @file
 Files that a store has made and of which no hash is kept, so that nobody can tell whether they have
-changed: tables of programs that kept none, what a program that was killed had just written, and tables
-and pages whose manifest is gone. */
+changed: tables of programs that kept none, what a program that was killed had just written, and
+tables and pages whose manifest is gone. */
 
 #include <filesystem>
 #include <string>

@@ -64,8 +64,8 @@ double CalcHoldNoise(const Trajectory& p_O, const Hold& hold) {
   return kSdPerMedian * CalcMedian(std::move(deviations));
 }
 
-/** RMS distance from the mean place, without what noise of that SD makes of it. Filled samples take no
-part: a bridge over a gap does not follow an object that is carried. */
+/** RMS distance from the mean place, without what noise of that SD makes of it. Filled samples take
+no part: a bridge over a gap does not follow an object that is carried. */
 double CalcLooseness(const SmoothPath& smooth, double noise, const Hold& hold) {
   const SampleRun window = FindSamples(smooth.path.times, hold.time, hold.end);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -152,7 +152,8 @@ std::string FindNoTouch(const ContactEvidence& evidence, const DigitEvidence& di
                        MmFromM(digit.hold_distance - expected),
                        std::isnan(given) ? "those of the other digits" : "its pad offset");
   }
-  // Less than half a millimetre may be the skin of a digit that holds, and noise is known to a part.
+  // Less than half a millimetre may be the skin of a digit that holds, and noise is known to a
+  // part.
   const double unsure = std::max(0.0005, kUnsureOfNoise * digit.noise_O);
   if (digit.looseness > std::max(options.max_looseness * evidence.typical_looseness, unsure)) {
     return fmt::format(
