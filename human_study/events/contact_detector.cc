@@ -64,8 +64,8 @@ double CalcHoldNoise(const Trajectory& p_O, const Hold& hold) {
   return kSdPerMedian * CalcMedian(std::move(deviations));
 }
 
-/** RMS distance from the mean place, without what noise of that SD makes of it. Filled samples take no
-part: a bridge over a gap does not follow an object that is carried. */
+/** RMS distance from the mean place, without what noise of that SD makes of it. Filled samples take
+no part: a bridge over a gap does not follow an object that is carried. */
 double CalcLooseness(const SmoothPath& smooth, double noise, const Hold& hold) {
   const SampleRun window = FindSamples(smooth.path.times, hold.time, hold.end);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
