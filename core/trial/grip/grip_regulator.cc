@@ -218,7 +218,8 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
       regulates_ || (phase >= Phase::kLiftOff && sum_ > 0.0) ||
       (has_closed && sum_ > 0.0 &&
        (sum_ >= asked_ || std::all_of(digits_.begin(), digits_.end(), [&](const DigitGrip& digit) {
-          return digit.force >= digit.asked || IsStopped(digit);
+          return digit.force >= digit.asked || digit.CalcClosing() >= 1.0 - kAtTarget ||
+                 IsAtLimit(digit, kAtLimit);
         })));
   if (mode_ == GripMode::kMargin && has_closed && phase < Phase::kLiftOff && sum_ > 0.0 &&
       time_ >= next_look_) {
