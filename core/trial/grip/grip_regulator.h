@@ -4,8 +4,8 @@ A hand that regulates its grip (StrategyConfig::grip, force and margin). After e
 the normal force F_d of each digit, exactly or as its elements feel it, filtered with kFilterTime.
 
 Closing: at its first touch a digit takes back what its command was ahead of it, then goes on with
-touch_speed while F_d is below its share a_d. Once closure has ended and every digit has its share or
-stands at its target, or the sum has its own, all digits are shifted together by its error,
+touch_speed while F_d is below its share a_d. Once closure has ended and every digit has its share
+or stands at its target, or the sum has its own, all digits are shifted together by its error,
 
     ds_d/dt = (a_d / G_d) (A - S) / (A kShiftTime),    A = sum a_d,  S = sum F_d
 
