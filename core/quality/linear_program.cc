@@ -81,13 +81,17 @@ Eigen::Index FindSteepest(const Tableau& tableau) {
   return gain > kZero ? steepest : -1;
 }
 
+/** Which variable enters first of all. */
+enum class Entry { kSteepest, kFirst };
+
 /** Pivots until nothing gains. */
-LinearProgramEnd RunSimplex(double rounding_gain, Tableau& tableau) {
+LinearProgramEnd RunSimplex(Entry entry, double rounding_gain, Tableau& tableau) {
   // After so many steps it might cycle, which Bland's rule prevents, but for rounding.
   const Eigen::Index num_stable_steps = kStableSteps * (tableau.num_rows + tableau.num_columns);
   for (Eigen::Index step = 0; step <= 4 * num_stable_steps; ++step) {
     const bool is_stable = step < num_stable_steps;
-    Eigen::Index enter = is_stable ? FindSteepest(tableau) : -1, leave = -1;
+    const bool by_gain = is_stable && entry == Entry::kSteepest;
+    Eigen::Index enter = by_gain ? FindSteepest(tableau) : -1, leave = -1;
     if (enter >= 0) leave = FindLeavingRow(tableau, enter, is_stable);
     // Where that one is not limited, or under Bland's rule, the first variable that gains enters. A
     // tiny gain that no row limits is rounding, not a way to infinity.
@@ -114,13 +118,13 @@ bool IsOptimum(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::
          y.minCoeff() >= -kViolation * price && b.dot(y) - c.dot(x) <= kViolation * price * size;
 }
 
-LinearProgramResult SolveOnce(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+LinearProgramResult SolveOnce(Entry entry, const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                               const Eigen::VectorXd& c) {
   const Eigen::Index num_rows = b.size(), num_variables = c.size();
   Tableau tableau = MakeTableau(A, b, c);
   const double rounding_gain = num_variables > 0 ? kRoundingGain * c.cwiseAbs().maxCoeff() : 0.0;
   LinearProgramResult result;
-  result.end = RunSimplex(rounding_gain, tableau);
+  result.end = RunSimplex(entry, rounding_gain, tableau);
   result.x = Eigen::VectorXd::Zero(num_variables);
   for (Eigen::Index row = 0; row < num_rows; ++row) {
     const Eigen::Index variable = tableau.basis[row];
@@ -159,11 +163,12 @@ LinearProgramResult SolveLinearProgram(const Eigen::MatrixXd& A, const Eigen::Ve
                     "sizes: " + std::to_string(b.size()) + ", " + std::to_string(c.size()));
   GRASPBENCH_DEMAND(num_rows == 0 || b.minCoeff() >= 0.0, "a negative bound");
 
-  LinearProgramResult result = SolveOnce(A, b, c);
-  if (result.end != LinearProgramEnd::kOptimum && num_rows > 0) {
-    result = SolveOnce(A, Relieve(b), c);
-  }
-  return result;
+  // The steepest variable first takes fewest steps, the first one loses least to rounding.
+  LinearProgramResult result = SolveOnce(Entry::kSteepest, A, b, c);
+  if (result.end == LinearProgramEnd::kOptimum || num_rows == 0) return result;
+  result = SolveOnce(Entry::kFirst, A, b, c);
+  if (result.end == LinearProgramEnd::kOptimum) return result;
+  return SolveOnce(Entry::kFirst, A, Relieve(b), c);
 }
 
 }  // namespace graspbench

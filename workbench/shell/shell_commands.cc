@@ -159,7 +159,7 @@ const std::vector<ShellCommand>& ListShellCommands() {
        "Let a digit close later (s), or faster than all (1).", "digit FF delay 0.05", 3, 3, -1,
        &ListGraspDigits, &SetDigit},
       {"set", kScene, "[KEY [VALUE]]",
-       "Change a setting of session files, or list them; -e off: scripts go on after errors.",
+       "Change or list settings; -e off: scripts go on after errors.",
        "set model.friction_scale 0.5", 0, 2, -1, &ListSettings, &ChangeSetting},
       {"open", kScene, "DIR ID|CONDITION:N",
        "Take a trial of a session, with its copies of inputs.",

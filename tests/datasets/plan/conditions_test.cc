@@ -24,7 +24,9 @@ TEST(NormaliseSetting, GivesOneNameToOneSetting) {
 TEST(NormaliseSetting, RefusesWhatCannotBePaired) {
   const auto explain = [](const std::string& assignment) -> std::pair<ErrorKind, std::string> {
     try {
-      return {ErrorKind::kUnsupported, NormaliseSetting(assignment, SessionConfig())};
+      SessionConfig config;
+      config.strategy.grip = "posture";
+      return {ErrorKind::kUnsupported, NormaliseSetting(assignment, config)};
     } catch (const Error& e) {
       return {e.kind(), e.what()};
     }

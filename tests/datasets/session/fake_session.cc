@@ -42,6 +42,8 @@ std::shared_ptr<GraspObject> MakeFakeObject(const std::string& id) {
   object->id = id;
   object->content_hash = "content of " + id;
   object->size = {0.08, 0.04, 0.1};
+  object->surface.friction_static = 0.6;
+  object->surface.friction_dynamic = 0.5;
   return object;
 }
 

@@ -41,7 +41,7 @@ TEST(ShownTrials, OfManyCellsTheFirstAreDrawnInFull) {
   EXPECT_FALSE(IsDrawnInFull(summary.cells[250], summary));
   const std::string page = MakePageOf(session);
   ExpectSoundPage(page);  // every link to a cell has its place
-  EXPECT_NE(page.find("too many cells for one page"), std::string::npos);
+  EXPECT_NE(page.find("too many conditions for one page"), std::string::npos);
 }
 
 }  // namespace

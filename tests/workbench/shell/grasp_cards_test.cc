@@ -11,7 +11,11 @@ namespace {
 
 class GraspCards : public testing::Test {
  protected:
-  GraspCards() { scene_.Choose(SceneChoice::MakeDefault()); }
+  GraspCards() {
+    SceneChoice choice = SceneChoice::MakeDefault();
+    choice.config.strategy = StrategyConfig();  // by posture: all three digits press
+    scene_.Choose(choice);
+  }
   ShellScene scene_;
 };
 

@@ -15,11 +15,11 @@ TEST(SimultaneityTables, ARelationIsShownWithItsIntervalAndMarkedWhenItHolds) {
   const SimultaneityRelation row = {"tum", "gft_s", success, found, 0.01};
   const SimultaneityRelation none = {"tum", "got_s", success, NoAnswer{"all alike"}, kUnset};
   EXPECT_EQ(FormatRelations({row, none}),
-            "hand  of the trial  measure  trials  cells  rank correlation\n"
-            "tum   success [%]   GFT          80      8  -0.50 (-0.70 to -0.25) *\n"
-            "tum   success [%]   GOT           0      0  n/a\n"
-            "inside cells of one hand, object and grasp, with 95 % intervals; * differs from 0 at "
-            "5 % over all rows (Holm)\n");
+            "hand  of the trial  measure  trials  conditions  rank correlation\n"
+            "tum   success [%]   GFT          80           8  -0.50 (-0.70 to -0.25) *\n"
+            "tum   success [%]   GOT           0           0  n/a\n"
+            "within conditions (hand, object, grasp), with 95 % intervals; * differs from 0 at 5 % "
+            "over all rows (Holm)\n");
 }
 
 TEST(SimultaneityTables, NothingButMissingRelationsIsASentence) {

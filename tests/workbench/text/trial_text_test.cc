@@ -14,6 +14,7 @@ class TrialTextTest : public testing::Test {
     session_.config.hands = {"tum"};
     session_.config.objects = {"golf_ball"};
     session_.config.trials = 4;
+    session_.config.strategy = StrategyConfig();  // by posture, which holds two of them or more
     const SessionInputs inputs = LoadSessionInputs(session_.config);
     session_.plan = MakePlan(session_.config, inputs);
     for (const PlannedTrial& planned : session_.plan) {

@@ -5,6 +5,7 @@ python3 validate_examples.py GRASPBENCH SOURCE
 import copy
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -21,6 +22,10 @@ EXAMPLES = {
     "pipeline.yaml": "datasets/pipelines/*[!n].yaml",  # but for small_session.yaml
     "grasp.yaml": "tests/datasets/stores/v*/optimisation/new-pregrasp.yaml",
 }
+# PyYAML knows YAML 1.1, in which 1.1e6 is a text.
+yaml.SafeLoader.add_implicit_resolver("tag:yaml.org,2002:float",
+                                      re.compile(r"^[-+]?[0-9.]+[eE][-+]?[0-9]+$"),
+                                      list("-+.0123456789"))
 failures, num_files = [], 0
 for name, pattern in EXAMPLES.items():
     schema = json.loads(subprocess.check_output([program, "help", name, "--schema"]))
