@@ -43,9 +43,27 @@ TEST_F(EndlessTrial, TheOthersAreFinishedAndItIsNamed) {
   WriteFile(cube / "object.yaml",
             "name: cube\nmesh: cube.obj\nmesh_unit: mm\nmass_kg: 1\n"
             "friction_static: 0.5\nfriction_dynamic: 0.4\n");
-  EXPECT_EQ(Call({"run", "--hand", "shadow", "--object", "golf_ball," + cube.string(), "--trials",
-                  "2", "--set", "sim.step_s=0.0001", "--set", "strategy.hold_time_s=60",
-                  "--trial-timeout", "4", "--jobs", "2", "--out", out.string()}),
+  EXPECT_EQ(Call({"run",
+                  "--hand",
+                  "shadow",
+                  "--object",
+                  "golf_ball," + cube.string(),
+                  "--trials",
+                  "2",
+                  "--preset",
+                  "firm",
+                  "--set",
+                  "sim.step_s=0.0001",
+                  "--set",
+                  "strategy.hold_time_s=60",
+                  "--set",
+                  "sim.steady_step_factor=1",
+                  "--trial-timeout",
+                  "4",
+                  "--jobs",
+                  "2",
+                  "--out",
+                  out.string()}),
             4);
   const std::vector<std::string> rows = ReadLines(out / "export" / "trials.csv");
   ASSERT_EQ(rows.size(), 5u);  // with the heading

@@ -1,9 +1,10 @@
-// Sections that hold every word typed; a word in a title counts more. `sections` stands above.
+// Sections that hold every word typed; a word in a title counts more, what was or was measured less.
+// `sections` stands above.
 const query = document.getElementById("query");
 const hits = document.getElementById("hits");
 
 function score(section, words) {
-  const [, page, title, text] = section.map((part) => part.toLowerCase());
+  const [address, page, title, text] = section.map((part) => part.toLowerCase());
   let sum = 0;
   for (const word of words) {
     const found = text.split(word).length - 1;
@@ -11,7 +12,7 @@ function score(section, words) {
     if (found + named === 0) return 0;
     sum += named + Math.min(found, 5);
   }
-  return sum;
+  return /^(history|validation)[.]html/.test(address) ? 0.1 * sum : sum;
 }
 
 function excerpt(text, word) {
@@ -22,7 +23,10 @@ function excerpt(text, word) {
 function show() {
   const words = query.value.toLowerCase().split(/\s+/).filter((word) => word.length > 1);
   hits.replaceChildren();
-  if (words.length === 0) return;
+  if (words.length === 0) {
+    if (query.value.trim()) hits.append("Two letters or more are needed.");
+    return;
+  }
   const found = sections
     .map((section) => ({section, value: score(section, words)}))
     .filter((hit) => hit.value > 0)
