@@ -5,6 +5,7 @@
 
 #include "core/base/files/files.h"
 #include "human_study/study/output/statistics_table.h"
+#include "human_study/study/run/trial_flags.h"
 
 namespace graspbench {
 namespace {
@@ -61,6 +62,13 @@ TrialColumns ListTrialColumns(const StudyResult& result) {
                      text(&StudyTrial::removed)});
   columns.push_back(
       {"removed_code", "string", "", "the same for programs", text(&StudyTrial::removed_code)});
+  columns.push_back(
+      {"flags", "string", "",
+       "what is doubtful about it, as regrasp, with commas; empty: nothing, or it was "
+       "not analysed",
+       [](const StudyTrial* trial) {
+         return Json(trial->analysis ? FormatFlags(*trial->analysis) : "");
+       }});
   columns.push_back(
       {"reviewed", "string", "", "contacts that a person looked at; empty: none",
        [](const StudyTrial* trial) { return Json(DescribeReviews(trial->reviews)); }});
