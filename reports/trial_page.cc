@@ -97,7 +97,7 @@ Html DrawCards(const DrawnTrial& data) {
 Html DrawScript(const DrawnTrial& data) {
   std::string text;
   for (const std::string& line : data.script) text += line + "\n";
-  return MakeParagraph("Reproduce in the shell: give these lines to graspbench shell.") +
+  return MakeParagraph("Give these lines to graspbench shell.") +
          MakeScroll("Script", Element("pre", {}, text));
 }
 

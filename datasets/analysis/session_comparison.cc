@@ -6,6 +6,7 @@
 
 #include "core/base/config.h"
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 
 namespace graspbench {
 namespace {
@@ -53,7 +54,7 @@ std::string ExplainNoPair(const Session& before, const Session& after) {
     std::set<std::string> keys;
     for (const TrialRecord& record : session.records) {
       const PlannedTrial& plan = record.plan;
-      keys.insert(plan.hand + "-" + plan.object + "-" + plan.grasp +
+      keys.insert(MakePlainKey({plan.hand, plan.object, plan.grasp}) +
                   (plan.condition ? "@" + *plan.condition : ""));
     }
     return keys;

@@ -61,7 +61,7 @@ void AddGripColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
                      "sum of the forces that the regulated grip asks of the hand, mean of the hold",
                      take(&GripRecord::asked)});
   columns.push_back({"grip_held_n", "number", "N",
-                     "what it has of them, exactly or as the elements feel it, likewise",
+                     "what it has of them, exactly or as the elements feel it, mean of the hold",
                      take(&GripRecord::held)});
   columns.push_back(
       {"grip_faults", "string", "",

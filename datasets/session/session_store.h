@@ -12,7 +12,7 @@ A session's folder:
     sensitivity/<hash>/   sessions of the same draws under conditions (datasets/plan/conditions.h),
     numerics/<hash>/      each a store of its own, without inputs
     delays/<hash>/
-    thresholds/<hash>/    likewise; of each draw those trials that its bisection asked for
+    thresholds/<hash>/    of each draw those trials that its bisection asked for
     sensitivity/<n>.jsonl what earlier programs kept of the first
     progress/<n>.jsonl    what the journals of shards hold, see journal_index.h; may be deleted
     workers/<n>.jsonl     where shards were worked on, and their sentinel trials, see worker_log.h

@@ -11,6 +11,7 @@
 #include "core/base/text/data_table.h"
 #include "core/base/text/text.h"
 #include "core/grasp/grasp_file.h"
+#include "core/grasp/grasp_keys.h"
 #include "core/hand/load_hand.h"
 #include "core/statistics/summary.h"
 
@@ -18,8 +19,6 @@ namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double kLongestDelay = 10.0;  // of a grasp file [s]
 
 DataTable ReadStudyTable(const fs::path& study, const char* name,
                          const std::vector<std::string>& columns, Diagnostics& problems) {
@@ -93,16 +92,17 @@ std::map<std::string, ClosingSchedule> ReadStudyTiming(const fs::path& study,
                                        "\" that counts did all digits of the grasp touch: " +
                                        fmt::format("{}", fmt::join(digits, ", ")));
   }
+  const double longest = FindFileKey(ListGraspFileKeys(), "closing.DIGIT.delay_s")->high;
   double least = HUGE_VAL;
   for (const auto& [digit, values] : lags) least = std::min(least, CalcMedian(values));
   std::map<std::string, ClosingSchedule> closing;
   for (const auto& [digit, values] : lags) {
     const double delay = CalcMedian(values) - least;
-    if (delay > kLongestDelay) {
+    if (delay > longest) {
       throw Error(ErrorKind::kUsage, digit + " touches " + FormatFixed(delay, 3) +
                                          " s after the others in the study, with which it would "
                                          "stay open for good; a grasp takes at most " +
-                                         FormatFixed(kLongestDelay, 0) +
+                                         FormatFixed(longest, 0) +
                                          " s. Are its times in "
                                          "seconds?");
     }

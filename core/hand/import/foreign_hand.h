@@ -81,7 +81,7 @@ struct ForeignJoint {
   std::optional<ForeignMimic> mimic;
 };
 
-/** A description with as many is not a hand description. */
+/** A description with as many is not that of a hand. */
 constexpr size_t kMostForeignLinks = 1000;
 
 struct ForeignHand {

@@ -14,7 +14,7 @@ namespace {
 // 5 mm/s relative to the palm at the end).
 constexpr double kLiftedShare = 0.5;  ///< of the lift height
 constexpr double kPushedAway = 0.05;  ///< horizontal displacement of a free object [m]
-constexpr double kTippedShare = 0.1;  ///< change of the height of an object that lies again
+constexpr double kTippedShare = 0.1;  ///< change of the height of an object that has fallen over
 
 /** A trial is given up after this long without the solver converging [s]. */
 constexpr double kMaxUnconvergedTime = 0.1;
