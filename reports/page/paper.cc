@@ -1,9 +1,12 @@
 #include "reports/page/paper.h"
 
+#include <fmt/core.h>
 #include <tinyxml2.h>
 
 #include <cstring>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text/csv.h"
@@ -122,6 +125,62 @@ std::string FormatTable(const XMLElement& table) {
   return lines;
 }
 
+std::string EscapeLatex(const std::string& text) {
+  static const std::map<char, const char*> escapes = {{'&', "\\&"},
+                                                      {'%', "\\%"},
+                                                      {'$', "\\$"},
+                                                      {'#', "\\#"},
+                                                      {'_', "\\_"},
+                                                      {'{', "\\{"},
+                                                      {'}', "\\}"},
+                                                      {'~', "\\textasciitilde{}"},
+                                                      {'^', "\\textasciicircum{}"},
+                                                      {'\\', "\\textbackslash{}"},
+                                                      {'<', "\\textless{}"},
+                                                      {'>', "\\textgreater{}"}};
+  std::string escaped;
+  for (const char c : text) {
+    const auto found = escapes.find(c);
+    if (found == escapes.end()) {
+      escaped += c;
+    } else {
+      escaped += found->second;
+    }
+  }
+  return escaped;
+}
+
+/** A tabular of booktabs; numbers are right-aligned as on the page. */
+std::string FormatLatex(const XMLElement& table) {
+  std::string columns, head, rows;
+  ForEachElement(table, [&](const XMLElement& row) {
+    if (!HasTag(row, "tr")) return;
+    std::string line;
+    for (const auto* cell = row.FirstChildElement(); cell; cell = cell->NextSiblingElement()) {
+      if (head.empty()) {
+        columns += AttributeOf(*cell, "class").find("number") == std::string::npos ? 'l' : 'r';
+      }
+      line += (line.empty() ? "" : " & ") + EscapeLatex(TextBelow(*cell));
+    }
+    (head.empty() ? head : rows) += line + " \\\\\n";
+  });
+  return "\\begin{tabular}{" + columns + "}\n\\toprule\n" + head + "\\midrule\n" + rows +
+         "\\bottomrule\n\\end{tabular}\n";
+}
+
+/** "figure-success-rate-by-hand-and-by-grasp", 3: "03-success-rate-by-hand". */
+std::string MakeShortName(const std::string& id, int number) {
+  constexpr int kNumWords = 4;
+  std::string name = fmt::format("{:02}", number);
+  size_t at = id.find('-');
+  for (int i = 0; i < kNumWords && at != std::string::npos; ++i) {
+    const size_t next = id.find('-', at + 1);
+    name += id.substr(at, next == std::string::npos ? next : next - at);
+    at = next;
+  }
+  return name;
+}
+
 std::string FormatMethods(const XMLElement& methods) {
   std::string text = "# Methods\n";
   for (const auto* part = methods.FirstChildElement(); part; part = part->NextSiblingElement()) {
@@ -130,37 +189,87 @@ std::string FormatMethods(const XMLElement& methods) {
   return text;
 }
 
+/** What a page gives, in its order. */
+class PaperMaker {
+ public:
+  explicit PaperMaker(PaperParts parts) : parts_(parts), style_(MakePlotStyle()) {}
+
+  /** The element and all below it. @param is_folded  it stands in something to open. */
+  void Take(const XMLElement& element, bool is_folded) {
+    TakeOne(element, is_folded);
+    is_folded = is_folded || HasTag(element, "details");
+    for (const auto* child = element.FirstChildElement(); child;
+         child = child->NextSiblingElement()) {
+      Take(*child, is_folded);
+    }
+  }
+
+  std::vector<PaperFile> Finish() {
+    files_.push_back({"captions.md", captions_});
+    return std::move(files_);
+  }
+
+ private:
+  static constexpr int kMostFigures = 20, kMostTables = 12;
+
+  bool IsWanted(bool is_folded, int& num_taken, int most) const {
+    if (parts_ == PaperParts::kAll) return true;
+    return !is_folded && num_taken++ < most;
+  }
+
+  void TakeOne(const XMLElement& element, bool is_folded) {
+    const std::string id = AttributeOf(element, "id");
+    if (HasTag(element, "figure") && !id.empty()) {
+      TakeFigure(element, id, is_folded);
+    } else if (HasTag(element, "div") && id.rfind("table-", 0) == 0) {
+      TakeTable(element, id, is_folded);
+    } else if (HasTag(element, "blockquote") && AttributeOf(element, "class") == "methods") {
+      files_.push_back({"methods.md", FormatMethods(element)});
+    } else if (HasTag(element, "pre") && AttributeOf(element, "class") == "bibtex") {
+      files_.push_back({"refs.bib", TextBelow(element)});
+    }
+  }
+
+  void TakeFigure(const XMLElement& element, const std::string& id, bool is_folded) {
+    ++num_figures_;
+    const XMLElement* plot = FindBelow(element, "svg", "plot");
+    const XMLElement* caption = FindBelow(element, "figcaption", "");
+    if (!plot || !caption || !IsWanted(is_folded, figures_taken_, kMostFigures)) return;
+    const std::string name = "figures/fig-" + MakeShortName(id, num_figures_) + ".svg";
+    files_.push_back({name, FormatPlot(*plot, style_)});
+    AddCaption(*caption, name);
+  }
+
+  void TakeTable(const XMLElement& element, const std::string& id, bool is_folded) {
+    ++num_tables_;
+    const XMLElement* table = FindBelow(element, "table", "");
+    if (!table || !IsWanted(is_folded, tables_taken_, kMostTables)) return;
+    const std::string name = "tables/tab-" + MakeShortName(id, num_tables_);
+    files_.push_back({name + ".csv", FormatTable(*table)});
+    files_.push_back({name + ".tex", FormatLatex(*table)});
+    AddCaption(*table->FirstChildElement(), name + ".csv, .tex");
+  }
+
+  void AddCaption(const XMLElement& caption, const std::string& name) {
+    captions_ += "\n" + TextBelow(caption) + "\n(" + name + ")\n";
+  }
+
+  PaperParts parts_;
+  std::string style_, captions_ = "# Figures and tables\n";
+  std::vector<PaperFile> files_;
+  int num_figures_ = 0, num_tables_ = 0;      // of the page
+  int figures_taken_ = 0, tables_taken_ = 0;  // unfolded ones
+};
+
 }  // namespace
 
-std::vector<PaperFile> MakePaperFiles(const std::string& page) {
+std::vector<PaperFile> MakePaperFiles(const std::string& page, PaperParts parts) {
   tinyxml2::XMLDocument document;
   document.Parse(page.data(), page.size());
   GRASPBENCH_DEMAND(document.RootElement() != nullptr, "the page is not well-formed");
-  const std::string style = MakePlotStyle();
-  std::vector<PaperFile> files;
-  std::string captions = "# Figures and tables\n";
-  const auto add = [&](const std::string& name, const std::string& content,
-                       const XMLElement& caption) {
-    files.push_back({name, content});
-    captions += "\n" + TextBelow(caption) + "\n(" + name + ")\n";
-  };
-  ForEachElement(*document.RootElement(), [&](const XMLElement& element) {
-    const std::string id = AttributeOf(element, "id");
-    if (HasTag(element, "figure") && !id.empty()) {
-      const XMLElement* plot = FindBelow(element, "svg", "plot");
-      const XMLElement* caption = FindBelow(element, "figcaption", "");
-      if (plot && caption) add("figures/" + id + ".svg", FormatPlot(*plot, style), *caption);
-    } else if (HasTag(element, "div") && id.rfind("table-", 0) == 0) {
-      const XMLElement* table = FindBelow(element, "table", "");
-      if (table) add("tables/" + id + ".csv", FormatTable(*table), *table->FirstChildElement());
-    } else if (HasTag(element, "blockquote") && AttributeOf(element, "class") == "methods") {
-      files.push_back({"methods.md", FormatMethods(element)});
-    } else if (HasTag(element, "pre") && AttributeOf(element, "class") == "bibtex") {
-      files.push_back({"refs.bib", TextBelow(element)});
-    }
-  });
-  files.push_back({"captions.md", captions});
-  return files;
+  PaperMaker maker(parts);
+  maker.Take(*document.RootElement(), false);
+  return maker.Finish();
 }
 
 }  // namespace graspbench

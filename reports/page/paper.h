@@ -9,13 +9,18 @@ files of their own. Works on the finished page, so it is the same for every kind
 namespace graspbench {
 
 struct PaperFile {
-  std::string name;  ///< "figures/figure-1-success-rate.svg", with slashes
+  std::string name;  ///< "figures/fig-01-success-rate-by-hand.svg", with slashes
   std::string content;
 };
 
-/** `figures/ID.svg` in the light colours without variables, links and scripts; `tables/ID.csv`; the
-captions of both with the page's numbers and the methods, in Markdown; the references. The same page
-gives the same bytes. @pre a page of MakePage. */
-std::vector<PaperFile> MakePaperFiles(const std::string& page);
+enum class PaperParts {
+  kShown,  ///< what the page shows unfolded, at most 20 figures and 12 tables
+  kAll,
+};
+
+/** `figures/fig-NN-WORDS.svg` in the light colours without variables, links and scripts;
+`tables/tab-NN-WORDS.csv` and .tex (booktabs); NN is the page's number. The captions of both and the
+methods, in Markdown; the references. The same page gives the same bytes. @pre a page of MakePage. */
+std::vector<PaperFile> MakePaperFiles(const std::string& page, PaperParts parts);
 
 }  // namespace graspbench

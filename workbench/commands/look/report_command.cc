@@ -19,6 +19,7 @@ struct ReportOptions {
   fs::path folder;
   fs::path out;    ///< empty: the result's own folder
   fs::path paper;  ///< empty: the page alone
+  std::string figures = "shown";
   bool replace = false;
   PageViews views = PageViews::kAsBefore;
   OnDamage on_damage = OnDamage::kRefuse;
@@ -26,8 +27,9 @@ struct ReportOptions {
 
 void WritePaper(const ReportOptions& options, const fs::path& page) {
   StagedFolder staged({options.paper, "paper", options.replace, {options.folder}});
-  bool has_pdf = HasPdfConverter();
-  for (const PaperFile& file : MakePaperFiles(ReadFile(page))) {
+  const bool has_pdf = HasPdfConverter();
+  const PaperParts parts = options.figures == "all" ? PaperParts::kAll : PaperParts::kShown;
+  for (const PaperFile& file : MakePaperFiles(ReadFile(page), parts)) {
     const fs::path path = staged.path() / file.name;
     MakeFolder(path.parent_path());
     WriteFile(path, file.content);
@@ -78,10 +80,20 @@ void AddReportCommand(CLI::App& program, ExitCode&) {
   command.add_option("--out", options->out, "folder for a result that cannot be written")
       ->option_text("DIR")
       ->default_str("that of the result");
+  CLI::Option* paper =
+      command
+          .add_option(
+              "--paper", options->paper,
+              "folder for the page's figures, tables as CSV and LaTeX, methods.md and refs.bib")
+          ->option_text("DIR");
   command
-      .add_option("--paper", options->paper,
-                  "folder for the page's figures, tables as CSV, methods.md and refs.bib")
-      ->option_text("DIR");
+      .add_option("--figures", options->figures,
+                  "of --paper: shown (what the page shows unfolded, at most 20 figures and 12 "
+                  "tables) or all")
+      ->check(CLI::IsMember({"shown", "all"}))
+      ->needs(paper)
+      ->option_text("WHICH")
+      ->default_str("shown");
   const auto add_views = [&](const char* name, PageViews views, const char* text) {
     return command.add_flag_callback(
         name, [options, views] { options->views = views; }, text);

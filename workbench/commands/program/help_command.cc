@@ -12,6 +12,7 @@
 #include "workbench/tables/grasp_tables.h"
 #include "workbench/text/file_formats.h"
 #include "workbench/text/file_schema.h"
+#include "workbench/text/glossary.h"
 
 namespace graspbench {
 namespace {
@@ -40,6 +41,12 @@ void PrintFormat(const std::string& name, bool json, bool schema) {
   }
 }
 
+std::string JoinWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 /** What "graspbench --help" prints, and what else has a name: presets and files. */
 std::string FormatOverview(const CLI::App& program, const std::vector<std::string>& files) {
   std::string presets;
@@ -51,10 +58,12 @@ std::string FormatOverview(const CLI::App& program, const std::vector<std::strin
       program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
   return help + "\nPresets (graspbench run --preset NAME, or preset: NAME in a session file):\n" +
          presets + "\nFiles (graspbench help FILE):\n  " + ListNames(files) +
-         "\n\nGrasp types and what others call them: graspbench help grasp-types\n";
+         "\n\nGrasp types and what others call them: graspbench help grasp-types\n"
+         "A measure or a column of a table, for example: graspbench help gft\n";
 }
 
-/** What "graspbench WORDS --help" prints. @throws Error(kUsage) when there is no such command. */
+/** What "graspbench WORDS --help" prints, or what a word means. @throws Error(kUsage) when it is
+neither. */
 std::string FindCommandHelp(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* command = &program;
   std::string above;
@@ -63,15 +72,22 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
     if (command == &program) {
       for (const FileFormat& format : ListFileFormats()) names.push_back(format.name);
       names.push_back(kGraspTypesTopic);
+      for (const std::string& term : ListGlossaryWords()) names.push_back(term);
     }
     const CLI::App* next = nullptr;
     for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; })) {
       names.push_back(each->get_name());
       if (each->get_name() == word) next = each;
     }
+    if (!next && command == &program) {
+      const std::vector<GlossaryEntry> entries = FindInGlossary(JoinWords(words));
+      if (!entries.empty()) return FormatGlossary(entries);
+    }
     if (!next) {
-      throw Error(ErrorKind::kUsage,
-                  "\"" + word + "\" is no file and no command" + SuggestNames(word, names));
+      throw Error(ErrorKind::kUsage, "\"" + word +
+                                         "\" is no command, no file and no word of the "
+                                         "glossary" +
+                                         SuggestNames(word, names));
     }
     above += (above.empty() ? "" : " ") + command->get_name();
     command = next;
@@ -98,17 +114,18 @@ void AddHelpCommand(CLI::App& program, ExitCode&) {
       "  graspbench help object.yaml\n"
       "  graspbench help session.yaml --json\n"
       "  graspbench help study.yaml --schema   for an editor or validator\n"
+      "  graspbench help gft                   a measure or a column of a table\n"
       "  graspbench help hand develop          as graspbench hand develop --help");
   std::vector<std::string> files;
   for (const FileFormat& format : ListFileFormats()) files.push_back(format.name);
   const auto words = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false), schema = std::make_shared<bool>(false);
   command
-      .add_option(
-          "topic", *words,
-          "a command, grasp-types, or one of " + ListNames(files) + "; absent: all there is")
+      .add_option("topic", *words,
+                  "a command, grasp-types, a measure, or one of " + ListNames(files) +
+                      "; absent: all there is")
       ->type_name("{" + JoinForCompletion(files, program) + "}")
-      ->option_text("COMMAND|FILE");
+      ->option_text("COMMAND|FILE|WORD");
   command.add_flag("--json", *json, "of a file: print one JSON object");
   command.add_flag("--schema", *schema, "of a file: print its JSON Schema")->excludes("--json");
   command.callback([&program, files, words, json, schema] {
