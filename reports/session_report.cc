@@ -56,7 +56,8 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
 
 /** The page of a session that is more than its trials; empty: it is not. */
 std::string MakeKindPage(const Session& session) {
-  if (!session.config.conditions.empty()) return MakeSweepPage(session, SummariseSweep(session));
+  if (!session.config.conditions.empty())
+    return MakeSweepPage(session, SummariseSweep(session, LoadThresholds(session)));
   if (!IsBasin(session)) return "";
   const SessionModels models = LoadSessionModels(session);
   const PlannedTrial& planned = session.plan.front();

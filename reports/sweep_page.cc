@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/hash.h"
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/base/version.h"
 #include "datasets/analysis/conditions/sensitivity_summary.h"
@@ -21,14 +20,12 @@ struct SweepView {
 
 std::string NameCondition(const std::string& name) { return name.empty() ? "base" : name; }
 
-std::string FormatValue(const SweepMeasure& measure, double value) {
-  return std::isfinite(value) ? FormatFixed(measure.scale * value, measure.decimals) : "n/a";
-}
-
 Html DrawConditions(const SweepView& view) {
   std::vector<Column> columns = {{"Condition"}, {"Hand"}, {"Trials", Align::kNumber}};
-  for (const SweepMeasure& measure : ListSweepMeasures()) {
-    columns.push_back({measure.label, Align::kNumber, "rate of success; medians of the others"});
+  for (size_t i = 0; i < ListSweepMeasures().size(); ++i) {
+    if (!view.summary.Shows(i)) continue;
+    columns.push_back(
+        {ListSweepMeasures()[i].label, Align::kNumber, "rate of success; medians of the others"});
   }
   columns.push_back({"Note", Align::kProse});
   Table table("Conditions and what their trials gave.", columns);
@@ -37,6 +34,7 @@ Html DrawConditions(const SweepView& view) {
         Text(NameCondition(row.name)), Text(row.hand),
         Text(std::to_string(row.num_finished) + " of " + std::to_string(row.num_planned))};
     for (size_t i = 0; i < row.medians.size(); ++i) {
+      if (!view.summary.Shows(i)) continue;
       cells.push_back(Text(FormatValue(ListSweepMeasures()[i], row.medians[i])));
     }
     cells.push_back(Text(row.undecided));
@@ -147,21 +145,19 @@ Html DrawEffectTable(const std::vector<SweepEffect>& effects, const std::string&
                         {"Measure"},
                         {"Draws", Align::kNumber},
                         {"Objects", Align::kNumber},
-                        {"Change", Align::kNumber, "mean over draws, in the measure's unit"},
+                        {"Change", Align::kNumber,
+                         "mean over draws, in the measure's unit; of a threshold a ratio, the "
+                         "geometric mean"},
                         {"95 % interval", Align::kProse}});
   for (const SweepEffect& effect : effects) {
-    const auto& measures = ListSweepMeasures();
-    const auto measure =
-        std::find_if(measures.begin(), measures.end(),
-                     [&](const SweepMeasure& one) { return one.id == effect.measure; });
-    const std::string interval =
-        effect.interval ? FormatRange(measure->scale * effect.interval->low,
-                                      measure->scale * effect.interval->high, measure->decimals) +
-                              (effect.excludes_zero() ? ", excludes 0" : "")
-                        : effect.interval.reason();
-    table.AddRow({Text(NameEffect(effect)), Text(effect.hand), Text(measure->label),
+    const SweepMeasure& measure = FindSweepMeasure(effect.measure);
+    const std::string no_change = measure.threshold ? ", excludes 1" : ", excludes 0";
+    const std::string interval = effect.interval ? FormatChangeInterval(measure, *effect.interval) +
+                                                       (effect.excludes_zero() ? no_change : "")
+                                                 : effect.interval.reason();
+    table.AddRow({Text(NameEffect(effect)), Text(effect.hand), Text(measure.label),
                   Text(std::to_string(effect.num_draws)), Text(std::to_string(effect.num_objects)),
-                  Text(FormatValue(*measure, effect.estimate)), Text(interval)});
+                  Text(FormatChange(measure, effect.estimate)), Text(interval)});
   }
   return table.ToHtml();
 }
@@ -191,6 +187,35 @@ Html DrawInteractions(const SweepView& view) {
     return MakeParagraph("No 95 % interval of an interaction excludes 0.") + list;
   }
   return DrawEffectTable(named, "Interactions whose 95 % interval excludes 0.") + list;
+}
+
+Html DrawSweepThresholds(const SweepView& view) {
+  if (view.summary.thresholds.empty()) {
+    return Element("p", {},
+                   Text("They have not been looked for; ") +
+                       Element("code", {}, "graspbench threshold") +
+                       Text(" with the sweep's folder does it."));
+  }
+  const Align number = Align::kNumber;
+  Table table("Grip thresholds of the draws under each condition.",
+              {{"Condition"},
+               {"Hand"},
+               {"Scale"},
+               {"Draws", number},
+               {"Held by the least", number, "the threshold is no larger than the scale's end"},
+               {"Never held", number, "by no grip that was asked"},
+               {"Not monotone", Align::kProse, "draws that fail again with a larger grip"}});
+  for (const ConditionThresholds& row : view.summary.thresholds) {
+    table.AddRow({Text(NameCondition(row.name)), Text(row.hand), Text(row.scale->name),
+                  Text(std::to_string(row.num_draws)), Text(std::to_string(row.num_below)),
+                  Text(std::to_string(row.num_never)),
+                  Text(row.not_monotone.empty() ? "-" : row.not_monotone)});
+  }
+  return MakeParagraph(
+             "The smallest grip with which each draw succeeds, by bisection. Medians are among the "
+             "conditions, changes among the effects as ratios; there a draw that no grip held "
+             "counts as one step above the largest.") +
+         table.ToHtml();
 }
 
 Html DrawSweepFindings(const SweepView& view) {
@@ -235,6 +260,7 @@ std::string MakeSweepPage(const Session& session, const SweepSummary& summary) {
       {"maps", "Maps", &DrawMaps},
       {"effects", "What each level changes", &DrawEffects},
       {"interactions", "Interactions", &DrawInteractions},
+      {"thresholds", "Grip thresholds", &DrawSweepThresholds},
       {"findings", "Errors and warnings", &DrawSweepFindings},
       {"methods", "Methods", &DrawSweepMethods}};
   const std::string trials = std::to_string(session.records.size()) + " of " +

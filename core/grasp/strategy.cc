@@ -22,6 +22,7 @@ GraspStrategy::GraspStrategy(const StrategyConfig& config, double distance)
 void GraspStrategy::Enter(Phase phase) {
   phase_ = phase;
   time_in_phase_ = 0.0;
+  closed_since_ = 0.0;
   settled_since_ = 0.0;
   settled_force_ = 0.0;
 }
@@ -78,8 +79,9 @@ StrategyCommand GraspStrategy::Step(double step, const StrategyObservation& obse
       break;
     case Phase::kStabilisation:
       closing_ = std::min(1.0, closing_ + step / config_.closure_time);
+      if (observation.is_closing) closed_since_ = time_in_phase_;
       if ((IsSteady(observation) && time_in_phase_ >= config_.stabilisation_min_time) ||
-          time_in_phase_ >= config_.stabilisation_max_time) {
+          time_in_phase_ - closed_since_ >= config_.stabilisation_max_time) {
         Enter(Phase::kLiftOff);
       }
       break;

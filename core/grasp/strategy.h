@@ -6,7 +6,7 @@ The five-phase grasp strategy as a serial state machine (Roethling 2007, chapter
     2 placing         it moves to the grasp position
     3 closure         only after it has arrived: it closes towards the target posture; ends at the
                       first instant at which all grasping digits touch
-    4 stabilisation   until the fingers exert enough force
+    4 stabilisation   until the fingers exert enough force, or have not for its longest time
     5 lift-off        back to the pre-grasp position; the object comes along, or not
 
 and a hold, in which the verdict is reached. The machine knows time and touch, no physics: the same
@@ -68,7 +68,7 @@ struct StrategyConfig {
   double closure_time = 1.0;            ///< from pre-grasp to target with nothing between [s]
   double closure_patience = 0.3;        ///< after s = 1, wait this long for missing digits [s]
   double stabilisation_min_time = 0.5;  ///< sigma is taken over its last 0.5 s [s]
-  double stabilisation_max_time = 2.0;  ///< [s]
+  double stabilisation_max_time = 2.0;  ///< after a regulated grip's digits have closed [s]
   double lift_time = 1.0;               ///< [s]
   double hold_time = 2.0;               ///< [s]
   double closure_lead = 0.0;            ///< closure begins so long before the hand's arrival [s]
@@ -101,8 +101,9 @@ struct StrategyConfig {
 struct StrategyObservation {
   bool all_digits_touched = false;  ///< every grasping digit has touched the object at least once
   double grip_force = 0.0;          ///< sum of the normal forces on the object by the hand [N]
-  /** Of a regulated grip: its force was in its band for a while. */
-  bool is_regulated = false, is_in_band = false;
+  /** Of a regulated grip: its force was in its band for a while; digits still close towards their
+  shares. */
+  bool is_regulated = false, is_in_band = false, is_closing = false;
 };
 
 /** What the hand is asked to do at the end of the step. */
@@ -145,6 +146,7 @@ class GraspStrategy {
   Phase phase_ = Phase::kPreGrasp;
   double time_in_phase_ = 0.0;
   double closing_ = 0.0;
+  double closed_since_ = 0.0;   ///< time in phase at which the digits had closed
   double settled_since_ = 0.0;  ///< time in phase at which the grip force last changed
   double settled_force_ = 0.0;  ///< [N]
 };

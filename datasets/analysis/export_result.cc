@@ -9,9 +9,14 @@ namespace graspbench {
 
 void ExportResult(const std::filesystem::path& folder, const Session& session, bool with_records) {
   const bool is_sweep = !session.config.conditions.empty();
-  ExportSession(folder, session, with_records,
-                is_sweep ? MakeSweepTables(SummariseSweep(session))
-                         : MakeThresholdTables(LoadThresholds(session)));
+  const std::vector<ThresholdSummary> thresholds = LoadThresholds(session);
+  std::vector<ExportTable> tables = MakeThresholdTables(thresholds);
+  if (is_sweep) {
+    for (ExportTable& table : MakeSweepTables(SummariseSweep(session, thresholds))) {
+      tables.push_back(std::move(table));
+    }
+  }
+  ExportSession(folder, session, with_records, tables);
   if (!IsBasin(session) || folder != session.folder) return;
   WriteFileAtomically(folder / "basin.csv", FormatBasinCsv(ListBasinSamples(session)));
   SealStore(kSessionStore, folder);

@@ -164,7 +164,10 @@ const FileKeys& ListSweepKeys() {
          "list of KEY=VALUE,VALUE,..: a session's setting, grasp, delay.last, "
          "delay.first or backend; the base's level first"},
         {"design", "", "full, one-at-a-time or latin:N (the base and up to N combinations)"},
-        {"judge", "", "also break what is held; some five times as long"}};
+        {"judge", "", "also break what is held; some five times as long"},
+        {"threshold", "",
+         "margin or force: also find the smallest with which each draw succeeds, under every "
+         "condition; at most six more trials each"}};
     const FileKeys& session = ListSessionKeys();
     rows.insert(rows.end(), session.begin(), session.end());
     return DescribeConfig(SweepConfig(), rows);

@@ -22,13 +22,15 @@ namespace graspbench {
 struct SweepConfig : SessionConfig {
   std::vector<std::string> factors;  ///< "model.mass_scale=1,0.5,2"
   std::string design = "full";
-  bool judge = false;  ///< break what is held
+  bool judge = false;     ///< break what is held
+  std::string threshold;  ///< of kThresholdScales: bisect each draw's grip on it; empty: do not
 
   template <class V>
   void Visit(V&& v) {
     v("factors", factors);
     v("design", design);
     v("judge", judge);
+    v("threshold", threshold);
     SessionConfig::Visit(v);
   }
 };

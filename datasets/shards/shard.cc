@@ -4,6 +4,7 @@
 #include <charconv>
 #include <set>
 #include <string_view>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
@@ -99,11 +100,25 @@ std::vector<int> DealGroups(const std::vector<int>& group_sizes, int num_shards)
   return shards;
 }
 
-std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, const Shard& shard) {
+namespace {
+
+/** The first trial of every draw, in the plan's order. */
+std::vector<PlannedTrial> ListDraws(const std::vector<PlannedTrial>& plan) {
+  std::set<std::tuple<std::string, std::string, int>> known;
+  std::vector<PlannedTrial> draws;
+  for (const PlannedTrial& planned : plan) {
+    if (known.emplace(planned.hand, planned.object, planned.trial).second) draws.push_back(planned);
+  }
+  return draws;
+}
+
+/** @param unit  "trial": what the plan is of. */
+std::vector<PlannedTrial> Partition(const std::vector<PlannedTrial>& plan, const Shard& shard,
+                                    const std::string& unit) {
   if (static_cast<size_t>(shard.count) > plan.size()) {
     throw Error(ErrorKind::kUsage, FormatCount(shard.count, "shard") + " of " +
-                                       FormatCount(static_cast<int64_t>(plan.size()), "trial") +
-                                       ": expected at most as many shards as trials");
+                                       FormatCount(static_cast<int64_t>(plan.size()), unit) +
+                                       ": expected at most as many shards as " + unit + "s");
   }
   std::vector<int> group_sizes;
   const PlannedTrial* last = nullptr;
@@ -119,6 +134,29 @@ std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, c
     if (shards[i] == shard.number) trials.push_back(plan[i]);
   }
   return trials;
+}
+
+}  // namespace
+
+std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, const Shard& shard) {
+  return Partition(plan, shard, "trial");
+}
+
+std::vector<PlannedTrial> PartitionDraws(const std::vector<PlannedTrial>& plan,
+                                         const Shard& shard) {
+  std::set<std::tuple<std::string, std::string, int>> own;
+  for (const PlannedTrial& draw : Partition(ListDraws(plan), shard, "draw")) {
+    own.emplace(draw.hand, draw.object, draw.trial);
+  }
+  std::vector<PlannedTrial> trials;
+  std::copy_if(plan.begin(), plan.end(), std::back_inserter(trials), [&](const auto& planned) {
+    return own.count({planned.hand, planned.object, planned.trial}) > 0;
+  });
+  return trials;
+}
+
+int CountDraws(const std::vector<PlannedTrial>& plan) {
+  return static_cast<int>(ListDraws(plan).size());
 }
 
 std::vector<PlannedTrial> ListSentinels(const std::vector<PlannedTrial>& plan) {

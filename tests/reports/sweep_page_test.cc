@@ -39,7 +39,7 @@ Session MakeCubeSession() {
 
 TEST(SweepPage, ShowsAMapForEachLevelOfTheThirdFactorAndSaysWhatCannotBeDecided) {
   const Session session = MakeCubeSession();
-  const std::string page = MakeSweepPage(session, SummariseSweep(session));
+  const std::string page = MakeSweepPage(session, SummariseSweep(session, {}));
   for (const char* part :
        {"3 factors, 8 conditions, 48 of 48 planned trials finished", "sim.step_s=0.002",
         "sim.step_s=0.001", "success [%], tum: model.mass_scale by model.friction_scale",
@@ -52,7 +52,7 @@ TEST(SweepPage, ShowsAMapForEachLevelOfTheThirdFactorAndSaysWhatCannotBeDecided)
 TEST(SweepPage, BearsASweepInWhichNothingHasRun) {
   Session session = MakeCubeSession();
   session.records.clear();
-  EXPECT_NE(MakeSweepPage(session, SummariseSweep(session)).find("no trial is finished"),
+  EXPECT_NE(MakeSweepPage(session, SummariseSweep(session, {})).find("no trial is finished"),
             std::string::npos);
 }
 

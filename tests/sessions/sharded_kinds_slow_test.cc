@@ -108,6 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"numerics", {"check-numerics", "SESSION", "--trials", "1"}, "numerics"},
                     Kind{
                         "delay", {"simultaneity", "SESSION", "--delay", "--trials", "1"}, "delays"},
+                    Kind{"thresholds", {"threshold", "SESSION", "--trials", "1"}, "thresholds"},
                     Kind{"basin",
                          {"basin", "--hand", "tum", "--object", "golf_ball", "--samples", "16",
                           "--out", "SESSION"},

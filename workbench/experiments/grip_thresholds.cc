@@ -1,19 +1,11 @@
 #include "workbench/experiments/grip_thresholds.h"
 
 #include "datasets/analysis/conditions/threshold_summary.h"
-#include "workbench/experiments/pool/session_worker.h"
 
 namespace graspbench {
-namespace {
-
-const RoundKind kThresholdRound = {StageKind::kRun, "trial", "", FindThresholdTrials,
-                                   MakeSessionWorkers};
-
-}  // namespace
-
 PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale) {
   const Session session = LoadSession(request.folder, request.on_damage, RecordParts::kBrief);
-  return PrepareExperiment(session, "thresholds", ListThresholdGrips(scale, session.config),
+  return PrepareExperiment(session, kThresholdKind, ListThresholdGrips(scale, session.config),
                            request);
 }
 

@@ -9,8 +9,8 @@ which runs of every draw the trials that its bisection asks for
 
 namespace graspbench {
 
-/** Its folder, in which RunThresholds runs it. @throws as PrepareExperiment; Error(kRange) for a
-margin of an object without friction, and for forces with touch: sensed of a hand that feels
+/** Its folder, in which RunThresholds runs it; of a sweep, of all its conditions. @throws as
+PrepareExperiment and ListThresholdGrips; Error(kRange) for a margin of an object without friction, and for forces with touch: sensed of a hand that feels
 nothing. */
 PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
 

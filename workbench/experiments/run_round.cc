@@ -1,5 +1,6 @@
 #include "workbench/experiments/run_round.h"
 
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/session/judgement_store.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/pool/session_worker.h"
@@ -23,6 +24,12 @@ const RoundKind kBenchmarkRound = {StageKind::kBenchmark, "trial", "", FindUnfin
                                    MakeSessionWorkers};
 const RoundKind kJudgeRound = {StageKind::kJudge, "held grasp", kJudgeLabel, FindUnjudged,
                                MakeJudgeWorkers};
+const RoundKind kThresholdRound = {StageKind::kRun, "trial", "", FindThresholdTrials,
+                                   MakeSessionWorkers};
+
+const RoundKind& FindTrialRound(const SessionConfig& config) {
+  return FindThresholdScale(config) ? kThresholdRound : kTrialRound;
+}
 
 RunRecord RunRound(const RoundKind& kind, const Session& session, const SessionInputs& inputs,
                    int num_workers, Observer& observer, const std::atomic<bool>& stop,

@@ -36,6 +36,12 @@ struct RoundKind {
 extern const RoundKind kTrialRound;      ///< the trials of a session
 extern const RoundKind kBenchmarkRound;  ///< those of a campaign's benchmark
 extern const RoundKind kJudgeRound;      ///< breaks what they held
+/** Of grip thresholds what the bisection of each draw asks for next; asked again until it is
+nothing. */
+extern const RoundKind kThresholdRound;
+
+/** That of a session's trials: kThresholdRound where its conditions are the grips of a scale. */
+const RoundKind& FindTrialRound(const SessionConfig& config);
 
 /** Runs what is left, seals the session before and after, and adds the run to run.json when there
 was something to run. @pre session and inputs belong together.

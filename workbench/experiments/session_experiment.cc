@@ -17,13 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void CheckCanBeVaried(const Session& session) {
+/** Thresholds are those of a sweep's conditions, too. */
+void CheckCanBeVaried(const Session& session, const std::string& kind) {
   if (session.records.empty()) {
     throw Error(ErrorKind::kUsage, "the session in \"" + session.folder.string() +
                                        "\" has no finished trial; graspbench run --resume --out " +
                                        QuoteForShell(session.folder.string()) + " runs them");
   }
-  if (session.config.conditions.empty()) return;
+  if (session.config.conditions.empty() || kind == kThresholdKind) return;
   throw Error(ErrorKind::kUsage, "the session in \"" + session.folder.string() +
                                      "\" has conditions of its own, so that it cannot be varied "
                                      "again; sweep more factors with graspbench sweep");
@@ -86,7 +87,7 @@ void CreateExperiment(const Session& session, const std::string& kind, const Pre
 PreparedSession PrepareExperiment(const Session& session, const std::string& kind,
                                   const std::vector<Condition>& conditions,
                                   const ExperimentRequest& request) {
-  CheckCanBeVaried(session);
+  CheckCanBeVaried(session, kind);
   PreparedSession made;
   made.config = session.config;
   if (request.trials_per_cell > 0) {

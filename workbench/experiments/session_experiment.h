@@ -27,9 +27,12 @@ struct ExperimentRequest {
   double trial_time_limit = kTrialTimeLimit;  ///< later a trial is a numerical failure [s]
 };
 
+inline constexpr char kThresholdKind[] = "thresholds";  ///< see grip_thresholds.h
+
 /** Makes the experiment's folder, or finds it, with what is known already.
 @param kind  "sensitivity", "numerics", "delays": a folder of the session.
-@throws Error(kUsage) without a finished trial, for a session that has conditions itself, and when
+@throws Error(kUsage) without a finished trial, for a session that has conditions itself (thresholds
+are found under each), and when
 hands, objects or physics have changed since; kNotFound, kFormat, kVersion for the files. */
 PreparedSession PrepareExperiment(const Session& session, const std::string& kind,
                                   const std::vector<Condition>& conditions,

@@ -9,6 +9,7 @@
 #include "datasets/analysis/seat_summary.h"
 #include "datasets/session/judgement_store.h"
 #include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/run_round.h"
 #include "workbench/tables/text_table.h"
 #include "workbench/text/plain_text.h"
 
@@ -84,7 +85,7 @@ Json MakeSummaryJson(const SessionSummary& summary, const std::filesystem::path&
 }
 
 std::string DescribeRest(const Session& session) {
-  const size_t num_left = session.plan.size() - session.records.size();
+  const size_t num_left = FindTrialRound(session.config).find_left(session).size();
   if (num_left > 0) return FormatCount(static_cast<int64_t>(num_left), "trial is", "trials are");
   const size_t num_unjudged = HasBegunJudge(session.folder) ? FindUnjudged(session).size() : 0;
   if (num_unjudged == 0) return "";

@@ -1,9 +1,7 @@
 #include "workbench/tables/sweep_tables.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "workbench/tables/text_table.h"
 
@@ -12,17 +10,16 @@ namespace {
 
 std::string FormatConditions(const SweepSummary& summary) {
   std::vector<std::string> heading = {"condition", "hand", "trials"};
-  for (const SweepMeasure& measure : ListSweepMeasures()) heading.push_back(measure.label);
+  for (size_t i = 0; i < ListSweepMeasures().size(); ++i) {
+    if (summary.Shows(i)) heading.push_back(ListSweepMeasures()[i].label);
+  }
   TextTable table(heading);
   bool is_undecided = false;
   for (const ConditionRow& row : summary.rows) {
     std::vector<std::string> cells = {row.name.empty() ? "base" : row.name, row.hand,
                                       std::to_string(row.num_finished)};
     for (size_t i = 0; i < row.medians.size(); ++i) {
-      const SweepMeasure& measure = ListSweepMeasures()[i];
-      cells.push_back(std::isfinite(row.medians[i])
-                          ? FormatFixed(measure.scale * row.medians[i], measure.decimals)
-                          : "n/a");
+      if (summary.Shows(i)) cells.push_back(FormatValue(ListSweepMeasures()[i], row.medians[i]));
     }
     if (!row.undecided.empty()) cells[3] += " *";
     is_undecided = is_undecided || !row.undecided.empty();
@@ -36,18 +33,25 @@ std::string FormatConditions(const SweepSummary& summary) {
 std::string FormatEffects(const std::vector<SweepEffect>& effects) {
   TextTable table({"level", "hand", "measure", "draws", "change", "95 % interval"});
   for (const SweepEffect& effect : effects) {
-    const auto& measures = ListSweepMeasures();
-    const auto measure =
-        std::find_if(measures.begin(), measures.end(),
-                     [&](const SweepMeasure& one) { return one.id == effect.measure; });
-    table.AddRow({NameEffect(effect), effect.hand, measure->label, std::to_string(effect.num_draws),
-                  FormatFixed(measure->scale * effect.estimate, measure->decimals),
-                  effect.interval
-                      ? FormatRange(measure->scale * effect.interval->low,
-                                    measure->scale * effect.interval->high, measure->decimals)
-                      : effect.interval.reason()});
+    const SweepMeasure& measure = FindSweepMeasure(effect.measure);
+    table.AddRow({NameEffect(effect), effect.hand, measure.label, std::to_string(effect.num_draws),
+                  FormatChange(measure, effect.estimate),
+                  effect.interval ? FormatChangeInterval(measure, *effect.interval)
+                                  : effect.interval.reason()});
   }
   return table.Format();
+}
+
+std::string FormatThresholds(const std::vector<ConditionThresholds>& rows) {
+  if (rows.empty()) return "";
+  TextTable table({"condition", "hand", "grip threshold", "draws", "held by the least",
+                   "never held", "not monotone"});
+  for (const ConditionThresholds& row : rows) {
+    table.AddRow({row.name.empty() ? "base" : row.name, row.hand, row.scale->name,
+                  std::to_string(row.num_draws), std::to_string(row.num_below),
+                  std::to_string(row.num_never), row.not_monotone});
+  }
+  return "\n" + table.Format() + "not monotone: trials that fail again with a larger grip\n";
 }
 
 }  // namespace
@@ -64,7 +68,7 @@ std::string FormatSweepTables(const SweepSummary& summary) {
   } else if (!summary.interactions.empty()) {
     text += "no interval of an interaction excludes 0\n";
   }
-  return text;
+  return text + FormatThresholds(summary.thresholds);
 }
 
 }  // namespace graspbench

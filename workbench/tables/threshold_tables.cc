@@ -1,5 +1,6 @@
 #include "workbench/tables/threshold_tables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text/range_text.h"
@@ -10,18 +11,30 @@ namespace graspbench {
 
 std::string FormatThresholdTables(const ThresholdSummary& summary) {
   const ThresholdScale& scale = *summary.scale;
-  TextTable table({"hand", "object", "grasp", "draws", "grip threshold", "95 % interval",
-                   "never held", "not monotone"});
+  const bool is_sweep =
+      std::any_of(summary.cells.begin(), summary.cells.end(),
+                  [](const CellThreshold& cell) { return !cell.condition.empty(); });
+  std::vector<std::string> heading = {"hand",       "object",         "grasp",
+                                      "draws",      "grip threshold", "95 % interval",
+                                      "never held", "not monotone"};
+  if (is_sweep) heading.insert(heading.begin(), "condition");
+  TextTable table(heading);
   int num_draws = 0;
   for (const CellThreshold& cell : summary.cells) {
     num_draws += cell.num_draws;
-    table.AddRow(
-        {cell.hand, cell.object, cell.grasp, std::to_string(cell.num_draws),
-         (cell.median <= scale.least ? "at most " : "") + FormatThreshold(scale, cell.median),
-         std::isnan(cell.low)
-             ? "n/a"
-             : FormatThreshold(scale, cell.low) + " to " + FormatThreshold(scale, cell.high),
-         std::to_string(cell.num_never), NameNotMonotone(cell)});
+    std::vector<std::string> cells = {
+        cell.hand,
+        cell.object,
+        cell.grasp,
+        std::to_string(cell.num_draws),
+        (cell.median <= scale.least ? "at most " : "") + FormatThreshold(scale, cell.median),
+        std::isnan(cell.low)
+            ? "n/a"
+            : FormatThreshold(scale, cell.low) + " to " + FormatThreshold(scale, cell.high),
+        std::to_string(cell.num_never),
+        NameNotMonotone(cell)};
+    if (is_sweep) cells.insert(cells.begin(), cell.condition.empty() ? "base" : cell.condition);
+    table.AddRow(cells);
   }
   return table.Format() + "smallest " + scale.name +
          " with which a draw succeeds, median of the draws; " + FormatCount(num_draws, "draw") +

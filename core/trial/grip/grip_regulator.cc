@@ -36,6 +36,7 @@ GripRegulator::GripRegulator(const TrialSetup& setup, const std::vector<int>& di
                      RowFromName(kDriveLaws, setup.strategy.drive_law, "drive law").value ==
                          DriveLaw::kSaturating),
       step_(setup.sim.step),
+      most_closing_(setup.grasp.type == GraspType::kPower ? 1.0 : kMostClosing),
       way_(setup.grasp.q_target - setup.grasp.q_pre),
       parts_(setup.hand->links.size(), static_cast<int>(digits.size())),
       told_weight_(setup.object->mass_properties.mass * setup.sim.gravity),
@@ -273,7 +274,7 @@ bool GripRegulator::IsAtLimit(const DigitGrip& digit, double share) const {
 }
 
 bool GripRegulator::IsStopped(const DigitGrip& digit) const {
-  return digit.CalcClosing() >= (digit.has_touched ? kMostClosing : 1.0) - kAtTarget ||
+  return digit.CalcClosing() >= (digit.has_touched ? most_closing_ : 1.0) - kAtTarget ||
          IsAtLimit(digit, kAtLimit);
 }
 
@@ -293,12 +294,13 @@ void GripRegulator::ShareWithinSide() {
     DigitGrip& digit = *side[sign > 0.0 ? 0 : 1];
     const double shift =
         0.5 * sign * digit.asked / digit.stiffness * difference * step_ / kShareTime;
-    digit.Shift(std::clamp(shift, -most, most));
+    digit.Shift(std::clamp(shift, -most, most), most_closing_);
   }
 }
 
 void GripRegulator::Advance(Phase phase) {
   const StrategyConfig& strategy = setup_->strategy;
+  is_closing_ = false;
   if (regulates_) {
     if (!is_saturating_) ShareWithinSide();
     const double error = asked_ > 0.0 ? (asked_ - sum_) / asked_ : 0.0;
@@ -313,7 +315,7 @@ void GripRegulator::Advance(Phase phase) {
       const double shift =
           std::clamp(digit.asked / digit.stiffness * error * step_ / kShiftTime, -most, most);
       if (shift > 0.0 && IsAtLimit(digit, kAtLimit)) continue;
-      digit.Shift(shift);
+      digit.Shift(shift, most_closing_);
     }
     return;
   }
@@ -324,7 +326,9 @@ void GripRegulator::Advance(Phase phase) {
     if (is_regulated() && !is_saturating_ && (has_force || IsAtLimit(digit, kAtLimit))) {
       continue;
     }
+    const double closing = digit.law.closing();
     digit.law.Advance(step_, strategy.closure_time, digit.has_touched ? strategy.touch_speed : 1.0);
+    is_closing_ = is_closing_ || digit.law.closing() > closing;
   }
 }
 
@@ -355,7 +359,7 @@ GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double 
   if (!digit.has_touched) return GripFault::kNoTouch;
   if (std::abs(reached - asked) <= kGripTolerance * asked) return GripFault::kNone;
   if (reached > asked) return GripFault::kBalance;
-  if (digit.CalcClosing() >= kMostClosing - kAtTarget) return GripFault::kPosture;
+  if (digit.CalcClosing() >= most_closing_ - kAtTarget) return GripFault::kPosture;
   if (IsAtLimit(digit, kNearLimit)) return GripFault::kLimit;
   for (const int link : setup_->hand->digits[static_cast<size_t>(digit.digit)].links) {
     const int joint = setup_->hand->links[static_cast<size_t>(link)].joint;

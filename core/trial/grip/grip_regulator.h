@@ -16,7 +16,8 @@ the error of the sum as dc/dt = c (A - S) / (A kShiftTime). That goes on to the 
 trial and in the judge. An error below kDeadShare of A moves nothing; no digit goes on against a
 drive at its limit, or beyond s = kMostClosing: the target posture is where a digit that has found
 nothing stops; one that presses may be commanded beyond it, since a spring presses by what it is
-ahead.
+ahead. In a power grasp it may not: that holds by enclosing, in its target posture, and pressing on
+pushes the object out of it.
 
 Two digits that both oppose a third are shifted against each other, too, by the difference of their
 forces over their shares; four are not: equal shares of four on a rigid body are more than statics
@@ -57,6 +58,8 @@ class GripRegulator {
   double closing(size_t digit) const { return digits_[digit].CalcClosing(); }
   bool is_regulated() const { return mode_ != GripMode::kPosture; }
   bool is_in_band() const { return in_band_since_ <= time_ - kBandTime; }
+  /** A digit still closed towards its share in the last step. */
+  bool is_closing() const { return is_regulated() && is_closing_; }
   /** From the start of closure to the target posture of the slowest digit [s]. */
   double CalcClosureTime() const;
   /** @pre is_regulated() */
@@ -64,7 +67,7 @@ class GripRegulator {
 
  private:
   static constexpr double kBandTime = 0.2;     // [s]
-  static constexpr double kMostClosing = 3.0;  // s of a digit that presses
+  static constexpr double kMostClosing = 3.0;  // s of a digit that presses, but for power grasps
 
   struct DigitGrip {
     int digit;
@@ -81,8 +84,8 @@ class GripRegulator {
     GripFault fault = GripFault::kNone;  // at the start of lift-off
 
     double CalcClosing() const { return law.closing() + beyond; }
-    void Shift(double by) {
-      const double closing = std::min(CalcClosing() + by, kMostClosing);
+    void Shift(double by, double most) {
+      const double closing = std::min(CalcClosing() + by, most);
       law.MoveTo(closing);
       beyond = std::max(0.0, closing - 1.0);
     }
@@ -105,13 +108,14 @@ class GripRegulator {
   GripMode mode_;
   bool is_saturating_;
   double step_;
+  double most_closing_;     // s of a digit that presses
   Eigen::VectorXd way_;     // q_target - q_pre
   std::vector<int> parts_;  // of each link: a digit's place in digits_, or the rest's
   std::vector<DigitGrip> digits_;
   double rest_force_ = 0.0, rest_asked_ = 0.0;  // of the rest of the hand, filtered [N]
   double told_weight_, told_friction_;
   std::optional<double> smallest_;
-  bool regulates_ = false;
+  bool regulates_ = false, is_closing_ = false;
   double torque_share_ = 1.0;  // c
   double time_ = 0.0, in_band_since_ = kUnset, next_look_ = 0.0;
   double asked_ = 0.0, sum_ = 0.0;  // A, S

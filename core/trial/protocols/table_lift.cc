@@ -404,6 +404,7 @@ StrategyObservation TableLift::FindObservation() const {
   StrategyObservation observation;
   observation.is_regulated = notes_.grip.is_regulated();
   observation.is_in_band = notes_.grip.is_in_band();
+  observation.is_closing = notes_.grip.is_closing();
   if (notes_.sensors) {
     observation.grip_force = notes_.sensors->CalcFeltForce();
     observation.all_digits_touched = std::all_of(

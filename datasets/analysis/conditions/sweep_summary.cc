@@ -32,28 +32,47 @@ std::vector<Treatment> ListTreatments(const SessionConfig& config,
   return treatments;
 }
 
-/** The trials of one draw by treatment; null: not finished, or none is planned. */
+/** The trials of one draw by treatment; without record: not finished, or none is planned. */
 struct Draw {
   std::string object;
-  std::vector<const TrialRecord*> trials;
+  std::vector<SweepTrial> trials;
 };
+
+/** Thresholds of each of the session's records. */
+using Thresholds = std::array<std::vector<double>, std::size(kThresholdScales)>;
+
+Thresholds ListThresholds(const Session& session, const std::vector<ThresholdSummary>& summaries) {
+  Thresholds thresholds;
+  for (std::vector<double>& values : thresholds) values.assign(session.records.size(), kUnset);
+  for (const ThresholdSummary& summary : summaries) {
+    thresholds[static_cast<size_t>(summary.scale - kThresholdScales)] =
+        ListThresholdsOf(session, summary);
+  }
+  return thresholds;
+}
 
 /** The draws of one hand in the plan's order. */
 std::vector<Draw> ListDraws(const Session& session, const std::vector<Treatment>& treatments,
-                            bool is_grasp_a_factor, const std::string& hand) {
+                            const Thresholds& thresholds, bool is_grasp_a_factor,
+                            const std::string& hand) {
   std::map<std::optional<std::string>, size_t> places;
   for (size_t i = 0; i < treatments.size(); ++i) places.emplace(treatments[i].name, i);
   std::map<std::string, size_t> known;
   std::vector<Draw> draws;
-  for (const TrialRecord& record : session.records) {
+  for (size_t i = 0; i < session.records.size(); ++i) {
+    const TrialRecord& record = session.records[i];
     if (record.plan.hand != hand) continue;
     PlannedTrial draw = record.plan;
     if (is_grasp_a_factor) draw.grasp.clear();
     const auto [place, is_new] = known.emplace(NameDraw(draw), draws.size());
     if (is_new) {
-      draws.push_back({draw.object, std::vector<const TrialRecord*>(treatments.size())});
+      draws.push_back({draw.object, std::vector<SweepTrial>(treatments.size())});
     }
-    draws[place->second].trials[places.at(record.plan.condition)] = &record;
+    SweepTrial& trial = draws[place->second].trials[places.at(record.plan.condition)];
+    trial.record = &record;
+    for (size_t scale = 0; scale < thresholds.size(); ++scale) {
+      trial.thresholds[scale] = thresholds[scale][i];
+    }
   }
   return draws;
 }
@@ -116,8 +135,8 @@ Contrast MakeMarginal(const std::vector<Treatment>& treatments, const SweepFacto
 double CalcContrast(const Draw& draw, const Contrast& contrast, const SweepMeasure& measure) {
   double sum = 0.0;
   for (const auto& [treatment, weight] : contrast) {
-    const TrialRecord* record = draw.trials[treatment];
-    sum += record ? weight * measure.value(*record) : kUnset;
+    const SweepTrial& trial = draw.trials[treatment];
+    sum += trial.record ? weight * measure.CalcEffectValue(trial) : kUnset;
   }
   return sum;
 }
@@ -147,7 +166,7 @@ void Estimate(const std::vector<Draw>& draws, const std::vector<Contrast>& contr
       const double value = CalcContrast(draw, contrast, measure);
       if (!std::isfinite(value)) continue;
       values.push_back(value);
-      for (const auto& part : contrast) used.insert(draw.trials[part.first]);
+      for (const auto& part : contrast) used.insert(draw.trials[part.first].record);
     }
     if (values.size() < contrasts.size() || values.empty()) continue;
     const auto [place, is_new] = places.emplace(draw.object, objects.size());
@@ -260,25 +279,41 @@ ConditionRow MakeRow(const Treatment& treatment, size_t place, const std::string
   }
   std::vector<std::vector<double>> values(ListSweepMeasures().size());
   for (const Draw& draw : draws) {
-    const TrialRecord* record = draw.trials[place];
+    const SweepTrial& trial = draw.trials[place];
+    const TrialRecord* record = trial.record;
     if (!record) continue;
     ++row.num_finished;
     row.num_successes += IsSuccess(record->result.outcome);
     row.num_numerical += IsNumericalFailure(record->result.outcome);
     for (size_t i = 0; i < values.size(); ++i) {
-      values[i].push_back(ListSweepMeasures()[i].value(*record));
+      const double value = ListSweepMeasures()[i].value(trial);
+      if (!std::isnan(value)) values[i].push_back(value);
     }
   }
   for (const std::vector<double>& of_measure : values) {
-    row.medians.push_back(CalcMedianOfFinite(of_measure));
+    row.medians.push_back(of_measure.empty() ? kUnset : CalcMedian(of_measure));
   }
   row.medians.front() = CalcShare(row.num_successes, row.num_finished);
   row.undecided = ExplainUndecided(row.num_successes, row.num_finished);
   return row;
 }
 
-double FindBreakingForce(const TrialRecord& record) {
-  return record.judgement ? record.judgement->breaking_force : kUnset;
+ConditionThresholds SummariseCondition(const ThresholdSummary& summary, const std::string& name,
+                                       const std::string& hand) {
+  ConditionThresholds row;
+  row.scale = summary.scale;
+  row.name = name;
+  row.hand = hand;
+  for (const CellThreshold& cell : summary.cells) {
+    if (cell.condition != name || cell.hand != hand) continue;
+    row.num_draws += cell.num_draws;
+    row.num_below += cell.num_below;
+    row.num_never += cell.num_never;
+    if (cell.not_monotone.empty()) continue;
+    row.not_monotone +=
+        (row.not_monotone.empty() ? "" : "; ") + cell.object + " " + NameNotMonotone(cell);
+  }
+  return row;
 }
 
 std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& summary) {
@@ -304,7 +339,10 @@ std::vector<CsvColumn<ConditionRow>> ListConditionColumns(const SweepSummary& su
   add("numerical_failures", "of the finished trials", &Row::num_numerical);
   for (size_t i = 1; i < ListSweepMeasures().size(); ++i) {
     const std::string id = ListSweepMeasures()[i].id;
-    columns.push_back({"median_" + id, "number", "", "over the trials that have it",
+    columns.push_back({"median_" + id, "number", "",
+                       ListSweepMeasures()[i].threshold
+                           ? "over the draws; empty: not looked for, or half never held"
+                           : "over the trials that have it",
                        [i](const Row& row) { return JsonNumber(row.medians[i]); }});
   }
   columns.push_back({"undecided", "string", "",
@@ -326,7 +364,9 @@ std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
       {"with_factor", "string", "", "of an interaction the second factor", take(&Row::factors, 1)},
       {"with_level", "string", "", "and its level", take(&Row::levels, 1)},
       {"hand", "string", "", "id of the hand", [](const Row& row) { return Json(row.hand); }},
-      {"measure", "string", "", "success (0 or 1), gft_ratio, sigma_n, breaking_force_n",
+      {"measure", "string", "",
+       "success (0 or 1), gft_ratio, sigma_n, breaking_force_n; threshold_margin and "
+       "threshold_force_n as binary logarithms: a change of 1 is twice the grip",
        [](const Row& row) { return Json(row.measure); }},
       {"draws", "integer", "", "that have every value",
        [](const Row& row) { return Json(row.num_draws); }},
@@ -348,20 +388,11 @@ std::vector<CsvColumn<SweepEffect>> ListEffectColumns() {
 
 }  // namespace
 
-const std::vector<SweepMeasure>& ListSweepMeasures() {
-  static const std::vector<SweepMeasure> measures = {
-      {"success", "success [%]", 100.0, 1,
-       [](const TrialRecord& record) { return IsSuccess(record.result.outcome) ? 1.0 : 0.0; }},
-      {"gft_ratio", "GFT% [%]", 100.0, 1,
-       [](const TrialRecord& record) {
-         const bool has_times = !IsNumericalFailure(record.result.outcome) &&
-                                !record.result.timing.contact_before_start;
-         return has_times ? record.result.timing.gft_ratio : kUnset;
-       }},
-      {"sigma_n", "sigma [N]", 1.0, 2,
-       [](const TrialRecord& record) { return record.result.stability.sigma; }},
-      {"breaking_force_n", "breaking force [N]", 1.0, 2, &FindBreakingForce}};
-  return measures;
+bool SweepSummary::Shows(size_t measure) const {
+  if (!ListSweepMeasures()[measure].threshold) return true;
+  return std::any_of(rows.begin(), rows.end(), [&](const ConditionRow& row) {
+    return measure < row.medians.size() && !std::isnan(row.medians[measure]);
+  });
 }
 
 std::string NameEffect(const SweepEffect& effect) {
@@ -372,19 +403,21 @@ std::string NameEffect(const SweepEffect& effect) {
   return name;
 }
 
-SweepSummary SummariseSweep(const Session& session) {
+SweepSummary SummariseSweep(const Session& session,
+                            const std::vector<ThresholdSummary>& thresholds) {
   SweepSummary summary;
   summary.factors = ListFactors(session.config);
   const bool is_grasp_a_factor =
       std::any_of(summary.factors.begin(), summary.factors.end(),
                   [](const SweepFactor& factor) { return factor.key == "grasp"; });
   const std::vector<Treatment> treatments = ListTreatments(session.config, summary.factors);
+  const Thresholds values = ListThresholds(session, thresholds);
   std::vector<std::vector<Draw>> draws;
   for (const PlannedTrial& planned : session.plan) {
     const auto& hands = summary.hands;
     if (std::find(hands.begin(), hands.end(), planned.hand) != hands.end()) continue;
     summary.hands.push_back(planned.hand);
-    draws.push_back(ListDraws(session, treatments, is_grasp_a_factor, planned.hand));
+    draws.push_back(ListDraws(session, treatments, values, is_grasp_a_factor, planned.hand));
     AddEffects(treatments, draws.back(), planned.hand, summary);
     AddInteractions(treatments, draws.back(), planned.hand, summary);
   }
@@ -392,6 +425,11 @@ SweepSummary SummariseSweep(const Session& session) {
     for (size_t hand = 0; hand < summary.hands.size(); ++hand) {
       summary.rows.push_back(
           MakeRow(treatments[place], place, summary.hands[hand], draws[hand], session));
+    }
+  }
+  for (const ThresholdSummary& found : thresholds) {
+    for (const ConditionRow& row : summary.rows) {
+      summary.thresholds.push_back(SummariseCondition(found, row.name, row.hand));
     }
   }
   return summary;
@@ -420,7 +458,18 @@ Json ToJson(const SweepSummary& summary) {
   for (const SweepFactor& factor : summary.factors) {
     factors.push_back({{"key", factor.key}, {"levels", factor.levels}});
   }
+  Json thresholds = Json::array();
+  for (const ConditionThresholds& row : summary.thresholds) {
+    thresholds.push_back({{"scale", row.scale->name},
+                          {"condition", row.name},
+                          {"hand", row.hand},
+                          {"draws", row.num_draws},
+                          {"held_by_least", row.num_below},
+                          {"never_held", row.num_never},
+                          {"not_monotone", row.not_monotone}});
+  }
   return {{"factors", factors},
+          {"thresholds", thresholds},
           {"conditions", list(ListConditionColumns(summary), summary.rows)},
           {"effects", list(ListEffectColumns(), summary.effects)},
           {"interactions", list(ListEffectColumns(), summary.interactions)}};

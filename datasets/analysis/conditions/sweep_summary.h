@@ -14,26 +14,18 @@ c with the base's level. The interaction of two levels l and m of A and B: the m
 
 Estimates are means over draws, of those that have every value; 95 % intervals from drawing objects
 with replacement (core/statistics/bootstrap.h), because draws of one object are alike. Many intervals
-are shown: one in twenty misses 0 by chance. */
+are shown: one in twenty misses 0 by chance. Of a
+grip threshold y is its binary logarithm (sweep_measures.h). */
 
 #include <string>
 #include <vector>
 
 #include "core/statistics/bootstrap.h"
+#include "datasets/analysis/conditions/sweep_measures.h"
 #include "datasets/plan/conditions.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
-
-struct SweepMeasure {
-  const char* id;     ///< "success"
-  const char* label;  ///< "success [%]", which is
-  double scale;       ///< times the value, with
-  int decimals;
-  double (*value)(const TrialRecord& record);  ///< NaN: it has none
-};
-/** Success, GFT%, sigma, breaking force (judged trials; an empty hand's is none). */
-const std::vector<SweepMeasure>& ListSweepMeasures();
 
 /** One condition and one hand. */
 struct ConditionRow {
@@ -41,7 +33,8 @@ struct ConditionRow {
   std::vector<std::string> levels;
   std::string hand;
   int num_planned = 0, num_finished = 0, num_successes = 0, num_numerical = 0;
-  std::vector<double> medians;  ///< of ListSweepMeasures(); of success the rate
+  /** Of ListSweepMeasures(); of success the rate; infinite: half of the draws never held. */
+  std::vector<double> medians;
   /** Why these trials cannot decide what success depends on; empty: some succeed, some fail. */
   std::string undecided;
 };
@@ -58,13 +51,27 @@ struct SweepEffect {
   bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
 };
 
+/** The thresholds of one condition and one hand. */
+struct ConditionThresholds {
+  const ThresholdScale* scale = nullptr;
+  std::string name, hand;  ///< empty name: the base
+  int num_draws = 0, num_below = 0, num_never = 0;
+  std::string not_monotone;  ///< draws that fail again with a larger grip: "can 3, 5; cup 0"
+};
+
 struct SweepSummary {
   std::vector<SweepFactor> factors;
   std::vector<std::string> hands;
   std::vector<ConditionRow> rows;  ///< conditions, then hands
   std::vector<SweepEffect> effects, interactions;
+  std::vector<ConditionThresholds> thresholds;  ///< scales, then conditions, then hands
+
+  /** Whether a column is worth showing: thresholds are where they were looked for. */
+  bool Shows(size_t measure) const;
 };
-SweepSummary SummariseSweep(const Session& session);
+/** @param thresholds  LoadThresholds(session). */
+SweepSummary SummariseSweep(const Session& session,
+                            const std::vector<ThresholdSummary>& thresholds);
 
 /** "model.mass_scale=0.5 and grasp=g2". */
 std::string NameEffect(const SweepEffect& effect);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files/files.h"
@@ -14,33 +15,52 @@
 namespace graspbench {
 namespace {
 
+constexpr int kNumGrips = kMostGripPlace + 1;
+
+/** What a sweep must leave alone. */
+constexpr const char* kGripKeys[] = {
+    "strategy.grip=", "strategy.grip_force_n=", "strategy.grip_margin="};
+
+/** A draw under the base, 0, or under the k-th condition of a sweep. */
+using DrawOf = std::pair<std::string, int>;
+
 /** What is known of every draw of an experiment. */
 class KnownGrips {
  public:
   explicit KnownGrips(const Session& experiment) {
-    for (size_t place = 0; place < experiment.config.conditions.size(); ++place) {
-      places_[experiment.config.conditions[place].name] = static_cast<int>(place);
+    for (size_t i = 0; i < experiment.config.conditions.size(); ++i) {
+      numbers_[experiment.config.conditions[i].name] = static_cast<int>(i);
+    }
+    for (const PlannedTrial& planned : experiment.plan) {
+      if (planned.condition) planned_.insert(FindDraw(planned));
     }
     for (const TrialRecord& record : experiment.records) {
       if (!record.plan.condition) continue;
-      held_[{NameDraw(record.plan), places_.at(*record.plan.condition)}] =
-          IsSuccess(record.result.outcome);
+      held_[{FindDraw(record.plan), FindPlace(record.plan)}] = IsSuccess(record.result.outcome);
     }
   }
 
-  GripThreshold Find(const PlannedTrial& draw) const {
+  /** @pre planned.condition is set */
+  DrawOf FindDraw(const PlannedTrial& planned) const {
+    return {NameDraw(planned), numbers_.at(*planned.condition) / kNumGrips};
+  }
+  int FindPlace(const PlannedTrial& planned) const {
+    return numbers_.at(*planned.condition) % kNumGrips;
+  }
+  bool IsPlanned(const DrawOf& draw) const { return planned_.count(draw) > 0; }
+
+  GripThreshold Find(const DrawOf& draw) const {
     return FindGripThreshold([&](int place) -> std::optional<bool> {
-      const auto known = held_.find({NameDraw(draw), place});
+      const auto known = held_.find({draw, place});
       if (known == held_.end()) return std::nullopt;
       return known->second;
     });
   }
 
-  int FindPlace(const std::string& condition) const { return places_.at(condition); }
-
  private:
-  std::map<std::string, int> places_;  // of a condition
-  std::map<std::pair<std::string, int>, bool> held_;
+  std::map<std::string, int> numbers_;  // of a condition
+  std::set<DrawOf> planned_;
+  std::map<std::pair<DrawOf, int>, bool> held_;
 };
 
 /** The largest k with P(B < k) <= 2.5 % for B of n draws with 1/2; 0: there is none. */
@@ -57,7 +77,8 @@ int CalcOrderRank(int n) {
 
 CellThreshold SummariseCell(const std::vector<const DrawThreshold*>& draws) {
   const PlannedTrial& first = draws.front()->draw;
-  CellThreshold cell = {first.hand, first.object, first.grasp, 0, 0, 0, {}};
+  CellThreshold cell = {
+      first.condition.value_or(""), first.hand, first.object, first.grasp, 0, 0, 0, {}};
   std::vector<double> values;
   for (const DrawThreshold* draw : draws) {
     if (std::isnan(draw->value)) continue;
@@ -74,6 +95,19 @@ CellThreshold SummariseCell(const std::vector<const DrawThreshold*>& draws) {
     cell.high = interval->high;
   }
   return cell;
+}
+
+/** @throws Error(kUsage) for a condition that sets what is bisected. */
+void CheckLeavesGrip(const Condition& condition) {
+  for (const std::string& setting : condition.settings) {
+    for (const std::string key : kGripKeys) {
+      if (setting.rfind(key, 0) != 0) continue;
+      throw Error(ErrorKind::kUsage,
+                  "a threshold bisects the grip, and the sweep has the factor \"" +
+                      key.substr(0, key.size() - 1) +
+                      "\"; leave the factor out, or look for no thresholds");
+    }
+  }
 }
 
 /** JSON and tables know no infinity. */
@@ -94,32 +128,36 @@ std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale,
   if (config.strategy.grip == RowOf(kGripModes, GripMode::kPosture).name) {
     common.push_back("strategy.touch_speed=" + FormatJson(MakePeopleGrip().touch_speed));
   }
+  std::vector<Condition> under = {{"", {}}};
+  under.insert(under.end(), config.conditions.begin(), config.conditions.end());
   std::vector<Condition> grips;
-  for (int place = 0; place <= kMostGripPlace; ++place) {
-    const double grip = CalcGripAt(scale, place);
-    Condition condition = {scale.name + (" " + FormatFixed(grip, 3)), {}};
-    condition.settings = common;
-    condition.settings.push_back(scale.key + ("=" + FormatJson(grip)));
-    grips.push_back(condition);
+  for (const Condition& condition : under) {
+    CheckLeavesGrip(condition);
+    for (int place = 0; place <= kMostGripPlace; ++place) {
+      const double grip = CalcGripAt(scale, place);
+      const std::string name = scale.name + (" " + FormatFixed(grip, 3));
+      grips.push_back({condition.name.empty() ? name : condition.name + ", " + name, common});
+      std::vector<std::string>& settings = grips.back().settings;
+      settings.insert(settings.end(), condition.settings.begin(), condition.settings.end());
+      settings.push_back(scale.key + ("=" + FormatJson(grip)));
+    }
   }
   return grips;
 }
 
-const ThresholdScale& FindThresholdScale(const SessionConfig& experiment) {
+const ThresholdScale* FindThresholdScale(const SessionConfig& experiment) {
   for (const ThresholdScale& scale : kThresholdScales) {
     const std::string mode = std::string("strategy.grip=") + RowOf(kGripModes, scale.mode).name;
     const auto& conditions = experiment.conditions;
     const bool is_all =
-        conditions.size() == size_t{kMostGripPlace} + 1 &&
+        !conditions.empty() && conditions.size() % size_t{kNumGrips} == 0 &&
         std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
           const auto& settings = condition.settings;
           return std::find(settings.begin(), settings.end(), mode) != settings.end();
         });
-    if (is_all) return scale;
+    if (is_all) return &scale;
   }
-  throw Error(ErrorKind::kFormat,
-              "the conditions of an experiment below thresholds/ are no grips of a scale; move its "
-              "folder elsewhere and run graspbench threshold again");
+  return nullptr;
 }
 
 int ThresholdSummary::num_not_monotone() const {
@@ -128,13 +166,23 @@ int ThresholdSummary::num_not_monotone() const {
   return number;
 }
 
-ThresholdSummary SummariseThresholds(const Session& experiment) {
+ThresholdSummary SummariseThresholds(const Session& experiment, const Session& session) {
   ThresholdSummary summary;
-  summary.scale = &FindThresholdScale(experiment.config);
+  summary.scale = FindThresholdScale(experiment.config);
+  if (!summary.scale) {
+    throw Error(ErrorKind::kFormat,
+                "the conditions of an experiment below thresholds/ are no grips of a scale; move "
+                "its folder elsewhere and run graspbench threshold again");
+  }
+  std::map<std::string, int> numbers;  // of the session's conditions
+  for (const Condition& condition : session.config.conditions) {
+    numbers.emplace(condition.name, static_cast<int>(numbers.size()) + 1);
+  }
   const KnownGrips known(experiment);
-  for (const PlannedTrial& planned : experiment.plan) {
-    if (planned.condition) continue;
-    DrawThreshold draw = {planned, known.Find(planned)};
+  for (const PlannedTrial& planned : session.plan) {
+    const DrawOf name = {NameDraw(planned), planned.condition ? numbers.at(*planned.condition) : 0};
+    if (!known.IsPlanned(name)) continue;
+    DrawThreshold draw = {planned, known.Find(name)};
     if (!draw.found.next) {
       draw.value = draw.found.place ? CalcGripAt(*summary.scale, *draw.found.place) : HUGE_VAL;
     }
@@ -144,7 +192,8 @@ ThresholdSummary SummariseThresholds(const Session& experiment) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<const DrawThreshold*>> cells;
   for (const DrawThreshold& draw : summary.draws) {
-    const std::string key = draw.draw.hand + " " + draw.draw.object + " " + draw.draw.grasp;
+    const std::string key = draw.draw.condition.value_or("") + "\n" + draw.draw.hand + " " +
+                            draw.draw.object + " " + draw.draw.grasp;
     if (cells[key].empty()) order.push_back(key);
     cells[key].push_back(&draw);
   }
@@ -164,7 +213,7 @@ std::vector<ThresholdSummary> LoadThresholds(const Session& session) {
   for (const std::string& store : stores) {
     if (!HasSession(session.folder / store)) continue;
     ThresholdSummary one = SummariseThresholds(
-        LoadSession(session.folder / store, OnDamage::kAccept, RecordParts::kBrief));
+        LoadSession(session.folder / store, OnDamage::kAccept, RecordParts::kBrief), session);
     ThresholdSummary& known = found[one.scale];
     if (!known.scale || count(one) > count(known)) known = std::move(one);
   }
@@ -196,16 +245,14 @@ std::vector<double> ListThresholdsOf(const Session& session, const ThresholdSumm
 
 std::vector<PlannedTrial> FindThresholdTrials(const Session& experiment) {
   const KnownGrips known(experiment);
-  std::map<std::string, std::optional<int>> next;  // by draw
-  for (const PlannedTrial& planned : experiment.plan) {
-    if (!planned.condition) next[NameDraw(planned)] = known.Find(planned).next;
-  }
+  std::map<DrawOf, std::optional<int>> next;
   std::vector<PlannedTrial> trials;
   for (const PlannedTrial& planned : experiment.plan) {
     if (!planned.condition) continue;
-    if (next.at(NameDraw(planned)) == known.FindPlace(*planned.condition)) {
-      trials.push_back(planned);
-    }
+    const DrawOf draw = known.FindDraw(planned);
+    const auto [asked, is_new] = next.emplace(draw, std::nullopt);
+    if (is_new) asked->second = known.Find(draw).next;
+    if (asked->second == known.FindPlace(planned)) trials.push_back(planned);
   }
   return trials;
 }
@@ -239,6 +286,8 @@ std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>
   const std::vector<CsvColumn<Row>> columns = {
       {"trial_id", "string", "", "of the session's trial with the same draw",
        [](const Row& row) { return Json(row.draw->draw.id); }},
+      {"condition", "string", "", "of a sweep; empty: the base",
+       [](const Row& row) { return Json(row.draw->draw.condition.value_or("")); }},
       {"hand", "string", "", "id of the hand",
        [](const Row& row) { return Json(row.draw->draw.hand); }},
       {"object", "string", "", "id of the object",
@@ -267,7 +316,8 @@ std::vector<ExportTable> MakeThresholdTables(const std::vector<ThresholdSummary>
 Json ToJson(const ThresholdSummary& summary) {
   Json cells = Json::array();
   for (const CellThreshold& cell : summary.cells) {
-    cells.push_back({{"hand", cell.hand},
+    cells.push_back({{"condition", cell.condition},
+                     {"hand", cell.hand},
                      {"object", cell.object},
                      {"grasp", cell.grasp},
                      {"draws", cell.num_draws},

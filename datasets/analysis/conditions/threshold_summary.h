@@ -2,7 +2,8 @@
 /** @file
 Grip thresholds of a session's draws: what graspbench threshold has stored below thresholds/, a
 session whose conditions are the grips of a scale (core/trial/grip/grip_threshold.h), of which only
-those trials ran that the bisection of their draw asked for.
+those trials ran that the bisection of their draw asked for. Of a sweep they are the grips under its
+base, then under each of its conditions, and each has its own threshold of a draw.
 
 A cell's threshold is the median over its draws; a draw that no grip held counts as above every
 other. Its interval is that of order statistics: of n sorted draws the k-th and the (n + 1 - k)-th
@@ -20,13 +21,14 @@ below 6 draws there is none (Conover 1999, Practical Nonparametric Statistics, 3
 
 namespace graspbench {
 
-/** The grips of a scale as conditions of a session, from the least. Without a least force under
-margins, which would hide them; a session that closes to its posture touches at the speed that a
-regulated grip has by default. */
+/** The grips of a scale as conditions of a session, from the least, of a sweep under its base and
+under each of its conditions. Without a least force under margins, which would hide them; a session
+that closes to its posture touches at the speed that a regulated grip has by default.
+@throws Error(kUsage) for a sweep of the grip itself. */
 std::vector<Condition> ListThresholdGrips(const ThresholdScale& scale, const SessionConfig& config);
 
-/** The scale of an experiment. @throws Error(kFormat) when its conditions are no grips. */
-const ThresholdScale& FindThresholdScale(const SessionConfig& experiment);
+/** The scale whose grips an experiment's conditions are; null: they are none. */
+const ThresholdScale* FindThresholdScale(const SessionConfig& experiment);
 
 struct DrawThreshold {
   PlannedTrial draw;  ///< the session's trial
@@ -35,6 +37,7 @@ struct DrawThreshold {
 };
 
 struct CellThreshold {
+  std::string condition;  ///< of a sweep; empty: the base
   std::string hand, object, grasp;
   int num_draws = 0;                   ///< finished
   int num_never = 0;                   ///< no grip that was asked held
@@ -53,8 +56,9 @@ struct ThresholdSummary {
   int num_not_monotone() const;
 };
 
-/** Of one experiment in the order of its plan. */
-ThresholdSummary SummariseThresholds(const Session& experiment);
+/** Of one experiment on the session's draws, in the order of the session's plan.
+@throws Error(kFormat) when its conditions are no grips. */
+ThresholdSummary SummariseThresholds(const Session& experiment, const Session& session);
 /** Of the experiments in the session's folder, each scale once, with as many draws as are known.
 @throws as LoadSession. */
 std::vector<ThresholdSummary> LoadThresholds(const Session& session);

@@ -54,6 +54,25 @@ TEST(GraspStrategy, WaitsForMissingDigitsOnlySoLong) {
   EXPECT_NEAR(phases[1].duration, config.closure_time + config.closure_patience, 2 * kStep);
 }
 
+// A guarded close may take longer than the longest stabilisation: that begins when it has ended.
+TEST(GraspStrategy, NeverLiftsWhileDigitsOfARegulatedGripStillClose) {
+  const StrategyConfig config;
+  for (const double closing_time : {0.0, 3.0}) {
+    GraspStrategy strategy(config, 0.1);
+    strategy.StartPlacing(config.placing_time);
+    double stabilisation = 0.0;
+    while (strategy.phase() < Phase::kLiftOff) {
+      StrategyObservation observation;
+      observation.all_digits_touched = observation.is_regulated = true;
+      observation.is_closing = stabilisation < closing_time;
+      strategy.Step(kStep, observation);
+      if (strategy.phase() == Phase::kStabilisation) stabilisation += kStep;
+      ASSERT_LT(stabilisation, 60.0);
+    }
+    EXPECT_NEAR(stabilisation, closing_time + config.stabilisation_max_time, 3 * kStep);
+  }
+}
+
 TEST(GraspStrategy, NeverClosesBeforeTheHandHasArrived) {
   const StrategyConfig config;
   GraspStrategy strategy(config, 0.1);

@@ -96,6 +96,28 @@ TEST(PartitionPlan, TakesAsManyShardsAsTrialsAndNoMore) {
   }
 }
 
+TEST(PartitionDraws, KeepsTheTrialsOfADrawTogether) {
+  std::vector<PlannedTrial> plan;
+  for (const PlannedTrial& draw : MakeTrials(3, 4)) {
+    for (int grip = 0; grip < 5; ++grip) {
+      plan.push_back(draw);
+      plan.back().id += "-" + std::to_string(grip);
+    }
+  }
+  EXPECT_EQ(CountDraws(plan), 24);
+  std::map<std::string, int> shards;  // of a draw
+  size_t num_trials = 0;
+  for (int number = 1; number <= 7; ++number) {
+    for (const PlannedTrial& planned : PartitionDraws(plan, {number, 7})) {
+      ++num_trials;
+      const std::string draw = planned.hand + planned.object + std::to_string(planned.trial);
+      EXPECT_EQ(shards.emplace(draw, number).first->second, number) << draw;
+    }
+  }
+  EXPECT_EQ(num_trials, plan.size());
+  EXPECT_THROW(PartitionDraws(plan, {1, 25}), Error);
+}
+
 TEST(DealGroups, CopesWithGroupsOfAnySize) {
   const std::vector<int> groups = {1, 100, 3, 1, 57};
   for (const int count : {1, 2, 5, 81, 162}) {

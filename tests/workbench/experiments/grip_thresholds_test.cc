@@ -5,23 +5,34 @@
 #include "core/trial/trial_runner.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/analysis/export_result.h"
+#include "datasets/plan/sweep_design.h"
+#include "datasets/session/merge_sessions.h"
 #include "tests/datasets/session/fake_session.h"
+#include "workbench/experiments/machines/run_shard.h"
 
 namespace graspbench {
 namespace {
+namespace fs = std::filesystem;
 
 class GripThresholdsTest : public testing::Test {
  protected:
   void SetUp() override {
-    SessionRequest request;
-    request.config = SessionConfig();
-    request.config->hands = {"tum"};
-    request.config->objects = {"can"};
-    request.config->trials = 2;
-    request.out = temporary_.path() / "session";
-    RunSession(PrepareSession(request), 1, observer_, stop_);
-    request_.folder = request.out;
+    config_.hands = {"tum"};
+    config_.objects = {"can"};
+    config_.trials = 2;
+    request_ = RunNew("session", config_);
   }
+  /** A finished session. */
+  ExperimentRequest RunNew(const std::string& name, const SessionConfig& config) {
+    SessionRequest request;
+    request.config = config;
+    request.out = temporary_.path() / name;
+    RunSession(PrepareSession(request), 1, observer_, stop_);
+    ExperimentRequest experiment;
+    experiment.folder = request.out;
+    return experiment;
+  }
+  SweepConfig config_;
   TemporaryFolder temporary_;
   Observer observer_;
   std::atomic<bool> stop_ = false;
@@ -63,6 +74,40 @@ TEST_F(GripThresholdsTest, GoesOnWhereItStopped) {
   ASSERT_TRUE(RunThresholds(PrepareThresholds(request_, kThresholdScales[1]), request_, 1,
                             observer_, stop_));
   EXPECT_EQ(LoadThresholds(LoadSession(request_.folder))[0].cells[0].num_draws, 2);
+}
+
+// Under a condition of a sweep as in a session of its own, and in shards as at once.
+TEST_F(GripThresholdsTest, OfASweepAreThoseOfEachCondition) {
+  const ThresholdScale& scale = kThresholdScales[0];
+  SessionConfig heavy = config_;
+  heavy.model.mass_scale = 2.0;
+  const ExperimentRequest alone = RunNew("heavy", heavy);
+  ASSERT_TRUE(RunThresholds(PrepareThresholds(alone, scale), alone, 2, observer_, stop_));
+  config_.factors = {"model.mass_scale=1,2"};
+  const ExperimentRequest swept = RunNew("sweep", MakeSweep(config_));
+  const fs::path folder = PrepareThresholds(swept, scale).folder;
+  EXPECT_EQ(CountCards(folder), 2);
+  for (const int number : {2, 1}) {
+    ShardRequest shard;
+    shard.folder = folder;
+    shard.shard = {number, 2};
+    const ShardResult result = WorkOnShard(shard, observer_, stop_);
+    EXPECT_EQ(result.num_left, 0);
+  }
+  MergeSessions(folder, {});
+  EXPECT_TRUE(FindThresholdTrials(LoadSession(folder)).empty());
+  const ThresholdSummary one = LoadThresholds(LoadSession(alone.folder)).at(0);
+  const ThresholdSummary both = LoadThresholds(LoadSession(swept.folder)).at(0);
+  ASSERT_EQ(both.draws.size(), 4u);
+  ASSERT_EQ(both.cells.size(), 2u);
+  EXPECT_EQ(both.cells[1].condition, "model.mass_scale=2.0");
+  EXPECT_EQ(both.cells[1].median, one.cells[0].median);
+  EXPECT_EQ(both.cells[1].not_monotone, one.cells[0].not_monotone);
+  EXPECT_LE(both.num_trials, 4 * kMostThresholdTrials);
+  ExportResult(swept.folder, LoadSession(swept.folder));
+  for (const char* file : {"thresholds.csv", "effects.csv", "conditions.csv"}) {
+    EXPECT_TRUE(fs::exists(swept.folder / "export" / file)) << file;
+  }
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 
+#include "core/base/enum_table.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/export_result.h"
@@ -13,8 +12,8 @@
 #include "workbench/commands/command.h"
 #include "workbench/commands/options/session_options.h"
 #include "workbench/experiments/interrupt.h"
-#include "workbench/experiments/pool/session_worker.h"
-#include "workbench/experiments/session_experiment.h"
+#include "workbench/experiments/machines/shell_quote.h"
+#include "workbench/experiments/run_sweep.h"
 #include "workbench/tables/sweep_tables.h"
 #include "workbench/terminal/terminal_observer.h"
 
@@ -25,6 +24,7 @@ struct SweepOptions {
   std::vector<std::string> factors;
   std::string design;
   bool judge = false;
+  std::string threshold;
   std::string out;
   bool resume = false;
   bool plan_only = false;
@@ -41,32 +41,15 @@ SweepConfig MakeSweepConfig(const SweepOptions& options) {
   if (!options.factors.empty()) config.factors = options.factors;
   if (!options.design.empty()) config.design = options.design;
   config.judge = config.judge || options.judge;
+  if (!options.threshold.empty()) config.threshold = options.threshold;
   return config;
-}
-
-/** Processor time, from the first trial of each hand, for a person, in no result [s]. */
-double EstimateTime(const PreparedSession& sweep, bool with_judge) {
-  std::map<std::string, double> times;
-  PlannedTrialRunner runner(sweep.config, sweep.inputs);
-  double sum = 0.0;
-  for (const PlannedTrial& planned : FindUnfinished(sweep.session)) {
-    if (times.count(planned.hand) == 0) {
-      runner.Prepare(planned);
-      const auto start = std::chrono::steady_clock::now();
-      runner.Run(planned);
-      times[planned.hand] =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-    sum += times[planned.hand];
-  }
-  return with_judge ? 6.0 * sum : sum;
 }
 
 ExitCode Finish(const SweepOptions& options, const std::filesystem::path& folder) {
   const Session session = LoadSession(folder, options.on_damage, RecordParts::kBrief);
   ExportResult(folder, session);
   const std::filesystem::path report = WriteSessionReport(folder, session);
-  const SweepSummary summary = SummariseSweep(session);
+  const SweepSummary summary = SummariseSweep(session, LoadThresholds(session));
   if (options.json) {
     Json json = ToJson(summary);
     json["folder"] = folder.string();
@@ -87,13 +70,18 @@ ExitCode Sweep(const SweepOptions& options) {
   request.resume = options.resume && HasSession(options.out);
   request.on_damage = options.on_damage;
   bool with_judge = options.judge;
+  std::string threshold = options.threshold;
   if (!options.resume || !options.factors.empty() || options.session.HasAny()) {
     const SweepConfig config = MakeSweepConfig(options);
     with_judge = config.judge;
+    threshold = config.threshold;
     request.config = MakeSweep(config);
   } else if (!request.resume) {
     throw Error(ErrorKind::kUsage, "--resume needs --out DIR, the folder of a sweep");
   }
+  const ThresholdScale* const scale =
+      threshold.empty() ? nullptr : &RowFromName(kThresholdScales, threshold, "threshold");
+  if (scale && request.config) ListThresholdGrips(*scale, *request.config);  // or is refused here
   const PreparedSession sweep = PrepareSession(request);
   PrintMessage(sweep.folder.string() + ": " +
                FormatCount(static_cast<int>(sweep.config.conditions.size()) + 1, "condition") +
@@ -101,9 +89,13 @@ ExitCode Sweep(const SweepOptions& options) {
                std::to_string(FindUnfinished(sweep.session).size()) + " to run");
   if (options.plan_only) {
     RecordPlanning(sweep.folder);
-    PrintMessage("about " + FormatFixed(EstimateTime(sweep, with_judge), 0) +
+    PrintMessage("about " + FormatFixed(EstimateSweepTime(sweep, with_judge, scale != nullptr), 0) +
                  " s of one processor, judged by the first trial of each hand");
     PrintExperimentPlan(sweep);
+    if (scale) {
+      PrintMessage("then     graspbench threshold " + QuoteForShell(sweep.folder.string()) +
+                   " --by " + scale->name + " --plan-only");
+    }
     return kExitOk;
   }
   const std::atomic<bool>& stop = CatchInterrupts();
@@ -112,7 +104,7 @@ ExitCode Sweep(const SweepOptions& options) {
   rest.with_judge = with_judge;
   rest.on_damage = options.on_damage;
   rest.trial_time_limit = options.trial_time_limit;
-  DemandFinished(RunExperiment(sweep, rest, options.num_workers, observer, stop));
+  DemandFinished(RunSweep(sweep, scale, rest, options.num_workers, observer, stop));
   return Finish(options, sweep.folder);
 }
 }  // namespace
@@ -136,6 +128,12 @@ void AddSweepCommand(CLI::App& program, ExitCode& exit_code) {
       ->option_text("DESIGN")
       ->default_str("full");
   command.add_flag("--judge", options->judge, "also break what is held; some five times as long");
+  command
+      .add_option("--threshold", options->threshold,
+                  "also find the smallest margin, or force, with which each draw succeeds, under "
+                  "every condition; at most six more trials each")
+      ->check(CLI::IsMember(ListNames(kThresholdScales)))
+      ->option_text("SCALE");
   AddJobsOption(command, options->num_workers);
   command.add_option("--out", options->out, "folder of the sweep")
       ->option_text("DIR")

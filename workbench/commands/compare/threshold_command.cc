@@ -28,12 +28,13 @@ void Run(const ThresholdOptions& options) {
   const std::filesystem::path& folder = request.folder;
   const PreparedSession experiment =
       PrepareThresholds(request, RowFromName(kThresholdScales, options.scale, "scale"));
+  if (request.plan_only) return PrintExperimentPlan(experiment);
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer(DescribeTasks, stop);
   DemandFinished(RunThresholds(experiment, request, options.num_workers, observer, stop));
-  const ThresholdSummary summary =
-      SummariseThresholds(LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief));
   const Session session = LoadSession(folder, request.on_damage, RecordParts::kBrief);
+  const ThresholdSummary summary = SummariseThresholds(
+      LoadSession(experiment.folder, request.on_damage, RecordParts::kBrief), session);
   ExportResult(folder, session);
   const std::filesystem::path report = WriteSessionReport(folder, session, MakeKeptTracer(session));
   if (options.json) return PrintJson(ToJson(summary));
@@ -47,7 +48,8 @@ void AddThresholdCommand(CLI::App& program, ExitCode&) {
   CLI::App& command = AddSubcommand(
       program, "threshold", "Find the smallest grip with which each draw of a session succeeds.",
       "  graspbench threshold results/pilot             margins of 1 to 16, by bisection\n"
-      "  graspbench threshold results/pilot --by force --trials 3");
+      "  graspbench threshold results/pilot --by force --trials 3\n"
+      "  graspbench threshold results/sweep             under each condition of a sweep");
   const auto options = std::make_shared<ThresholdOptions>();
   ExperimentRequest& request = options->request;
   AddStoreFolder(command, request.folder, "folder of the session");
@@ -63,6 +65,7 @@ void AddThresholdCommand(CLI::App& program, ExitCode&) {
       ->check(CLI::Range(1, 100000))
       ->option_text("N")
       ->default_str("all");
+  AddPlanOnlyOption(command, request.plan_only);
   AddJobsOption(command, options->num_workers);
   AddTrialTimeoutOption(command, request.trial_time_limit);
   AddAcceptDamageOption(command, request.on_damage);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
+#include "datasets/analysis/conditions/threshold_summary.h"
 #include "datasets/campaign/campaign_store.h"
 #include "objects/catalogue.h"
 #include "workbench/experiments/machines/campaign_shard.h"
@@ -66,18 +67,20 @@ class SessionShard {
  public:
   SessionShard(const ShardRequest& request, Observer& observer, const std::atomic<bool>& stop)
       : request_(request),
-        round_(request.judge ? kJudgeRound : kTrialRound),
         folder_(request.folder),
         label_(FormatLabel(request.shard)),
         budget_(request.time_budget, observer, stop),
         session_(request.judge ? LoadSession(folder_, OnDamage::kRefuse, RecordParts::kBrief)
-                               : LoadShardOfSession(folder_, label_)) {
+                               : LoadShardOfSession(folder_, label_)),
+        round_(request.judge ? kJudgeRound : FindTrialRound(session_.config)) {
     CheckProgram(kSessionStore, request);
   }
 
   ShardResult Work(const std::optional<SessionInputs>& inputs) {
-    const std::vector<PlannedTrial> own = PartitionPlan(session_.plan, request_.shard);
-    const std::vector<PlannedTrial> trials = Intersect(round_.find_left(session_), own);
+    const std::vector<PlannedTrial> own = FindThresholdScale(session_.config)
+                                              ? PartitionDraws(session_.plan, request_.shard)
+                                              : PartitionPlan(session_.plan, request_.shard);
+    std::vector<PlannedTrial> trials = Intersect(round_.find_left(session_), own);
     if (request_.judge) CheckSomeFinished(own);
     ShardResult result;
     result.num_all = static_cast<int>(request_.judge ? trials.size() : own.size());
@@ -87,16 +90,20 @@ class SessionShard {
     if (trials.empty() && !IsUnchecked(label)) return result;
     ShardPresence presence(folder_, label, result.num_left);
     const std::vector<PlannedTrial> sentinels = presence.ListMissingSentinels(session_.plan);
-    LoadInputs(inputs, trials, sentinels);
+    LoadInputs(inputs, &round_ == &kThresholdRound ? own : trials, sentinels);
     budget_.Look();  // loading takes time, too
     if (!presence.Begin(sentinels, session_.config, inputs_, budget_, request_.trial_time_limit)) {
       return result;
     }
-    if (trials.empty()) return result;
-    RunBatchStage(MakeStage(round_.stage, trials.size()), trials, request_.num_workers,
-                  round_.make_workers(session_, inputs_, folder_, label_), budget_, budget_.stop(),
-                  request_.trial_time_limit);
-    result.num_left -= budget_.num_done();
+    while (!trials.empty()) {
+      RunBatchStage(MakeStage(round_.stage, trials.size()), trials, request_.num_workers,
+                    round_.make_workers(session_, inputs_, folder_, label_), budget_,
+                    budget_.stop(), request_.trial_time_limit);
+      result.num_left -= budget_.num_done();
+      if (result.num_left > 0 || &round_ != &kThresholdRound) break;
+      trials = Intersect(round_.find_left(LoadShardOfSession(folder_, label_)), own);
+      result.num_left = static_cast<int>(trials.size());
+    }
     return result;
   }
 
@@ -128,11 +135,11 @@ class SessionShard {
   }
 
   const ShardRequest request_;
-  const RoundKind& round_;
   const fs::path folder_;
   const std::string label_;
   TimeBudget budget_;
   const Session session_;
+  const RoundKind& round_;
   SessionInputs inputs_;
 };
 
@@ -163,7 +170,9 @@ int CountCards(const fs::path& folder) {
   const StoreKind* kind = FindStoreKind(folder);
   if (kind == &kSceneStore) return 1;
   if (kind == &kCampaignStore) return CountCampaignCards(folder);
-  return static_cast<int>(LoadPlannedSession(folder).plan.size());
+  const Session session = LoadPlannedSession(folder);
+  return FindThresholdScale(session.config) ? CountDraws(session.plan)
+                                            : static_cast<int>(session.plan.size());
 }
 
 void CheckRequest(const ShardRequest& request) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/trial/trial_trace.h"
 #include "tests/core/trial/trial_setups.h"
@@ -75,6 +77,26 @@ TEST(GripRegulator, MoreThanThePostureGivesIsNamed) {
     EXPECT_TRUE(digit.fault == GripFault::kPosture || digit.fault == GripFault::kLimit)
         << NameOf(digit.fault);
     EXPECT_LE(digit.closing, 3.0);
+  }
+}
+
+// A power grasp holds by enclosing: no digit goes beyond its target posture, whatever is asked, and
+// that is what a missing force is put down to. A precision grasp does.
+TEST(GripRegulator, APowerGraspEndsInItsTargetPosture) {
+  for (const char* grasp : {"g3", "g2"}) {
+    const TrialResult result = RunSetup(MakeRegulated("tum", grasp, "force", 60.0, 0.0122, 1.2));
+    ASSERT_TRUE(result.grip) << grasp;
+    double most = 0.0;
+    for (const DigitGripRecord& digit : result.grip->digits) most = std::max(most, digit.closing);
+    if (std::string(grasp) == "g3") {
+      EXPECT_LE(most, 1.0);
+      const auto& digits = result.grip->digits;
+      EXPECT_TRUE(std::any_of(digits.begin(), digits.end(), [](const DigitGripRecord& digit) {
+        return digit.fault == GripFault::kPosture;
+      }));
+    } else {
+      EXPECT_GT(most, 1.0);
+    }
   }
 }
 

@@ -66,7 +66,7 @@ TEST_F(PlantedSweep, EffectsAreThoseOfTheClosedForm) {
                (a && b ? 0.5 - e(object) : 0.0);
       },
       [](bool a, bool, int object, int) { return !a || object % 2 == 0; });
-  const SweepSummary summary = SummariseSweep(session_);
+  const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
   EXPECT_NEAR(a.estimate, 2.25, 1e-12);
   EXPECT_EQ(a.num_draws, kNumObjects * kNumTrials);
@@ -95,7 +95,7 @@ TEST_F(PlantedSweep, IntervalsRespectThatDrawsOfAnObjectAreAlike) {
   Plant([](bool a, bool, int object,
            int trial) { return a ? (object < 4 ? 1.0 : -1.2) + 0.01 * trial : 0.0; },
         [](bool, bool, int, int) { return true; });
-  const SweepSummary summary = SummariseSweep(session_);
+  const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
   EXPECT_NEAR(a.estimate, (4.0 - 2.4) / 6.0 + 0.01, 1e-12);
   ASSERT_TRUE(a.interval);
@@ -111,7 +111,7 @@ TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
   Plant([](bool a, bool b, int, int trial) { return a && b && trial == 0 ? kUnset : 1.0 + a; },
         [](bool, bool, int, int trial) { return trial > 0; });
   session_.records.erase(session_.records.begin());  // the base of one draw
-  const SweepSummary summary = SummariseSweep(session_);
+  const SweepSummary summary = SummariseSweep(session_, {});
   const SweepEffect& a = Find(summary.effects, "model.mass_scale=2.0", "sigma_n");
   EXPECT_EQ(a.num_draws, kNumObjects * (kNumTrials - 1));
   EXPECT_NEAR(a.estimate, 1.0, 1e-12);
@@ -121,16 +121,16 @@ TEST_F(PlantedSweep, ADrawWithoutOneOfTheValuesCountsNot) {
 TEST_F(PlantedSweep, HasTablesWithTheirDictionaries) {
   Plant([](bool a, bool, int, int) { return 1.0 + a; },
         [](bool, bool, int object, int) { return object > 0; });
-  const std::vector<ExportTable> tables = MakeSweepTables(SummariseSweep(session_));
+  const std::vector<ExportTable> tables = MakeSweepTables(SummariseSweep(session_, {}));
   ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(tables[0].csv.substr(0, tables[0].csv.find('\n')),
             "condition,model_mass_scale,model_friction_scale,hand,planned,finished,successes,"
             "numerical_failures,median_gft_ratio,median_sigma_n,median_breaking_force_n,"
-            "undecided");
+            "median_threshold_margin,median_threshold_force_n,undecided");
   EXPECT_NE(tables[1].csv.find("\nmodel.mass_scale,2.0,,,tum,sigma_n,18,6,0,1.0,,,"),
             std::string::npos)
       << tables[1].csv;
-  EXPECT_EQ(tables[0].schema.at("fields").size(), 12u);
+  EXPECT_EQ(tables[0].schema.at("fields").size(), 14u);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "core/base/error.h"
+#include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/plan/conditions.h"
 
 namespace graspbench {
@@ -33,6 +35,14 @@ Session MakeExperiment(const std::vector<std::function<bool(int)>>& draws) {
   return session;
 }
 
+ThresholdSummary Summarise(const Session& experiment) {
+  Session session;
+  for (const PlannedTrial& planned : experiment.plan) {
+    if (!planned.condition) session.plan.push_back(planned);
+  }
+  return SummariseThresholds(experiment, session);
+}
+
 std::function<bool(int)> From(int first) {
   return [first](int place) { return place >= first; };
 }
@@ -42,7 +52,7 @@ TEST(ThresholdSummary, MedianAndIntervalAreOrderStatistics) {
   // to the ninth: P(B <= 1) = 11 / 1024 is below 2.5 %, P(B <= 2) = 56 / 1024 is not.
   std::vector<std::function<bool(int)>> draws;
   for (const int first : {8, 0, 4, 99, 2, 12, 1, 8, 4, 8}) draws.push_back(From(first));
-  const ThresholdSummary summary = SummariseThresholds(MakeExperiment(draws));
+  const ThresholdSummary summary = Summarise(MakeExperiment(draws));
   EXPECT_EQ(summary.scale, &kMarginScale);
   ASSERT_EQ(summary.cells.size(), 1u);
   const CellThreshold& cell = summary.cells[0];
@@ -60,19 +70,19 @@ TEST(ThresholdSummary, MedianAndIntervalAreOrderStatistics) {
 
 TEST(ThresholdSummary, FewDrawsHaveNoInterval) {
   const ThresholdSummary summary =
-      SummariseThresholds(MakeExperiment({From(4), From(4), From(4), From(4), From(4)}));
+      Summarise(MakeExperiment({From(4), From(4), From(4), From(4), From(4)}));
   EXPECT_TRUE(std::isnan(summary.cells[0].low));
   EXPECT_DOUBLE_EQ(summary.cells[0].median, 2.0);
 }
 
 TEST(ThresholdSummary, NamesDrawsThatFailAgain) {
   const auto gap = [](int place) { return (place >= 4 && place <= 9) || place >= 13; };
-  const ThresholdSummary summary = SummariseThresholds(MakeExperiment({From(4), gap}));
+  const ThresholdSummary summary = Summarise(MakeExperiment({From(4), gap}));
   EXPECT_EQ(summary.cells[0].not_monotone, std::vector<int>{1});
   EXPECT_EQ(summary.num_not_monotone(), 1);
   const std::vector<ExportTable> tables = MakeThresholdTables({summary});
   ASSERT_EQ(tables.size(), 1u);
-  EXPECT_NE(tables[0].csv.find("base0,tum,can,g1,0,margin,2.0,0,1,"), std::string::npos)
+  EXPECT_NE(tables[0].csv.find("base0,,tum,can,g1,0,margin,2.0,0,1,"), std::string::npos)
       << tables[0].csv;
   EXPECT_TRUE(MakeThresholdTables({}).empty());
 }
@@ -94,15 +104,115 @@ TEST(ThresholdSummary, AsksForOneTrialOfEveryDrawUntilAllAreFound) {
     }
   }
   EXPECT_EQ(num_rounds, kMostThresholdTrials);
-  EXPECT_EQ(ToJson(SummariseThresholds(session)), ToJson(SummariseThresholds(whole)));
+  EXPECT_EQ(ToJson(Summarise(session)), ToJson(Summarise(whole)));
 }
 
 TEST(ThresholdSummary, WhatIsNotFinishedIsNotCounted) {
   Session session = MakeExperiment({From(4), From(4)});
   session.records.resize(17);
-  const ThresholdSummary summary = SummariseThresholds(session);
+  const ThresholdSummary summary = Summarise(session);
   EXPECT_EQ(summary.cells[0].num_draws, 1);
   EXPECT_TRUE(std::isnan(summary.draws[1].value));
+}
+
+/** Two conditions of six objects with two draws each: under "heavy" a draw needs the grip that is four
+places larger, twice the margin; the second draw of object 0 is never held there. */
+struct PlantedSweep {
+  PlantedSweep() {
+    sweep.config.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
+    experiment.config.conditions = ListThresholdGrips(kMarginScale, sweep.config);
+    for (int object = 0; object < 6; ++object) {
+      for (int trial = 0; trial < 2; ++trial) Add(object, trial);
+    }
+  }
+
+  void Add(int object, int number) {
+    const std::string id = std::to_string(2 * object + number);
+    PlannedTrial planned = {"base" + id, "tum", "object" + std::to_string(object), "g1", number};
+    TrialRecord record;
+    record.plan = planned;
+    for (const bool is_heavy : {false, true}) {
+      record.plan.id = (is_heavy ? "heavy" : "base") + id;
+      if (is_heavy) record.plan.condition = "heavy";
+      sweep.plan.push_back(record.plan);
+      sweep.records.push_back(record);
+    }
+    experiment.plan.push_back(planned);
+    const bool is_lost = object == 0 && number == 1;
+    for (size_t i = 0; i < experiment.config.conditions.size(); ++i) {
+      const bool is_heavy = i > size_t{kMostGripPlace};
+      const int place = static_cast<int>(i) % (kMostGripPlace + 1);
+      record.plan.id = "grip" + id + "-" + std::to_string(i);
+      record.plan.condition = experiment.config.conditions[i].name;
+      const bool holds = is_heavy ? place >= object + 5 && !is_lost : place >= object + 1;
+      record.result.outcome = holds ? Outcome::kSuccess : Outcome::kDroppedWhileHolding;
+      experiment.plan.push_back(record.plan);
+      experiment.records.push_back(record);
+    }
+  }
+
+  Session sweep, experiment;
+};
+
+TEST(ThresholdSummary, EachConditionOfASweepHasItsOwn) {
+  const PlantedSweep planted;
+  ASSERT_EQ(planted.experiment.config.conditions.size(), 34u);
+  EXPECT_EQ(planted.experiment.config.conditions[17].name, "heavy, margin 1.000");
+  EXPECT_EQ(FindThresholdScale(planted.experiment.config), &kMarginScale);
+  const ThresholdSummary summary = SummariseThresholds(planted.experiment, planted.sweep);
+  ASSERT_EQ(summary.draws.size(), 24u);
+  ASSERT_EQ(summary.cells.size(), 12u);
+  for (const DrawThreshold& draw : summary.draws) {
+    const int object = draw.draw.object.back() - '0';
+    const bool is_heavy = draw.draw.condition == "heavy";
+    if (is_heavy && object == 0 && draw.draw.trial == 1) {
+      EXPECT_TRUE(std::isinf(draw.value));
+      continue;
+    }
+    EXPECT_DOUBLE_EQ(draw.value, CalcGripAt(kMarginScale, object + (is_heavy ? 5 : 1)));
+    EXPECT_EQ(draw.draw.id.rfind(is_heavy ? "heavy" : "base", 0), 0u) << draw.draw.id;
+  }
+  EXPECT_EQ(MakeThresholdTables({summary})[0].csv.find("heavy0,heavy,tum,object0,g1,0,margin,") !=
+                std::string::npos,
+            true);
+}
+
+// All draws but one need exactly twice the margin; that one counts as one step above the largest:
+// from place 1 to 17 are 16 quarters of an octave, so the mean of twelve is (11 + 4) / 12.
+TEST(ThresholdSummary, IsAResponseOfASweep) {
+  const PlantedSweep planted;
+  const ThresholdSummary thresholds = SummariseThresholds(planted.experiment, planted.sweep);
+  const SweepSummary summary = SummariseSweep(planted.sweep, {thresholds});
+  const auto effect =
+      std::find_if(summary.effects.begin(), summary.effects.end(),
+                   [](const SweepEffect& one) { return one.measure == "threshold_margin"; });
+  ASSERT_NE(effect, summary.effects.end());
+  EXPECT_EQ(effect->num_draws, 12);
+  EXPECT_NEAR(effect->estimate, 15.0 / 12.0, 1e-12);
+  EXPECT_TRUE(effect->excludes_zero());
+  const SweepMeasure& measure = FindSweepMeasure("threshold_margin");
+  EXPECT_EQ(FormatChange(measure, 1.0), "x 2.00");
+  EXPECT_EQ(FormatChangeInterval(measure, {-1.0, 1.0}), "x 0.50 to 2.00");
+  const size_t column = static_cast<size_t>(&measure - ListSweepMeasures().data());
+  EXPECT_TRUE(summary.Shows(column));
+  EXPECT_FALSE(summary.Shows(column + 1)) << "nobody looked for forces";
+  EXPECT_DOUBLE_EQ(summary.rows[0].medians[column],
+                   0.5 * (CalcGripAt(kMarginScale, 3) + CalcGripAt(kMarginScale, 4)));
+  ASSERT_EQ(summary.thresholds.size(), 2u);
+  EXPECT_EQ(summary.thresholds[1].num_never, 1);
+  EXPECT_EQ(summary.thresholds[1].num_draws, 12);
+  EXPECT_TRUE(SummariseSweep(planted.sweep, {}).thresholds.empty());
+}
+
+TEST(ThresholdSummary, ASweepOfTheGripHasNone) {
+  SessionConfig config;
+  for (const char* setting :
+       {"strategy.grip=force", "strategy.grip_force_n=1.5", "strategy.grip_margin=4.0"}) {
+    config.conditions = {{"other", {setting}}};
+    EXPECT_THROW(ListThresholdGrips(kMarginScale, config), Error) << setting;
+  }
+  config.conditions = {{"other", {"strategy.touch_speed=1.0"}}};
+  EXPECT_EQ(ListThresholdGrips(kMarginScale, config).size(), 34u);
 }
 
 // None of the grips may be the session's own trial, whatever that is.
@@ -120,9 +230,10 @@ TEST(ThresholdSummary, GripsDifferFromTheSession) {
     }
     SessionConfig experiment = config;
     experiment.conditions = grips;
-    EXPECT_EQ(&FindThresholdScale(experiment), scale);
+    EXPECT_EQ(FindThresholdScale(experiment), scale);
   }
-  EXPECT_THROW(FindThresholdScale(SessionConfig()), Error);
+  EXPECT_EQ(FindThresholdScale(SessionConfig()), nullptr);
+  EXPECT_THROW(SummariseThresholds(Session(), Session()), Error);
   config.strategy.grip = "posture";
   config.strategy.touch_speed = 1.0;
   EXPECT_EQ(ApplyCondition(ListThresholdGrips(kMarginScale, config)[4], config)
