@@ -13,6 +13,7 @@
 #include "core/base/text/yaml.h"
 #include "core/base/units.h"
 #include "core/shape/repair/mesh_repair.h"
+#include "core/shape/resting_pose.h"
 #include "objects/load_mesh.h"
 #include "objects/object_file.h"
 
@@ -100,6 +101,7 @@ std::shared_ptr<const GraspObject> LoadFolder(const fs::path& folder, const std:
     }
     object->mass_properties.p_OOcm = file.p_OOcm;
   }
+  LayDown(*object);
   object->surface = file.surface;
   object->best_grasp = file.best_grasp;
   if (!file.grasp_order.empty()) object->grasp_order = file.grasp_order;

@@ -2,7 +2,9 @@
 /** @file
 Things to grasp: the catalogue's 21 objects by id, or any mesh of a user by path.
 
-The mesh is moved so that its bounding box is centred at O. The inertia is that of the homogeneous
+The mesh is turned to how the object rests on the table when it is set down as the mesh lies
+(core/shape/resting_pose.h; the catalogue's lie as they rest), and moved so that its bounding box is
+centred at O. The inertia is that of the homogeneous
 solid of the mesh, scaled to the mass; where object.yaml gives a centre of mass, the same tensor is
 taken about that point. The thesis's table gives the centre of mass along the length only: across
 and upwards the catalogue puts it in the middle.

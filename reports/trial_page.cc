@@ -48,7 +48,10 @@ Html DrawResult(const DrawnTrial& data) {
   const Seat seat = FindSeat(result);
   return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason +
                        (seat == Seat::kUnknown ? "" : " Seat: " + WordsOf(seat) + ".") +
-                       (IsCaged(result) ? " The object is caged." : "")) +
+                       (IsCaged(result) ? " The object is caged." : "") +
+                       (result.opposition ? std::string(" Opposition: ") +
+                                                RowOf(kOppositions, *result.opposition).name + "."
+                                          : "")) +
          table.ToHtml();
 }
 

@@ -38,6 +38,29 @@ PadState CalcPadState(const Hand& hand, const Digit& digit, const std::vector<Po
   return {X_HF * digit.p_LPad, X_HF.linear() * out_L.normalized(), X_HF.linear() * axis_L};
 }
 
+PadState CalcSideState(const Hand& hand, const Digit& digit, double side,
+                       const std::vector<Pose>& X_HL) {
+  PadState state = CalcPadState(hand, digit, X_HL);
+  const Pose& X_HF = X_HL[static_cast<size_t>(digit.distal_link)];
+  for (size_t k = digit.links.size(); k-- > 0;) {
+    const auto index = static_cast<size_t>(digit.links[k]);
+    const HandLink& link = hand.links[index];
+    if (link.joint < 0 || hand.joints[static_cast<size_t>(link.joint)].is_prismatic) continue;
+    state.nhat_H = side * (X_HL[index].linear() * link.axis);
+    break;
+  }
+  // As far along the link as the pad, on its axis, then out to the outermost ball.
+  const Vector3d p_HAxis =
+      X_HF.translation() + (state.p_HPad - X_HF.translation()).dot(state.axis_H) * state.axis_H;
+  double out = 0.0;
+  for (const ContactSphere& ball : hand.contact_spheres) {
+    if (ball.link != digit.distal_link) continue;
+    out = std::max(out, (X_HF * ball.p_LS - p_HAxis).dot(state.nhat_H) + ball.radius);
+  }
+  state.p_HPad = p_HAxis + out * state.nhat_H;
+  return state;
+}
+
 double CalcFingerLength(const Hand& hand) {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand, CalcClosedPosture(hand, {}, 0.0));
   double length = 0.0;

@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Pads as the rules of development see them: where they are in a posture, which way they face, and
-how the fingertip that carries them points. */
+how the fingertip that carries them points. The side of a fingertip likewise. */
 
 #include <Eigen/Core>
 #include <string>
@@ -22,6 +22,12 @@ struct PadState {
 axis, which runs from its joint to its tip; of a finger without thickness, away from the nearest
 ball of the link. */
 PadState CalcPadState(const Hand& hand, const Digit& digit, const std::vector<Pose>& X_HL);
+
+/** The side of a digit's last link, beside its pad: out of it along the axis about which the link
+flexes, to the one side or the other.
+@param side  1: along that axis; -1: against it.  @pre the digit has a joint that turns. */
+PadState CalcSideState(const Hand& hand, const Digit& digit, double side,
+                       const std::vector<Pose>& X_HL);
 
 /** Length of the longest finger, thumb aside, base to tip with all joints nearest to zero [m]. */
 double CalcFingerLength(const Hand& hand);

@@ -28,6 +28,7 @@ constexpr double kLeaderEase = 0.15;   // of one that is to stay straight
 constexpr double kDeepestTip = 0.012;  // tips below their pads [m]
 constexpr double kAbovePads = 0.008;   // all the rest of the hand [m]
 constexpr double kOutside = 0.05;      // ranges beyond a limit
+constexpr double kOffPalm = 0.01;      // middle of the pads beside that of the palm [m]
 
 }  // namespace
 
@@ -56,8 +57,31 @@ PostureRules::PostureRules(const Hand& hand, const PostureAim& aim, const Vector
     if (&digit != opposing_) fingers_.push_back(&digit);
   }
   GRASPBENCH_DEMAND(!fingers_.empty(), "a grasp needs two digits");
+  FindSides();
   normal_H_ = CalcApproachDirection(hand, 0.0);
   forward_H_ = CalcApproachDirection(hand, 0.5 * kPi);
+}
+
+/** The sides that look at each other at rest. */
+void PostureRules::FindSides() {
+  sides_.assign(fingers_.size() + 1, 0.0);
+  if (!aim_.by_side) return;
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, VectorXd::Zero(hand_.num_joints()));
+  const auto find_side = [&](const Digit& digit, const Digit& other) {
+    const PadState side = CalcSideState(hand_, digit, 1.0, X_HL);
+    const Vector3d apart = X_HL[static_cast<size_t>(other.distal_link)].translation() -
+                           X_HL[static_cast<size_t>(digit.distal_link)].translation();
+    return side.nhat_H.dot(apart) < 0.0 ? -1.0 : 1.0;
+  };
+  if (!opposing_->is_thumb) sides_[0] = find_side(*opposing_, *fingers_.front());
+  for (size_t f = 0; f < fingers_.size(); ++f) {
+    sides_[f + 1] = find_side(*fingers_[f], *opposing_);
+  }
+}
+
+PadState PostureRules::CalcPad(const Digit& digit, double side,
+                               const std::vector<Pose>& X_HL) const {
+  return side == 0.0 ? CalcPadState(hand_, digit, X_HL) : CalcSideState(hand_, digit, side, X_HL);
 }
 
 PosturePair PostureRules::MakePair(const VectorXd& x) const {
@@ -92,10 +116,10 @@ VectorXd PostureRules::MakeCoordinates(const PosturePair& pair) const {
 PostureRules::Stand PostureRules::CalcStand(const VectorXd& q, const Vector3d& approach_H) const {
   const std::vector<Pose> X_HL = CalcLinkPoses(hand_, q);
   Stand stand;
-  stand.thumb = CalcPadState(hand_, *opposing_, X_HL);
+  stand.thumb = CalcPad(*opposing_, sides_[0], X_HL);
   stand.height = stand.thumb.p_HPad.dot(approach_H);
-  for (const Digit* finger : fingers_) {
-    stand.fingers.push_back(CalcPadState(hand_, *finger, X_HL));
+  for (size_t f = 0; f < fingers_.size(); ++f) {
+    stand.fingers.push_back(CalcPad(*fingers_[f], sides_[f + 1], X_HL));
     stand.p_HFingers += stand.fingers.back().p_HPad / static_cast<double>(fingers_.size());
     stand.height += stand.fingers.back().p_HPad.dot(approach_H);
   }
@@ -123,7 +147,8 @@ int PostureRules::num_residuals() const {
   const int of_stand =
       1 + 1 + 2 * num_fingers + 3 * (num_fingers + 1) + (num_fingers + 1) + (num_fingers - 1) + 3;
   const int num_joints = static_cast<int>(joints_.size());
-  return 3 * of_stand + 2 + 2 * (num_fingers + 1) + 1 + 2 * num_joints * 2;
+  return 3 * of_stand + 2 + 2 * (num_fingers + 1) + 1 + (aim_.is_over_palm ? 3 : 0) +
+         2 * num_joints * 2;
 }
 
 void PostureRules::AddStand(const Stand& stand, const Vector3d& approach_H, bool is_open,
@@ -189,6 +214,11 @@ VectorXd PostureRules::CalcResiduals(const VectorXd& x) const {
   }
   const double thumb_way = (met.thumb.p_HPad - open.thumb.p_HPad).dot(half.across_H);
   residuals.push_back((thumb_way - aim_.thumb_share * (aim_.opening - aim_.meeting)) / kShare);
+  if (aim_.is_over_palm) {
+    Vector3d off = 0.5 * (half.thumb.p_HPad + half.p_HFingers) - hand_.p_HCentre;
+    off -= off.dot(approach_H) * approach_H;
+    for (int k = 0; k < 3; ++k) residuals.push_back(off[k] / kOffPalm);
+  }
   const auto size = static_cast<Eigen::Index>(joints_.size());
   const auto is_leader = [&](Eigen::Index k) {
     const int j = joints_[static_cast<size_t>(k % size)];

@@ -11,6 +11,7 @@ simulated, as residuals that a least-squares solver makes small:
     side by side neighbouring pads do not meet, and stand no wider than a small thing
     tips down    fingertips point to the table, and nothing of the hand reaches deeper than they do
     reach        the palm stays as far above the pads as asked
+    over palm    pads that are to press a thing into the palm meet under its middle
     share        the thumb does its share of the way
     ease         joints stay off their limits and near their rest
 
@@ -34,8 +35,10 @@ struct PostureAim {
   double opening = 0.08;            ///< between the pads when open [m]
   double meeting = 0.008;           ///< when closed [m]
   double thumb_share = 0.5;         ///< of the way that the pads come together
+  bool by_side = false;             ///< fingers take with their sides; the thumb with its pad
   double reach = 0.05;              ///< of the pads beyond the palm [m]
   bool is_reach_exact = false;      ///< else at least
+  bool is_over_palm = false;        ///< they meet under the middle of the palm
   double lift = 0.0;                ///< by which met pads face up, towards the palm [rad]
   double tips_down = 0.5;           ///< least cosine of fingertips to the approach
   double pad_gap = 0.02;            ///< between the middles of neighbouring pads [m]
@@ -66,6 +69,8 @@ class PostureRules {
 
  private:
   struct Stand;  // what the rules ask of one posture
+  void FindSides();
+  PadState CalcPad(const Digit& digit, double side, const std::vector<Pose>& X_HL) const;
   Stand CalcStand(const Eigen::VectorXd& q, const Eigen::Vector3d& approach_H) const;
   void AddStand(const Stand& stand, const Eigen::Vector3d& approach_H, bool is_open, double opening,
                 std::vector<double>& residuals) const;
@@ -76,7 +81,8 @@ class PostureRules {
   std::vector<int> joints_;
   std::vector<const Digit*> fingers_;  // without the opposing digit
   const Digit* opposing_;
-  std::vector<bool> is_tip_;  // by link: carries a pad that grasps
+  std::vector<bool> is_tip_;   // by link: carries a pad that grasps
+  std::vector<double> sides_;  // of opposing_ and fingers_: 0 takes with its pad; see CalcSideState
   Eigen::Vector3d normal_H_, forward_H_;
 };
 

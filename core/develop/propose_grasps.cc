@@ -77,10 +77,24 @@ std::vector<std::string> DrawDigits(const Hand& hand, int num_digits, RandomStre
   return digits;
 }
 
-PostureAim DrawAim(const Hand& hand, const AimRanges& ranges, bool any_coupling,
+/** Two that stand side by side, in the hand's order, without the thumb; sides of theirs meet. */
+std::vector<std::string> DrawNeighbours(const Hand& hand, RandomStream& stream) {
+  std::vector<std::string> fingers;
+  for (const Digit& digit : hand.digits) {
+    if (!digit.is_thumb) fingers.push_back(digit.id);
+  }
+  const auto first = static_cast<size_t>(stream.NextIndex(static_cast<int>(fingers.size()) - 1));
+  return {fingers[first], fingers[first + 1]};
+}
+
+PostureAim DrawAim(const Hand& hand, GraspType type, const AimRanges& ranges, bool any_coupling,
                    RandomStream& stream) {
   PostureAim aim;
-  aim.digits = DrawDigits(hand, ranges.num_digits, stream);
+  aim.by_side = type == GraspType::kTwoFingerPinch && hand.digits.size() > 2;
+  aim.is_over_palm = type == GraspType::kPower;
+  aim.digits = aim.by_side && stream.NextIndex(2) == 1
+                   ? DrawNeighbours(hand, stream)
+                   : DrawDigits(hand, ranges.num_digits, stream);
   aim.opening = ranges.opening.Draw(stream);
   aim.meeting = ranges.meeting.Draw(stream);
   aim.thumb_share = stream.NextUniform(0.35, 0.65);
@@ -176,7 +190,7 @@ ProposedGrasp ProposeOne(const Hand& hand, const GraspTaxon& taxon, bool any_cou
   constexpr double kOverlap = 0.002;  // that matters [m]
   const AimRanges& ranges = FindRanges(taxon);
   ProposedGrasp proposed;
-  proposed.aim = DrawAim(hand, ranges, any_coupling, stream);
+  proposed.aim = DrawAim(hand, taxon.type, ranges, any_coupling, stream);
   proposed.grip = ranges.grip.Draw(stream);
   const PosturePair start = DrawStart(hand, closing, stream);
   // Fingers that do not grasp stay open or are folded.

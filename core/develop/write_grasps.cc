@@ -28,13 +28,14 @@ bool IsInside(const std::string& line) {
 std::string DescribeDevelopment(const Hand& hand, const DevelopedGrasp& developed) {
   const PostureAim& aim = developed.proposed.aim;
   return fmt::format(
-      "Geometry: pads {:.0f} mm apart that face each other, {:.0f} mm below the palm, the thumb "
+      "Geometry: {} {:.0f} mm apart that face each other, {:.0f} mm below the palm, the thumb "
       "going {:.0f} % of the way, a grip of {:.0f} N. Simulation: score {:.2f}, after changes "
       "{:.2f} "
       "(above 1: all held), pads now {:.0f} mm apart. Held {} of {} shapes not met before.",
-      MmFromM(aim.opening), MmFromM(aim.reach), 100.0 * aim.thumb_share, developed.proposed.grip,
-      developed.proposed_score, developed.score, MmFromM(CalcPreGraspWidth(hand, developed.grasp)),
-      CountSuccesses(developed.check), developed.check.size());
+      aim.by_side ? "sides" : "pads", MmFromM(aim.opening), MmFromM(aim.reach),
+      100.0 * aim.thumb_share, developed.proposed.grip, developed.proposed_score, developed.score,
+      MmFromM(CalcPreGraspWidth(hand, developed.grasp)), CountSuccesses(developed.check),
+      developed.check.size());
 }
 
 std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,

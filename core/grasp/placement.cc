@@ -85,12 +85,6 @@ double CalcExtent(const Hand& hand, const std::vector<Pose>& X_HL, const Pose& X
 /** Signed distance of a point in O from what stands in the hand's way. */
 using CalcObstacle = std::function<double(const Vector3d& p_O)>;
 
-/** From a box of this size about the origin. */
-double CalcBoxDistance(const Vector3d& size, const Vector3d& p_O) {
-  const Vector3d beyond = p_O.cwiseAbs() - 0.5 * size;
-  return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
-}
-
 /** How far along the approach the open hand must stop short of `placement` [m]. */
 double CalcWayBack(const Hand& hand, const Grasp& grasp, const GraspObject& object,
                    const CalcObstacle& calc_obstacle, const Placement& placement) {
@@ -315,10 +309,14 @@ double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& ob
   return placement.reaches_object ? 0.0 : CalcShortfall(hand, grasp, object, placement);
 }
 
-bool ReachesBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
+double CalcBoxDistance(const Vector3d& size, const Vector3d& p_O) {
+  const Vector3d beyond = p_O.cwiseAbs() - 0.5 * size;
+  return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
+}
+
+Placement CalcBoxPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
   return PlaceBefore(hand, grasp, object,
-                     [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); })
-      .reaches_object;
+                     [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); });
 }
 
 }  // namespace graspbench

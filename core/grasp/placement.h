@@ -74,8 +74,11 @@ Placement MovePlacement(const Hand& hand, const Grasp& grasp, const GraspObject&
 it. */
 double CalcReachMiss(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
-/** Whether a computed one would reach the object even if the object filled its bounding box; needs
-no distance field. True implies that the placement reaches the object itself, which lies inside. */
-bool ReachesBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object);
+/** Signed distance of a point in O from a box of this size about O [m]. */
+double CalcBoxDistance(const Eigen::Vector3d& size, const Eigen::Vector3d& p_O);
+
+/** A computed one as it would be if the object filled its bounding box; needs no distance field. One
+that reaches the box implies that the object itself, which lies inside, is reached. */
+Placement CalcBoxPlacement(const Hand& hand, const Grasp& grasp, const GraspObject& object);
 
 }  // namespace graspbench

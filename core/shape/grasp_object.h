@@ -36,6 +36,8 @@ struct GraspObject {
   Approach approach = Approach::kAutomatic;  ///< said of the object; else the grasp's
   Eigen::Vector3f colour = Eigen::Vector3f(0.8f, 0.7f, 0.5f);  ///< linear RGB, for pictures
   std::string content_hash;  ///< of everything that the simulation depends on
+  /** By how much it was turned from how its mesh lay to how it rests (resting_pose.h) [rad]. */
+  double turned_to_rest = 0.0;
 };
 
 }  // namespace graspbench

@@ -15,6 +15,7 @@ What is known of a trial after it was carried out. */
 #include "core/grasp/contact_order.h"
 #include "core/trial/grip/grip_record.h"
 #include "core/trial/measures/contact_events.h"
+#include "core/trial/measures/opposition.h"
 #include "core/trial/measures/stability.h"
 #include "core/trial/moment.h"
 #include "core/trial/outcome.h"
@@ -116,10 +117,11 @@ struct TrialResult {
   /** Where the hand took the object to be [m], [rad], as the draw counts; NaN: where it should be.
   How it knew: the session's positioning. */
   double believed_x = kUnset, believed_y = kUnset, believed_yaw = kUnset;
-  std::optional<GripRecord> grip;       ///< of a trial that regulates its grip
-  std::optional<TouchRecord> touch;     ///< of a trial that goes by sensed touch
-  std::optional<Displacement> closing;  ///< until the last digit touched, where it was asked for
-  double energy_residual = 0.0;         ///< unexplained energy of the whole trial [J]
+  std::optional<Opposition> opposition;  ///< at the end, of an object that is held
+  std::optional<GripRecord> grip;        ///< of a trial that regulates its grip
+  std::optional<TouchRecord> touch;      ///< of a trial that goes by sensed touch
+  std::optional<Displacement> closing;   ///< until the last digit touched, where it was asked for
+  double energy_residual = 0.0;          ///< unexplained energy of the whole trial [J]
   int num_steps = 0;
   int num_unconverged = 0;      ///< steps whose solve did not reach its tolerance
   double simulated_time = 0.0;  ///< [s]
@@ -165,6 +167,7 @@ struct TrialResult {
     field("believed_x_m", &R::believed_x, FieldMayMiss{});
     field("believed_y_m", &R::believed_y, FieldMayMiss{});
     field("believed_yaw_rad", &R::believed_yaw, FieldMayMiss{});
+    field("opposition_type", &R::opposition);
     field("grip", &R::grip);
     field("touch", &R::touch);
     field("closing_displacement", &R::closing);

@@ -18,37 +18,43 @@ const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const
 
 namespace {
 
-/** What an open hand needs beside an object that lies up to 5 mm aside [m]. */
-constexpr double kRoomBetweenPads = 0.01;
-
-/** The geometry of the placement alone decides; a distance field is made when its bounding box
-leaves it open. */
-bool CanReach(const SessionHand& hand, const Grasp& grasp,
-              const std::shared_ptr<const GraspObject>& object) {
-  return ReachesBoundingBox(*hand.hand, grasp, *object) ||
-         CalcPlacement(*hand.hand, grasp, *CompleteObject(object)).reaches_object;
+/** Found once, and with the prediction. */
+const FittedGrasp& FitOnce(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
+                           const std::shared_ptr<const GraspObject>& object) {
+  return inputs.fitted->Find({hand.hand, object, grasp.id}, [&] {
+    const auto complete = CompleteObject(object);
+    FittedGrasp fitted{FitGrasp(*hand.hand, grasp, *complete), {}};
+    fitted.prediction = PredictGrasp(*hand.hand, fitted.grasp, *complete);
+    return fitted;
+  });
 }
 
-const Grasp& FindBestGrasp(const SessionHand& hand,
+/** A distance field is made only where the bounding box leaves it open. */
+bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
+             const std::shared_ptr<const GraspObject>& object) {
+  if (grasp.placement || ClearsBoundingBox(*hand.hand, grasp, *object)) return true;
+  const GraspPrediction& prediction = FitOnce(inputs, hand, grasp, object).prediction;
+  return prediction.reaches() && prediction.is_clear();
+}
+
+const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
                            const std::shared_ptr<const GraspObject>& object) {
-  const auto best = object->best_grasp.find(hand.hand->id);
-  if (best != object->best_grasp.end()) {
-    if (const Grasp* grasp = FindGrasp(hand, *object, best->second)) return *grasp;
+  const auto named = object->best_grasp.find(hand.hand->id);
+  if (named != object->best_grasp.end()) {
+    if (const Grasp* grasp = FindGrasp(hand, *object, named->second)) return *grasp;
   }
-  const Grasp *first = nullptr, *first_reaching = nullptr;
+  const Grasp* best = nullptr;
+  int best_rank = -1;
   for (const std::string& id : object->grasp_order) {
     const Grasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
     if (grasp->placement) return *grasp;
-    if (!first) first = grasp;
-    const double width = CalcPreGraspWidth(*hand.hand, *grasp);
-    const bool is_wide = width >= object->size.y() + kRoomBetweenPads;
-    if ((!is_wide && first_reaching) || !CanReach(hand, *grasp, object)) continue;
-    if (is_wide) return *grasp;
-    first_reaching = grasp;
+    const int rank = FitOnce(inputs, hand, *grasp, object).prediction.Rank();
+    if (rank <= best_rank) continue;
+    best = grasp;
+    best_rank = rank;
   }
-  if (first_reaching) return *first_reaching;
-  return first ? *first : hand.grasps.front();
+  return best ? *best : hand.grasps.front();
 }
 
 /** What was looked at before "best" was chosen, and what else the session tries. */
@@ -69,6 +75,17 @@ std::vector<const Grasp*> ListTried(const SessionHand& hand, const GraspObject& 
 
 }  // namespace
 
+Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
+                 const std::shared_ptr<const GraspObject>& object) {
+  const auto named = object->best_grasp.find(hand.hand->id);
+  const bool is_named = named != object->best_grasp.end() && named->second == grasp.id;
+  if (is_named || grasp.placement || !grasp.object.empty() ||
+      ClearsBoundingBox(*hand.hand, grasp, *object)) {
+    return grasp;
+  }
+  return FitOnce(inputs, hand, grasp, object).grasp;
+}
+
 std::string ResolveGraspName(const SessionInputs& inputs, const std::string& name) {
   const auto file = inputs.grasp_files.find(name);
   return file == inputs.grasp_files.end() ? name : file->second;
@@ -84,7 +101,7 @@ std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionI
     return grasps;
   }
   for (const std::string& name : config.grasps) {
-    const Grasp* grasp = name == "best" ? &FindBestGrasp(hand, object)
+    const Grasp* grasp = name == "best" ? &FindBestGrasp(inputs, hand, object)
                                         : FindGrasp(hand, *object, ResolveGraspName(inputs, name));
     if (grasp && std::find(grasps.begin(), grasps.end(), grasp) == grasps.end()) {
       grasps.push_back(grasp);
@@ -102,17 +119,20 @@ std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
       if (takes_best && object->best_grasp.count(hand.hand->id) > 0) continue;
       const std::vector<const Grasp*> chosen = FindGrasps(config, inputs, hand, object);
       if (chosen.empty() || std::any_of(chosen.begin(), chosen.end(), [&](const Grasp* grasp) {
-            return grasp->placement || CanReach(hand, *grasp, object);
+            return CanTake(inputs, hand, *grasp, object);
           })) {
         continue;
       }
-      UnreachedObject unreached{hand.hand->id, object->id, {}, "", 0.0};
-      const auto complete = CompleteObject(object);
+      UnreachedObject unreached{hand.hand->id, object->id, {}, "", 0.0, 0.0};
       for (const Grasp* grasp : ListTried(hand, *object, chosen, takes_best)) {
-        const double miss = CalcReachMiss(*hand.hand, *grasp, *complete);
-        if (unreached.tried.empty() || miss < unreached.miss) {
+        const GraspPrediction& prediction = FitOnce(inputs, hand, *grasp, object).prediction;
+        const double miss = prediction.reach_miss;
+        const double lacking = prediction.needed_room - prediction.room;
+        if (unreached.tried.empty() ||
+            std::pair(miss, lacking) < std::pair(unreached.miss, unreached.lacking_room)) {
           unreached.nearest = grasp->id;
           unreached.miss = miss;
+          unreached.lacking_room = lacking;
         }
         unreached.tried.push_back(grasp->id);
       }
@@ -126,11 +146,34 @@ std::string DescribeUnreached(const UnreachedObject& unreached) {
   std::string tried;
   for (const std::string& id : unreached.tried) tried += (tried.empty() ? "" : ", ") + id;
   const bool is_one = unreached.tried.size() == 1;
-  return unreached.hand + ", " + unreached.object + ": " +
-         (is_one ? tried + " does not reach it" : "none of " + tried + " reaches it") +
+  const std::string who =
+      unreached.hand + ", " + unreached.object + ": " + (is_one ? tried : "none of " + tried);
+  if (unreached.miss <= 0.0) {
+    return who + (is_one ? " does not come" : " comes") +
+           " to it without touching it, so times of contact do not compare; " +
+           (is_one ? "it" : "nearest is " + unreached.nearest + ", which") + " lacks " +
+           FormatFixed(MmFromM(unreached.lacking_room), 1) + " mm beside the object";
+  }
+  return who + (is_one ? " does not reach it" : " reaches it") +
          ", so every trial will be unreachable; " +
          (is_one ? "its" : "nearest is " + unreached.nearest + ", whose") + " pads stop " +
          FormatFixed(MmFromM(unreached.miss), 1) + " mm short";
+}
+
+std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
+                                            const SessionInputs& inputs) {
+  const double kTipsOver = RadFromDeg(5.0);  // beyond what a rough surface rocks
+  std::vector<std::string> warnings;
+  for (const UnreachedObject& unreached : FindUnreached(config, inputs)) {
+    warnings.push_back(DescribeUnreached(unreached));
+  }
+  for (const auto& object : inputs.objects) {
+    if (object->turned_to_rest <= kTipsOver) continue;
+    warnings.push_back(object->id + " tips over by " +
+                       FormatFixed(DegFromRad(object->turned_to_rest), 0) +
+                       " deg when it is set down as its mesh lies; it is grasped as it rests");
+  }
+  return warnings;
 }
 
 }  // namespace graspbench

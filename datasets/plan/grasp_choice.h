@@ -1,12 +1,13 @@
 #pragma once
 /** @file
-Which grasps of a hand a session tries on an object, and whether any of them can reach it: known by
-geometry before the first trial (core/grasp/placement.h). */
+Which grasps of a hand a session tries on an object, how the hand does them there, and whether any
+of them can take it: known by geometry before the first trial (core/grasp/predict_grasp.h). */
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/grasp/predict_grasp.h"
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_inputs.h"
 
@@ -18,17 +19,26 @@ const Grasp* FindGrasp(const SessionHand& hand, const GraspObject& object, const
 /** The id that a name in the configuration stands for: that of the grasp of a file, or itself. */
 std::string ResolveGraspName(const SessionInputs& inputs, const std::string& name);
 
-/** As MakePlan says (session_plan.h). */
+/** The grasp as the trial takes it: fitted to the object (predict_grasp.h), which is found once for
+the session and shared by threads. What is clear of the object's bounding box, was made for the
+object, or is what the object names as best for this hand, stays as it is. */
+Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
+                 const std::shared_ptr<const GraspObject>& object);
+
+/** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else the first
+in the object's order that holds it by prediction, else the one of the highest rank. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);
 
-/** An object that none of the session's grasps of a hand reaches. */
+/** An object that none of the session's grasps of a hand can take: none reaches it and comes to it
+clear of it. */
 struct UnreachedObject {
   std::string hand, object;
   std::vector<std::string> tried;  ///< ids of grasps, the object's order for "best"
   std::string nearest;             ///< of these
-  double miss = 0.0;               ///< by which its pads stop short [m]
+  double miss = 0.0;               ///< by which its pads stop short [m]; 0: it reaches the object
+  double lacking_room = 0.0;       ///< of one that reaches it, beside the open digits [m]
 };
 
 /** In the order hand, object. What an object names as its best grasp for a hand is believed. */
@@ -36,7 +46,13 @@ std::vector<UnreachedObject> FindUnreached(const SessionConfig& config,
                                            const SessionInputs& inputs);
 
 /** "allegro, carton: none of g1, g2 reaches it, so every trial will be unreachable; nearest is g2,
-whose pads stop 6.2 mm short". */
+whose pads stop 6.2 mm short"; or "..: none of g1, g2 comes to it without touching it, so times of
+contact do not compare; nearest is g2, which lacks 6.2 mm beside the object". */
 std::string DescribeUnreached(const UnreachedObject& unreached);
+
+/** What is to be said of the session's objects before it: those that no grasp takes, then those
+that tip over when they are set down as their mesh lies (core/shape/resting_pose.h). */
+std::vector<std::string> ListObjectWarnings(const SessionConfig& config,
+                                            const SessionInputs& inputs);
 
 }  // namespace graspbench

@@ -12,6 +12,7 @@ The hands and objects of a session, loaded once and shared between threads. */
 #include "core/hand/hand.h"
 #include "core/shape/grasp_object.h"
 #include "core/trial/trial_setup.h"
+#include "datasets/plan/fitted_grasps.h"
 #include "datasets/plan/session_config.h"
 #include "objects/catalogue.h"
 
@@ -39,7 +40,8 @@ struct SessionInputs {
   std::vector<SessionHand> hands;                           ///< in the order of the configuration
   std::vector<std::shared_ptr<const GraspObject>> objects;  ///< in the order of the configuration
   std::map<std::string, std::string> grasp_files;  ///< path in the configuration -> the grasp's id
-  std::map<std::string, ConditionInputs> conditions;  ///< by name
+  std::map<std::string, ConditionInputs> conditions;                        ///< by name
+  std::shared_ptr<FittedGrasps> fitted = std::make_shared<FittedGrasps>();  ///< those asked for
 };
 
 /** Loads what the configuration names, with its `model` applied; "all" is every hand and object that

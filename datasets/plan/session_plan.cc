@@ -230,14 +230,15 @@ void PlanPair(const ConditionBlock& block, size_t hand_index, size_t object_inde
   const SessionHand& hand = block.inputs->hands[hand_index];
   const std::shared_ptr<const GraspObject>& object = block.inputs->objects[object_index];
   const bool can_be_compliant = CanMoveCompliantly(*hand.hand) && CanMoveCompliantly(*object);
-  for (const Grasp* grasp : FindGrasps(*block.config, *block.inputs, hand, object)) {
+  for (const Grasp* chosen : FindGrasps(*block.config, *block.inputs, hand, object)) {
+    const Grasp grasp = FindFitted(*block.inputs, hand, *chosen, object);
     for (int trial = 0; trial < block.config->trials; ++trial) {
-      const std::string id = CalcTrialId(*block.config, *hand.hand, *object, *grasp, trial);
+      const std::string id = CalcTrialId(*block.config, *hand.hand, *object, grasp, trial);
       for (const auto& [name, condition] : block.members) {
         if (condition && condition->is_compliant && !can_be_compliant) continue;
         plan.push_back(
             {condition ? CalcConditionedId(id, *condition, block.is_base ? *name : "") : id,
-             hand.hand->id, object->id, grasp->id, trial, name});
+             hand.hand->id, object->id, grasp.id, trial, name});
       }
     }
   }
@@ -372,7 +373,7 @@ TrialSetup MakeTrialSetup(const SessionConfig& config, const SessionInputs& inpu
   TrialSetup setup;
   setup.hand = hand->hand;
   setup.object = *object;
-  setup.grasp = *grasp;
+  setup.grasp = FindFitted(inputs, *hand, *grasp, *object);
   setup.strategy = config.strategy;
   setup.sim = config.sim;
   setup.draw = MakeTrialDraw(config, *hand->hand, **object, planned.trial);

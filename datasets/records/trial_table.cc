@@ -286,6 +286,14 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
       {"palm_touches", "boolean", "",
        "1 when the palm, or another link of no digit, touches at the end of the trial",
        [](const TrialRecord& record) { return Json(TouchesPalmAtEnd(record.result) ? 1 : 0); }});
+  columns.push_back({"opposition_type", "string", "",
+                     "pad, palm or side: what opposes in the grasp that holds the object at the "
+                     "end; missing when "
+                     "it is not held or the record is older",
+                     [](const TrialRecord& record) {
+                       const std::optional<Opposition>& found = record.result.opposition;
+                       return found ? ToJson(*found) : Json();
+                     }});
   columns.push_back({"hold_force_n", "number", "N", "mean sum of the normal forces over the hold",
                      TakePart(&Stability::hold, &StabilityPart::normal_force)});
   AddGripColumns(columns);

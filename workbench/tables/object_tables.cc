@@ -28,7 +28,8 @@ Json MakeObjectJson(const GraspObject& object) {
           {"friction_static", object.surface.friction_static},
           {"friction_dynamic", object.surface.friction_dynamic},
           {"best_grasp", object.best_grasp},
-          {"triangles", object.mesh.num_triangles()}};
+          {"triangles", object.mesh.num_triangles()},
+          {"turned_to_rest_deg", DegFromRad(object.turned_to_rest)}};
 }
 
 DescribedObjects DescribeObjects() {
@@ -44,6 +45,17 @@ DescribedObjects DescribeObjects() {
   return {Json{{"objects", list}}, table.Format()};
 }
 
+namespace {
+
+/** Nothing of an object that lies as it rests. */
+std::string FormatRest(const GraspObject& object) {
+  if (object.turned_to_rest == 0.0) return "";
+  return "rest            turned by " + FormatFixed(DegFromRad(object.turned_to_rest), 2) +
+         " deg from how its mesh lies; sizes are those at rest\n";
+}
+
+}  // namespace
+
 std::string FormatObject(const GraspObject& object) {
   const MassProperties& solid = object.mass_properties;
   return object.name + " (" + object.id + ")\n\nmass            " +
@@ -56,7 +68,7 @@ std::string FormatObject(const GraspObject& object) {
          FormatFixed(object.surface.friction_static, 2) + " static, " +
          FormatFixed(object.surface.friction_dynamic, 2) + " dynamic\nbest grasp      " +
          FormatBestGrasps(object) + "\nmesh            " +
-         std::to_string(object.mesh.num_triangles()) + " triangles\n";
+         std::to_string(object.mesh.num_triangles()) + " triangles\n" + FormatRest(object);
 }
 
 std::string FormatMeshSummary(const std::string& path, const MeshReport& report) {

@@ -102,6 +102,9 @@ std::string FormatSeat(const TrialResult& result) {
   if (IsSuccess(result.outcome)) {
     text += fmt::format("; held with {} N{}", FormatFixed(result.stability.hold.normal_force, 2),
                         IsCaged(result) ? ", caged" : "");
+    if (result.opposition) {
+      text += fmt::format(", {} opposition", RowOf(kOppositions, *result.opposition).name);
+    }
   }
   return text + "\n";
 }

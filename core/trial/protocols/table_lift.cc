@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/hand/coupling.h"
 #include "core/trial/judge/judge.h"
+#include "core/trial/rest_pose.h"
 #include "core/vision/wrist_camera.h"
 
 namespace graspbench {
@@ -127,6 +128,9 @@ Eigen::VectorXd TableLift::CalcStartPosture() const {
 Pose TableLift::CalcStartPose() const {
   Pose X_WO = MakePose(Vector3d(setup_.draw.offset_x, setup_.draw.offset_y, 0.0));
   X_WO.rotate(Eigen::AngleAxisd(setup_.draw.offset_yaw, Vector3d::UnitZ()));
+  if (const std::optional<Pose> X_NO = FindRestPose(*setup_.object, setup_.sim)) {
+    return X_WO * *X_NO;
+  }
   X_WO.pretranslate(Vector3d(0.0, 0.0, -world_->collider().CalcLowestPoint(X_WO)));
   return X_WO;
 }
@@ -380,6 +384,7 @@ TrialResult TableLift::End() {
     result.steady_penetration = notes_.report.worst_penetration;
     if (notes_.settled_at) result.hold_creep = CalcCreep();
   }
+  if (is_held()) result.opposition = FindHeldOpposition();
   result.stability = notes_.stability.Calc();
   Stability& stability = result.stability;
   stability.sigma = is_held() ? stability.hold.sigma : 0.0;
@@ -394,6 +399,15 @@ TrialResult TableLift::End() {
   for (ContactEvent& event : result.contact_events) event.time -= notes_.closure_start;
   result.timing = CalcContactTiming(result.contacts, 0.0);
   return result;
+}
+
+std::optional<Opposition> TableLift::FindHeldOpposition() const {
+  std::vector<HandContact> contacts;
+  world_->FindHandContacts(contacts);
+  if (contacts.empty()) return std::nullopt;
+  std::vector<Pose> X_WL = CalcLinkPoses(hand_, world_->state().q);
+  for (Pose& pose : X_WL) pose = world_->state().X_WH * pose;
+  return FindOpposition(hand_, X_WL, contacts);
 }
 
 bool TableLift::is_held() const {

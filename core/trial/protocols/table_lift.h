@@ -115,6 +115,7 @@ class TableLift : public TrialCourse {
   SceneSnapshot TakeSnapshot(Moment moment) const;
   TrialFacts MakeFacts() const;
   double CalcExtent() const;
+  std::optional<Opposition> FindHeldOpposition() const;
   double CalcRise() const {
     return world_->CalcObjectPose().translation().z() - notes_.rest_height;
   }

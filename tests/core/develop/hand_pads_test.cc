@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/hand/coupling.h"
 #include "core/hand/load_hand.h"
 
@@ -19,6 +22,31 @@ TEST(HandPadsTest, TumPadsFaceEachOtherWhenStraight) {
     EXPECT_LT((pad.axis_H - Vector3d::UnitZ()).norm(), 1e-9) << digit.id;
     EXPECT_LT((pad.nhat_H - Vector3d(digit.is_thumb ? -1 : 1, 0, 0)).norm(), 1e-9) << digit.id;
     EXPECT_LT((pad.p_HPad - X_HL[static_cast<size_t>(digit.distal_link)] * digit.p_LPad).norm(),
+              1e-12);
+  }
+}
+
+// Index and middle of the TUM Hand stand side by side along y: what looks from one to the other is a
+// side, as far along the finger as the pad, on the outermost ball.
+TEST(HandPadsTest, TumSidesLookAlongTheAxisOfFlexion) {
+  const Hand hand = LoadHand("tum");
+  const auto X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  for (const Digit& digit : hand.digits) {
+    double radius = 0.0;
+    for (const ContactSphere& ball : hand.contact_spheres) {
+      if (ball.link == digit.distal_link) radius = std::max(radius, ball.radius);
+    }
+    const Vector3d p_HBase = X_HL[static_cast<size_t>(digit.distal_link)].translation();
+    const PadState pad = CalcPadState(hand, digit, X_HL);
+    for (const double side : {-1.0, 1.0}) {
+      const PadState state = CalcSideState(hand, digit, side, X_HL);
+      EXPECT_NEAR(std::abs(state.nhat_H.y()), 1.0, 1e-9) << digit.id;
+      const Vector3d expected(p_HBase.x(), p_HBase.y() + radius * state.nhat_H.y(), pad.p_HPad.z());
+      EXPECT_LT((state.p_HPad - expected).norm(), 1e-9) << digit.id;
+    }
+    EXPECT_LT((CalcSideState(hand, digit, 1.0, X_HL).nhat_H +
+               CalcSideState(hand, digit, -1.0, X_HL).nhat_H)
+                  .norm(),
               1e-12);
   }
 }

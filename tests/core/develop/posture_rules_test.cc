@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/units.h"
 #include "core/grasp/placement.h"
 #include "core/hand/closing.h"
@@ -57,6 +60,45 @@ TEST_F(PostureRulesTest, EachRuleIsMissedByItself) {
   EXPECT_GT(calc_with([](PostureAim& aim) { aim.tips_down = 1.2; }), kept + 1.0);
   EXPECT_GT(calc_with([](PostureAim& aim) { aim.pad_gap = 0.06; }), kept + 3.0);
   EXPECT_GT(calc_with([](PostureAim& aim) { aim.lift = RadFromDeg(40.0); }), kept + 2.0);
+}
+
+// The pads of straight TUM fingers meet over the palm's middle. With that 30 mm aside, of 10 mm that
+// matter, the rule misses by 3 and nothing else changes.
+TEST_F(PostureRulesTest, WhatIsHeldInThePalmMeetsUnderItsMiddle) {
+  aim_.is_over_palm = true;
+  const double kept = CalcResiduals(pair_).norm();
+  EXPECT_LT(kept, 0.7);
+  hand_.p_HCentre.y() += 0.03;
+  aim_.is_over_palm = false;
+  const double without = CalcResiduals(pair_).norm();
+  aim_.is_over_palm = true;
+  const double with = CalcResiduals(pair_).norm();
+  EXPECT_NEAR(std::sqrt(with * with - without * without), 3.0, 0.7);
+}
+
+// Index and middle with their sides: straight they stand level and face each other along y.
+TEST_F(PostureRulesTest, SidesOfNeighboursFaceEachOther) {
+  aim_.digits = {"FF", "MF"};
+  aim_.pad_gap = 0.0;
+  const auto calc_sides = [&] {
+    const auto X_HL = CalcLinkPoses(hand_, pair_.q_open);
+    const Vector3d apart = CalcSideState(hand_, hand_.digits[0], 1.0, X_HL).p_HPad -
+                           CalcSideState(hand_, hand_.digits[1], 1.0, X_HL).p_HPad;
+    return apart;
+  };
+  double radius = 0.0;
+  for (const ContactSphere& ball : hand_.contact_spheres) {
+    if (ball.link == hand_.digits[0].distal_link) radius = std::max(radius, ball.radius);
+  }
+  // The same side of both, so the axes are as far apart; facing sides less a radius each.
+  aim_.opening = aim_.meeting = calc_sides().norm() - 2.0 * radius;
+  const double by_pads = CalcResiduals(pair_).norm();
+  aim_.by_side = true;
+  // Nothing is missed but that the straight thumb reaches 8 mm below the pads, in each posture, of
+  // 8 mm that it is to stay above them, of 5 mm that matter.
+  const double by_sides = CalcResiduals(pair_).norm();
+  EXPECT_NEAR(by_sides, std::sqrt(3.0) * 16.0 / 5.0, 0.1);
+  EXPECT_GT(by_pads, by_sides + 1.0);
 }
 
 TEST_F(PostureRulesTest, AThumbThatPointsAsideMissesThem) {

@@ -179,7 +179,7 @@ GraspObject MakeBlock(const Vector3d& size) {
 TEST_P(PlacementTest, ABoundingBoxIsReachedWhenABlockOfItsSizeIs) {
   for (double height : {0.06, 0.12, 0.25}) {
     const GraspObject block = MakeBlock({0.05, 0.05, height});
-    const bool is_reached = ReachesBoundingBox(hand_, grasp_, block);
+    const bool is_reached = CalcBoxPlacement(hand_, grasp_, block).reaches_object;
     EXPECT_EQ(is_reached, CalcPlacement(hand_, grasp_, block).reaches_object) << height;
     if (!is_reached) continue;
     EXPECT_TRUE(CalcPlacement(hand_, grasp_, MakeCylinder(0.025, height)).reaches_object);

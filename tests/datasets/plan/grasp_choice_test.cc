@@ -80,5 +80,49 @@ TEST(GraspChoice, AnObjectThatNamesItsGraspIsNotAskedAbout) {
   EXPECT_EQ(FindUnreached(config, MakeInputsOf({slab})).size(), 1u);
 }
 
+// One that the pads reach but the open hand meets on its way: named with the room that it lacks.
+TEST(GraspChoice, WhatNoGraspClearsIsKnownBeforeTheSession) {
+  EXPECT_EQ(
+      DescribeUnreached({"mine", "slab", {"g4", "g1"}, "g1", 0.0, 0.0031}),
+      "mine, slab: none of g4, g1 comes to it without touching it, so times of contact do not "
+      "compare; nearest is g1, which lacks 3.1 mm beside the object");
+  EXPECT_EQ(DescribeUnreached({"mine", "slab", {"g1"}, "g1", 0.0, 0.0031}),
+            "mine, slab: g1 does not come to it without touching it, so times of contact do not "
+            "compare; it lacks 3.1 mm beside the object");
+}
+
+// The grasp that comes first in the object's order is not taken where it is not clear of it.
+TEST(GraspChoice, TheFirstThatIsClearIsBest) {
+  const SessionInputs inputs = MakeInputsOf({MakeBlock("bar", 0.03), MakeBlock("beam", 0.06)});
+  SessionConfig config;
+  for (const auto& object : inputs.objects) {
+    const auto complete = CompleteObject(object);
+    const Grasp& best = *FindGrasps(config, inputs, inputs.hands[0], object).at(0);
+    const Grasp fitted = FindFitted(inputs, inputs.hands[0], best, object);
+    const GraspPrediction prediction = PredictGrasp(*inputs.hands[0].hand, fitted, *complete);
+    EXPECT_TRUE(prediction.reaches() && prediction.is_clear()) << object->id;
+  }
+  // 60 mm do not fit into the pinch, which the blocks' order names first.
+  EXPECT_EQ(FindGrasps(config, inputs, inputs.hands[0], inputs.objects[1]).at(0)->id, "g1");
+}
+
+TEST(GraspChoice, WhatTheObjectNamesStaysAsItIs) {
+  auto slab = MakeBlock("slab", 0.2);
+  slab->best_grasp["mine"] = "g1";
+  const SessionInputs inputs = MakeInputsOf({slab});
+  const Grasp& g1 = *FindGrasp(inputs.hands[0], *slab, "g1");
+  EXPECT_EQ(FindFitted(inputs, inputs.hands[0], g1, inputs.objects[0]).q_pre, g1.q_pre);
+}
+
+TEST(GraspChoice, AnObjectThatTipsOverIsNamed) {
+  auto bar = MakeBlock("bar", 0.03);
+  bar->turned_to_rest = RadFromDeg(80.0);
+  const auto warnings = ListObjectWarnings(SessionConfig(), MakeInputsOf({bar}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "bar tips over by 80 deg when it is set down as its mesh lies; it is grasped as it "
+            "rests");
+}
+
 }  // namespace
 }  // namespace graspbench

@@ -100,8 +100,8 @@ ExitCode Run(const RunOptions& options) {
   if (options.session.HasAny()) request.config = options.session.MakeConfig();
   PreparedSession work = PrepareSession(request);
   const int num_trials = static_cast<int>(FindUnfinished(work.session).size());
-  for (const UnreachedObject& unreached : FindUnreached(work.config, work.inputs)) {
-    PrintMessage("warning: " + DescribeUnreached(unreached));
+  for (const std::string& warning : ListObjectWarnings(work.config, work.inputs)) {
+    PrintMessage("warning: " + warning);
   }
   if (options.plan_only) return Plan(work, options.json);
   const int num_workers = CalcNumWorkers(options.num_workers, static_cast<size_t>(num_trials));

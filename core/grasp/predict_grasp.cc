@@ -1,0 +1,197 @@
+#include "core/grasp/predict_grasp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/grasp/placement.h"
+#include "core/hand/coupling.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFarthest = 0.1;     ///< way before the grasp position that is looked at [m]
+constexpr double kLeastStep = 0.001;  ///< along it [m]
+constexpr int kClosingSteps = 100;
+constexpr int kOpeningSteps = 10;  ///< of the way from target to pre-grasp once more
+
+bool IsGrasping(const Grasp& grasp, const Digit& digit) {
+  return std::count(grasp.digits.begin(), grasp.digits.end(), digit.id) > 0;
+}
+
+/** Centres in O's axes about the nominal p_WO, of the spheres on digits. */
+struct Ball {
+  Vector3d p;
+  double radius;
+  int digit;
+};
+
+std::vector<Ball> ListDigitBalls(const Hand& hand, const Placement& placement, double height,
+                                 const Eigen::VectorXd& q) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, q);
+  const Vector3d p_WO(0.0, 0.0, 0.5 * height);
+  std::vector<Ball> balls;
+  for (const ContactSphere& sphere : hand.contact_spheres) {
+    const int digit = hand.FindDigitOfLink(sphere.link);
+    if (digit < 0) continue;
+    const auto link = static_cast<size_t>(sphere.link);
+    balls.push_back({placement.X_WH * (X_HL[link] * sphere.p_LS) - p_WO, sphere.radius, digit});
+  }
+  return balls;
+}
+
+using CalcObstacle = std::function<double(const Vector3d& p_O)>;
+
+/** Smallest gap on the way to the grasp position, of balls that are there in the end. */
+double CalcGapOnWay(const std::vector<Ball>& balls, const Vector3d& approach_W, const Pose& X_ON,
+                    const CalcObstacle& calc_obstacle) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (double back = 0.0; back < kFarthest;) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Ball& ball : balls) {
+      gap = std::min(gap, calc_obstacle(X_ON * Vector3d(ball.p - back * approach_W)) - ball.radius);
+    }
+    smallest = std::min(smallest, gap);
+    // Nearer than this it is not closer than `smallest`: no ball moves faster than the hand.
+    back += std::max(kLeastStep, gap - smallest);
+  }
+  return smallest;
+}
+
+double CalcRoom(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                const Placement& placement, const CalcObstacle& calc_obstacle) {
+  const std::vector<Ball> balls =
+      ListDigitBalls(hand, placement, object.size.z(), CalcClosingPosture(hand, grasp, 0.0));
+  double room = CalcGapOnWay(balls, placement.approach_W, Pose::Identity(), calc_obstacle);
+  for (const double x : {-kPlacementOffset, kPlacementOffset}) {
+    for (const double y : {-kPlacementOffset, kPlacementOffset}) {
+      for (const double yaw : {-kPlacementYaw, kPlacementYaw}) {
+        const Pose X_NO = MakePose(MakeRotationRpy(0.0, 0.0, yaw), Vector3d(x, y, 0.0));
+        room = std::min(room,
+                        CalcGapOnWay(balls, placement.approach_W, X_NO.inverse(), calc_obstacle));
+      }
+    }
+  }
+  return room;
+}
+
+CalcObstacle MakeObstacle(const GraspObject& object) {
+  return [&object](const Vector3d& p_O) { return object.field->CalcDistance(p_O); };
+}
+
+/** Base to tip of the longest grasping digit, its joints at rest [m]. */
+double CalcDigitLength(const Hand& hand, const Grasp& grasp) {
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand, Eigen::VectorXd::Zero(hand.num_joints()));
+  double length = 0.0;
+  for (const Digit& digit : hand.digits) {
+    if (!IsGrasping(grasp, digit)) continue;
+    const Vector3d p_HBase = X_HL[static_cast<size_t>(digit.links.front())].translation();
+    const Vector3d p_HTip = X_HL[static_cast<size_t>(digit.distal_link)] * digit.p_LTip;
+    length = std::max(length, (p_HTip - p_HBase).norm());
+  }
+  return length;
+}
+
+void PredictContacts(const Hand& hand, const Grasp& grasp, const GraspObject& object,
+                     const Placement& placement, GraspPrediction& prediction) {
+  const size_t num_digits = hand.digits.size();
+  std::vector<bool> touches(num_digits, false);
+  std::vector<Vector3d> normals(num_digits, Vector3d::Zero());
+  for (int k = 0; k <= kClosingSteps; ++k) {
+    const Eigen::VectorXd q =
+        CalcClosingPosture(hand, grasp, static_cast<double>(k) / kClosingSteps);
+    std::vector<double> deepest(num_digits, 0.0);
+    std::vector<bool> met = touches;
+    for (const Ball& ball : ListDigitBalls(hand, placement, object.size.z(), q)) {
+      const auto d = static_cast<size_t>(ball.digit);
+      if (touches[d] || !IsGrasping(grasp, hand.digits[d])) continue;
+      const double gap = object.field->CalcDistance(ball.p) - ball.radius;
+      if (gap > deepest[d]) continue;
+      deepest[d] = gap;
+      normals[d] = object.field->Query(ball.p).gradient;
+      met[d] = true;
+    }
+    touches = met;
+  }
+  const auto opposing = static_cast<size_t>(FindOpposingDigit(hand, grasp));
+  Vector3d others = Vector3d::Zero(), all = Vector3d::Zero();
+  for (size_t d = 0; d < num_digits; ++d) {
+    if (!touches[d]) continue;
+    ++prediction.num_touching;
+    all += normals[d];
+    if (d != opposing) others += normals[d];
+  }
+  prediction.thumb_touches = touches[opposing];
+  if (!prediction.thumb_touches || prediction.num_touching < 2) return;
+  const double friction_angle = std::atan(object.surface.friction_static);
+  const double between =
+      std::acos(std::clamp(-normals[opposing].dot(others.stableNormalized()), -1.0, 1.0));
+  prediction.opposes = between <= 2.0 * friction_angle;
+  prediction.lifts = all.z() / prediction.num_touching <= std::sin(friction_angle);
+}
+
+double CalcNeededRoom(const Hand& hand, const Grasp& grasp) {
+  return hand.joint_accuracy * CalcDigitLength(hand, grasp);
+}
+
+bool ComesFromSide(const Placement& placement) { return std::abs(placement.approach_W.z()) < 0.5; }
+
+/** Once more `share` of the way from target to pre-grasp. */
+Grasp Open(const Hand& hand, const Grasp& grasp, double share) {
+  Grasp opened = grasp;
+  opened.q_pre += share * (grasp.q_pre - grasp.q_target);
+  for (size_t j = 0; j < hand.joints.size(); ++j) {
+    double& q = opened.q_pre[static_cast<Eigen::Index>(j)];
+    q = std::clamp(q, hand.joints[j].lower, hand.joints[j].upper);
+  }
+  ApplyCoupling(hand, opened.q_pre);
+  return opened;
+}
+
+}  // namespace
+
+GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
+  GraspPrediction prediction;
+  const Placement placement = CalcPlacement(hand, grasp, object);
+  prediction.reach_miss = CalcReachMiss(hand, grasp, object);
+  prediction.room = CalcRoom(hand, grasp, object, placement, MakeObstacle(object));
+  prediction.needed_room = CalcNeededRoom(hand, grasp);
+  prediction.num_digits = static_cast<int>(grasp.digits.size());
+  PredictContacts(hand, grasp, object, placement, prediction);
+  return prediction;
+}
+
+bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
+  const Placement placement = CalcBoxPlacement(hand, grasp, object);
+  if (!placement.reaches_object) return false;
+  const auto calc_box = [&](const Vector3d& p_O) { return CalcBoxDistance(object.size, p_O); };
+  return CalcRoom(hand, grasp, object, placement, calc_box) >= CalcNeededRoom(hand, grasp);
+}
+
+Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object) {
+  if (grasp.placement || !grasp.object.empty()) return grasp;
+  std::vector<Grasp> ways = {grasp};
+  if (grasp.approach == Approach::kAutomatic && object.approach == Approach::kAutomatic) {
+    ways.push_back(grasp);
+    ways.back().approach =
+        ComesFromSide(CalcPlacement(hand, grasp, object)) ? Approach::kAbove : Approach::kSide;
+  }
+  for (const Grasp& way : ways) {
+    for (int k = 0; k <= kOpeningSteps; ++k) {
+      const Grasp opened = k == 0 ? way : Open(hand, way, static_cast<double>(k) / kOpeningSteps);
+      const Placement placement = CalcPlacement(hand, opened, object);
+      if (!placement.reaches_object) continue;
+      if (CalcRoom(hand, opened, object, placement, MakeObstacle(object)) >=
+          CalcNeededRoom(hand, opened)) {
+        return opened;
+      }
+    }
+  }
+  return grasp;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,65 @@
+#pragma once
+/** @file
+What geometry says of a standard grasp of this hand on this mesh, before any trial: whether the
+placement reaches it, whether the open hand comes there without touching it, and how its digits will
+meet it when they close.
+
+The object may stand off its nominal place by kPlacementOffset in x and y and kPlacementYaw (method:
+the variation between trials), and joints err by the hand's accuracy, which moves a fingertip by
+accuracy times a finger's length. The way is clear when, for the object at its nominal place and in
+every corner of that box, no digit comes nearer to it on the straight approach than that.
+
+Closing is followed kinematically, each digit until one of its links meets the object where it
+nominally stands: objects that are pushed and digits that yield are not foreseen. The fit is then
+judged by two conditions that are necessary for a grasp by friction mu alone: the forces along the
+surface normals, thumb against the mean of the others, oppose each other within twice atan(mu), and
+the mean surface normal does not point up by more than atan(mu), or squeezing would push the object
+out of the hand.
+
+All of this is proposed by graspbench. */
+
+#include "core/base/units.h"
+#include "core/grasp/standard_grasp.h"
+#include "core/hand/hand.h"
+#include "core/shape/grasp_object.h"
+
+namespace graspbench {
+
+inline constexpr double kPlacementOffset = 0.005;  ///< [m]
+inline constexpr double kPlacementYaw = 5.0 * kPi / 180.0;
+
+struct GraspPrediction {
+  double reach_miss = 0.0;   ///< by which the pads stop short of the object [m]; 0: they reach it
+  double room = 0.0;         ///< of the open digits beside the object, at worst; negative where one
+                             ///< would be inside it [m]
+  double needed_room = 0.0;  ///< [m]
+  int num_digits = 0;        ///< that grasp
+  int num_touching = 0;      ///< of these, when the hand has closed
+  bool thumb_touches = false;  ///< the opposing digit is one of them
+  bool opposes = false;        ///< normals of the thumb and the others oppose each other
+  bool lifts = false;          ///< normals do not point up
+
+  bool reaches() const { return reach_miss <= 0.0; }
+  bool is_clear() const { return room >= needed_room; }
+  bool holds() const { return opposes && lifts && num_touching == num_digits; }
+  /** Larger is better: that it reaches comes before that it is clear, and that before contacts. */
+  int Rank() const {
+    return 16 * reaches() + 8 * is_clear() + 4 * (thumb_touches && num_touching >= 2) +
+           2 * (opposes && lifts) + (num_touching == num_digits);
+  }
+};
+
+/** @pre the object has its distance field. */
+GraspPrediction PredictGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
+
+/** Whether the grasp reaches the object and is clear of it even if the object filled its bounding
+box; needs no distance field. Such a grasp need not be fitted. */
+bool ClearsBoundingBox(const Hand& hand, const Grasp& grasp, const GraspObject& object);
+
+/** The grasp as the hand does it on this object: its pre-grasp opened, along the line from target to
+pre-grasp and within the joints' limits, until the way is clear; where nobody says from where the
+hand comes and the rule's way (placement.h) is not clear or does not reach, from the other. Itself
+when it is clear as it is, was made for an object, or when nothing helps. @pre as PredictGrasp. */
+Grasp FitGrasp(const Hand& hand, const Grasp& grasp, const GraspObject& object);
+
+}  // namespace graspbench

@@ -1,0 +1,152 @@
+#include "core/grasp/predict_grasp.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/grasp/placement.h"
+#include "core/hand/load_hand.h"
+#include "core/shape/primitives.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCell = 0.0008;  // of the distance fields here, about [m]
+
+GraspObject MakeObject(TriMesh mesh) {
+  GraspObject object;
+  object.mesh = std::move(mesh);
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : object.mesh.vertices) box.extend(p);
+  object.size = box.sizes();
+  object.mass_properties = CalcSolidMassProperties(object.mesh, 0.1);
+  object.surface.friction_static = object.surface.friction_dynamic = 0.4;
+  object.field =
+      std::make_shared<const SignedDistanceField>(SignedDistanceField::Build(object.mesh));
+  return object;
+}
+
+GraspObject MakeCylinder(double radius, double height) {
+  const double z = 0.5 * height;
+  return MakeObject(MakeRevolution({{0.0, -z}, {radius, -z}, {radius, z}, {0.0, z}}, 96));
+}
+
+double CalcCylinderDistance(double radius, double height, const Vector3d& p) {
+  const Eigen::Vector2d beyond(p.head<2>().norm() - radius, std::abs(p.z()) - 0.5 * height);
+  return beyond.cwiseMax(0.0).norm() + std::min(0.0, beyond.maxCoeff());
+}
+
+class PredictGraspTest : public testing::Test {
+ protected:
+  Grasp Get(const std::string& id) const {
+    for (const Grasp& grasp : LoadStandardGrasps(hand_)) {
+      if (grasp.id == id) return grasp;
+    }
+    throw Error(ErrorKind::kNotFound, id);
+  }
+  const Hand hand_ = LoadHand("tum");
+};
+
+// Brute force: no object anywhere in the box of placement errors comes nearer to a digit on its way,
+// by the closed form of a cylinder's distance, and some come nearly as near.
+TEST_F(PredictGraspTest, TheRoomIsTheLeastOfManyDrawnPlaces) {
+  constexpr double kRadius = 0.036, kHeight = 0.06;
+  const GraspObject cylinder = MakeCylinder(kRadius, kHeight);
+  const Grasp grasp = Get("g1");
+  const double room = PredictGrasp(hand_, grasp, cylinder).room;
+  const Placement placement = CalcPlacement(hand_, grasp, cylinder);
+  const std::vector<Pose> X_HL = CalcLinkPoses(hand_, CalcClosingPosture(hand_, grasp, 0.0));
+  RandomStream stream("room", "draws");
+  double least = 1.0;
+  for (int draw = 0; draw < 200; ++draw) {
+    // Every other one in a corner, where it is nearest.
+    const auto draw_offset = [&] {
+      const double offset = stream.NextUniform(-kPlacementOffset, kPlacementOffset);
+      return draw % 2 == 0 ? offset : std::copysign(kPlacementOffset, offset);
+    };
+    const Vector3d p_WO(draw_offset(), draw_offset(), 0.5 * kHeight);
+    for (double back = 0.0; back < 0.1; back += 0.002) {
+      for (const ContactSphere& sphere : hand_.contact_spheres) {
+        if (hand_.FindDigitOfLink(sphere.link) < 0) continue;
+        const Vector3d p_WS =
+            placement.X_WH * (X_HL[static_cast<size_t>(sphere.link)] * sphere.p_LS) -
+            back * placement.approach_W;
+        least =
+            std::min(least, CalcCylinderDistance(kRadius, kHeight, p_WS - p_WO) - sphere.radius);
+      }
+    }
+  }
+  EXPECT_GT(least, room - kCell);
+  EXPECT_LT(least, room + 0.0015);
+}
+
+// A finger's accuracy times its length from base to tip: 2 degrees.
+TEST_F(PredictGraspTest, JointErrorsNeedRoom) {
+  const GraspPrediction prediction = PredictGrasp(hand_, Get("g1"), MakeCylinder(0.02, 0.06));
+  EXPECT_NEAR(prediction.needed_room, RadFromDeg(2.0) * 0.1, RadFromDeg(2.0) * 0.03);
+  EXPECT_TRUE(prediction.is_clear());
+}
+
+TEST_F(PredictGraspTest, DigitsMeetWhatTheyCloseOn) {
+  const GraspPrediction can = PredictGrasp(hand_, Get("g1"), MakeCylinder(0.02, 0.06));
+  EXPECT_TRUE(can.reaches());
+  EXPECT_EQ(can.num_touching, 3);
+  EXPECT_TRUE(can.holds());
+  // Nothing closes down to a needle's width with a target whose pads stay apart.
+  Grasp open = Get("g1");
+  open.q_target = open.q_pre;
+  const GraspPrediction none = PredictGrasp(hand_, open, MakeCylinder(0.005, 0.06));
+  EXPECT_EQ(none.num_touching, 0);
+  EXPECT_FALSE(none.holds());
+  EXPECT_LT(none.Rank(), can.Rank());
+}
+
+// What is half closed is opened again, on its own line and no farther than needed; what is clear
+// stays as it is.
+TEST_F(PredictGraspTest, ThePreGraspOpensUntilItIsClear) {
+  const GraspObject cylinder = MakeCylinder(0.02, 0.06);
+  const Grasp standard = Get("g1");
+  EXPECT_EQ(FitGrasp(hand_, standard, cylinder).q_pre, standard.q_pre);
+  Grasp closed = standard;
+  closed.q_pre = 0.5 * (standard.q_pre + standard.q_target);
+  EXPECT_FALSE(PredictGrasp(hand_, closed, cylinder).is_clear());
+  closed.approach = Approach::kAbove;
+  const Grasp fitted = FitGrasp(hand_, closed, cylinder);
+  EXPECT_TRUE(PredictGrasp(hand_, fitted, cylinder).is_clear());
+  EXPECT_EQ(fitted.q_target, closed.q_target);
+  const Eigen::VectorXd way = closed.q_pre - closed.q_target;
+  const double share = (fitted.q_pre - closed.q_pre).dot(way) / way.squaredNorm();
+  EXPECT_GT(share, 0.0);
+  EXPECT_LE(share, 1.0);
+  EXPECT_TRUE(fitted.q_pre.isApprox(closed.q_pre + share * way, 0.05));
+}
+
+// A plate as wide as a table is reached from nowhere, and stays with the grasp as it is.
+TEST_F(PredictGraspTest, WhatNothingHelpsStaysAsItIs) {
+  const GraspObject plate = MakeObject(MakeRoundedBox(Vector3d(0.3, 0.3, 0.04), 0.0));
+  const Grasp standard = Get("g1");
+  EXPECT_EQ(FitGrasp(hand_, standard, plate).q_pre, standard.q_pre);
+  EXPECT_EQ(FitGrasp(hand_, standard, plate).approach, standard.approach);
+  EXPECT_FALSE(PredictGrasp(hand_, standard, plate).reaches());
+}
+
+// A post too thick for the open hand from above: what is longer along y than the hand is wide is
+// taken from the side, where it is narrow; who says "above" gets above.
+TEST_F(PredictGraspTest, TheSideIsTriedWhereNobodySaysFromWhere) {
+  const GraspObject post = MakeObject(MakeRoundedBox(Vector3d(0.03, 0.11, 0.06), 0.0));
+  Grasp above = Get("g1");
+  above.approach = Approach::kAbove;
+  EXPECT_EQ(FitGrasp(hand_, above, post).approach, Approach::kAbove);
+  const Grasp fitted = FitGrasp(hand_, Get("g1"), post);
+  const GraspPrediction as_is = PredictGrasp(hand_, Get("g1"), post);
+  EXPECT_FALSE(as_is.reaches() && as_is.is_clear());
+  EXPECT_EQ(fitted.approach, Approach::kSide);
+  EXPECT_TRUE(PredictGrasp(hand_, fitted, post).is_clear());
+}
+
+}  // namespace
+}  // namespace graspbench
