@@ -7,19 +7,14 @@ together from them in shaders.cc. */
 
 namespace graspbench::assets {
 
-extern const std::string_view kEncodeGlsl;            ///< encode.glsl
-extern const std::string_view kGeometryFrag;          ///< geometry.frag
-extern const std::string_view kLightMapsGlsl;         ///< light_maps.glsl
-extern const std::string_view kNoLightMapsGlsl;       ///< no_light_maps.glsl
-extern const std::string_view kPositionVert;          ///< position.vert
-extern const std::string_view kResolveFrag;           ///< resolve.frag
-extern const std::string_view kSmoothFrag;            ///< smooth.frag
-extern const std::string_view kSurfaceFrag;           ///< surface.frag
-extern const std::string_view kSurfaceLightMapsGlsl;  ///< surface_light_maps.glsl
-extern const std::string_view kSurfaceVert;           ///< surface.vert
-extern const std::string_view kTableFrag;             ///< table.frag
-extern const std::string_view kTableLightFrag;        ///< table_light.frag
-extern const std::string_view kTableVert;             ///< table.vert
-extern const std::string_view kWholePictureVert;      ///< whole_picture.vert
+extern const std::string_view kEncodeGlsl;       ///< encode.glsl
+extern const std::string_view kGeometryFrag;     ///< geometry.frag
+extern const std::string_view kLightMapsGlsl;    ///< light_maps.glsl
+extern const std::string_view kNoLightMapsGlsl;  ///< no_light_maps.glsl
+extern const std::string_view kPositionVert;     ///< position.vert
+extern const std::string_view kSurfaceFrag;      ///< surface.frag
+extern const std::string_view kSurfaceVert;      ///< surface.vert
+extern const std::string_view kTableFrag;        ///< table.frag
+extern const std::string_view kTableVert;        ///< table.vert
 
 }  // namespace graspbench::assets

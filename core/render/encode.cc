@@ -23,6 +23,7 @@ std::string EncodePng(const Image& image) {
   writer.width = image.width;
   writer.height = image.height;
   writer.format = PNG_FORMAT_RGB;
+  writer.flags = PNG_IMAGE_FLAG_FAST;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(writer), '\0');
   png_alloc_size_t size = bytes.size();
   if (!png_image_write_to_memory(&writer, bytes.data(), &size, /*convert_to_8bit=*/0,

@@ -9,7 +9,9 @@
 #include "core/render/gl_program.h"
 #include "core/render/scene.h"
 #include "core/render/shaders.h"
+#include "core/render/smooth_edges.h"
 #include "core/render/stage.h"
+#include "core/render/table_light.h"
 
 namespace graspbench {
 namespace {
@@ -29,7 +31,6 @@ int ChooseTableLightSize(int picture_size) { return std::clamp(picture_size / 4,
 
 // Of a shadow's filter on a surface; large pictures show what few leave behind.
 int ChooseTaps(int picture_size) { return picture_size > 512 ? 4 : 2; }
-constexpr int kTableTaps = 8;
 
 constexpr double kFadeShare = 0.1;   // of the picture, at each edge, for what it may cut
 constexpr double kGridShare = 0.25;  // of the table's light that the lines of its grid take
@@ -56,11 +57,11 @@ struct Target {
 };
 
 // Address space that making a renderer takes: up to 500 MB for the first one, which loads Mesa with
-// its compiler and starts threads with arenas of their own; 10 MB for others. Drawing takes 22 MB.
-constexpr size_t kFirstMemory = 512u << 20, kFurtherMemory = 64u << 20, kDrawingMemory = 32u << 20;
-// Colour and depth of a pixel before and after edges are smoothed, twice: Mesa copies what it draws
-// into; pixels that are read back; a triangle, here and as Mesa has it.
-constexpr size_t kBytesOfTarget = 24, kBytesOfPixel = 9, kBytesOfTriangle = 168;
+// its compiler and starts threads with arenas of their own; 10 MB for others. Drawing takes 30 MB.
+constexpr size_t kFirstMemory = 512u << 20, kFurtherMemory = 64u << 20, kDrawingMemory = 40u << 20;
+// Colour and depth of a pixel, twice: Mesa copies what it draws into; pixels that are read back, in
+// GL's order, in the picture's and with smooth edges; a triangle, here and as Mesa has it.
+constexpr size_t kBytesOfTarget = 16, kBytesOfPixel = 18, kBytesOfTriangle = 168;
 
 }  // namespace
 
@@ -73,14 +74,16 @@ struct Renderer::Impl {
   Target MakeTarget(GLenum attachment, GLuint texture, int w, int h);
   void MakeLightMaps(int picture_size);
   void MakeWhiteTableLight();
+  void FillTableLight(const std::vector<uint8_t>& light);
   void BeginPicture(const Scene& scene);
   void DropUnusedMeshes();
   /** @param share  of its triangles that is drawn at least. */
   const GpuMesh& FindOrUpload(const Drawable& drawable, double share);
   void Begin(const Target& target, const GlProgram& program);
   void BindTexture(const GlProgram& program, const char* name, int unit, GLuint texture);
-  void BindLights(const GlProgram& program, const StageLight& key, const StageLight& sky);
+  void BindLights(const StageLight& key, const StageLight& sky);
   void DrawDepth(const Target& map, const StageLight& light);
+  LightMap ReadLightMap(const Target& map, const StageLight& light);
   void DrawMesh(const GpuMesh& mesh, GLenum inner_side);
   struct Item {
     const GpuMesh* mesh;
@@ -88,10 +91,8 @@ struct Renderer::Impl {
     Vector3f colour;
     bool may_be_cut;
   };
-  void DrawItems(const std::vector<Item>& drawn, const GlProgram& program, const StageView& view,
-                 const Scene& scene);
+  void DrawItems(const std::vector<Item>& drawn, const StageView& view, const Scene& scene);
   void DrawMarks(const StageView& view, const Scene& scene);
-  void DrawTableLight(const Eigen::Vector4d& area, const StageLight& key, const StageLight& sky);
   void DrawTable(const StageView& view, const Eigen::Vector4d& area, const Scene& scene);
   void MakeGeometryTarget();
   Image ReadPicture();
@@ -102,10 +103,11 @@ struct Renderer::Impl {
   const bool is_draft;  // coarse meshes, too
   int width;
   int height;
-  GlProgram depth, table_light, smooth, surface, mark, table, resolve;
+  GlProgram depth, surface, table;
   GlProgram geometry, table_geometry;  // made at first use, with their target
-  Target key_map, sky_map, rough_table_light, smooth_table_light, picture, resolved;
-  Target geometry_target;
+  Target key_map, sky_map, picture, geometry_target;
+  GLuint table_light = 0;  // a texture
+  int table_light_size = 0;
   GLuint compare_sampler = 0;  // compares with the depth in the map; without it: the depth itself
   GLuint no_vertices = 0;
   std::map<std::pair<const TriMesh*, double>, GpuMesh> meshes;
@@ -121,28 +123,19 @@ Renderer::Impl::Impl(int w, int h, RenderQuality quality)
       height(h) {
   const int size = std::max(w, h), taps = is_fast ? 0 : ChooseTaps(size);
   surface = MakeProgram(gl, MakeSurfaceShader(taps));
-  mark = is_fast ? surface : MakeProgram(gl, MakeSurfaceShader(0));
   table = MakeProgram(gl, MakeTableShader());
   if (is_fast) {
     MakeWhiteTableLight();
   } else {
     depth = MakeProgram(gl, MakeDepthShader());
-    table_light = MakeProgram(gl, MakeTableLightShader(kTableTaps));
-    smooth = MakeProgram(gl, MakeSmoothShader());
-    resolve = MakeProgram(gl, MakeResolveShader());
     MakeLightMaps(size);
   }
   picture = MakeTarget(GL_COLOR_ATTACHMENT0,
-                       MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_LINEAR),
+                       MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_NEAREST),
                        width, height);
   const GLuint picture_depth = MakeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT,
                                            GL_UNSIGNED_INT, width, height, GL_NEAREST);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, picture_depth, 0);
-  if (!is_fast) {
-    resolved = MakeTarget(
-        GL_COLOR_ATTACHMENT0,
-        MakeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height, GL_NEAREST), width, height);
-  }
   gl.GenVertexArrays(1, &no_vertices);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
 }
@@ -163,19 +156,16 @@ void Renderer::Impl::MakeLightMaps(int picture_size) {
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.SamplerParameteri(compare_sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 
-  for (Target* target : {&rough_table_light, &smooth_table_light}) {
-    const int side = ChooseTableLightSize(picture_size);
-    const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, side, side, GL_LINEAR);
-    *target = MakeTarget(GL_COLOR_ATTACHMENT0, texture, side, side);
-  }
+  table_light_size = ChooseTableLightSize(picture_size);
+  table_light =
+      MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, table_light_size, table_light_size, GL_LINEAR);
 }
 
 /** No shadow anywhere. */
 void Renderer::Impl::MakeWhiteTableLight() {
-  const GLuint texture = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 1, 1, GL_NEAREST);
-  smooth_table_light = MakeTarget(GL_COLOR_ATTACHMENT0, texture, 1, 1);
-  gl.ClearColor(1.0f, 1.0f, 1.0f, 1.0f);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
+  table_light_size = 1;
+  table_light = MakeTexture(GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 1, 1, GL_NEAREST);
+  FillTableLight({255, 255});
 }
 
 GLuint Renderer::Impl::MakeTexture(GLint internal_format, GLenum format, GLenum type, int w, int h,
@@ -266,18 +256,15 @@ void Renderer::Impl::BindTexture(const GlProgram& program, const char* name, int
   program.Set(name, unit);
 }
 
-void Renderer::Impl::BindLights(const GlProgram& program, const StageLight& key,
-                                const StageLight& sky) {
-  BindTexture(program, "key_map", 0, key_map.texture);
+void Renderer::Impl::BindLights(const StageLight& key, const StageLight& sky) {
+  BindTexture(surface, "key_map", 0, key_map.texture);
   gl.BindSampler(0, compare_sampler);
-  BindTexture(program, "key_depth", 1, key_map.texture);
-  BindTexture(program, "sky_map", 2, sky_map.texture);
-  gl.BindSampler(2, compare_sampler);
-  BindTexture(program, "sky_depth", 3, sky_map.texture);
-  program.Set("key_from_S", key.map_from_S);
-  program.Set("key_extent", key.extent);
-  program.Set("sky_from_S", sky.map_from_S);
-  program.Set("sky_extent", sky.extent);
+  BindTexture(surface, "sky_map", 1, sky_map.texture);
+  gl.BindSampler(1, compare_sampler);
+  surface.Set("key_from_S", key.map_from_S);
+  surface.Set("key_extent", key.extent);
+  surface.Set("sky_from_S", sky.map_from_S);
+  surface.Set("sky_extent", sky.extent);
 }
 
 void Renderer::Impl::DrawMesh(const GpuMesh& mesh, GLenum inner_side) {
@@ -299,20 +286,20 @@ void Renderer::Impl::DrawDepth(const Target& map, const StageLight& light) {
   }
 }
 
-void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const GlProgram& program,
-                               const StageView& view, const Scene& scene) {
-  program.Set("clip_from_S", view.clip_from_S);
-  program.Set("p_SEye", view.p_SEye);
-  program.Set("to_key", kToKey);
-  program.Set("to_fill", kToFill);
-  program.Set("to_rim", kToRim);
-  program.Set("background_srgb", scene.background_srgb);
-  program.Set("picture_size", Vector3f(static_cast<float>(picture.width),
+void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const StageView& view,
+                               const Scene& scene) {
+  surface.Set("clip_from_S", view.clip_from_S);
+  surface.Set("p_SEye", view.p_SEye);
+  surface.Set("to_key", kToKey);
+  surface.Set("to_fill", kToFill);
+  surface.Set("to_rim", kToRim);
+  surface.Set("background_srgb", scene.background_srgb);
+  surface.Set("picture_size", Vector3f(static_cast<float>(picture.width),
                                        static_cast<float>(picture.height), 0.0f));
   for (const Item& item : drawn) {
-    program.Set("fade_share", item.may_be_cut && view.fades_at_edges ? kFadeShare : 0.0);
-    program.Set("S_from_M", item.S_from_M);
-    program.Set("albedo", item.colour);
+    surface.Set("fade_share", item.may_be_cut && view.fades_at_edges ? kFadeShare : 0.0);
+    surface.Set("S_from_M", item.S_from_M);
+    surface.Set("albedo", item.colour);
     DrawMesh(*item.mesh, GL_BACK);
   }
   gl.Disable(GL_CULL_FACE);
@@ -322,29 +309,31 @@ void Renderer::Impl::DrawItems(const std::vector<Item>& drawn, const GlProgram& 
 /** What they lie on hides none of them, but they hide each other. */
 void Renderer::Impl::DrawMarks(const StageView& view, const Scene& scene) {
   if (marks.empty()) return;
-  Begin(picture, mark);
+  Begin(picture, surface);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
-  DrawItems(marks, mark, view, scene);
+  surface.Set("shade", 0.0);
+  DrawItems(marks, view, scene);
 }
 
-void Renderer::Impl::DrawTableLight(const Eigen::Vector4d& area, const StageLight& key,
-                                    const StageLight& sky) {
-  gl.Disable(GL_DEPTH_TEST);
-  Begin(rough_table_light, table_light);
-  BindLights(table_light, key, sky);
-  table_light.Set("table_area", area);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  Begin(smooth_table_light, smooth);
-  BindTexture(smooth, "rough", 0, rough_table_light.texture);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.Enable(GL_DEPTH_TEST);
+void Renderer::Impl::FillTableLight(const std::vector<uint8_t>& light) {
+  gl.BindTexture(GL_TEXTURE_2D, table_light);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, table_light_size, table_light_size, 0, GL_RG,
+                GL_UNSIGNED_BYTE, light.data());
+}
+
+LightMap Renderer::Impl::ReadLightMap(const Target& map, const StageLight& light) {
+  LightMap result = {light, map.width, {}};
+  result.depth.resize(static_cast<size_t>(map.width) * map.height);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+  gl.ReadPixels(0, 0, map.width, map.height, GL_DEPTH_COMPONENT, GL_FLOAT, result.depth.data());
+  return result;
 }
 
 /** @param area  that the texture of its light covers. */
 void Renderer::Impl::DrawTable(const StageView& view, const Eigen::Vector4d& area,
                                const Scene& scene) {
   Begin(picture, table);
-  BindTexture(table, "table_light", 0, smooth_table_light.texture);
+  BindTexture(table, "table_light", 0, table_light);
   table.Set("table_area", area);
   table.Set("clip_from_S", view.clip_from_S);
   table.Set("background", DecodeSrgb(scene.table_srgb));
@@ -418,22 +407,21 @@ Image Renderer::Impl::Render(const Scene& scene, const StageView& view) {
   gl.ClearColor(scene.background_srgb.x(), scene.background_srgb.y(), scene.background_srgb.z(),
                 1.0f);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (!is_fast) BindLights(surface, key, sky);
-  DrawItems(items, surface, view, scene);
+  if (!is_fast) BindLights(key, sky);
+  surface.Set("shade", is_fast ? 0.0 : 1.0);
+  DrawItems(items, view, scene);
 
   if (scene.has_table && view.p_SEye.z() > 0.0) {
     const Eigen::Vector4d area = FindShadowArea(corners);
-    if (!is_fast) DrawTableLight(area, key, sky);
+    if (!is_fast) {
+      FillTableLight(CalcTableLight(ReadLightMap(key_map, key), ReadLightMap(sky_map, sky), area,
+                                    table_light_size));
+    }
     DrawTable(view, area, scene);
   }
   DrawMarks(view, scene);
   gl.Disable(GL_DEPTH_TEST);
-  if (!is_fast) {
-    Begin(resolved, resolve);
-    BindTexture(resolve, "rough", 0, picture.texture);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  }
-  return ReadPicture();
+  return is_fast ? ReadPicture() : SmoothEdges(ReadPicture());
 }
 
 void Renderer::Impl::MakeGeometryTarget() {

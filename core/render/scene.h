@@ -3,8 +3,8 @@
 Off-screen pictures: a list of meshes with poses and colours, a camera, an image.
 
 OSMesa core 3.3 is loaded at first use and every GL function is taken from its own loader, so a
-program without pictures pays nothing and libGL cannot get in between. 2 x 2 supersampling, soft
-ground shadow. The same scene gives the same bytes on one Mesa version. */
+program without pictures pays nothing and libGL cannot get in between. Smoothed edges, soft ground
+shadow. The same scene gives the same bytes on one Mesa version. */
 
 #include <Eigen/Core>
 #include <cstdint>

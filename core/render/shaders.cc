@@ -24,19 +24,9 @@ ShaderSource MakeDepthShader() {
   return {"depth", JoinStage({kPositionVert}), JoinStage({"void main() {}\n"})};
 }
 
-ShaderSource MakeTableLightShader(int taps) {
-  return {"table light", JoinStage({kWholePictureVert}),
-          JoinStage({FormatTaps(taps), kLightMapsGlsl, kTableLightFrag})};
-}
-
-ShaderSource MakeSmoothShader() {
-  return {"smooth", JoinStage({kWholePictureVert}), JoinStage({kSmoothFrag})};
-}
-
 ShaderSource MakeSurfaceShader(int taps) {
   const std::string light =
-      taps > 0 ? FormatTaps(taps) + std::string(kLightMapsGlsl) + std::string(kSurfaceLightMapsGlsl)
-               : std::string(kNoLightMapsGlsl);
+      taps > 0 ? FormatTaps(taps) + std::string(kLightMapsGlsl) : std::string(kNoLightMapsGlsl);
   return {"surface", JoinStage({kSurfaceVert}),
           JoinStage({"in vec3 p_S;\nuniform vec3 to_key;\n", kEncodeGlsl, light, kSurfaceFrag})};
 }
@@ -51,10 +41,6 @@ ShaderSource MakeGeometryShader() {
 
 ShaderSource MakeTableGeometryShader() {
   return {"table geometry", JoinStage({kTableVert}), JoinStage({kGeometryFrag})};
-}
-
-ShaderSource MakeResolveShader() {
-  return {"resolve", JoinStage({kWholePictureVert}), JoinStage({kResolveFrag})};
 }
 
 }  // namespace graspbench

@@ -18,10 +18,6 @@ struct ShaderSource {
 
 /** Depth of the surfaces as a light sees them. */
 ShaderSource MakeDepthShader();
-/** How much of the key light and of the sky each point of the table sees: a small texture. */
-ShaderSource MakeTableLightShader(int taps);
-/** Mean of 4 x 4 neighbours of that texture. */
-ShaderSource MakeSmoothShader();
 /** The drawables. @param taps  of a shadow's filter; 0: no shadows. */
 ShaderSource MakeSurfaceShader(int taps);
 /** The table with its shadow and its 50 mm grid. */
@@ -31,7 +27,5 @@ ShaderSource MakeTableShader();
 ShaderSource MakeGeometryShader();
 ShaderSource MakeTableGeometryShader();
 ///@}
-/** Smooths edges along their direction, and everything a little. */
-ShaderSource MakeResolveShader();
 
 }  // namespace graspbench

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** At 2 ms a light object in a firm grip rattles [s]. */
-constexpr double kLongestTimestep = 0.001;
+/** At 1 ms a light object in a firm grip rattles: a marker with 14 N, held with 6 at 0.25 ms [s]. */
+constexpr double kLongestTimestep = 0.00025;
 // Contacts: time constant and damping ratio; impedance from .. to .. over a depth [m].
 constexpr const char* kContactSolref = "0.005 1";
 constexpr const char* kContactSolimp = "0.95 0.99 0.001";

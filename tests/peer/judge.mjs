@@ -28,13 +28,17 @@ export function runTrial(scene) {
   const firstTouch = {};
   let phase = '', grip = 0, closedGrip = 0, tableInHold = false, settled = null, before = null;
   let holdStart = 0, holdEnd = motion[motion.length - 1].time_s, worstDepth = 0;
-  let isOverloaded = false;
+  let isOverloaded = false, touchedHeight = null, closureRise = null;
+  const holdGrips = [];
 
   for (let row = 1; row < motion.length; ++row) {
     const command = motion[row], isLast = row === motion.length - 1;
     if (command.phase !== phase) {
       phase = command.phase;
-      if (phase === 'lift-off') closedGrip = grip;
+      if (phase === 'lift-off') {
+        closedGrip = grip;
+        if (touchedHeight !== null) closureRise = heightInHand(scene) - touchedHeight;
+      }
       if (phase === 'hold') holdStart = scene.data.time;
     }
     for (let k = 1; k <= substeps; ++k) {
@@ -48,11 +52,13 @@ export function runTrial(scene) {
     isOverloaded ||= scene.isArmOverloaded();
     const hand = scene.contacts.filter(contact => contact.digit !== 'table');
     grip = hand.reduce((sum, contact) => sum + contact.force, 0);
+    if (touchedHeight === null && hand.length > 0) touchedHeight = heightInHand(scene);
     for (const contact of hand) {
       if (row < liftRow) firstTouch[contact.digit] ??= scene.data.time - closureStart;
       worstDepth = Math.max(worstDepth, contact.depth);
     }
     if (phase === 'hold') {
+      if (row % LOOK_INTERVAL === 0) holdGrips.push(grip);
       if (hand.length < scene.contacts.length) tableInHold = true;
       if (!settled && scene.data.time >= 0.5 * (holdStart + holdEnd)) settled = relativePose(scene);
     }
@@ -72,12 +78,17 @@ export function runTrial(scene) {
     outcome: success ? 'success' : !isFinite ? 'not finite' : isOverloaded ? 'arm overloaded' :
         isSteady ? 'not physical' : isHeld ? 'moving in the hand' :
         isLifted ? 'lost while holding' : 'left behind',
-    firstTouch, closedGrip, rise, speed, worstDepth,
+    firstTouch, closedGrip, closureRise,
+    holdGrip: holdGrips.reduce((sum, force) => sum + force, 0) / holdGrips.length,
+    rise, speed, worstDepth,
     steadyDepth: success ? depth : null,
     creep: success ? norm(minus(held.place, settled.place)) +
         scene.objectRadius() * angleBetween(held.matrix, settled.matrix) : null,
   };
 }
+
+/** Of the object's centre of mass above the palm's origin [m]. */
+const heightInHand = scene => scene.objectPose().centre[2] - scene.bodyPose(scene.palmBody).place[2];
 
 /** Of the object's centre of mass in the palm's frame. */
 function relativePose(scene) {

@@ -1,10 +1,10 @@
 // A second opinion: carries out the trials of a session in MuJoCo, judges them by the README's rule
 // of success and compares. Prints the tables of README.md.
 //
-//   node tests/peer/referee.mjs GRASPBENCH SESSION [--trial ID] [--trials N] [--jobs N] [--variants]
+//   node tests/peer/referee.mjs GRASPBENCH SESSION [--trial ID] [--held N --failed N] [--jobs N] [--variants]
 //       [--half-step SESSION] [--out FILE]
 //
-// --trials takes the first N of every cell only. --variants repeats a trial on which both disagree in
+// --held and --failed take so many trials of either verdict (chooseTrials). --variants repeats a trial on which both disagree in
 // every variant of scene.mjs, to find what the verdict hangs on. --half-step names a session of the same plan at half the physics' step: it tells which verdicts
 // of graspbench itself hang on the step. --out keeps every comparison as a line of JSON; trials that
 // are in the file already are not run again.
@@ -14,15 +14,15 @@ import {join} from 'node:path';
 import {parseArgs} from 'node:util';
 import {Worker} from 'node:worker_threads';
 import {loadMujoco} from './load.mjs';
-import {exportSession, nameOf, readRecords} from './session.mjs';
+import {chooseTrials, exportSession, nameOf, readRecords} from './session.mjs';
 
 const {positionals: [graspbench, folder], values: options} = parseArgs({
   allowPositionals: true,
   options: {trial: {type: 'string', default: 'all'}, jobs: {type: 'string', default: '1'},
-            trials: {type: 'string'}, variants: {type: 'boolean', default: false}, 'half-step': {type: 'string'}, out: {type: 'string'}},
+            held: {type: 'string'}, failed: {type: 'string'}, variants: {type: 'boolean', default: false}, 'half-step': {type: 'string'}, out: {type: 'string'}},
 });
 if (!folder) {
-  console.error('usage: node referee.mjs GRASPBENCH SESSION [--trial ID] [--trials N] [--jobs N] [--variants] [--half-step SESSION] [--out FILE]');
+  console.error('usage: node referee.mjs GRASPBENCH SESSION [--trial ID] [--held N --failed N] [--jobs N] [--variants] [--half-step SESSION] [--out FILE]');
   process.exit(2);
 }
 const mujoco = await loadMujoco();
@@ -30,8 +30,10 @@ if (!mujoco) process.exit(0);
 
 const halved = options['half-step'] ?
     new Map(readRecords(options['half-step']).map(record => [nameOf(record), record.result.outcome])) : null;
+const chosen = options.held || options.failed ?
+    chooseTrials(graspbench, folder, Number(options.held ?? 0), Number(options.failed ?? 0)) : null;
 const records = exportSession(graspbench, folder, record =>
-    record.trial < Number(options.trials ?? Infinity) &&
+    (chosen?.has(record.trial_id) ?? true) &&
     (options.trial === 'all' || record.trial_id.startsWith(options.trial)));
 const kept = new Map();
 if (options.out && existsSync(options.out)) {
@@ -40,6 +42,9 @@ if (options.out && existsSync(options.out)) {
     kept.set(comparison.trial_id, comparison);
   }
 }
+const SAME_RISE = 0.005;  // of the object in the hand until the lift, in one seat [m]
+const NEAR_GRIP = 0.25;
+const isSameSeat = ({here, there}) => Math.abs(here.closureRise - there.closureRise) <= SAME_RISE;
 const agrees = comparison => comparison.here.success === comparison.there.success;
 const isKnown = ({trial_id: id}) => kept.has(id) &&
     (!options.variants || agrees(kept.get(id)) || Object.keys(kept.get(id).variants).length > 0);
@@ -52,6 +57,7 @@ function compare(record, {there, variants}) {
     trial: nameOf(record), trial_id: record.trial_id, hand: record.hand,
     here: {
       outcome: here.outcome, success: here.outcome === 'success', closedGrip: here.grip_force_n,
+      holdGrip: here.stability.hold.normal_force_n, closureRise: here.closure_rise_m,
       steadyDepth: here.steady_penetration_m, creep: here.hold_creep_m,
       firstTouch: Object.fromEntries(here.contacts.filter(c => c.time_s !== null).map(c => [c.digit, c.time_s])),
       halfStep: halved?.get(nameOf(record)) ?? null,
@@ -101,7 +107,7 @@ const scene0 = readFileSync(join(records[0].scene, 'scene.xml'), 'utf8');
 const version = scene0.match(/name="physics_version" data="([^"]*)"/)[1];
 console.log(`physics version ${version}, MuJoCo ${mujoco.mj_versionString()}, ${records.length} trials\n`);
 console.log('| hand | same verdict | both succeed | only here | only MuJoCo | both fail | first touch, median ' +
-    '\\|difference\\| | grip there over here, median (quartiles) | steady penetration here, there | creep here, there |');
+    '\\|difference\\| | same seat: grip within 25 %, there over here, median (quartiles) | steady penetration here, there | creep here, there |');
 console.log('| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |');
 for (const hand of new Set(records.map(record => record.hand))) {
   const all = comparisons.filter(c => c.hand === hand), n = all.length;
@@ -111,12 +117,14 @@ for (const hand of new Set(records.map(record => record.hand))) {
   const touches = all.flatMap(c => Object.entries(c.here.firstTouch)
       .filter(([digit]) => digit in c.there.firstTouch)
       .map(([digit, time]) => Math.abs(c.there.firstTouch[digit] - time)));
-  const grips = both.map(c => c.there.closedGrip / c.here.closedGrip).sort((a, b) => a - b);
+  const seated = both.filter(isSameSeat);
+  const grips = seated.map(c => c.there.holdGrip / c.here.holdGrip).sort((a, b) => a - b);
+  const near = grips.filter(ratio => Math.abs(ratio - 1) <= NEAR_GRIP).length;
   const quartile = share => (grips[Math.floor(share * (grips.length - 1))] ?? NaN).toFixed(2);
   const mm = values => `${(1e3 * median(values)).toPrecision(2)} mm`;
   console.log(`| ${hand} | ${same} of ${n}, ${(100 * same / n).toFixed(1)} % (${wilson(same, n)}) | ${count(true, true)} | ` +
       `${count(true, false)} | ${count(false, true)} | ${count(false, false)} | ${(1e3 * median(touches)).toFixed(0)} ms | ` +
-      `${median(grips).toFixed(2)} (${quartile(0.25)} to ${quartile(0.75)}) | ` +
+      `${near} of ${seated.length}, ${median(grips).toFixed(2)} (${quartile(0.25)} to ${quartile(0.75)}) | ` +
       `${mm(both.map(c => c.here.steadyDepth))}, ${mm(both.map(c => c.there.steadyDepth))} | ` +
       `${mm(both.map(c => c.here.creep))}, ${mm(both.map(c => c.there.creep))} |`);
 }
@@ -128,4 +136,13 @@ for (const c of comparisons.filter(c => !agrees(c))) {
       .filter(([, outcome]) => (outcome === 'success') === c.here.success).map(([variant]) => variant);
   console.log(`| ${c.trial} | ${c.here.outcome}${c.here.halfStep ? ` (${c.here.halfStep})` : ''} | ${c.there.outcome} | ` +
       `${c.here.closedGrip.toFixed(2)}, ${c.there.closedGrip.toFixed(2)} | ${agree.join(', ') || 'none'} |`);
+}
+
+console.log('\n| trial, held by both | rise here, there [mm] | grip while held here, there [N] |');
+console.log('| --- | --- | --- |');
+for (const {trial, here, there} of comparisons.filter(c => c.here.success && c.there.success)) {
+  const isNear = Math.abs(there.holdGrip / here.holdGrip - 1) <= NEAR_GRIP;
+  if (isNear && isSameSeat({here, there})) continue;
+  console.log(`| ${trial} | ${(1e3 * here.closureRise).toFixed(1)}, ${(1e3 * there.closureRise).toFixed(1)} | ` +
+      `${here.holdGrip.toFixed(2)}, ${there.holdGrip.toFixed(2)} |`);
 }

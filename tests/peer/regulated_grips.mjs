@@ -1,19 +1,17 @@
 // Verdicts of regulated grips in MuJoCo, which is given the commands that the drives were given here:
-// as many held as failed trials of a session, those with the smallest ids, which are hashes. What is
-// unreachable is left out: that verdict is of geometry.
+// as many held as failed trials of a session.
 //
 //   node tests/peer/regulated_grips.mjs GRASPBENCH SESSION [--each N] [--out FILE]
 //
 // --each takes N of either kind (50). --out keeps every comparison as a line of JSON; trials that are
 // in the file already are not run again.
 
-import {execFileSync} from 'node:child_process';
 import {appendFileSync, existsSync, readFileSync} from 'node:fs';
 import {parseArgs} from 'node:util';
 import {runTrial} from './judge.mjs';
 import {loadMujoco} from './load.mjs';
 import {Scene} from './scene.mjs';
-import {exportSession, nameOf, readRecords} from './session.mjs';
+import {chooseTrials, exportSession, nameOf} from './session.mjs';
 
 const {positionals: [graspbench, folder], values: options} = parseArgs({
   allowPositionals: true,
@@ -26,16 +24,8 @@ if (!folder) {
 const mujoco = await loadMujoco();
 if (!mujoco) process.exit(0);
 
-execFileSync(graspbench, ['export', folder, '--records'], {stdio: ['ignore', 'pipe', 'inherit']});
 const isHeld = record => record.result.outcome === 'success';
-const each = Number(options.each);
-const chosen = new Set();
-for (const held of [true, false]) {
-  const ids = readRecords(folder).filter(record => isHeld(record) === held && record.result.outcome !== 'unreachable')
-      .map(record => record.trial_id).sort();
-  if (ids.length < each) throw new Error(`${folder}: ${ids.length} trials are ${held ? 'held' : 'failed'}, ${each} wanted`);
-  for (const id of ids.slice(0, each)) chosen.add(id);
-}
+const chosen = chooseTrials(graspbench, folder, Number(options.each), Number(options.each));
 const records = exportSession(graspbench, folder, record => chosen.has(record.trial_id));
 const known = new Map();
 if (options.out && existsSync(options.out)) {

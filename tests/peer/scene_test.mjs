@@ -174,7 +174,7 @@ test('the trial starts without contact of the hand, the object at rest on the ta
     const scene = new Scene(mujoco, record.scene);
     scene.readContacts();
     assert.deepEqual(scene.contacts.filter(c => c.digit !== 'table'), [], record.trial_id);
-    for (let i = 0; i < 20; ++i) scene.advance(scene.motion[1]);
+    for (let t = 0; t < 0.02; t += scene.step) scene.advance(scene.motion[1]);
     near(scene.objectPose().place[2], Number(scene.xml.match(/name="object" pos="\S+ \S+ ([^"]*)"/)[1]), 5e-4,
         'height');
     scene.delete();
@@ -199,7 +199,7 @@ test('the arm carries the hand without load, and gives way as a spring of its st
   for (const hand of ['tum', 'shadow']) {
     const scene = sceneOf(hand, 'cup'), {data} = scene;
     const settle = () => {
-      for (let i = 0; i < 300; ++i) scene.advance(scene.motion[0], false);
+      for (let t = 0; t < 0.3; t += scene.step) scene.advance(scene.motion[0], false);
       return Array.from(data.qpos.slice(0, 7));
     };
     const free = settle();

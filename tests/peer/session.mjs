@@ -23,5 +23,19 @@ export function readRecords(folder) {
   });
 }
 
+/** So many held and failed trials of a session, those with the smallest ids, which are hashes. What
+    is unreachable is left out: that verdict is of geometry. */
+export function chooseTrials(graspbench, folder, numHeld, numFailed) {
+  execFileSync(graspbench, ['export', folder, '--records'], {stdio: ['ignore', 'pipe', 'inherit']});
+  const chosen = new Set();
+  for (const [held, num] of [[true, numHeld], [false, numFailed]]) {
+    const ids = readRecords(folder).filter(({result: {outcome}}) => (outcome === 'success') === held && outcome !== 'unreachable')
+        .map(record => record.trial_id).sort();
+    if (ids.length < num) throw new Error(`${folder}: ${ids.length} trials are ${held ? 'held' : 'failed'}, ${num} wanted`);
+    for (const id of ids.slice(0, num)) chosen.add(id);
+  }
+  return chosen;
+}
+
 /** The same draw in sessions of different settings. */
 export const nameOf = record => `${record.hand} ${record.object} ${record.grasp} #${record.trial}`;

@@ -6,6 +6,7 @@ uniform vec3 albedo;
 uniform vec3 background_srgb;
 uniform vec3 picture_size;
 uniform float fade_share;
+uniform float shade;  // 0: no shadow falls on it
 out vec4 srgb;
 void main() {
   vec3 n = normalize(n_S);
@@ -13,8 +14,8 @@ void main() {
   vec3 to_eye = normalize(p_SEye - p_S);
 
   float key = max(dot(n, to_key), 0.0);
-  if (key > 0.0) key *= CalcKeyVisibility(n);
-  float sky = CalcSkyVisibility(n);
+  if (key > 0.0) key *= mix(1.0, CalcKeyVisibility(n), shade);
+  float sky = mix(1.0, CalcSkyVisibility(n), shade);
 
   float up = 0.5 + 0.5 * n.z;
   vec3 light = mix(vec3(0.13, 0.125, 0.12), vec3(0.27, 0.29, 0.32) * mix(0.3, 1.0, sky), up);
