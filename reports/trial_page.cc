@@ -30,6 +30,8 @@ std::string NameOfScene(const TrialPageData& data) {
 Html DrawResult(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
+  const Html diagnosis =
+      result.diagnosis ? Element("p", {{"class", "verdict"}}, result.diagnosis->text) : Html();
   Table table("Measures of the trial.", {{"Measure"}, {"Value", Align::kNumber}});
   const auto add = [&table](const char* name, double value, int decimals) {
     table.AddRow({Text(name), Text(FormatFixed(value, decimals))});
@@ -49,7 +51,7 @@ Html DrawResult(const DrawnTrial& data) {
   return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason +
                        (seat == Seat::kUnknown ? "" : " Seat: " + WordsOf(seat) + ".") +
                        (IsCaged(result) ? " The object is caged." : "")) +
-         table.ToHtml();
+         diagnosis + table.ToHtml();
 }
 
 Html DrawPictures(const DrawnTrial& data) {
