@@ -30,6 +30,8 @@ std::string NameOfScene(const TrialPageData& data) {
 Html DrawResult(const DrawnTrial& data) {
   const TrialResult& result = data.record.result;
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
+  const Html diagnosis =
+      result.diagnosis ? Element("p", {{"class", "verdict"}}, result.diagnosis->text) : Html();
   Table table("Measures of the trial.", {{"Measure"}, {"Value", Align::kNumber}});
   const auto add = [&table](const char* name, double value, int decimals) {
     table.AddRow({Text(name), Text(FormatFixed(value, decimals))});
@@ -52,7 +54,7 @@ Html DrawResult(const DrawnTrial& data) {
                        (result.opposition ? std::string(" Opposition: ") +
                                                 RowOf(kOppositions, *result.opposition).name + "."
                                           : "")) +
-         table.ToHtml();
+         diagnosis + table.ToHtml();
 }
 
 Html DrawPictures(const DrawnTrial& data) {

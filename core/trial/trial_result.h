@@ -15,6 +15,7 @@ What is known of a trial after it was carried out. */
 #include "core/grasp/contact_order.h"
 #include "core/trial/grip/grip_record.h"
 #include "core/trial/measures/contact_events.h"
+#include "core/trial/measures/diagnosis.h"
 #include "core/trial/measures/opposition.h"
 #include "core/trial/measures/stability.h"
 #include "core/trial/moment.h"
@@ -93,6 +94,7 @@ void ReadDigitsText(JsonCursor& text, TrialResult& result);
 struct TrialResult {
   Outcome outcome = Outcome::kNotRun;
   std::string reason;                  ///< one sentence for a person; empty for a success
+  std::optional<Diagnosis> diagnosis;  ///< of a failure that hand and object were in
   std::vector<DigitContact> contacts;  ///< of the grasping digits; times since the start of closure
   std::vector<DigitTouch> touches;     ///< of the same digits
   ContactTiming timing;                ///< t0 = 0 = start of closure
@@ -132,6 +134,7 @@ struct TrialResult {
     using R = TrialResult;
     field("outcome", &R::outcome);
     field("reason", &R::reason);
+    field("diagnosis", &R::diagnosis);
     field("contacts", &DigitsToJson, &ReadDigits, &ReadDigitsText);
     field("lift_height_m", &R::lift_height,
           FieldColumn{"m", "height of the object's centre above rest at the end"});

@@ -40,6 +40,14 @@ std::string FindWeakestForce(const Judgement& judgement) {
   return weakest ? weakest->direction : "";
 }
 
+std::string ListFailureCauses() {
+  std::string text;
+  for (const FailureCauseRow& row : kFailureCauses) {
+    text += (text.empty() ? "" : ", ") + std::string(row.name);
+  }
+  return text;
+}
+
 /** "FF: posture ends; TH: balance". */
 std::string DescribeGripFaults(const GripRecord& grip) {
   std::string text;
@@ -48,6 +56,25 @@ std::string DescribeGripFaults(const GripRecord& grip) {
     text += (text.empty() ? "" : "; ") + digit.digit + ": " + NameOf(digit.fault);
   }
   return text;
+}
+
+/** Of a failure that hand and object were in; missing else. */
+void AddDiagnosisColumns(std::vector<CsvColumn<TrialRecord>>& columns) {
+  const auto take = [](auto value) {
+    return [value](const TrialRecord& record) {
+      return record.result.diagnosis ? Json(value(*record.result.diagnosis)) : Json();
+    };
+  };
+  columns.push_back({"cause", "string", "", "of the failure: " + ListFailureCauses(),
+                     take([](const Diagnosis& d) { return Json(NameOf(d.cause)); })});
+  columns.push_back(
+      {"cause_digit", "string", "", "the digit to blame; missing: none alone",
+       take([](const Diagnosis& d) { return d.digit.empty() ? Json() : Json(d.digit); })});
+  columns.push_back({"cause_time_s", "number", "s",
+                     "when the trial began to fail, since the start of placing",
+                     take([](const Diagnosis& d) { return JsonNumber(d.time); })});
+  columns.push_back({"diagnosis", "string", "", "the same for a person",
+                     take([](const Diagnosis& d) { return Json(d.text); })});
 }
 
 /** Of a trial that regulates its grip; missing else. */
@@ -316,6 +343,7 @@ std::vector<TrialColumn> ListTrialColumns(const std::vector<TrialRecord>& record
   AddDrawColumns(config, columns);
   columns.push_back({"reason", "string", "", "why it ended so, for a person; empty for a success",
                      [](const TrialRecord& record) { return Json(record.result.reason); }});
+  AddDiagnosisColumns(columns);
   return columns;
 }
 

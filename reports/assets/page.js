@@ -182,5 +182,8 @@
   }, true);
   addThemeSwitch();
   window.addEventListener('hashchange', reveal);
+  window.addEventListener('beforeprint', function () {
+    document.querySelectorAll('details.cell').forEach(function (cell) { cell.open = true; });
+  });
   if (location.hash) reveal();
 }());

@@ -33,7 +33,7 @@ Html DrawTrialStrip(const Filmstrip& strip, const CellSummary& cell, const Repor
   const TrialRecord& record = *strip.record;
   const Html trial =
       Text("Trial " + std::to_string(record.plan.trial) + ", " + WordsOf(record.result.outcome) +
-           (record.result.reason.empty() ? "" : ": " + record.result.reason) +
+           (ExplainEnd(record.result).empty() ? "" : ": " + ExplainEnd(record.result)) +
            "; times since the start of placing.");
   return DrawFilmstrip(strip.pictures, record.result, NameOfCell(cell, data.models)) +
          Element("p", {{"class", "small"}}, trial);
@@ -178,7 +178,7 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
                 const ReportData& data) {
   const Align number = Align::kNumber;
-  std::vector<Column> columns = {{"Trial"}, {"Outcome"}, {"Reason", Align::kProse}};
+  std::vector<Column> columns = {{"Trial"}, {"Outcome"}, {"Why", Align::kProse}};
   for (const std::string& digit : digits) {
     columns.push_back({data.models.NameOfDigit(cell.hand, digit) + " [s]", number,
                        "first contact since the start of closure"});
@@ -201,7 +201,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
   for (const TrialRecord* record : shown) {
     const TrialResult& result = record->result;
     std::vector<Html> row = {Text(std::to_string(record->plan.trial)),
-                             Text(WordsOf(result.outcome)), Text(result.reason)};
+                             Text(WordsOf(result.outcome)), Text(ExplainEnd(result))};
     for (const std::string& digit : digits) {
       row.push_back(Text(FormatFixed(FindContactTime(result, digit), 3)));
     }
@@ -236,13 +236,29 @@ const TrialRecord& FindShownTrial(const CellSummary& cell) {
   return success == cell.records.end() ? *cell.records.front() : **success;
 }
 
+/** " 2 dropped while holding, 1 no contact of a digit"; nothing where all succeeded. */
+Html DescribeOthers(const Tally& tally) {
+  std::string text;
+  for (const Outcome outcome : ListOutcomes()) {
+    if (IsSuccess(outcome) || tally.CountOf(outcome) == 0) continue;
+    text += (text.empty() ? " " : ", ") + std::to_string(tally.CountOf(outcome)) + " " +
+            WordsOf(outcome);
+  }
+  return text.empty() ? Html() : Element("span", {{"class", "others"}}, text);
+}
+
 Html DrawCell(const CellSummary& cell, const ReportData& data) {
   const Tally& tally = cell.tally;
-  Html content = Element(
-      "h4", {},
-      Text(data.models.NameOfObject(cell.object) + ", " + NameOfGrasp(cell.grasp) + " ") +
-          Element("span", {{"class", "count"}},
-                  std::to_string(tally.successes()) + " of " + std::to_string(tally.finished)));
+  // Folded: a session has dozens of conditions, and what went wrong stands further up.
+  const Html summary = Element(
+      "summary", {},
+      Element("h4", {},
+              Text(data.models.NameOfObject(cell.object) + ", " + NameOfGrasp(cell.grasp) + " ") +
+                  Element("span", {{"class", "count"}},
+                          std::to_string(tally.successes()) + " of " +
+                              std::to_string(tally.finished))) +
+          DescribeOthers(tally));
+  Html content;
   std::string facts = DescribeObject(cell, data.models);
   if (tally.finished > 0) {
     facts += " Success in " + FormatRate(tally) + ".";
@@ -263,13 +279,14 @@ Html DrawCell(const CellSummary& cell, const ReportData& data) {
     if (!events.empty()) folded = MakeDetails("Contact events of one trial", events) + folded;
     content += Element("div", {{"class", "screen"}}, folded);
   }
-  return Element("section", {{"id", cell.key}, {"class", "cell"}}, content);
+  return Element("details", {{"id", cell.key}, {"class", "cell"}}, summary + content);
 }
 
 Html DrawCells(const ReportData& data) {
   if (data.summary.cells.empty()) return MakeParagraph("There is nothing to show.");
   Html html = MakeParagraph(
-      "Each condition shows one trial in pictures, the first successful one where there is any, "
+      "A click opens a condition. It shows one trial in pictures, the first successful one where "
+      "there is any, "
       "and one "
       "of each other outcome, seen by a camera that only rises with a hand that lifts the object. "
       "The records hold these three moments; graspbench trial draws any other. Below them stand "

@@ -42,14 +42,14 @@ Html DrawFailedTrials(const ReportData& data) {
        {"Object"},
        {"Grasp"},
        {"Outcome"},
-       {"Reason", Align::kProse},
+       {"Why", Align::kProse},
        {"Drawn x, y [mm], yaw [deg]", Align::kNumber, "of the object, off its nominal place"}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)),
                   Text(data.models.NameOfHand(planned.hand)),
                   Text(data.models.NameOfObject(planned.object)), Text(planned.grasp),
-                  Text(WordsOf(failures[i]->result.outcome)), Text(failures[i]->result.reason),
+                  Text(WordsOf(failures[i]->result.outcome)), Text(ExplainEnd(failures[i]->result)),
                   FormatDraw(data, planned)});
   }
   Html html =

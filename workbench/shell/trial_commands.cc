@@ -22,9 +22,8 @@ namespace graspbench {
 namespace {
 
 constexpr int kMaxTrials = 10000;
-constexpr double kWellBefore = 0.5, kJustBefore = 0.01;  // [s]
-constexpr double kFullUse = 0.99;                        // of a friction cone
-constexpr int kNumNeighbours = 10;  // draws among which a successful one is looked for
+constexpr double kJustBefore = 0.01;  // [s]
+constexpr int kNumNeighbours = 10;    // draws among which a successful one is looked for
 
 /** The choice's trials of the draws 0 to count - 1, or as many as there was time for. */
 std::vector<TrialResult> RunDraws(Shell& shell, int count) {
@@ -120,45 +119,12 @@ LinkForce FindLinkForce(ShellScene& scene, const std::string& link) {
   return force;
 }
 
-/** The first contact that gave way from lift-off on, else the last one that did before; null: none.
-*/
-const ContactEvent* FindFailure(const TrialResult& result) {
-  double lift_off = std::numeric_limits<double>::infinity();
-  for (const PhaseStart& phase : result.phases) {
-    if (phase.name == NameOf(Phase::kLiftOff)) lift_off = phase.time;
-  }
-  const ContactEvent* failure = nullptr;
-  for (const ContactEvent& event : result.contact_events) {
-    if (event.kind != ContactEventKind::kSlip && event.kind != ContactEventKind::kLost) continue;
-    failure = &event;
-    if (event.time >= lift_off) break;
-  }
-  return failure;
-}
-
-/** What gave way, in the time that `goto` takes, and how its forces came there. */
-std::string DescribeFailure(ShellScene& scene, const TrialResult& result) {
-  const ContactEvent* failure = FindFailure(result);
-  if (failure == nullptr) return "failed   no contact slipped or was lost\n";
-  const double end = scene.time(), time = failure->time + scene.notes().closure_start;
-  const auto never = [] { return false; };
-  scene.GoTo(std::max(time - kWellBefore, 0.0), never);
-  double limit_since = scene.time();
-  while (scene.time() < time - kJustBefore && scene.Advance()) {
-    if (FindLinkForce(scene, failure->link).cone_share < kFullUse) limit_since = scene.time();
-  }
-  const LinkForce force = FindLinkForce(scene, failure->link);
-  scene.GoTo(end, never);
-  return fmt::format(
-      "failed   {} ({}) {} at {} s\n         just before: normal force {} N, {} of its friction "
-      "cone in use{}\n         all forces then: goto {}, contacts\n",
-      failure->digit, failure->link,
-      failure->kind == ContactEventKind::kSlip ? "slipped" : "let go", FormatFixed(time, 3),
-      FormatFixed(force.normal, 2), MakePlainText(FormatPercent(force.cone_share)),
-      force.cone_share < kFullUse
-          ? ""
-          : "\n         all of it since " + FormatFixed(limit_since, 3) + " s",
-      FormatFixed(time - kJustBefore, 3));
+/** Why it failed, and where to look. */
+std::string DescribeFailure(const TrialResult& result) {
+  if (!result.diagnosis) return {};
+  const Diagnosis& diagnosis = *result.diagnosis;
+  return fmt::format("why      {}\n         all forces then: goto {}, contacts\n", diagnosis.text,
+                     FormatFixed(std::max(diagnosis.time - kJustBefore, 0.0), 3));
 }
 
 /** Of what holds at the end. */
@@ -174,18 +140,6 @@ std::string DescribeWeakest(ShellScene& scene) {
   if (weakest.empty()) return {};
   return fmt::format("weakest  {}: normal force {} N, {} of its friction cone in use\n", weakest,
                      FormatFixed(most.normal, 2), MakePlainText(FormatPercent(most.cone_share)));
-}
-
-std::string DescribeMissing(const TrialResult& result) {
-  std::string text;
-  for (size_t d = 0; d < result.contacts.size(); ++d) {
-    if (!std::isnan(result.contacts[d].time)) continue;
-    const double gap = MmFromM(result.touches[d].smallest_gap);
-    text += fmt::format("missing  {} did not touch before lift-off; its nearest was {} mm\n",
-                        result.contacts[d].digit.str(),
-                        gap < 0.05 ? "less than 0.1" : FormatFixed(gap, 1));
-  }
-  return text;
 }
 
 std::string DescribeNeighbour(Shell& shell) {
@@ -258,11 +212,10 @@ void ExplainTrial(Shell& shell, const ShellArguments&) {
   const TrialResult result = scene.course().End();
   std::string text = "outcome  " + std::string(NameOf(result.outcome));
   text += (result.reason.empty() ? "" : ": " + result.reason) + "\n";
-  text += DescribeMissing(result);
   if (IsSuccess(result.outcome)) {
     text += DescribeWeakest(scene);
   } else {
-    text += DescribeFailure(scene, result) + DescribeNeighbour(shell);
+    text += DescribeFailure(result) + DescribeNeighbour(shell);
   }
   shell.explanation = text;
   PrintResult(text);

@@ -79,18 +79,6 @@ std::string FormatDigits(const ExaminedTrial& trial) {
   return table.Format();
 }
 
-std::string FormatFirstFailure(const TracedTrial& traced) {
-  const TrialResult& result = traced.result;
-  const double start = traced.closure_start;
-  const ContactEvent* loss = FindFirstLoss(result.contact_events);
-  if (!loss) return "no contact was lost for good";
-  const ContactEvent* slip = FindSlipBefore(result.contact_events, *loss);
-  return fmt::format(
-      "{} ({}) was the first to let go for good, at {} s{}", loss->digit, loss->link,
-      FormatFixed(loss->time + start, 3),
-      slip ? ", after slipping from " + FormatFixed(slip->time + start, 3) + " s on" : "");
-}
-
 /** Nothing of a trial that was not lifted. */
 std::string FormatSeat(const TrialResult& result) {
   const Seat seat = FindSeat(result);
@@ -203,7 +191,7 @@ std::string FormatTrial(const ExaminedTrial& trial, const std::string& folder) {
       FormatPhases(trial.traced) + "\n";
   if (!result.contacts.empty()) text += FormatDigits(trial);
   text += FormatSeat(result) + FormatGrip(result);
-  if (!IsSuccess(result.outcome)) text += "let go   " + FormatFirstFailure(trial.traced) + "\n";
+  if (result.diagnosis) text += "why      " + result.diagnosis->text + "\n";
   if (trial.nearest && !IsSuccess(result.outcome)) {
     text += fmt::format("nearest  {} succeeded; its object stood {} mm from this one\n",
                         NameTrial(trial.nearest->plan),
@@ -224,14 +212,14 @@ Json MakeTrialJson(const ExaminedTrial& trial, const std::string& folder) {
                       {"y_m", draw.offset_y},
                       {"yaw_rad", draw.offset_yaw},
                       {"joint_error_rad", JsonAngles(draw.joint_error)}};
-  json["times_since"] = "start of closure; of snapshots: start of placing";
+  json["times_since"] = "start of closure; of snapshots and diagnosis: start of placing";
   json["closure_start_s"] = JsonNumber(trial.traced.closure_start);
   json["result"] = ToJson(trial.traced.result);
   const Seat seat = FindSeat(trial.traced.result);
   json["seat"] = seat == Seat::kUnknown ? Json() : Json(NameOf(seat));
   json["caged"] = IsCaged(trial.traced.result);
-  const ContactEvent* loss = FindFirstLoss(trial.traced.result.contact_events);
-  json["first_loss"] = loss ? RecordToJson(*loss) : Json();
+  const std::optional<Diagnosis>& diagnosis = trial.traced.result.diagnosis;
+  json["diagnosis"] = diagnosis ? RecordToJson(*diagnosis) : Json();
   json["nearest_success"] = trial.nearest ? Json{{"trial_id", trial.nearest->plan.id},
                                                  {"name", NameTrial(trial.nearest->plan)},
                                                  {"distance_m", trial.nearest_distance}}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/drive_position.h"
 #include "core/quality/smallest_grip.h"
 #include "core/trial/measures/stability_meter.h"
 
@@ -72,19 +73,6 @@ double GripRegulator::CalcClosureTime() const {
   return slowest;
 }
 
-/** The coordinate that the drive of a joint acts on, as the physics has it. */
-double GripRegulator::CalcDrivePosition(int joint, const WorldState& state) const {
-  const Hand& hand = *setup_->hand;
-  double position = state.q[joint];
-  if (hand.coupling != CouplingRule::kMiddleFirst) return position;
-  for (int other = 0; other < hand.num_joints(); ++other) {
-    const HandJoint& coupled = hand.joints[static_cast<size_t>(other)];
-    if (coupled.coupled_to != joint || coupled.is_mimic) continue;
-    position += state.q[other] - (state.deviation.size() > 0 ? state.deviation[other] : 0.0);
-  }
-  return position;
-}
-
 void GripRegulator::FollowTouches(const World& world, const std::vector<HandContact>& contacts,
                                   const TouchSensors* sensors) {
   std::vector<bool> touches(digits_.size() + 1, false);
@@ -106,8 +94,8 @@ void GripRegulator::TakeBack(DigitGrip& digit, const World& world) const {
   double along = 0.0, length = 0.0;
   for (const int joint : digit.joints) {
     const double stiffness = setup_->hand->joints[static_cast<size_t>(joint)].drive.stiffness;
-    const double moved = CalcDrivePosition(joint, world.state()) - setup_->grasp.q_pre[joint] -
-                         setup_->draw.joint_error[joint];
+    const double moved = CalcDrivePosition(*setup_->hand, world.state(), joint) -
+                         setup_->grasp.q_pre[joint] - setup_->draw.joint_error[joint];
     along += stiffness * way_[joint] * moved;
     length += stiffness * way_[joint] * way_[joint];
   }
@@ -238,7 +226,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
   is_stopped_.assign(static_cast<size_t>(hand.num_joints()), false);
   for (int joint = 0; joint < hand.num_joints(); ++joint) {
     dofs_[static_cast<size_t>(joint)] = world.dynamics().dof_of_joint(joint);
-    drive_positions_[joint] = CalcDrivePosition(joint, world.state());
+    drive_positions_[joint] = CalcDrivePosition(hand, world.state(), joint);
     const HandJoint& coupled = hand.joints[static_cast<size_t>(joint)];
     const double upper = coupled.coupled_to >= 0 && hand.coupling == CouplingRule::kMiddleFirst
                              ? std::min(coupled.upper, world.state().q[coupled.coupled_to])

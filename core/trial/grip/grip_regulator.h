@@ -97,7 +97,6 @@ class GripRegulator {
   void ShareForce(const std::vector<PartLoad>& loads);
   void ShareWithinSide();
   void TakeBack(DigitGrip& digit, const World& world) const;
-  double CalcDrivePosition(int joint, const WorldState& state) const;
   bool IsAtLimit(const DigitGrip& digit, double share) const;
   bool IsStopped(const DigitGrip& digit) const;
   GripFault FindFault(const DigitGrip& digit, double asked, double reached) const;

@@ -83,25 +83,4 @@ std::vector<ContactEvent> ContactEventRecorder::MakeEvents() const {
   return events;
 }
 
-const ContactEvent* FindFirstLoss(const std::vector<ContactEvent>& events) {
-  for (auto loss = events.begin(); loss != events.end(); ++loss) {
-    if (loss->kind != ContactEventKind::kLost) continue;
-    const bool came_back = std::any_of(loss, events.end(), [&](const ContactEvent& event) {
-      return event.kind == ContactEventKind::kRegained && event.link == loss->link;
-    });
-    if (!came_back) return &*loss;
-  }
-  return nullptr;
-}
-
-const ContactEvent* FindSlipBefore(const std::vector<ContactEvent>& events,
-                                   const ContactEvent& loss) {
-  const ContactEvent* slip = nullptr;
-  for (const ContactEvent& event : events) {
-    const bool is_one = event.kind == ContactEventKind::kSlip && event.link == loss.link;
-    if (is_one && event.time <= loss.time) slip = &event;
-  }
-  return slip;
-}
-
 }  // namespace graspbench

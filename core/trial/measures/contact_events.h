@@ -59,13 +59,6 @@ struct ContactEvent {
   }
 };
 
-/** The first touch that was lost for good, "what failed first"; null when none was. A link that came
-back has not failed. @param events  of a trial, in the order of their times. */
-const ContactEvent* FindFirstLoss(const std::vector<ContactEvent>& events);
-/** The slip of the same link after which it was lost, the last one before; null without any. */
-const ContactEvent* FindSlipBefore(const std::vector<ContactEvent>& events,
-                                   const ContactEvent& loss);
-
 /** Watches a trial. */
 class ContactEventRecorder {
  public:

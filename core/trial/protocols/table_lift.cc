@@ -60,7 +60,8 @@ TableLift::TableLift(std::unique_ptr<World> world, const TrialSetup& setup, Wris
       placement_(CalcPlacement(hand_, setup.grasp, *setup.object)),
       digits_(FindGraspingDigits(hand_, setup.grasp)),
       notes_{GraspStrategy(setup.strategy, setup.grasp.approach_distance), StabilityMeter(setup),
-             ContactEventRecorder(hand_), MakeRegulator(setup_, digits_)} {
+             ContactEventRecorder(hand_), LoadRecorder(setup_, digits_),
+             MakeRegulator(setup_, digits_)} {
   for (const int digit : digits_) {
     const bool opposes = digit == FindOpposingDigit(hand_, setup.grasp);
     notes_.result.contacts.push_back(
@@ -248,6 +249,8 @@ void TableLift::Observe(const StepReport& report) {
                           CalcSlipSpeed(world_->state(), object_radius_), duration);
   }
   notes_.events.Observe(notes_.time, duration, hand_contacts_);
+  notes_.loads.Observe(notes_.time, duration, *world_, notes_.command, report, hand_contacts_,
+                       notes_.grip);
   if (notes_.sensors) notes_.sensors->Observe(notes_.time, hand_contacts_, world_->dynamics());
   notes_.grip.Observe(notes_.strategy.phase(), *world_, hand_contacts_,
                       notes_.sensors ? &*notes_.sensors : nullptr);
@@ -398,6 +401,7 @@ TrialResult TableLift::End() {
   result.contact_events = notes_.events.MakeEvents();
   for (ContactEvent& event : result.contact_events) event.time -= notes_.closure_start;
   result.timing = CalcContactTiming(result.contacts, 0.0);
+  result.diagnosis = FindDiagnosis(result, notes_.loads.samples());
   return result;
 }
 

@@ -21,6 +21,7 @@ see tests/bench/sim_bench.cc. */
 #include "core/grasp/strategy.h"
 #include "core/physics/world.h"
 #include "core/trial/grip/grip_regulator.h"
+#include "core/trial/measures/load_recorder.h"
 #include "core/trial/measures/seat.h"
 #include "core/trial/measures/stability_meter.h"
 #include "core/trial/measures/steady_contacts.h"
@@ -36,6 +37,7 @@ struct TrialNotes {
   GraspStrategy strategy;
   StabilityMeter stability;
   ContactEventRecorder events;
+  LoadRecorder loads;
   GripRegulator grip;
   TrialResult result = {};  ///< as far as known; times since the start
 

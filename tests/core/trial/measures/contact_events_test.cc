@@ -100,26 +100,5 @@ TEST(ContactEvents, SurviveTheirRecord) {
   EXPECT_THROW(ReadRecord({{"time_s", 1.0}, {"kind", "kiss"}}, event), Error);
 }
 
-ContactEvent MakeEvent(double time, ContactEventKind kind, const char* link) {
-  return {time, kind, "FF", link, kUnset};
-}
-
-TEST(ContactEvents, TheFirstLossIsTheOneThatNothingBringsBack) {
-  using Kind = ContactEventKind;
-  const std::vector<ContactEvent> events = {
-      MakeEvent(0.1, Kind::kTouch, "a"), MakeEvent(0.2, Kind::kTouch, "b"),
-      MakeEvent(0.3, Kind::kSlip, "b"),  MakeEvent(0.4, Kind::kLost, "a"),
-      MakeEvent(0.5, Kind::kSlip, "b"),  MakeEvent(0.6, Kind::kRegained, "a"),
-      MakeEvent(0.7, Kind::kLost, "b"),  MakeEvent(0.8, Kind::kLost, "a")};
-  const ContactEvent* loss = FindFirstLoss(events);
-  ASSERT_NE(loss, nullptr);
-  EXPECT_EQ(loss->time, 0.7) << "a came back at 0.6";
-  const ContactEvent* slip = FindSlipBefore(events, *loss);
-  ASSERT_NE(slip, nullptr);
-  EXPECT_EQ(slip->time, 0.5) << "the last one before";
-  EXPECT_EQ(FindSlipBefore(events, events[3]), nullptr) << "a never slipped";
-  EXPECT_EQ(FindFirstLoss({events.begin(), events.begin() + 3}), nullptr);
-}
-
 }  // namespace
 }  // namespace graspbench

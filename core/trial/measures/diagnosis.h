@@ -1,0 +1,95 @@
+#pragma once
+/** @file
+Why a trial failed: the first disturbance, the first loss that mattered, what the others bore then,
+and what would have been needed. One answer, kept in the trial's record, so that every page and
+command says the same.
+
+The loss that mattered is the part of the hand whose last run of slipping or not touching, up to the
+end of the trial, began first; runs that are interrupted by less than 30 ms are one. Its cause is the
+first of these that holds (all limits proposed by graspbench):
+
+    push          a force beyond table and hand above 0.2 N and half the weight, up to 0.3 s before
+    late digit    a digit never touched, or after the others, while its command was behind theirs by
+                  0.15 of the closing, or 0.2 s after the last of the others; and it was lost thereby
+                  (never touched, or the object had moved by 2 mm)
+    no touch      a digit never touched
+    low friction  a slipping part has less than 0.75 of the least friction of the others
+    weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
+    pushed by a digit   the object was pushed away before it was held
+    weak grip     friction, sum mu N, could not bear the weight
+    no balance    it could have; the forces did not act against each other */
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/enum_table.h"
+#include "core/base/text/json.h"
+#include "core/base/text/record_fields.h"
+#include "core/base/units.h"
+
+namespace graspbench {
+
+struct LoadSample;
+struct TrialResult;
+
+enum class FailureCause {
+  kPush,
+  kLateDigit,
+  kNoTouch,
+  kLowFriction,
+  kWeakDigit,
+  kPushedByDigit,
+  kWeakGrip,
+  kNoBalance,
+};
+struct FailureCauseRow {
+  FailureCause value;
+  const char* name;
+};
+inline constexpr FailureCauseRow kFailureCauses[] = {
+    {FailureCause::kPush, "push"},
+    {FailureCause::kLateDigit, "late digit"},
+    {FailureCause::kNoTouch, "no touch"},
+    {FailureCause::kLowFriction, "low friction"},
+    {FailureCause::kWeakDigit, "weak digit"},
+    {FailureCause::kPushedByDigit, "pushed by a digit"},
+    {FailureCause::kWeakGrip, "weak grip"},
+    {FailureCause::kNoBalance, "no balance"}};
+inline const char* NameOf(FailureCause cause) { return RowOf(kFailureCauses, cause).name; }
+inline Json ToJson(FailureCause cause) { return NameOf(cause); }
+/** @throws Json::exception or Error(kFormat). */
+inline void ReadJson(const Json& json, FailureCause& cause) {
+  cause = RowFromName(kFailureCauses, json.get<std::string>(), "cause").value;
+}
+
+struct Diagnosis {
+  FailureCause cause = FailureCause::kNoBalance;
+  std::string digit;      ///< that is to blame; empty: none alone
+  double time = kUnset;   ///< at which the trial began to fail, since the start of placing [s]
+  std::string lost;       ///< the part that gave way first for good, a digit or "palm"; empty: none
+  double force = kUnset;  ///< it pressed with just before [N]
+  double others = kUnset;    ///< the others did [N]
+  double bearable = kUnset;  ///< sum mu N of all that touched then [N]
+  std::string text;          ///< two or three sentences for a person
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using D = Diagnosis;
+    field("cause", &D::cause);
+    field("digit", &D::digit);
+    field("time_s", &D::time, FieldMayMiss{});
+    field("lost", &D::lost);
+    field("force_n", &D::force, FieldMayMiss{});
+    field("others_n", &D::others, FieldMayMiss{});
+    field("bearable_n", &D::bearable, FieldMayMiss{});
+    field("text", &D::text);
+  }
+};
+
+/** None of a success, and of a trial whose outcome says it all (unreachable, not seen, ..). @param result  as TableLift::End knows it, with phases, contacts, touches and weight;
+times since the start of closure.   @param samples  of the whole trial. */
+std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
+                                       const std::vector<LoadSample>& samples);
+
+}  // namespace graspbench

@@ -1,0 +1,97 @@
+#include "core/trial/measures/load_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/drive_position.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kInterval = 0.01;      // of samples [s]
+constexpr double kTableFriction = 1.0;  // more than any table here has
+constexpr double kAtLimit = 0.98;       // of a torque limit
+
+}  // namespace
+
+LoadRecorder::LoadRecorder(const TrialSetup& setup, const std::vector<int>& digits)
+    : hand_(setup.hand),
+      way_(setup.grasp.q_target - setup.grasp.q_pre),
+      part_of_link_(setup.hand->links.size(), static_cast<int>(digits.size())) {
+  for (size_t part = 0; part < digits.size(); ++part) {
+    const std::vector<int>& links = hand_->digits[static_cast<size_t>(digits[part])].links;
+    joints_.emplace_back();
+    for (const int link : links) {
+      part_of_link_[static_cast<size_t>(link)] = static_cast<int>(part);
+      const int joint = hand_->links[static_cast<size_t>(link)].joint;
+      if (joint >= 0 && way_[joint] != 0.0) joints_.back().push_back(joint);
+    }
+  }
+}
+
+bool LoadRecorder::IsAtLimit(size_t part, const World& world, const WorldCommand& command) const {
+  return std::any_of(joints_[part].begin(), joints_[part].end(), [&](int joint) {
+    const JointDrive& drive = hand_->joints[static_cast<size_t>(joint)].drive;
+    if (!(drive.torque_limit > 0.0)) return false;
+    const double torque =
+        drive.stiffness * (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
+    return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= kAtLimit * drive.torque_limit;
+  });
+}
+
+void LoadRecorder::Observe(double time, double duration, const World& world,
+                           const WorldCommand& command, const StepReport& report,
+                           const std::vector<HandContact>& contacts, const GripRegulator& grip) {
+  const WorldState& state = world.state();
+  if (std::isnan(begun_)) {
+    begun_ = time;
+    v_begun_W_ = state.v_WOcm;
+    rest_W_ = state.p_WOcm.head<2>();
+    return;
+  }
+  for (const HandContact& contact : contacts) {
+    impulse_W_ += duration * (contact.normal_force * contact.nhat_W + contact.friction_W);
+  }
+  table_impulse_ += duration * report.table_force;
+  const double length = time - begun_;
+  if (length < kInterval - 1e-9) return;
+
+  LoadSample sample;
+  sample.time = time;
+  sample.shift = (state.p_WOcm.head<2>() - rest_W_).norm();
+  sample.is_on_table = report.table_force > 0.0;
+  const double mass = world.mass_properties().mass;
+  const Eigen::Vector3d rest =
+      (mass * (state.v_WOcm - v_begun_W_) - impulse_W_) / length - mass * state.gravity_W;
+  const double table = table_impulse_ / length;
+  sample.push =
+      std::max(0.0, rest.head<2>().norm() - kTableFriction * table) + std::abs(rest.z() - table);
+
+  sample.parts.resize(joints_.size() + 1);
+  std::vector<Eigen::Vector3d> friction_W(sample.parts.size(), Eigen::Vector3d::Zero());
+  std::vector<double> limit(sample.parts.size(), 0.0), friction(sample.parts.size(), 0.0);
+  for (const HandContact& contact : contacts) {
+    const auto at = static_cast<size_t>(part_of_link_[static_cast<size_t>(contact.link)]);
+    PartSample& part = sample.parts[at];
+    part.is_sliding = (part.force == 0.0f || part.is_sliding) && IsSliding(contact);
+    part.force += static_cast<float>(contact.normal_force);
+    friction_W[at] += contact.friction_W;
+    limit[at] += contact.mu * contact.normal_force;
+    friction[at] += contact.mu_dynamic * contact.normal_force;
+  }
+  for (size_t at = 0; at < sample.parts.size(); ++at) {
+    PartSample& part = sample.parts[at];
+    if (part.force > 0.0f) part.friction = static_cast<float>(friction[at] / part.force);
+    if (limit[at] > 0.0) part.cone_share = static_cast<float>(friction_W[at].norm() / limit[at]);
+    if (at >= joints_.size()) continue;
+    part.closing = static_cast<float>(grip.closing(at));
+    part.is_at_limit = IsAtLimit(at, world, command);
+  }
+  samples_.push_back(std::move(sample));
+  begun_ = time;
+  v_begun_W_ = state.v_WOcm;
+  impulse_W_.setZero();
+  table_impulse_ = 0.0;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,68 @@
+#pragma once
+/** @file
+What each part of a hand bore over a trial, every 10 ms: what a diagnosis looks back on.
+
+A part is a grasping digit or, last, the rest of the hand. Besides the hand only gravity and the table
+act on the object, and the table's horizontal force is at most its normal force times a friction of
+kTableFriction. What the balance of momentum over a sample leaves beyond that was a push:
+
+    F_rest = m dv/dt - m g - F_hand
+    push   = max(0, |F_rest,xy| - kTableFriction N_table) + |F_rest,z - N_table|
+
+It is exact where forces are those of the end of an implicit step (ImplicitWorld). */
+
+#include <memory>
+#include <vector>
+
+#include "core/physics/world.h"
+#include "core/trial/grip/grip_regulator.h"
+#include "core/trial/trial_setup.h"
+
+namespace graspbench {
+
+struct PartSample {
+  float force = 0.0f;        ///< sum of normal forces [N]
+  float cone_share = 0.0f;   ///< of its friction cone, all contacts together, in use
+  float friction = 0.0f;     ///< dynamic, mean weighted by force; 0: it does not touch
+  float closing = 0.0f;      ///< s that was asked of the digit
+  bool is_sliding = false;   ///< all of its contacts
+  bool is_at_limit = false;  ///< a drive that closes it gives all it can
+};
+
+struct LoadSample {
+  double time = 0.0;   ///< since the start of placing [s]
+  double shift = 0.0;  ///< of the object's centre of mass from its rest, along the table [m]
+  double push = 0.0;   ///< mean over the sample [N]
+  bool is_on_table = false;
+  std::vector<PartSample> parts;  ///< grasping digits, then the rest of the hand
+};
+
+/** A value: it is saved and restored with the trial. */
+class LoadRecorder {
+ public:
+  /** @param digits  those that grasp, indices into Hand::digits. */
+  LoadRecorder(const TrialSetup& setup, const std::vector<int>& digits);
+
+  /** After every step. @param grip  knows how far each digit was asked to close. */
+  void Observe(double time, double duration, const World& world, const WorldCommand& command,
+               const StepReport& report, const std::vector<HandContact>& contacts,
+               const GripRegulator& grip);
+
+  const std::vector<LoadSample>& samples() const { return samples_; }
+
+ private:
+  bool IsAtLimit(size_t part, const World& world, const WorldCommand& command) const;
+
+  std::shared_ptr<const Hand> hand_;
+  Eigen::VectorXd way_;  // q_target - q_pre
+  std::vector<int> part_of_link_;
+  std::vector<std::vector<int>> joints_;  // that close each grasping digit
+  std::vector<LoadSample> samples_;
+  Eigen::Vector3d impulse_W_ = Eigen::Vector3d::Zero();  // of the hand, since the last sample [N s]
+  double table_impulse_ = 0.0;                           // [N s]
+  double begun_ = kUnset;                                // the sample, [s]
+  Eigen::Vector3d v_begun_W_ = Eigen::Vector3d::Zero();  // of the object's centre of mass [m/s]
+  Eigen::Vector2d rest_W_ = Eigen::Vector2d::Zero();     // [m]
+};
+
+}  // namespace graspbench

@@ -1,0 +1,155 @@
+#include "core/trial/measures/diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include "core/grasp/strategy.h"
+#include "core/trial/measures/load_recorder.h"
+#include "core/trial/trial_result.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kClosure = 1.0, kLiftOff = 2.0, kEnd = 3.0;  // since the start of placing [s]
+
+PartSample MakePart(double force) {
+  PartSample part;
+  part.force = static_cast<float>(force);
+  part.friction = force > 0.0 ? 0.6f : 0.0f;
+  part.closing = 1.0f;
+  return part;
+}
+
+/** Thumb and two fingers that press from 1.5 s on; from `lost_at` on all slip. */
+struct Story {
+  TrialResult result;
+  std::vector<LoadSample> samples;
+
+  explicit Story(double lost_at, double force = 2.0) {
+    result.outcome = Outcome::kSlippedInLiftOff;
+    result.weight = 1.0;
+    result.contacts = {{"TH", true, 0.5}, {"FF", false, 0.5}, {"MF", false, 0.5}};
+    result.touches.resize(3);
+    result.phases = {{NameOf(Phase::kPlacing), -kClosure},
+                     {NameOf(Phase::kClosure), 0.0},
+                     {NameOf(Phase::kLiftOff), kLiftOff - kClosure}};
+    for (double time = 0.01; time < kEnd; time += 0.01) {
+      LoadSample sample;
+      sample.time = time;
+      sample.parts = {MakePart(0.0), MakePart(0.0), MakePart(0.0), MakePart(0.0)};
+      for (size_t part = 0; part < 3 && time >= 1.5; ++part) {
+        sample.parts[part] = MakePart(part == 0 ? 2.0 * force : force);
+        sample.parts[part].is_sliding = time >= lost_at + 0.02 * static_cast<double>(part);
+      }
+      samples.push_back(sample);
+    }
+  }
+  Diagnosis Find() const { return *FindDiagnosis(result, samples); }
+};
+
+TEST(Diagnosis, ASuccessAndAnUnreachableObjectHaveNone) {
+  Story story(2.2);
+  for (const Outcome outcome : {Outcome::kSuccess, Outcome::kUnreachable, Outcome::kNotSeen}) {
+    story.result.outcome = outcome;
+    EXPECT_FALSE(FindDiagnosis(story.result, story.samples));
+  }
+}
+
+TEST(Diagnosis, TheFirstToSlipForGoodGaveWay) {
+  const Diagnosis found = Story(2.2).Find();
+  EXPECT_EQ(found.lost, "TH");
+  EXPECT_NEAR(found.time, 2.2, 0.011);
+  EXPECT_DOUBLE_EQ(found.force, 4.0);
+  EXPECT_DOUBLE_EQ(found.others, 4.0);
+}
+
+TEST(Diagnosis, ASlipThatEndsIsNoLoss) {
+  Story story(2.6);
+  for (LoadSample& sample : story.samples) {
+    if (sample.time > 2.1 && sample.time < 2.3) sample.parts[1].is_sliding = true;
+  }
+  EXPECT_EQ(story.Find().lost, "TH");
+  EXPECT_NEAR(story.Find().time, 2.6, 0.011);
+}
+
+TEST(Diagnosis, FrictionThatCannotBearTheWeightIsAWeakGrip) {
+  const Diagnosis weak = Story(2.2, 0.3).Find();  // 0.6 (0.6 + 0.3 + 0.3) N = 0.72 N of 1 N
+  EXPECT_EQ(weak.cause, FailureCause::kWeakGrip);
+  EXPECT_NEAR(weak.bearable, 0.72, 1e-6);
+  EXPECT_EQ(Story(2.2, 2.0).Find().cause, FailureCause::kNoBalance);
+}
+
+TEST(Diagnosis, APushComesBeforeAllElse) {
+  Story story(2.2);
+  for (LoadSample& sample : story.samples) {
+    if (sample.time > 2.15 && sample.time < 2.18) sample.push = 3.0;
+    sample.parts[2].is_at_limit = true;
+  }
+  const Diagnosis found = story.Find();
+  EXPECT_EQ(found.cause, FailureCause::kPush);
+  EXPECT_NEAR(found.time, 2.16, 0.011);
+}
+
+TEST(Diagnosis, APushLongBeforeIsNotTheCause) {
+  Story story(2.6);
+  for (LoadSample& sample : story.samples) {
+    if (sample.time > 1.6 && sample.time < 1.65) sample.push = 3.0;
+  }
+  EXPECT_NE(story.Find().cause, FailureCause::kPush);
+}
+
+TEST(Diagnosis, ADigitThatNeverTouchedIsNamed) {
+  Story story(2.2);
+  story.result.contacts[2].time = kUnset;
+  story.result.touches[2].smallest_gap = 0.0034;
+  for (LoadSample& sample : story.samples) sample.parts[2] = MakePart(0.0);
+  const Diagnosis found = story.Find();
+  EXPECT_EQ(found.cause, FailureCause::kNoTouch);
+  EXPECT_EQ(found.digit, "MF");
+  EXPECT_NE(found.text.find("3.4 mm"), std::string::npos) << found.text;
+}
+
+TEST(Diagnosis, ADigitWhoseCommandWasBehindIsLate) {
+  Story story(2.2);
+  story.result.contacts[1].time = 0.9;  // the others: 0.5
+  for (LoadSample& sample : story.samples) {
+    if (sample.time < 1.9) sample.parts[1] = MakePart(0.0);
+    if (sample.time < 1.9) sample.parts[1].closing = 0.4f;
+    if (sample.time > 1.6) sample.shift = 0.012;
+  }
+  const Diagnosis found = story.Find();
+  EXPECT_EQ(found.cause, FailureCause::kLateDigit);
+  EXPECT_EQ(found.digit, "FF");
+  EXPECT_NE(found.text.find("400 ms"), std::string::npos) << found.text;
+}
+
+TEST(Diagnosis, OneSlipperyDigitIsNamedThoughAnotherGivesWayFirst) {
+  Story story(2.2);
+  for (LoadSample& sample : story.samples) {
+    if (sample.time >= 1.5) sample.parts[2].friction = 0.2f;
+  }
+  const Diagnosis found = story.Find();
+  EXPECT_EQ(found.cause, FailureCause::kLowFriction);
+  EXPECT_EQ(found.digit, "MF");
+  EXPECT_EQ(found.lost, "TH");
+}
+
+TEST(Diagnosis, ADriveAtItsLimitIsToBlameUnlessAllAre) {
+  Story story(2.2);
+  for (LoadSample& sample : story.samples) sample.parts[1].is_at_limit = true;
+  EXPECT_EQ(story.Find().cause, FailureCause::kWeakDigit);
+  EXPECT_EQ(story.Find().digit, "FF");
+  for (LoadSample& sample : story.samples) {
+    for (PartSample& part : sample.parts) part.is_at_limit = true;
+  }
+  EXPECT_NE(story.Find().cause, FailureCause::kWeakDigit);
+}
+
+TEST(Diagnosis, SurvivesItsRecord) {
+  const Diagnosis found = Story(2.2).Find();
+  Diagnosis back;
+  ReadRecord(RecordToJson(found), back);
+  EXPECT_EQ(RecordToJson(back).dump(), RecordToJson(found).dump());
+}
+
+}  // namespace
+}  // namespace graspbench
