@@ -18,9 +18,10 @@ constexpr double kMostInterruption = 0.03;  // of a run of slipping [s]
 constexpr double kLookBack = 0.3;           // from the loss to its cause [s]
 constexpr double kLeastPush = 0.2;          // [N]
 constexpr double kLeastPushWeights = 0.5;
-constexpr double kBehind = 0.15;  // of the closing
-constexpr double kLate = 0.2;     // after the last of the others [s]
-constexpr double kMoved = 0.002;  // [m]
+constexpr double kBehind = 0.15;      // of the closing
+constexpr double kBehindShare = 0.5;  // of the closing of the first to touch
+constexpr double kLate = 0.2;         // after the last of the others [s]
+constexpr double kMoved = 0.002;      // [m]
 constexpr double kLowFriction = 0.75;
 
 std::string Times(double time) { return FormatFixed(time, 3) + " s"; }
@@ -85,11 +86,12 @@ class Course {
     return samples_[loss.sample > 0 ? loss.sample - 1 : 0];
   }
 
-  const LoadSample* FindPush(double until) const {
+  /** The first one; of an object that was lifted only before it was lost. */
+  const LoadSample* FindPush(double lost_at) const {
     const double least = std::max(kLeastPush, kLeastPushWeights * result_.weight);
     for (const LoadSample& sample : samples_) {
-      if (sample.time > until) break;
-      if (sample.time >= until - kLookBack && sample.push > least) return &sample;
+      if (!std::isnan(lift_off_) && sample.time > lost_at) break;
+      if (sample.push > least) return &sample;
     }
     return nullptr;
   }
@@ -104,7 +106,8 @@ class Course {
     std::optional<size_t> late;
     for (size_t digit = 0; digit < num_digits(); ++digit) {
       const double touch = FindTouch(digit);
-      const bool is_behind = begin.parts[digit].closing < begin.parts[*first].closing - kBehind;
+      const float own = begin.parts[digit].closing, ahead = begin.parts[*first].closing;
+      const bool is_behind = own < ahead - kBehind || own < kBehindShare * ahead;
       const bool is_last = std::isnan(touch) || touch > last_of_others + kLate;
       if (!is_behind && (!is_last || std::isnan(touch))) {
         if (!std::isnan(touch)) last_of_others = std::max(last_of_others, touch);
@@ -249,15 +252,6 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
                                  course.NameOfPart(first))) +
               fmt::format("; by then the object had been moved by {} mm.",
                           FormatFixed(1e3 * then.shift, 1)));
-  } else if (const auto missing =
-                 std::find_if(result.contacts.begin(), result.contacts.end(),
-                              [](const DigitContact& contact) { return std::isnan(contact.time); });
-             missing != result.contacts.end()) {
-    const auto digit = static_cast<size_t>(missing - result.contacts.begin());
-    diagnosis.time = course.FindEndOfClosing();
-    blame(FailureCause::kNoTouch, digit,
-          fmt::format("{} never touched the object; its nearest was {} mm.", missing->digit.str(),
-                      FormatFixed(1e3 * result.touches[digit].smallest_gap, 1)));
   } else if (const auto slippery = FindSlipperyPart(samples, lost_at)) {
     const PartSample& part = course.At(lost_at).parts[*slippery];
     blame(FailureCause::kLowFriction, *slippery,
@@ -267,6 +261,15 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     blame(FailureCause::kWeakDigit, *weak,
           fmt::format("A drive of {} gave all it could, which pressed with {}.",
                       course.NameOfPart(*weak), Newtons(before.parts[*weak].force)));
+  } else if (const auto missing =
+                 std::find_if(result.contacts.begin(), result.contacts.end(),
+                              [](const DigitContact& contact) { return std::isnan(contact.time); });
+             missing != result.contacts.end()) {
+    const auto digit = static_cast<size_t>(missing - result.contacts.begin());
+    diagnosis.time = course.FindEndOfClosing();
+    blame(FailureCause::kNoTouch, digit,
+          fmt::format("{} never touched the object; its nearest was {} mm.", missing->digit.str(),
+                      FormatFixed(1e3 * result.touches[digit].smallest_gap, 1)));
   } else if (result.outcome == Outcome::kPushedAway && course.FindFirstDigit()) {
     const size_t first = *course.FindFirstDigit();
     diagnosis.time = course.FindTouch(first);

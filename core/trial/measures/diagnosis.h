@@ -8,13 +8,14 @@ The loss that mattered is the part of the hand whose last run of slipping or not
 end of the trial, began first; runs that are interrupted by less than 30 ms are one. Its cause is the
 first of these that holds (all limits proposed by graspbench):
 
-    push          a force beyond table and hand above 0.2 N and half the weight, up to 0.3 s before
-    late digit    a digit never touched, or after the others, while its command was behind theirs by
-                  0.15 of the closing, or 0.2 s after the last of the others; and it was lost thereby
-                  (never touched, or the object had moved by 2 mm)
-    no touch      a digit never touched
+    push          a force beyond table and hand above 0.2 N and half the weight, before the loss; of an
+                  object that was not lifted at any time
+    late digit    when the first digit touched, a digit's command was behind its by 0.15 of the
+                  closing or by half of it, or it touched 0.2 s after the last of the others; and it
+                  never touched, or the object had moved by 2 mm by then
     low friction  a slipping part has less than 0.75 of the least friction of the others
     weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
+    no touch      a digit never touched
     pushed by a digit   the object was pushed away before it was held
     weak grip     friction, sum mu N, could not bear the weight
     no balance    it could have; the forces did not act against each other */

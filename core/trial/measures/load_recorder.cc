@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kInterval = 0.01;      // of samples [s]
 constexpr double kTableFriction = 1.0;  // more than any table here has
-constexpr double kAtLimit = 0.98;       // of a torque limit
+/** Of a torque limit: what a drive at its limit holds creeps, and its torque with it. */
+constexpr double kAtLimit = 0.9;
 
 }  // namespace
 

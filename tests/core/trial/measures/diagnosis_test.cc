@@ -89,10 +89,10 @@ TEST(Diagnosis, APushComesBeforeAllElse) {
   EXPECT_NEAR(found.time, 2.16, 0.011);
 }
 
-TEST(Diagnosis, APushLongBeforeIsNotTheCause) {
-  Story story(2.6);
+TEST(Diagnosis, APushAfterTheLossIsNotTheCause) {
+  Story story(2.2);
   for (LoadSample& sample : story.samples) {
-    if (sample.time > 1.6 && sample.time < 1.65) sample.push = 3.0;
+    if (sample.time > 2.3 && sample.time < 2.35) sample.push = 3.0;
   }
   EXPECT_NE(story.Find().cause, FailureCause::kPush);
 }
