@@ -117,8 +117,8 @@ TEST(ThresholdSummary, WhatIsNotFinishedIsNotCounted) {
 
 /** Two conditions of six objects with two draws each: under "heavy" a draw needs the grip that is four
 places larger, twice the margin; the second draw of object 0 is never held there. */
-struct PlantedSweep {
-  PlantedSweep() {
+struct ThresholdSweep {
+  ThresholdSweep() {
     sweep.config.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
     experiment.config.conditions = ListThresholdGrips(kMarginScale, sweep.config);
     for (int object = 0; object < 6; ++object) {
@@ -155,7 +155,7 @@ struct PlantedSweep {
 };
 
 TEST(ThresholdSummary, EachConditionOfASweepHasItsOwn) {
-  const PlantedSweep planted;
+  const ThresholdSweep planted;
   ASSERT_EQ(planted.experiment.config.conditions.size(), 34u);
   EXPECT_EQ(planted.experiment.config.conditions[17].name, "heavy, margin 1.000");
   EXPECT_EQ(FindThresholdScale(planted.experiment.config), &kMarginScale);
@@ -180,7 +180,7 @@ TEST(ThresholdSummary, EachConditionOfASweepHasItsOwn) {
 // All draws but one need exactly twice the margin; that one counts as one step above the largest:
 // from place 1 to 17 are 16 quarters of an octave, so the mean of twelve is (11 + 4) / 12.
 TEST(ThresholdSummary, IsAResponseOfASweep) {
-  const PlantedSweep planted;
+  const ThresholdSweep planted;
   const ThresholdSummary thresholds = SummariseThresholds(planted.experiment, planted.sweep);
   const SweepSummary summary = SummariseSweep(planted.sweep, {thresholds});
   const auto effect =
