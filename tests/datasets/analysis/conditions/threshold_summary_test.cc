@@ -115,8 +115,8 @@ TEST(ThresholdSummary, WhatIsNotFinishedIsNotCounted) {
   EXPECT_TRUE(std::isnan(summary.draws[1].value));
 }
 
-/** Two conditions of six objects with two draws each: under "heavy" a draw needs the grip that is four
-places larger, twice the margin; the second draw of object 0 is never held there. */
+/** Two conditions of six objects with two draws each: under "heavy" a draw needs the grip that is
+four places larger, twice the margin; the second draw of object 0 is never held there. */
 struct ThresholdSweep {
   ThresholdSweep() {
     sweep.config.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
@@ -191,8 +191,6 @@ TEST(ThresholdSummary, IsAResponseOfASweep) {
   EXPECT_NEAR(effect->estimate, 15.0 / 12.0, 1e-12);
   EXPECT_TRUE(effect->excludes_zero());
   const SweepMeasure& measure = FindSweepMeasure("threshold_margin");
-  EXPECT_EQ(FormatChange(measure, 1.0), "x 2.00");
-  EXPECT_EQ(FormatChangeInterval(measure, {-1.0, 1.0}), "x 0.50 to 2.00");
   const size_t column = static_cast<size_t>(&measure - ListSweepMeasures().data());
   EXPECT_TRUE(summary.Shows(column));
   EXPECT_FALSE(summary.Shows(column + 1)) << "nobody looked for forces";
