@@ -7,7 +7,7 @@
 
 namespace graspbench {
 
-void CheckGrips(const SessionConfig& config, const SessionInputs& inputs) {
+void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs) {
   const StrategyConfig& strategy = config.strategy;
   const GripMode mode = RowFromName(kGripModes, strategy.grip, "grip").value;
   if (mode == GripMode::kPosture) return;
@@ -21,6 +21,10 @@ void CheckGrips(const SessionConfig& config, const SessionInputs& inputs) {
                               hand.hand->id, strategy.grip_force, grasp.id, largest));
     }
   }
+}
+
+void CheckGripMargins(const SessionConfig& config, const SessionInputs& inputs) {
+  const GripMode mode = RowFromName(kGripModes, config.strategy.grip, "grip").value;
   if (mode != GripMode::kMargin) return;
   for (const auto& object : inputs.objects) {
     if (object->surface.friction_dynamic > 0.0) continue;

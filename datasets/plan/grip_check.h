@@ -8,7 +8,9 @@ What a session's hands and objects must have for its grip, asked before it start
 namespace graspbench {
 
 /** @throws Error(kRange) for a force that no drive of a hand can give in one of its grasps, with the
-largest possible, and for a margin with an object that has no friction. */
-void CheckGrips(const SessionConfig& config, const SessionInputs& inputs);
+largest possible. */
+void CheckGripForces(const SessionConfig& config, const SessionInputs& inputs);
+/** @throws Error(kRange) for a margin with an object that has no friction. */
+void CheckGripMargins(const SessionConfig& config, const SessionInputs& inputs);
 
 }  // namespace graspbench

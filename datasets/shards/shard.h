@@ -40,8 +40,8 @@ std::vector<int> DealGroups(const std::vector<int>& group_sizes, int num_shards)
 @throws Error(kUsage) when there are more shards than trials. */
 std::vector<PlannedTrial> PartitionPlan(const std::vector<PlannedTrial>& plan, const Shard& shard);
 
-/** Likewise with all trials of a draw, of one hand, object and number, in one shard: for plans of which
-what a draw asks for next follows from its other trials.
+/** Likewise with all trials of a draw, of one hand, object and number, in one shard: for plans in
+which what a draw asks for next follows from its other trials.
 @throws Error(kUsage) when there are more shards than draws. */
 std::vector<PlannedTrial> PartitionDraws(const std::vector<PlannedTrial>& plan, const Shard& shard);
 int CountDraws(const std::vector<PlannedTrial>& plan);

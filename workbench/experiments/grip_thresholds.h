@@ -9,9 +9,9 @@ which runs of every draw the trials that its bisection asks for
 
 namespace graspbench {
 
-/** Its folder, in which RunThresholds runs it; of a sweep, of all its conditions. @throws as
-PrepareExperiment and ListThresholdGrips; Error(kRange) for a margin of an object without friction, and for forces with touch: sensed of a hand that feels
-nothing. */
+/** Its folder, in which RunThresholds runs it; of a sweep, of all its conditions.
+@throws as PrepareExperiment and ListThresholdGrips; Error(kRange) for a margin of an object without
+friction, and for forces with touch: sensed of a hand that feels nothing. */
 PreparedSession PrepareThresholds(const ExperimentRequest& request, const ThresholdScale& scale);
 
 /** Runs what is left. @returns whether nothing is left. */

@@ -95,7 +95,12 @@ PreparedSession PrepareExperiment(const Session& session, const std::string& kin
   }
   made.config.conditions = conditions;
   made.inputs = LoadSessionInputs(made.config, FieldUse::kLater, session.folder);
-  CheckSameSession(session, session.config, MakePlan(session.config, made.inputs));
+  const bool is_sweep = !session.config.conditions.empty();
+  CheckSameSession(
+      session, session.config,
+      MakePlan(session.config,
+               is_sweep ? LoadSessionInputs(session.config, FieldUse::kLater, session.folder)
+                        : made.inputs));
   const std::vector<PlannedTrial> plan = MakePlan(made.config, made.inputs);
   std::string ids;
   for (const PlannedTrial& planned : plan) ids += planned.id;

@@ -34,7 +34,8 @@ struct SweepMeasure {
   /** What effects are sums of. */
   double CalcEffectValue(const SweepTrial& trial) const;
 };
-/** Success, GFT%, sigma, breaking force (judged trials; an empty hand's is none), grip thresholds. */
+/** Success, GFT%, sigma, breaking force (judged trials; an empty hand's is none), grip thresholds.
+*/
 const std::vector<SweepMeasure>& ListSweepMeasures();
 /** @pre there is one with this id */
 const SweepMeasure& FindSweepMeasure(const std::string& id);

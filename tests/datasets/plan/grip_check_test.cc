@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "datasets/plan/session_plan.h"
 
 namespace graspbench {
 namespace {
@@ -17,7 +18,7 @@ SessionConfig MakeConfig(const std::string& grip, double force) {
 }
 std::string FindRefusal(const SessionConfig& config) {
   try {
-    CheckGrips(config, LoadSessionInputs(config));
+    MakePlan(config, LoadSessionInputs(config));
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kRange);
     return error.what();
@@ -41,6 +42,8 @@ TEST(GripCheckTest, AMarginNeedsFriction) {
   config.strategy.grip = "force";
   config.strategy.grip_force = 1.0;
   EXPECT_EQ(FindRefusal(config), "");
+  config.conditions = {{"by margin", {"strategy.grip=margin"}}};
+  EXPECT_NE(FindRefusal(config).find("a margin needs friction"), std::string::npos);
 }
 
 }  // namespace

@@ -115,10 +115,10 @@ TEST(ThresholdSummary, WhatIsNotFinishedIsNotCounted) {
   EXPECT_TRUE(std::isnan(summary.draws[1].value));
 }
 
-/** Two conditions of six objects with two draws each: under "heavy" a draw needs the grip that is four
-places larger, twice the margin; the second draw of object 0 is never held there. */
-struct PlantedSweep {
-  PlantedSweep() {
+/** Two conditions of six objects with two draws each: under "heavy" a draw needs the grip that is
+four places larger, twice the margin; the second draw of object 0 is never held there. */
+struct ThresholdSweep {
+  ThresholdSweep() {
     sweep.config.conditions = {{"heavy", {"model.mass_scale=2.0"}}};
     experiment.config.conditions = ListThresholdGrips(kMarginScale, sweep.config);
     for (int object = 0; object < 6; ++object) {
@@ -155,7 +155,7 @@ struct PlantedSweep {
 };
 
 TEST(ThresholdSummary, EachConditionOfASweepHasItsOwn) {
-  const PlantedSweep planted;
+  const ThresholdSweep planted;
   ASSERT_EQ(planted.experiment.config.conditions.size(), 34u);
   EXPECT_EQ(planted.experiment.config.conditions[17].name, "heavy, margin 1.000");
   EXPECT_EQ(FindThresholdScale(planted.experiment.config), &kMarginScale);
@@ -180,7 +180,7 @@ TEST(ThresholdSummary, EachConditionOfASweepHasItsOwn) {
 // All draws but one need exactly twice the margin; that one counts as one step above the largest:
 // from place 1 to 17 are 16 quarters of an octave, so the mean of twelve is (11 + 4) / 12.
 TEST(ThresholdSummary, IsAResponseOfASweep) {
-  const PlantedSweep planted;
+  const ThresholdSweep planted;
   const ThresholdSummary thresholds = SummariseThresholds(planted.experiment, planted.sweep);
   const SweepSummary summary = SummariseSweep(planted.sweep, {thresholds});
   const auto effect =
@@ -191,8 +191,6 @@ TEST(ThresholdSummary, IsAResponseOfASweep) {
   EXPECT_NEAR(effect->estimate, 15.0 / 12.0, 1e-12);
   EXPECT_TRUE(effect->excludes_zero());
   const SweepMeasure& measure = FindSweepMeasure("threshold_margin");
-  EXPECT_EQ(FormatChange(measure, 1.0), "x 2.00");
-  EXPECT_EQ(FormatChangeInterval(measure, {-1.0, 1.0}), "x 0.50 to 2.00");
   const size_t column = static_cast<size_t>(&measure - ListSweepMeasures().data());
   EXPECT_TRUE(summary.Shows(column));
   EXPECT_FALSE(summary.Shows(column + 1)) << "nobody looked for forces";
