@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/random.h"
+#include "core/shape/primitives.h"
 
 namespace graspbench {
 
@@ -42,6 +43,7 @@ std::shared_ptr<GraspObject> MakeFakeObject(const std::string& id) {
   object->id = id;
   object->content_hash = "content of " + id;
   object->size = {0.08, 0.04, 0.1};
+  object->mesh = MakeRoundedBox(object->size, 0.0);
   object->surface.friction_static = 0.6;
   object->surface.friction_dynamic = 0.5;
   return object;
