@@ -316,6 +316,7 @@ void Renderer::Impl::DrawMarks(const StageView& view, const Scene& scene) {
 }
 
 void Renderer::Impl::FillTableLight(const std::vector<uint8_t>& light) {
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);  // rows of any length
   gl.BindTexture(GL_TEXTURE_2D, table_light);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, table_light_size, table_light_size, 0, GL_RG,
                 GL_UNSIGNED_BYTE, light.data());

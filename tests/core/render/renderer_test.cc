@@ -248,6 +248,35 @@ TEST(RendererTest, ShadowLiesAwayFromTheKeyLight) {
   EXPECT_NEAR(brightness_at(-0.135, -0.085), lit, 3);
 }
 
+/** Of what is darker than the table, in shares of the picture. */
+Vector2d FindMiddleOfDarkness(const Image& image) {
+  const int lit = kBackground[0] + kBackground[1] + kBackground[2];
+  Vector2d sum = Vector2d::Zero();
+  double darkness = 0.0;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const double dark = lit - CalcBrightness(image, Vector2d(u, v));
+      sum += dark * Vector2d((u + 0.5) / image.width, (v + 0.5) / image.height);
+      darkness += dark;
+    }
+  }
+  return sum / darkness;
+}
+
+// Also where a row of the shadow's texels is no multiple of four bytes.
+TEST(RendererTest, ShadowHasItsPlaceAtEverySize) {
+  Camera camera;
+  camera.p_WEye = Vector3d(0.0, -0.4, 0.5);
+  camera.p_WTarget = Vector3d::Zero();
+  Scene scene = MakeStillLife(Pose::Identity());
+  scene.has_grid = false;
+  const Vector2d middle = FindMiddleOfDarkness(Renderer(512, 512).Render(scene, camera));
+  for (const int size : {500, 508}) {
+    const Vector2d other = FindMiddleOfDarkness(Renderer(size, size).Render(scene, camera));
+    EXPECT_LT((other - middle).norm(), 0.002) << size << ": " << (other - middle).transpose();
+  }
+}
+
 // The picture tells where the camera stands relative to the scene, not where both are.
 TEST(RendererTest, MovingCameraAndSceneTogetherChangesNothing) {
   const Scene scene = MakeStillLife(Pose::Identity());
