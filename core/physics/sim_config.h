@@ -11,7 +11,7 @@ namespace graspbench {
 
 /** Counts changes of the physics, or of a record's measures, that change results. Part of every
 trial id, so that records of different physics never meet under one id. */
-inline constexpr int kPhysicsVersion = 12;
+inline constexpr int kPhysicsVersion = 13;
 
 /** Settings of the physics; part of the frozen session configuration. */
 struct SimConfig {
