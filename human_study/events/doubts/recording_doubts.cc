@@ -18,7 +18,6 @@ constexpr double kObjectStays = 10e-3;  // [m] an object that moved less stayed
 constexpr double kRisen = 0.03;      // [m] a hand that closed on a thing takes it as high as this
 constexpr double kOpposition = 1.3;  // a digit this many times farther out than the thumb
 constexpr double kOpposed = 0.02;    // .. and by this much [m]
-constexpr double kClosing = 1.5;     // .. and comes nearer to the others by so many times as much
 
 /** The sample of an instant; -1 outside. */
 int FindSampleAt(const std::vector<double>& times, double time) {
@@ -65,30 +64,6 @@ Vector3d FindMiddle(const std::vector<SmoothPath>& tips, size_t sample) {
   return sum / static_cast<double>(tips.size());
 }
 
-/** From a tip to the middle of all others. */
-double FindDistanceFromOthers(const std::vector<SmoothPath>& tips, size_t digit, size_t sample) {
-  const auto others = static_cast<double>(tips.size() - 1);
-  const Vector3d tip = FindTipPlace(tips[digit], sample);
-  const Vector3d sum = static_cast<double>(tips.size()) * FindMiddle(tips, sample) - tip;
-  return (tip - sum / others).norm();
-}
-
-/** The sample up to `last` at which the tips are farthest from each other; -1 without any. */
-int FindWidest(const std::vector<SmoothPath>& tips, size_t last) {
-  int widest = -1;
-  double most = 0.0;
-  for (size_t i = 0; i <= last; ++i) {
-    if (!AreAllSeen(tips, i)) continue;
-    const Vector3d middle = FindMiddle(tips, i);
-    double sum = 0.0;
-    for (const SmoothPath& tip : tips) sum += (FindTipPlace(tip, i) - middle).norm();
-    if (sum <= most) continue;
-    most = sum;
-    widest = static_cast<int>(i);
-  }
-  return widest;
-}
-
 }  // namespace
 
 std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,
@@ -119,33 +94,29 @@ std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const Obj
 
 std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
                                     const std::vector<SmoothPath>& tips, const Hold& hold) {
-  if (digits.size() < 3 || !digits.front().is_thumb || !hold.IsFound()) return {};
-  const int held = FindSampleAt(tips.front().path.times, hold.time);
-  if (held < 0 || !AreAllSeen(tips, static_cast<size_t>(held))) return {};
-  const int widest = FindWidest(tips, static_cast<size_t>(held));
-  const auto open = [&](size_t d) {
-    return FindDistanceFromOthers(tips, d, static_cast<size_t>(widest));
-  };
-  const auto closed = [&](size_t d) {
-    return FindDistanceFromOthers(tips, d, static_cast<size_t>(held));
-  };
-  const auto is_opposite = [](double most, double thumb) {
-    return most > kOpposition * thumb && most > thumb + kOpposed;
+  if (digits.size() < 4 || !digits.front().is_thumb || !hold.IsFound()) return {};
+  const int at = FindSampleAt(tips.front().path.times, hold.time);
+  if (at < 0 || !AreAllSeen(tips, static_cast<size_t>(at))) return {};
+  const auto held = static_cast<size_t>(at);
+  Vector3d sum = Vector3d::Zero();
+  for (const SmoothPath& tip : tips) sum += FindTipPlace(tip, held);
+  // From the middle of all others.
+  const auto out_of = [&](size_t d) {
+    const Vector3d others =
+        (sum - FindTipPlace(tips[d], held)) / static_cast<double>(tips.size() - 1);
+    return (FindTipPlace(tips[d], held) - others).norm();
   };
   size_t farthest = 0;
   for (size_t d = 1; d < tips.size(); ++d) {
-    if (open(d) > open(farthest)) farthest = d;
+    if (out_of(d) > out_of(farthest)) farthest = d;
   }
-  if (farthest == 0 || !is_opposite(open(farthest), open(0))) return {};
-  // A finger that is stretched aside is far from the others, but it is not what they close against.
-  const double thumb_closes = std::abs(open(0) - closed(0));
-  const bool closes = open(farthest) - closed(farthest) > kClosing * thumb_closes;
-  if (!closes && !is_opposite(closed(farthest), closed(0))) return {};
+  const double thumb = out_of(0), most = out_of(farthest);
+  if (farthest == 0 || most < kOpposition * thumb || most < thumb + kOpposed) return {};
   return {{"thumb_not_opposed",
-           fmt::format("in the open hand digit {} is opposite all others ({:.0f} mm from their "
-                       "middle), the thumb is not ({:.0f} mm): their labels are likely exchanged "
-                       "through the whole file. Correct markers in study.yaml",
-                       digits[farthest].digit, MmFromM(open(farthest)), MmFromM(open(0)))}};
+           fmt::format("in the hold digit {} is opposite all others ({:.0f} mm from their middle), "
+                       "the thumb is not ({:.0f} mm): their labels are likely exchanged through "
+                       "the whole file. Correct markers in study.yaml",
+                       digits[farthest].digit, MmFromM(most), MmFromM(thumb))}};
 }
 
 }  // namespace graspbench

@@ -293,7 +293,7 @@ TEST(FindOtherLiftAxis, AThingRisesBeforeItGoesAside) {
   EXPECT_EQ(FindAxisCode(y, lift(0.12, 0.07, 0.15)), is_z);
   EXPECT_EQ(FindAxisCode(-z, lift(-0.12, 0.03, 0.15)), "");
   EXPECT_EQ(FindAxisCode(z, lift(0.03, 0.3, 0.2)), "");
-  EXPECT_EQ(FindAxisCode(z, lift(0.03, 0.3, 0.0)), "") << "both ways at once";
+  EXPECT_EQ(FindAxisCode(z, lift(0.06, 0.3, 0.0)), "") << "both ways at once";
   // Pushed before it is lifted.
   EXPECT_EQ(FindAxisCode(z,
                          [&](double t) -> Vector3d {
