@@ -52,8 +52,8 @@ struct StudyTrial {
   std::optional<TrialAnalysis> analysis;  ///< its curves thinned to kNumDrawn
   std::vector<ContactReview> reviews;     ///< what a person said of its contacts
   std::vector<OpeningValues> openings;    ///< in the order of HandOpeningList()
-  /** The chosen opening at kNumOpeningSteps even instants from the onset to the last contact [m]; NaN
-  where it is missing. Empty: the trial does not count. */
+  /** The chosen opening at kNumOpeningSteps even instants from the onset to the last contact [m];
+  NaN where it is missing. Empty: the trial does not count. */
   std::vector<double> opening_course;
   std::vector<double> universes;  ///< main measure, in the order of StudyResult::universes
   /** The measures that the study tests, each in that order. */
