@@ -199,6 +199,14 @@ EventTime FindStart(const ScalarCurve& speed, size_t peak) {
   return event;
 }
 
+double FindSlowestBefore(const ScalarCurve& speed, size_t peak) {
+  double slowest = std::numeric_limits<double>::quiet_NaN();
+  for (size_t i = 0; i < peak; ++i) {
+    if (speed.IsValid(i)) slowest = std::fmin(slowest, speed.values[static_cast<Column>(i)]);
+  }
+  return slowest;
+}
+
 /** Shape and length of the movement, for what goes with them (study/inference/shared_timing.h). */
 void DescribeRise(const ScalarCurve& speed, size_t peak, Movement& movement) {
   for (size_t i = 0; i < kRiseShares.size(); ++i) {
@@ -269,6 +277,7 @@ Movement FindMovement(const ScalarCurve& whole, double begin, double end,
   }
   movement.peak_speed = speed.values[peak];
   movement.peak_time = speed.times[static_cast<size_t>(peak)];
+  movement.slowest_before = FindSlowestBefore(speed, static_cast<size_t>(peak));
   movement.onset = rule.find_onset(speed, static_cast<size_t>(peak), options);
   movement.start = FindStart(speed, static_cast<size_t>(peak));
   DescribeRise(speed, static_cast<size_t>(peak), movement);

@@ -54,8 +54,9 @@ struct Movement {
   double rise_noise = std::numeric_limits<double>::quiet_NaN();  ///< SD of the first by noise [s]
   double distance =
       std::numeric_limits<double>::quiet_NaN();  ///< of the hand, above 10 % speed [m]
-  double peak_speed = std::numeric_limits<double>::quiet_NaN();  ///< [m/s]
-  double peak_time = std::numeric_limits<double>::quiet_NaN();   ///< [s]
+  double peak_speed = std::numeric_limits<double>::quiet_NaN();      ///< [m/s]
+  double peak_time = std::numeric_limits<double>::quiet_NaN();       ///< [s]
+  double slowest_before = std::numeric_limits<double>::quiet_NaN();  ///< least before it [m/s]
 
   static constexpr std::array<double, 3> MakeNoRise() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

@@ -152,6 +152,25 @@ ScalarCurve Cut(const ScalarCurve& curve, const SampleRun& samples) {
   return part;
 }
 
+ScalarCurve Thin(const ScalarCurve& curve, size_t num_samples) {
+  const size_t step = curve.size() / num_samples;
+  if (step < 2) return curve;
+  ScalarCurve thin;
+  thin.noise = curve.noise;
+  thin.rate_noise = curve.rate_noise;
+  thin.reach = curve.reach;
+  const size_t count = (curve.size() + step - 1) / step;
+  thin.times.reserve(count);
+  thin.states.reserve(count);
+  thin.values.resize(static_cast<Eigen::Index>(count));
+  for (size_t i = 0; i < count; ++i) {
+    thin.times.push_back(curve.times[step * i]);
+    thin.states.push_back(curve.states[step * i]);
+    thin.values[static_cast<Eigen::Index>(i)] = curve.values[static_cast<Eigen::Index>(step * i)];
+  }
+  return thin;
+}
+
 double ValueNear(const ScalarCurve& curve, double time) {
   const SampleRun run =
       FindSamples(curve.times, time - curve.Interval() / 2, time + curve.Interval());

@@ -73,6 +73,8 @@ ScalarCurve Reverse(const ScalarCurve& curve);
 /** Samples with begin <= time <= end. */
 SampleRun FindSamples(const std::vector<double>& times, double begin, double end);
 ScalarCurve Cut(const ScalarCurve& curve, const SampleRun& samples);
+/** Every n-th sample, so that at least `num_samples` are left and fewer than twice as many. */
+ScalarCurve Thin(const ScalarCurve& curve, size_t num_samples);
 
 /** Value at the sample nearest to an instant; NaN outside the curve. */
 double ValueNear(const ScalarCurve& curve, double time);

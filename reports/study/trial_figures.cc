@@ -14,7 +14,6 @@
 namespace graspbench {
 namespace {
 
-constexpr size_t kMaxPoints = 120;     // of a curve
 constexpr size_t kMaxTipPoints = 400;  // of a tip, which a person looks at closely
 
 /** Distance from the place in the hold [m]: what there is to see when no shape is known. */
@@ -52,7 +51,7 @@ LinePlot MakeCurvePlot(const std::string& title, const char* axis, const char* l
   plot.text.description = title + " over time with the events that the measures rest on.";
   plot.x_axis = "time [s]";
   plot.y_axis = axis;
-  plot.series.push_back(MakeSeries(label, curve, kMaxPoints));
+  plot.series.push_back(MakeSeries(label, curve, kNumDrawn));
   return plot;
 }
 

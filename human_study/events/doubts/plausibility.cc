@@ -381,10 +381,58 @@ std::vector<Doubt> FindUnseenCarrying(const std::vector<SmoothPath>& tips, const
                MmFromM(travel))}};
 }
 
+namespace {
+
+Doubt MakeOtherAxis(double along, const Vector3d& axis, const char* how,
+                    const LiftOffOptions& lift_off) {
+  Column which = 0;
+  axis.cwiseAbs().maxCoeff(&which);
+  return {
+      "other_lift_axis",
+      fmt::format("the object moves {:.0f} mm along {}{}, but {} the stated direction of the lift "
+                  "({:g}, {:g}, {:g}); if that is up in the recording, say so in study.yaml: "
+                  "lift_off: {{up_x: {:g}, up_y: {:g}, up_z: {:g}}}",
+                  MmFromM(along), axis[which] > 0.0 ? '+' : '-', "xyz"[which], how, lift_off.up_x,
+                  lift_off.up_y, lift_off.up_z, axis.x(), axis.y(), axis.z())};
+}
+
+/** An object on a table rises before it goes anywhere else, or as it does. One that first goes
+another way, and farther in the end, is lifted that way. */
+std::vector<Doubt> FindEarlierAxis(const ObjectTravel& travel, const EventTime& stated,
+                                   const LiftOffOptions& lift_off) {
+  constexpr double kFarther = 1.5;     // than along the stated direction
+  constexpr double kUnderWay = 10e-3;  // [m]
+  constexpr double kBehind = 0.3;      // of the height that would keep pace
+  const double height = travel.height.values.maxCoeff<Eigen::PropagateNumbers>();
+  for (Column i = 0; i < 6; ++i) {
+    const Vector3d axis = (i % 2 == 0 ? 1.0 : -1.0) * Vector3d::Unit(i / 2);
+    ObjectTravel other = travel;
+    other.height.values = travel.moved.transpose() * axis;
+    const double along = other.height.values.maxCoeff<Eigen::PropagateNumbers>();
+    if (!(along > std::max(kFarther * height, 3.0 * lift_off.min_rise))) continue;
+    const int under_way = FindFirstAbove(other.height, kUnderWay);
+    if (under_way < 0) continue;
+    const double risen = travel.height.values[under_way];
+    if (!(risen < kBehind * height / along * other.height.values[under_way])) continue;
+    const EventTime earlier = FindObjectEvents(other, lift_off).lift_off;
+    const double apart = stated.time - earlier.time;
+    if (!(apart > kSigmas * std::hypot(stated.uncertainty, earlier.uncertainty))) continue;
+    const std::string how = fmt::format("rises {:.0f} ms later, and less, along", MsFromS(apart));
+    return {MakeOtherAxis(along, axis, how.c_str(), lift_off)};
+  }
+  return {};
+}
+
+}  // namespace
+
 std::vector<Doubt> FindOtherLiftAxis(const ObjectTravel& travel, const ObjectEvents& object,
                                      const LiftOffOptions& lift_off,
                                      const PlausibilityOptions& options) {
   if (!options.lift_axis) return {};
+  if (object.lift_off.IsFound()) {
+    std::vector<Doubt> doubts = FindEarlierAxis(travel, object.lift_off, lift_off);
+    if (!doubts.empty()) return doubts;
+  }
   const int farthest = FindPeak(travel.displacement, {0, travel.displacement.size()});
   if (farthest < 0) return {};
   // A tilt may look like a small lift; what is lifted and carried aside rises first.
@@ -400,17 +448,8 @@ std::vector<Doubt> FindOtherLiftAxis(const ObjectTravel& travel, const ObjectEve
   Column axis = 0;
   const double along = way.cwiseAbs().maxCoeff(&axis);
   if (way.norm() < 3.0 * lift_off.min_rise || along < kAxisShare * way.norm()) return {};
-  const double sign = way[axis] > 0.0 ? 1.0 : -1.0;
-  Vector3d up = Vector3d::Zero();
-  up[axis] = sign;
-  return {
-      {"other_lift_axis",
-       fmt::format(
-           "the object moves {:.0f} mm along {}{}, but does not rise along the stated "
-           "direction of the lift ({:g}, {:g}, {:g}); if that is up in the recording, say so in "
-           "study.yaml: lift_off: {{up_x: {:g}, up_y: {:g}, up_z: {:g}}}",
-           MmFromM(along), sign > 0.0 ? '+' : '-', "xyz"[axis], lift_off.up_x, lift_off.up_y,
-           lift_off.up_z, up.x(), up.y(), up.z())}};
+  const Vector3d up = (way[axis] > 0.0 ? 1.0 : -1.0) * Vector3d::Unit(axis);
+  return {MakeOtherAxis(along, up, "does not rise along", lift_off)};
 }
 
 std::vector<Doubt> FindContactDoubts(const std::vector<DigitContactEvents>& contacts,

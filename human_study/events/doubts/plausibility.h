@@ -7,8 +7,9 @@ the numbers; none repairs anything.
   carried_unseen: the object was not recorded and the hand carried it: the digits moved together,
     not against each other. Against the laboratory they then stop where the hand stops, not where
     they touch, so contacts are not determined.
-  other_lift_axis: the object moves far, but not along the stated direction of the lift; names the
-    likely one (recordings with y up).
+  other_lift_axis: the object moves far, but not along the stated direction of the lift, or it first
+    goes another way and in the end 1.5 times as far there; names the likely one (recordings with y
+    up). A thing that goes two ways at once is not seen.
   wrong_unit: the digits are as far apart as no hand's (more than 0.3 m in a quarter of the samples,
     or never 12 mm), or faster than any reach (5 m/s over 50 ms); names the unit that would explain
     it.

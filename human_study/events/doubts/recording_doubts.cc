@@ -13,10 +13,11 @@ namespace {
 using Column = Eigen::Index;
 using Eigen::Vector3d;
 
-constexpr double kCarriedRigid = 5e-3;  // [m] two tips that carry a thing stay as far apart as this
+constexpr double kCarriedRigid = 5e-3;  // [m] tips that carry a thing stay as far apart as this
 constexpr double kObjectStays = 10e-3;  // [m] an object that moved less stayed
-constexpr double kOpposition = 1.3;     // a digit this many times farther out than the thumb
-constexpr double kOpposed = 0.02;       // .. and by this much [m]
+constexpr double kRisen = 0.03;      // [m] a hand that closed on a thing takes it as high as this
+constexpr double kOpposition = 1.3;  // a digit this many times farther out than the thumb
+constexpr double kOpposed = 0.02;    // .. and by this much [m]
 
 /** The sample of an instant; -1 outside. */
 int FindSampleAt(const std::vector<double>& times, double time) {
@@ -35,38 +36,60 @@ Vector3d FindTipPlace(const SmoothPath& tip, size_t sample) {
 
 }  // namespace
 
+namespace {
+
+/** The thumb's distances, or the first digit's, to all but one of the others are those of `held`. */
+bool IsGripOf(const std::vector<SmoothPath>& tips, size_t sample, size_t held) {
+  size_t num_loose = 0;
+  for (size_t d = 1; d < tips.size(); ++d) {
+    const double now = (FindTipPlace(tips[d], sample) - FindTipPlace(tips[0], sample)).norm();
+    const double then = (FindTipPlace(tips[d], held) - FindTipPlace(tips[0], held)).norm();
+    num_loose += std::abs(now - then) > kCarriedRigid;
+  }
+  return num_loose == 0 || (tips.size() > 3 && num_loose == 1);
+}
+
+/** Samples about `held` in which the digits, where all are seen, are in the same grip. */
+SampleRun FindGrip(const std::vector<SmoothPath>& tips, size_t held) {
+  const auto is_in_it = [&](size_t i) { return !AreAllSeen(tips, i) || IsGripOf(tips, i, held); };
+  SampleRun run{held, held + 1};
+  while (run.first > 0 && is_in_it(run.first - 1)) --run.first;
+  while (run.last < tips.front().path.size() && is_in_it(run.last)) ++run.last;
+  return run;
+}
+
+Vector3d FindMiddle(const std::vector<SmoothPath>& tips, size_t sample) {
+  Vector3d sum = Vector3d::Zero();
+  for (const SmoothPath& tip : tips) sum += FindTipPlace(tip, sample);
+  return sum / static_cast<double>(tips.size());
+}
+
+}  // namespace
+
 std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,
                                   const Hold& hold, const LiftOffOptions& lift_off,
                                   const PlausibilityOptions& options) {
-  if (options.min_carried == 0.0 || !hold.IsFound()) return {};
+  if (options.min_carried == 0.0) return {};
   const std::vector<double>& times = tips.front().path.times;
-  const int at = FindSampleAt(times, hold.time);
-  if (at < 0 || !AreAllSeen(tips, static_cast<size_t>(at))) return {};
+  int held = hold.IsFound() ? FindSampleAt(times, hold.time) : static_cast<int>(times.size()) - 1;
+  while (held >= 0 && !AreAllSeen(tips, static_cast<size_t>(held))) --held;
+  if (held < 0) return {};
   const Vector3d up = Vector3d(lift_off.up_x, lift_off.up_y, lift_off.up_z).normalized();
-  const auto held = static_cast<size_t>(at);
-  double highest = 0.0;
-  for (size_t i = held; i < times.size(); ++i) {
+  const SampleRun grip = FindGrip(tips, static_cast<size_t>(held));
+  double lowest = INFINITY, risen = 0.0;
+  for (size_t i = grip.first; i < grip.last; ++i) {
+    if (travel.displacement.values[static_cast<Column>(i)] > kObjectStays) return {};
     if (!AreAllSeen(tips, i)) continue;
-    double rise = 0.0;
-    for (size_t a = 0; a < tips.size(); ++a) {
-      rise += up.dot(FindTipPlace(tips[a], i) - FindTipPlace(tips[a], held)) /
-              static_cast<double>(tips.size());
-      for (size_t b = a + 1; b < tips.size(); ++b) {
-        const double now = (FindTipPlace(tips[a], i) - FindTipPlace(tips[b], i)).norm();
-        const double then = (FindTipPlace(tips[a], held) - FindTipPlace(tips[b], held)).norm();
-        if (std::abs(now - then) > kCarriedRigid) rise = -INFINITY;
-      }
-    }
-    const double moved = travel.displacement.values[static_cast<Column>(i)];
-    if (moved > kObjectStays) return {};
-    highest = std::max(highest, rise);
+    const double height = up.dot(FindMiddle(tips, i));
+    lowest = std::min(lowest, height);
+    risen = std::max(risen, height - lowest);
   }
-  if (highest < options.min_carried) return {};
+  if (risen < std::min(kRisen, options.min_carried)) return {};
   return {{"object_left_behind",
            fmt::format("the digits rise {:.0f} mm together and the object's marker stays where it "
                        "was: it is not on what the hand carries. Name the object's own marker "
                        "under markers, or none",
-                       MmFromM(highest))}};
+                       MmFromM(risen))}};
 }
 
 std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,

@@ -2,11 +2,12 @@
 /** @file
 Two more doubts of plausibility.h, about what the markers stand for.
 
-  object_left_behind: after the hold the digits rise together, farther than
-    plausibility.min_carried_m, and the recorded object stays: its marker is not on what the hand
-    carries.
+  object_left_behind: in the grip of the hold, or without one of the recording's end, the digits rise
+    together by 30 mm (or plausibility.min_carried_m, if that is less), and the recorded object
+    stays: its marker is not on what the hand carries. One of four digits or more may move.
   thumb_not_opposed: in the hold another digit, not the thumb, is opposite all others: their labels
-    are likely exchanged through the whole file. */
+    are likely exchanged through the whole file. Not seen where a thing is narrower than the row of
+    the fingers is long. */
 
 #include <vector>
 

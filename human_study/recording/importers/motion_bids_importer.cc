@@ -167,13 +167,13 @@ Recording ImportMotionBids(const ImportSource& source, const ImportOptions& opti
   std::string_view line;
   Cells cells;
   std::vector<double> times;
-  size_t num_zeros = 0;
+  OddSamples odd;
   while (reader.Next(line)) {
     SplitCells(line, '\t', cells);
     if (IsBlank(cells)) continue;
     if (!HasAllColumns(cells, channels.size(), reader, options, recording)) break;
     for (size_t i = 0; i < columns.points.size(); ++i) {
-      AppendTriple(cells, columns.points[i], reader, recording.points[i], num_zeros);
+      AppendTriple(cells, columns.points[i], reader, recording.points[i], odd);
     }
     for (size_t a = 0; a < columns.analog.size(); ++a) {
       recording.analog[a].samples.push_back(
@@ -182,7 +182,7 @@ Recording ImportMotionBids(const ImportSource& source, const ImportOptions& opti
     if (columns.latency != SIZE_MAX) times.push_back(ParseNumber(cells, columns.latency, reader));
     ++recording.num_frames;
   }
-  NoteZeros(num_zeros, recording);
+  NoteOdd(odd, recording);
   SettleTimes(std::move(times), 1, source.name, recording);
   ReadEvents(source, stem, recording);
   return recording;

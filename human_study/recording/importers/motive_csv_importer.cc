@@ -26,7 +26,8 @@ void ReadRows(LineReader& reader, const std::vector<PointColumn>& columns,
   std::string_view line;
   Cells cells;
   std::vector<double> times;
-  size_t width = 2, num_zeros = 0;
+  size_t width = 2;
+  OddSamples odd;
   int first_line = 0;
   for (const PointColumn& c : columns) width = std::max(width, c.column + 3);
   while (reader.Next(line)) {
@@ -40,11 +41,11 @@ void ReadRows(LineReader& reader, const std::vector<PointColumn>& columns,
     }
     times.push_back(ParseNumber(cells, 1, reader));
     for (size_t i = 0; i < columns.size(); ++i) {
-      AppendTriple(cells, columns[i].column, reader, recording.points[i], num_zeros);
+      AppendTriple(cells, columns[i].column, reader, recording.points[i], odd);
     }
     ++recording.num_frames;
   }
-  NoteZeros(num_zeros, recording);
+  NoteOdd(odd, recording);
   SettleTimes(std::move(times), first_line, reader.file(), recording);
 }
 

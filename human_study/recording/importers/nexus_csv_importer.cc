@@ -62,7 +62,7 @@ void ReadTrajectories(LineReader& reader, char delimiter, const ImportOptions& o
   SetLengthUnit(recording, CellOr(block.units, 2, options.unit), "units of Trajectories");
   MakeLabelsUnique(recording, "labels of Trajectories");
   Cells cells;
-  size_t num_zeros = 0;
+  OddSamples odd;
   while (NextRow(reader, delimiter, cells)) {
     if (!HasAllColumns(cells, 2 + 3 * num_points, reader, options, recording)) break;
     const double frame = ParseHeaderNumber(cells[0], "the frame's number", -1e9, 1e9, reader);
@@ -74,11 +74,11 @@ void ReadTrajectories(LineReader& reader, char delimiter, const ImportOptions& o
           "; frames must be consecutive");
     }
     for (size_t i = 0; i < num_points; ++i) {
-      AppendTriple(cells, 2 + 3 * i, reader, recording.points[i], num_zeros);
+      AppendTriple(cells, 2 + 3 * i, reader, recording.points[i], odd);
     }
     ++recording.num_frames;
   }
-  NoteZeros(num_zeros, recording);
+  NoteOdd(odd, recording);
   recording.start_time = (recording.first_frame - 1) / recording.rate;
 }
 

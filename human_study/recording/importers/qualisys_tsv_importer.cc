@@ -132,7 +132,7 @@ Recording ImportQualisysTsv(const ImportSource& source, const ImportOptions& opt
   const bool has_times = first_column == 2;
   const int first_line = reader.line();
   std::vector<double> times;
-  size_t num_zeros = 0;
+  OddSamples odd;
   if (has_times) {
     recording.first_frame = static_cast<int>(
         ParseHeaderNumber(cells[0], "the first frame's number", -1e9, 1e9, reader));
@@ -142,13 +142,13 @@ Recording ImportQualisysTsv(const ImportSource& source, const ImportOptions& opt
     if (!HasAllColumns(cells, first_column + 3 * num_points, reader, options, recording)) break;
     if (has_times) times.push_back(ParseNumber(cells, 1, reader));
     for (size_t i = 0; i < num_points; ++i) {
-      AppendTriple(cells, first_column + 3 * i, reader, recording.points[i], num_zeros);
+      AppendTriple(cells, first_column + 3 * i, reader, recording.points[i], odd);
     }
     ++recording.num_frames;
     if (!reader.Next(line)) break;
     SplitCells(line, '\t', cells);
   } while (true);
-  NoteZeros(num_zeros, recording);
+  NoteOdd(odd, recording);
   NoteFrameCount(header.num_frames, "NO_OF_FRAMES", recording);
   SettleTimes(std::move(times), first_line, source.name, recording);
   return recording;

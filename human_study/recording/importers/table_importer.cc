@@ -199,6 +199,7 @@ void RefuseImageLandmarks(const ImportSource& source, const Recording& recording
     }
   }
   if (wrist == nullptr || !within_picture || !has_depth) return;
+  if (wrist->CountStates(SampleState::kInvalid) == wrist->states.size()) return;  // nothing is seen
   for (size_t i = 0; i < wrist->states.size(); ++i) {
     if (wrist->states[i] == SampleState::kInvalid) continue;
     if (std::abs(wrist->xyz[3 * i + 2]) > kNone) return;
@@ -287,7 +288,8 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   Cells cells;
   std::vector<double> times;
   std::vector<std::string> trials;
-  size_t num_zeros = 0, num_occluded = 0;
+  OddSamples odd;
+  size_t num_occluded = 0;
   int first_line = 0;
   while (reader.Next(line)) {
     SplitRow(line, heading.delimiter(), cells);
@@ -301,7 +303,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
     const bool is_occluded =
         occluded != kNoColumn && !(ParseNumber(cells, occluded, reader) == 0.0);
     for (size_t i = 0; i < columns.size(); ++i) {
-      AppendTriple(cells, columns[i], reader, recording.points[i], num_zeros);
+      AppendTriple(cells, columns[i], reader, recording.points[i], odd);
       if (is_occluded) recording.points[i].SetInvalid(recording.num_frames);
     }
     glove.Append(cells, reader, recording);
@@ -317,7 +319,7 @@ Recording ImportMapped(const ImportSource& source, const ImportOptions& options,
   }
   CheckTrial(source, options, trials, recording);
   ScaleLengths(mapping.scale, recording);
-  NoteZeros(num_zeros, recording);
+  NoteOdd(odd, recording);
   if (num_occluded > 0) {
     recording.Note(
         "occluded_samples", mapping.occluded,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/text/text.h"
 #include "core/statistics/summary.h"
@@ -41,26 +42,39 @@ bool HasAllColumns(const Cells& cells, size_t num_columns, const LineReader& rea
 }
 
 void AppendTriple(const Cells& cells, const std::array<size_t, 3>& columns,
-                  const LineReader& reader, RecordedPoint& point, size_t& num_zeros) {
+                  const LineReader& reader, RecordedPoint& point, OddSamples& odd) {
   const double x = ParseNumber(cells, columns[0], reader);
   const double y = ParseNumber(cells, columns[1], reader);
   const double z = ParseNumber(cells, columns[2], reader);
   point.Append(x, y, z);
   if (x == 0 && y == 0 && z == 0) {
     point.SetInvalid(point.states.size() - 1);
-    ++num_zeros;
+    ++odd.num_zeros;
+  }
+  for (const double value : {x, y, z}) {
+    if (!std::isfinite(value) || std::abs(value) <= std::numeric_limits<float>::max()) continue;
+    ++odd.num_huge;
+    return;
   }
 }
 
 void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
-                  size_t& num_zeros) {
-  AppendTriple(cells, {column, column + 1, column + 2}, reader, point, num_zeros);
+                  OddSamples& odd) {
+  AppendTriple(cells, {column, column + 1, column + 2}, reader, point, odd);
 }
 
-void NoteZeros(size_t num_zeros, Recording& recording) {
-  if (num_zeros == 0) return;
-  recording.Note("zero_coordinates", "data",
-                 std::to_string(num_zeros) + " samples at exactly (0, 0, 0); taken as invalid");
+void NoteOdd(const OddSamples& odd, Recording& recording) {
+  if (odd.num_zeros > 0) {
+    recording.Note(
+        "zero_coordinates", "data",
+        std::to_string(odd.num_zeros) + " samples at exactly (0, 0, 0); taken as invalid");
+  }
+  if (odd.num_huge > 0) {
+    recording.Note("huge_coordinates", "data",
+                   std::to_string(odd.num_huge) +
+                       " samples with a coordinate beyond 3.4e38, which is no place; taken as "
+                       "invalid");
+  }
 }
 
 void NoteFrameCount(double declared, const std::string& where, Recording& recording) {

@@ -17,14 +17,19 @@ bounded: every stored value has paid for itself with a cell of the file. */
 bool HasAllColumns(const Cells& cells, size_t num_columns, const LineReader& reader,
                    const ImportOptions& options, Recording& recording);
 
-/** Appends the triple in those columns to the point. Exactly (0, 0, 0) becomes invalid and is
-counted. */
+/** Samples that are no places. */
+struct OddSamples {
+  size_t num_zeros = 0;  ///< at exactly (0, 0, 0)
+  size_t num_huge = 0;   ///< with a number that a coordinate cannot hold, above 3.4e38
+};
+
+/** Appends the triple in those columns to the point; one that is no place is invalid and counted. */
 void AppendTriple(const Cells& cells, const std::array<size_t, 3>& columns,
-                  const LineReader& reader, RecordedPoint& point, size_t& num_zeros);
+                  const LineReader& reader, RecordedPoint& point, OddSamples& odd);
 /** The same of three columns from `column` on. */
 void AppendTriple(const Cells& cells, size_t column, const LineReader& reader, RecordedPoint& point,
-                  size_t& num_zeros);
-void NoteZeros(size_t num_zeros, Recording& recording);
+                  OddSamples& odd);
+void NoteOdd(const OddSamples& odd, Recording& recording);
 
 /** Notes a count of the header that the rows do not keep. */
 void NoteFrameCount(double declared, const std::string& where, Recording& recording);

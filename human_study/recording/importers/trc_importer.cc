@@ -66,7 +66,7 @@ Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
 
   std::string_view line;
   std::vector<double> times;
-  size_t num_zeros = 0;
+  OddSamples odd;
   int first_line = 0;
   while (reader.Next(line)) {
     SplitCells(line, delimiter, cells);
@@ -79,11 +79,11 @@ Recording ImportTrc(const ImportSource& source, const ImportOptions& options) {
     }
     times.push_back(ParseNumber(cells, 1, reader));
     for (size_t i = 0; i < num_points; ++i) {
-      AppendTriple(cells, 2 + 3 * i, reader, recording.points[i], num_zeros);
+      AppendTriple(cells, 2 + 3 * i, reader, recording.points[i], odd);
     }
     ++recording.num_frames;
   }
-  NoteZeros(num_zeros, recording);
+  NoteOdd(odd, recording);
   NoteFrameCount(num_frames, "NumFrames", recording);
   SettleTimes(std::move(times), first_line, source.name, recording);
   return recording;

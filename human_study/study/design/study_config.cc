@@ -495,7 +495,10 @@ Study LoadStudy(const fs::path& path, const fs::path& recordings,
   const auto read = [&](const char* key, const std::string& name) -> std::optional<DataTable> {
     const fs::path table = study.folder / name;
     try {
-      return DataTable(ReadFile(table), table.string(), problems);
+      DataTable rows(ReadFile(table), table.string(), problems);
+      // What it lacks would be said once more for every column.
+      if (rows.num_rows() == 0) return std::nullopt;
+      return rows;
     } catch (const Error& error) {
       problems.Fail(study.file, FindConfigLine(root, key), std::string(key) + ": " + error.what());
       return std::nullopt;

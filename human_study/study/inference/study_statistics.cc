@@ -22,33 +22,25 @@ Observation MakeObservation(const StudyTrial& trial, double value) {
   return {trial.participant, trial.id, trial.levels, value, trial.groups, trial.session};
 }
 
-/** Value at `share` of the way from the onset to the last contact; NaN when it is missing. */
-double SampleOpening(const TrialAnalysis& analysis, double share) {
-  const double begin = analysis.movement.onset.time;
-  return ValueNear(analysis.opening, begin + share * (FindLastContact(analysis.contacts) - begin));
-}
-
 std::vector<OpeningCurve> CalcOpeningCurves(const StudyResult& result) {
-  constexpr int kNumSteps = 50;
   std::vector<OpeningCurve> curves;
   const std::vector<std::string> names = ListCells(result.study.factors);
   const std::vector<std::vector<std::string>> cells = ListLevels(result.study.factors);
   for (size_t cell = 0; cell < cells.size(); ++cell) {
-    std::vector<const TrialAnalysis*> trials;
+    std::vector<const StudyTrial*> trials;
     for (const StudyTrial& trial : result.trials) {
-      if (trial.IsKept() && trial.levels == cells[cell]) trials.push_back(&*trial.analysis);
+      if (trial.IsKept() && trial.levels == cells[cell]) trials.push_back(&trial);
     }
     OpeningCurve curve;
     curve.cell = names[cell];
     curve.num_trials = static_cast<int>(trials.size());
-    for (int step = 0; step <= kNumSteps; ++step) {
-      const double share = static_cast<double>(step) / kNumSteps;
+    for (size_t step = 0; step < kNumOpeningSteps; ++step) {
       std::vector<double> values;
-      for (const TrialAnalysis* trial : trials) values.push_back(SampleOpening(*trial, share));
+      for (const StudyTrial* trial : trials) values.push_back(trial->opening_course[step]);
       const Answer<Summary> summary = CalcSummary(values);
       const double mean = summary ? summary->mean : std::nan("");
       const double sd = summary ? summary->standard_deviation.value_or(0.0) : std::nan("");
-      curve.times.push_back(share);
+      curve.times.push_back(static_cast<double>(step) / (kNumOpeningSteps - 1));
       curve.mean.push_back(mean);
       curve.low.push_back(mean - sd);
       curve.high.push_back(mean + sd);

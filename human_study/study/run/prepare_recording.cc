@@ -41,6 +41,28 @@ std::string DescribeMissing(const char* role, const std::vector<std::string>& wa
          SuggestNames(wanted.front(), labels);
 }
 
+bool IsSeen(const Recording& recording, const std::string& label) {
+  const RecordedPoint& point = recording.FindPoint(label);
+  return point.CountStates(SampleState::kInvalid) < point.states.size();
+}
+
+std::string DescribeUnseen(const char* role, const std::string& label) {
+  return std::string("no marker for the ") + role + ": \"" + label +
+         "\" has no place in any sample of the recording";
+}
+
+/** One wrong time must not become a clock of years. */
+void CheckSpan(const Trajectory& track, const SamplingReport& sampling) {
+  constexpr double kSparsest = 100.0;  // of its samples that a recording may lack
+  const double span = track.times.back() - track.times.front();
+  if (span < kSparsest * sampling.median_interval * static_cast<double>(track.size())) return;
+  throw Error(
+      ErrorKind::kFormat,
+      fmt::format("the recording's {} samples span {:.3g} s, one interval alone {:.3g} s: a "
+                  "time is wrong. Correct it, or cut the recording there",
+                  track.size(), span, sampling.longest_interval));
+}
+
 /** Cleans tracks of one recording alike. */
 class Cleaner {
  public:
@@ -64,6 +86,7 @@ class Cleaner {
                               "count frames (state rate_hz there instead of time)",
                               prepared.rate));
     }
+    CheckSpan(track, sampling);
     prepared.was_resampled = !sampling.is_even;
     if (!sampling.is_even) {
       track = Resample(track, prepared.rate, kMaxIntervals * sampling.median_interval);
@@ -182,14 +205,22 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
   const auto miss = [&](int digit, const char* role, const std::vector<std::string>& wanted) {
     prepared.missing.push_back({digit, DescribeMissing(role, wanted, labels)});
   };
+  /** The first label that the recording has, if it shows its marker at all. */
+  const auto find = [&](int digit, const char* role, const std::vector<std::string>& wanted) {
+    const std::string* label = FindFirst(wanted, labels);
+    if (label == nullptr) {
+      miss(digit, role, wanted);
+    } else if (!IsSeen(recording, *label)) {
+      prepared.missing.push_back({digit, DescribeUnseen(role, *label)});
+      label = nullptr;
+    }
+    return label;
+  };
   for (int digit = 0; digit < PerDigit<int>::kNumDigits; ++digit) {
     const std::vector<std::string>& wanted = config.markers.tips[digit];
     if (wanted.empty()) continue;
-    const std::string* label = FindFirst(wanted, labels);
-    if (label == nullptr) {
-      miss(digit, NameOfDigit(digit), wanted);
-      continue;
-    }
+    const std::string* label = find(digit, NameOfDigit(digit), wanted);
+    if (label == nullptr) continue;
     DigitTrack track;
     track.digit = IdOfDigit(digit);
     track.is_thumb = digit == 0;
@@ -209,19 +240,24 @@ PreparedRecording PrepareRecording(const Recording& recording, const StudyConfig
   }
   CheckDigitsDiffer(prepared.digits);
   if (!config.markers.wrist.empty()) {
-    const std::string* label = FindFirst(config.markers.wrist, labels);
-    if (label == nullptr) {
-      miss(-1, "wrist", config.markers.wrist);
-    } else {
-      prepared.wrist = cleaner.Clean(*label, prepared);
-    }
+    const std::string* label = find(-1, "wrist", config.markers.wrist);
+    if (label != nullptr) prepared.wrist = cleaner.Clean(*label, prepared);
   }
+  const std::string* unseen = nullptr;  // of the object's
   for (const std::string& label : config.markers.object) {
     if (FindFirst({label}, labels) == nullptr) continue;
+    if (!IsSeen(recording, label)) {
+      unseen = &label;
+      continue;
+    }
     prepared.object_markers.push_back(cleaner.Clean(label, prepared));
   }
   if (!config.markers.object.empty() && prepared.object_markers.empty()) {
-    miss(-1, "object", config.markers.object);
+    if (unseen != nullptr) {
+      prepared.missing.push_back({-1, DescribeUnseen("object", *unseen)});
+    } else {
+      miss(-1, "object", config.markers.object);
+    }
   }
   // Resampling is a filter itself.
   if (!prepared.was_resampled) prepared.low_pass = FindLowPassTrace(ListTracks(prepared));

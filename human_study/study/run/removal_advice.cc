@@ -12,6 +12,8 @@ const RemovalAdvice& FindRemovalAdvice(const std::string& code) {
       {"unreadable", Curve::kNone,
        "the recording itself, start_s and end_s of trials.csv, or recording.format, unit, mapping"},
       {"missing_marker", Curve::kNone, "markers: a label that this recording has"},
+      {"same_recording", Curve::kNone,
+       "file in trials.csv: the recording of this trial; or leave the row out"},
       {"no_reach", Curve::kNone,
        "cut.near_m and cut.far_m: distances between the middle of the fingertips and of the "
        "object's markers; recording.unit, if it is in another unit"},

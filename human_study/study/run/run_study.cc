@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/files/files.h"
+#include "core/base/sha256.h"
 #include "core/base/text/escape.h"
 #include "core/statistics/summary.h"
 #include "human_study/recording/cleaning/residual_analysis.h"
@@ -55,6 +56,16 @@ std::vector<OpeningValues> CalcOpenings(FilteredTrial& trial, const TrialAnalysi
   return values;
 }
 
+std::vector<double> SampleOpening(const TrialAnalysis& analysis) {
+  const double begin = analysis.movement.onset.time, last = FindLastContact(analysis.contacts);
+  std::vector<double> course;
+  for (size_t step = 0; step < kNumOpeningSteps; ++step) {
+    const double share = static_cast<double>(step) / (kNumOpeningSteps - 1);
+    course.push_back(ValueNear(analysis.opening, begin + share * (last - begin)));
+  }
+  return course;
+}
+
 /** What the comment at the top of study.yaml says, if it names the recording or its folder: where
 it is from. */
 std::string QuoteComment(const std::string& study_file, const std::string& recording) {
@@ -71,15 +82,24 @@ bool DiffersInDetectorOnly(const Universe& a, const Universe& b) {
 }
 
 /** How far digits go on after they touched, from the contacts of trials that count; few trials tell
-as much as all. */
+as much as all. Who slows down softly looks as if the skin gave way: where most contacts are slow
+nothing is learned. */
 void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
+  constexpr double kFast = 0.08;  // [m/s]
   std::vector<TouchFit> fits;
+  size_t num_slow = 0;
   for (const StudyTrial& trial : trials) {
     if (!trial.IsKept()) continue;
     for (const DigitContactEvents& digit : trial.analysis->contacts) {
-      if (digit.contact.IsFound() && digit.fit.missing.empty()) fits.push_back(digit.fit);
+      if (!digit.contact.IsFound() || !digit.fit.missing.empty()) continue;
+      if (digit.fit.speed < kFast) {
+        ++num_slow;
+      } else {
+        fits.push_back(digit.fit);
+      }
     }
   }
+  if (fits.size() < num_slow) return;
   result.num_learned = static_cast<int>(fits.size());
   result.study.config.analysis.contact.depths = LearnDepths(fits);
 }
@@ -216,8 +236,10 @@ class Runner {
       trial.analysis = AnalyseTrial(filtered, options);
       Review(planned, options, trial, *trial.analysis);
       Remove(FindRemoval(*trial.analysis, study_.config.removal), trial);
+      if (trial.IsKept()) RemoveCopy(*reach, trial);
       if (trial.IsKept() && !result_.universes.empty()) {
         trial.openings = CalcOpenings(filtered, *trial.analysis, options);
+        trial.opening_course = SampleOpening(*trial.analysis);
         CalcUniverses(filtered, trial);
         EstimateNoise(*reach);
       }
@@ -225,9 +247,27 @@ class Runner {
       Remove({"unreadable", error.what()}, trial);
     }
     Add(std::move(trial));
-    const StudyTrial& added = result_.trials.back();
+    StudyTrial& added = result_.trials.back();
     if (added.analysis && watch_.on_analysed) watch_.on_analysed(added, *reach);
     if (added.IsKept() && watch_.on_trial) watch_.on_trial(added, *reach);
+    if (!added.analysis) return;
+    for (ScalarCurve* curve : {&added.analysis->speed, &added.analysis->opening}) {
+      *curve = Thin(*curve, kNumDrawn);
+    }
+  }
+
+  /** No two reaches have the same noise. */
+  void RemoveCopy(const ReachTrial& reach, StudyTrial& trial) {
+    const Eigen::Matrix3Xd& p = reach.digits.front().tip.p;
+    const std::string bytes(reinterpret_cast<const char*>(p.data()),
+                            static_cast<size_t>(p.size()) * sizeof(double));
+    const std::string id = trial.participant + "-" + trial.trial;
+    const auto [first, is_new] =
+        first_of_.insert({CalcSha256(bytes), id + " (\"" + trial.file + "\")"});
+    if (is_new) return;
+    Remove({"same_recording",
+            "its samples are those of " + first->second + ": a copy, and one reach counts once"},
+           trial);
   }
 
   /** What a person said of this trial; a fault of that stops the run, as one of study.yaml does. */
@@ -329,8 +369,9 @@ class Runner {
   PreparedRecording prepared_;
   std::string loaded_;  // which recording `prepared_` is
   int num_read_ = 0;
-  std::map<int, int> num_parts_;  // by line of trials.csv
-  std::set<int> reviewed_;        // lines of the reviews
+  std::map<int, int> num_parts_;                 // by line of trials.csv
+  std::set<int> reviewed_;                       // lines of the reviews
+  std::map<std::string, std::string> first_of_;  // trial, by the hash of its thumb's samples
   Diagnostics review_problems_;
   int num_missing_[PerDigit<int>::kNumDigits] = {};
   std::string missing_texts_[PerDigit<int>::kNumDigits];
@@ -387,8 +428,8 @@ StudyResult RunTrials(const Study& study, const StudyWatch& watch) {
 StudyResult RunStudy(const Study& study, const StudyWatch& watch) {
   StudyResult result = RunTrials(study, watch);
   for (const auto& warnings :
-       {FindSameRecordings(result.study), FindNeverTouching(result), FindManyFrozen(result),
-        FindSpikes(result), FindFilteredExports(result), FindTwoRates(result)}) {
+       {FindNeverTouching(result), FindManyFrozen(result), FindSpikes(result),
+        FindFilteredExports(result), FindTwoRates(result)}) {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   }
   CalcStudyStatistics(result);

@@ -34,19 +34,28 @@ struct OpeningValues {
   std::vector<double> open_without, closed_without;
 };
 
+/** Samples in which a trial's opening is kept from its onset to its last contact. */
+inline constexpr size_t kNumOpeningSteps = 51;
+/** Samples, or up to twice as many, that are left of the curves of a trial once it is analysed:
+pictures need no more, and ten thousand trials fit into memory. */
+inline constexpr size_t kNumDrawn = 120;
+
 struct StudyTrial {
   std::string id;  ///< "<participant>-<trial>"
   std::string participant, trial, file, object;
-  std::vector<std::string> levels;  ///< one per factor
-  std::vector<std::string> groups;  ///< one per group factor
-  std::string session;              ///< empty: none named
-  std::string removed;              ///< why it does not count; empty: it counts
-  std::string removed_code;         ///< the same for programs (trial_removal.h)
-  double begin = NAN, end = NAN;    ///< part of the recording [s]; NaN when it was not read
-  std::optional<TrialAnalysis> analysis;
-  std::vector<ContactReview> reviews;   ///< what a person said of its contacts
-  std::vector<OpeningValues> openings;  ///< in the order of HandOpeningList()
-  std::vector<double> universes;        ///< main measure, in the order of StudyResult::universes
+  std::vector<std::string> levels;        ///< one per factor
+  std::vector<std::string> groups;        ///< one per group factor
+  std::string session;                    ///< empty: none named
+  std::string removed;                    ///< why it does not count; empty: it counts
+  std::string removed_code;               ///< the same for programs (trial_removal.h)
+  double begin = NAN, end = NAN;          ///< part of the recording [s]; NaN when it was not read
+  std::optional<TrialAnalysis> analysis;  ///< its curves thinned to kNumDrawn
+  std::vector<ContactReview> reviews;     ///< what a person said of its contacts
+  std::vector<OpeningValues> openings;    ///< in the order of HandOpeningList()
+  /** The chosen opening at kNumOpeningSteps even instants from the onset to the last contact [m];
+  NaN where it is missing. Empty: the trial does not count. */
+  std::vector<double> opening_course;
+  std::vector<double> universes;  ///< main measure, in the order of StudyResult::universes
   /** The measures that the study tests, each in that order. */
   std::vector<std::vector<double>> measure_universes;
 

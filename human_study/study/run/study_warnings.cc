@@ -7,16 +7,12 @@
 #include <set>
 #include <utility>
 
-#include "core/base/files/files.h"
-#include "core/base/sha256.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/statistics/summary.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
-namespace fs = std::filesystem;
-
 namespace {
 
 constexpr double kNearlyAll = 0.8, kManyFrozen = 0.2;
@@ -76,37 +72,6 @@ StudyWarning MakeNeverTouching(const StudyResult& result, const std::string& dig
 }
 
 }  // namespace
-
-std::vector<StudyWarning> FindSameRecordings(const Study& study) {
-  std::map<std::string, std::string> ids;  // of the first trial, by file
-  std::map<uintmax_t, std::set<std::string>> by_size;
-  for (const PlannedReach& trial : study.trials) {
-    const fs::path path = study.recordings / trial.file;
-    std::error_code status;
-    if (!trial.remove.empty() || !fs::is_regular_file(path, status)) continue;
-    const uintmax_t size = fs::file_size(path, status);
-    if (status || size == 0) continue;
-    const std::string file = fs::path(trial.file).lexically_normal().string();
-    ids.insert({file, trial.participant + "-" + trial.trial});
-    by_size[size].insert(file);
-  }
-  std::vector<StudyWarning> warnings;
-  for (const auto& [size, files] : by_size) {
-    if (files.size() < 2) continue;
-    std::map<std::string, std::string> seen;  // first file, by hash
-    for (const std::string& file : files) {
-      const auto [first, is_new] =
-          seen.insert({CalcSha256(ReadFile(study.recordings / file)), file});
-      if (is_new) continue;
-      warnings.push_back({"same_recording", ids[file] + " and " + ids[first->second] +
-                                                " are one recording: \"" + file +
-                                                "\" holds the "
-                                                "same bytes as \"" +
-                                                first->second + "\", and counts twice"});
-    }
-  }
-  return warnings;
-}
 
 std::vector<StudyWarning> FindNeverTouching(const StudyResult& result) {
   std::vector<StudyWarning> warnings;

@@ -2,7 +2,6 @@
 /** @file
 What a person should know of a whole study before its numbers: none of it removes a trial.
 
-  same_recording: two recordings of the study hold the same bytes, so that one reach counts twice.
   digit_never_touches: a digit has no contact in at least 80 % of the trials that count, of the
     study or of one object (at least 5 trials).
   frozen_samples: a fifth of all samples, and 100, repeated the one before and count as missing.
@@ -16,16 +15,12 @@ What a person should know of a whole study before its numbers: none of it remove
 
 namespace graspbench {
 
-struct Study;
 struct StudyResult;
 
 struct StudyWarning {
   std::string code;
   std::string text;
 };
-
-/** Compares the recordings of equal size by their SHA-256. */
-std::vector<StudyWarning> FindSameRecordings(const Study& study);
 
 /** @pre trials and samples of the result are counted. */
 std::vector<StudyWarning> FindNeverTouching(const StudyResult& result);

@@ -82,12 +82,7 @@ Candidates UseRegression(const Question& question) {
   const double threshold = question.result.study.config.analysis.movement.speed_threshold;
   std::vector<double> slowest;
   for (const StudyTrial* trial : question.trials) {
-    const ScalarCurve& speed = trial->analysis->speed;
-    double least = INFINITY;
-    for (size_t i = 0; i < speed.size() && speed.times[i] < trial->analysis->movement.peak_time;
-         ++i) {
-      if (speed.IsValid(i)) least = std::min(least, speed.values[static_cast<Eigen::Index>(i)]);
-    }
+    const double least = trial->analysis->movement.slowest_before;
     if (std::isfinite(least)) slowest.push_back(least);
   }
   if (slowest.empty()) return {};

@@ -177,6 +177,23 @@ TEST(Movement, LongestRunIgnoresATwitchBefore) {
               FindMovement(MakeBell(), 0.0, 2.5, options).onset.time, 1e-9);
 }
 
+TEST(Thin, KeepsEveryNthSampleAndNeverFewerThanAskedFor) {
+  const auto make = [](double end) {
+    return SampleCurve(MakeTimes(0.0, end, 100), [](double t) { return 2.0 * t; });
+  };
+  for (const double end : {1.0, 2.39, 2.4, 9.99}) {
+    const ScalarCurve thin = Thin(make(end), 120);
+    EXPECT_LT(thin.size(), 240u) << end;
+    EXPECT_GE(thin.size(), std::min<size_t>(120, make(end).size())) << end;
+    EXPECT_EQ(thin.values.size(), static_cast<Eigen::Index>(thin.size()));
+    EXPECT_EQ(thin.states.size(), thin.size());
+    for (size_t i = 0; i < thin.size(); ++i) {
+      EXPECT_EQ(thin.values[static_cast<Eigen::Index>(i)], 2.0 * thin.times[i]);
+    }
+  }
+  EXPECT_DOUBLE_EQ(Thin(make(9.99), 120).times[1], 0.08);
+}
+
 TEST(Movement, AnUnknownRuleNamesTheKnownOnes) {
   const std::string fault = FaultOf([] { FindMovementRule("treshold"); });
   EXPECT_NE(fault.find("did you mean \"threshold\"?"), std::string::npos) << fault;

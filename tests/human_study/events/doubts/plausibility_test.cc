@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/human_study/events/trajectories.h"
 
 namespace graspbench {
@@ -249,6 +251,55 @@ TEST(FindContactDoubts, EachLimitHasItsCode) {
   object.moved = digit.contact;
   object.moved.time = 1.4;
   EXPECT_EQ(code(0.5), "moved_before_touch");
+}
+
+/** Smoothly from 0 to 1 between `begin` and a second later. */
+double RiseFrom(double begin, double t) {
+  const double u = std::clamp(t - begin, 0.0, 1.0);
+  return u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+}
+
+/** Code of the doubt about the direction of a lift along `up`. */
+std::string FindAxisCode(const Vector3d& up, const std::function<Vector3d(double)>& way) {
+  ReachTrial trial;
+  trial.times = MakeTimes(0, 3, 100);
+  for (const double t : trial.times) {
+    trial.object.X_LO.push_back(MakePose(way(t)));
+    trial.object.states.push_back(SampleState::kMeasured);
+  }
+  LiftOffOptions options;
+  options.up_x = up.x();
+  options.up_y = up.y();
+  options.up_z = up.z();
+  const ObjectTravel travel = CalcObjectTravel(trial, options);
+  const auto doubts =
+      FindOtherLiftAxis(travel, FindObjectEvents(travel, options), options, PlausibilityOptions());
+  if (doubts.empty()) return "";
+  return doubts[0].text.substr(doubts[0].text.find("up_x"));
+}
+
+// What is lifted and carried aside rises along a wrong axis, too, but later.
+TEST(FindOtherLiftAxis, AThingRisesBeforeItGoesAside) {
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  const std::string is_z = "up_x: 0, up_y: 0, up_z: 1}";
+  const auto lift = [&](double height, double aside, double delay) {
+    return [=](double t) -> Vector3d {
+      return height * RiseFrom(1.0, t) * z + aside * RiseFrom(1.0 + delay, t) * y;
+    };
+  };
+  EXPECT_EQ(FindAxisCode(z, lift(0.12, 0.0, 0.0)), "");
+  EXPECT_EQ(FindAxisCode(y, lift(0.12, 0.0, 0.0)), is_z);
+  EXPECT_EQ(FindAxisCode(y, lift(0.12, 0.03, 0.15)), is_z);
+  EXPECT_EQ(FindAxisCode(y, lift(0.12, 0.07, 0.15)), is_z);
+  EXPECT_EQ(FindAxisCode(-z, lift(-0.12, 0.03, 0.15)), "");
+  EXPECT_EQ(FindAxisCode(z, lift(0.03, 0.3, 0.2)), "");
+  EXPECT_EQ(FindAxisCode(z, lift(0.06, 0.3, 0.0)), "") << "both ways at once";
+  // Pushed before it is lifted.
+  EXPECT_EQ(FindAxisCode(z,
+                         [&](double t) -> Vector3d {
+                           return 0.015 * RiseFrom(0.4, t) * x + 0.1 * RiseFrom(1.0, t) * z;
+                         }),
+            "");
 }
 
 }  // namespace

@@ -59,8 +59,29 @@ TEST(FindLeftBehind, AHandThatRisesWithoutItsObject) {
   ASSERT_EQ(find(0.13, 0.0).size(), 1u);
   EXPECT_EQ(find(0.13, 0.0)[0].code, "object_left_behind");
   EXPECT_NE(find(0.13, 0.0)[0].text.find("rise 130 mm together"), std::string::npos);
+  EXPECT_NE(find(0.035, 0.0)[0].text.find("rise 35 mm together"), std::string::npos);
   EXPECT_TRUE(find(0.02, 0.0).empty());   // no lift
   EXPECT_TRUE(find(0.13, 0.05).empty());  // the object goes along
+}
+
+// The longest rest is often that aloft, and a hand that is never seen at rest has none.
+TEST(FindLeftBehind, AlsoWhereTheHoldIsAloftOrNotFound) {
+  const auto find = [](const Hold& hold, const std::vector<SmoothPath>& tips) {
+    return FindLeftBehind(tips, MakeStill(0.0), hold, {}, {}).size();
+  };
+  Hold none;
+  none.missing = "the tips never rest together";
+  for (const Hold& hold : {MakeHoldAt(1.9), none}) {
+    EXPECT_EQ(find(hold, MakeTips(kOpposed, 0.13)), 1u);
+    std::vector<SmoothPath> loose = MakeTips(kOpposed, 0.13);
+    for (Eigen::Index i = 0; i < 150; ++i) loose[4].path.p(0, i) += 0.02;
+    EXPECT_EQ(find(hold, loose), 1u);  // one digit takes no part
+    // A hand that opens and goes up has let go.
+    for (size_t d = 1; d < 4; ++d) {
+      for (Eigen::Index i = 0; i < 130; ++i) loose[d].path.p(1, i) += 0.02;
+    }
+    EXPECT_EQ(find(hold, loose), 0u);
+  }
 }
 
 TEST(FindSwappedThumb, TheOpposingDigitIsTheThumb) {

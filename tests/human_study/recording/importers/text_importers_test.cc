@@ -321,6 +321,18 @@ TEST(Table, AMappingNamesTheColumns) {
             "file: a plain table needs a mapping that names its columns (--mapping columns.yaml)");
 }
 
+TEST(Table, ANumberThatIsNoPlaceIsMissingAndCounted) {
+  ImportOptions options;
+  options.mapping = WriteText("mapping.yaml", kMapping);
+  options.trial = "1";
+  std::string table = kTable;
+  table.replace(table.find("1;20;1;"), 7, "1;20;1e300;");
+  const Recording read = ImportBytes(table, "table", options);
+  EXPECT_EQ(read.points[0].states[0], SampleState::kMeasured);
+  EXPECT_EQ(read.points[0].states[2], SampleState::kInvalid);
+  EXPECT_EQ(CountFindings(read, "huge_coordinates"), 1u);
+}
+
 TEST(Table, AWrongMappingTellsAllItsFaults) {
   try {
     LoadTableMapping(WriteText(
@@ -411,6 +423,15 @@ TEST(Table, TheShippedMappingReadsMediaPipesLandmarksAndRefusesThoseOfAnImage) {
             "file: these are landmarks of an image (the wrist's z is 0 in every row, x and y lie "
             "within a picture): shares of its width, not lengths. Place them by a depth camera or "
             "by two cameras first");
+  // A hand that nobody saw is no picture.
+  std::string unseen = "time_s,x,y,z,u,v,w";
+  for (int row = 0; row < 3; ++row) {
+    unseen += "\n" + std::to_string(0.05 * row) + ",nan,nan,nan,0.1,0.2,0.3";
+  }
+  options.mapping = WriteText("unseen.yaml",
+                              "unit: m\ntime: time_s\npoints:\n  wrist: [x, y, z]\n"
+                              "  tip: [u, v, w]\n");
+  EXPECT_EQ(ImportBytes(unseen + "\n", "table", options).num_frames, 3u);
 }
 
 TEST(Table, TheShippedMappingReadsLeapHands) {

@@ -266,6 +266,8 @@ TEST_F(StudyFolder, FaultsOfTheTablesHaveTheirLine) {
   expect("trials.csv", "participant,trial,file,diameter_m,side\n01,7,a,1,l\n01,7,b,1,l\n",
          "trials.csv:3: error: participant 01 has trial 7 already in line 2");
   expect("trials.csv", "participant,file,diameter_m,side\n", "trials.csv: error: holds no rows");
+  expect("trials.csv", std::string("\xff\xfep\0,\0\n\0", 8), "trials.csv: error: is UTF-16");
+  EXPECT_EQ(FindFault().find("is missing"), std::string::npos) << "one fault is said once";
   expect("objects.csv", "object,shape,length_m\ncup,cylindre,0.1\n",
          "objects.csv:2: error: shape \"cylindre\" is not known; did you mean \"cylinder\"?");
   expect("objects.csv", "object,shape,length_m\ncup,box,0.1\n",

@@ -9,13 +9,13 @@ namespace {
 
 TEST(RemovalAdvice, EveryReasonHasItsOwn) {
   for (const char* code :
-       {"left_out",           "unreadable",       "missing_marker",     "no_reach",
-        "no_onset",           "no_hold",          "no_opening",         "no_contact",
-        "not_usable",         "filled_event",     "gap_event",          "disagreement",
-        "carried_unseen",     "other_lift_axis",  "wrong_unit",         "label_jump",
-        "no_movement",        "far_digit",        "hand_centred",       "wrong_shape",
-        "contact_after_end",  "closure_too_long", "detectors_disagree", "moved_before_touch",
-        "object_left_behind", "thumb_not_opposed"}) {
+       {"left_out",           "unreadable",        "missing_marker",     "no_reach",
+        "no_onset",           "no_hold",           "no_opening",         "no_contact",
+        "not_usable",         "filled_event",      "gap_event",          "disagreement",
+        "carried_unseen",     "other_lift_axis",   "wrong_unit",         "label_jump",
+        "no_movement",        "far_digit",         "hand_centred",       "wrong_shape",
+        "contact_after_end",  "closure_too_long",  "detectors_disagree", "moved_before_touch",
+        "object_left_behind", "thumb_not_opposed", "same_recording"}) {
     EXPECT_STREQ(FindRemovalAdvice(code).code, code);
   }
   EXPECT_EQ(FindRemovalAdvice("of_tomorrow").curve, RemovalCurve::kOpening);

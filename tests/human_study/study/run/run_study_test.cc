@@ -141,6 +141,76 @@ TEST_F(RunStudyTest, ARecordingWithoutOneMarkerCostsItsTrialsAlone) {
   EXPECT_NE(result.trials[4].removed.find("did you mean \"rong_tip\"?"), std::string::npos);
 }
 
+// A copy has the same noise, whatever its file is called.
+TEST_F(RunStudyTest, ACopiedRecordingCountsOnce) {
+  const fs::path recordings = folder_ / "recordings";
+  const auto file_of = [&](size_t trial) {
+    return recordings / SyntheticFileName(trials_[trial], SyntheticFormat::kC3d);
+  };
+  WriteFileAtomically(file_of(7), ReadFile(file_of(1)));
+  const StudyResult result = Run();
+  EXPECT_EQ(result.CountKept(), 11);
+  EXPECT_EQ(result.trials[7].removed_code, "same_recording");
+  EXPECT_NE(result.trials[7].removed.find("those of " + result.trials[1].id), std::string::npos)
+      << result.trials[7].removed;
+}
+
+TEST(PrepareRecording, ATimeOfYearsIsAFault) {
+  Recording recording;
+  recording.rate = 100.0;
+  recording.num_frames = 50;
+  for (const char* label : {"thumb", "index"}) {
+    RecordedPoint& point = recording.points.emplace_back();
+    point.label = label;
+    for (int i = 0; i < 50; ++i) point.Append(i, 10.0 * double(recording.points.size()), i % 7);
+  }
+  for (int i = 0; i < 50; ++i) recording.times.push_back(i < 49 ? 0.01 * i : 1e300);
+  SetLengthUnit(recording, "mm", "test");
+  StudyConfig config;
+  config.markers.tips.thumb = {"thumb"};
+  config.markers.tips.index = {"index"};
+  try {
+    PrepareRecording(recording, config);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "the recording's 50 samples span 1e+300 s, one interval alone 1e+300 s: a time is "
+              "wrong. Correct it, or cut the recording there");
+  }
+}
+
+TEST(PrepareRecording, AMarkerThatIsNeverSeenIsAMissingOne) {
+  Recording recording;
+  recording.rate = 100.0;
+  recording.num_frames = 50;
+  for (const char* label : {"thumb", "index", "wrist", "top", "side"}) {
+    RecordedPoint& point = recording.points.emplace_back();
+    point.label = label;
+    for (int i = 0; i < 50; ++i) point.Append(i, 10.0 * double(recording.points.size()), i % 7);
+  }
+  SetLengthUnit(recording, "mm", "test");
+  StudyConfig config;
+  config.markers.tips.thumb = {"thumb"};
+  config.markers.tips.index = {"index"};
+  config.markers.wrist = {"wrist"};
+  config.markers.object = {"top", "side"};
+  EXPECT_TRUE(PrepareRecording(recording, config).missing.empty());
+  const auto hide = [&](size_t point) {
+    for (size_t i = 0; i < 50; ++i) recording.points[point].SetInvalid(i);
+    const PreparedRecording prepared = PrepareRecording(recording, config);
+    return prepared.missing.empty() ? std::string() : prepared.missing.back().text;
+  };
+  EXPECT_EQ(hide(3), "") << "the other marker shows the object";
+  EXPECT_EQ(hide(4),
+            "no marker for the object: \"side\" has no place in any sample of the recording");
+  config.markers.object.clear();
+  EXPECT_EQ(hide(2),
+            "no marker for the wrist: \"wrist\" has no place in any sample of the recording");
+  config.markers.wrist.clear();
+  EXPECT_EQ(hide(0),
+            "no marker for the thumb: \"thumb\" has no place in any sample of the recording");
+}
+
 TEST_F(RunStudyTest, OneMarkerUnderTwoDigitsIsRefused) {
   const std::vector<double> times = {0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1};
   std::string table = "time,t_x,t_y,t_z,i_x,i_y,i_z\n";

@@ -1,43 +1,11 @@
 #include "human_study/study/run/study_warnings.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "core/base/files/files.h"
 #include "human_study/study/run/run_study.h"
 
 namespace graspbench {
 namespace {
-
-namespace fs = std::filesystem;
-
-TEST(FindSameRecordings, ACopyUnderAnotherNameIsNamedOnce) {
-  Study study;
-  study.recordings = fs::path(::testing::TempDir()) / ("same_" + std::to_string(::getpid()));
-  fs::remove_all(study.recordings);
-  MakeFolder(study.recordings);
-  const auto add = [&](const char* person, const char* file, const char* content) {
-    WriteFileAtomically(study.recordings / file, content);
-    PlannedReach trial;
-    trial.participant = person;
-    trial.trial = "1";
-    trial.file = file;
-    study.trials.push_back(trial);
-  };
-  add("P1", "a.csv", "one");
-  add("P2", "b.csv", "two");  // as long, another content
-  EXPECT_TRUE(FindSameRecordings(study).empty());
-  add("P3", "c.csv", "one");
-  const std::vector<StudyWarning> warnings = FindSameRecordings(study);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].code, "same_recording");
-  EXPECT_EQ(warnings[0].text,
-            "P3-1 and P1-1 are one recording: \"c.csv\" holds the same bytes as \"a.csv\", and "
-            "counts twice");
-  study.trials[2].remove = "a copy";
-  EXPECT_TRUE(FindSameRecordings(study).empty());
-  fs::remove_all(study.recordings);
-}
 
 /** Ten trials, five with each object; the ring finger touches in those that `touches` says. */
 StudyResult MakeResult(const std::function<bool(int)>& touches) {
