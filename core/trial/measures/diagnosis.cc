@@ -34,13 +34,11 @@ struct Loss {
 
 class Course {
  public:
-  Course(const TrialResult& result, const std::vector<LoadSample>& samples)
-      : result_(result), samples_(samples) {
+  Course(const TrialResult& result, const std::vector<LoadSample>& samples, double closure_start)
+      : result_(result), samples_(samples), closure_start_(closure_start) {
     for (const PhaseStart& phase : result.phases) {
-      if (phase.name == NameOf(Phase::kPlacing)) closure_start_ = -phase.time;
-      if (phase.name == NameOf(Phase::kLiftOff)) lift_off_ = phase.time;
+      if (phase.name == NameOf(Phase::kLiftOff)) lift_off_ = phase.time + closure_start;
     }
-    lift_off_ += closure_start_;
   }
 
   size_t num_digits() const { return result_.contacts.size(); }
@@ -96,26 +94,29 @@ class Course {
     return nullptr;
   }
 
-  /** The digit that was asked to close later than the others, or came long after them, and so never
-  held or met a moved object. */
+  /** The digit whose command was behind when the first one touched, or that came long after all
+  others to an object that had moved by then. */
   std::optional<size_t> FindLateDigit() const {
     const std::optional<size_t> first = FindFirstDigit();
     if (!first) return std::nullopt;
     const LoadSample& begin = At(FindTouch(*first));
+    const float ahead = begin.parts[*first].closing;
+    std::optional<size_t> last;
     double last_of_others = FindTouch(*first);
-    std::optional<size_t> late;
     for (size_t digit = 0; digit < num_digits(); ++digit) {
+      const float own = begin.parts[digit].closing;
+      if (own < ahead - kBehind || own < kBehindShare * ahead) return digit;
       const double touch = FindTouch(digit);
-      const float own = begin.parts[digit].closing, ahead = begin.parts[*first].closing;
-      const bool is_behind = own < ahead - kBehind || own < kBehindShare * ahead;
-      const bool is_last = std::isnan(touch) || touch > last_of_others + kLate;
-      if (!is_behind && (!is_last || std::isnan(touch))) {
-        if (!std::isnan(touch)) last_of_others = std::max(last_of_others, touch);
-        continue;
+      if (std::isnan(touch) || digit == *first) continue;
+      if (!last || touch > FindTouch(*last)) {
+        if (last) last_of_others = std::max(last_of_others, FindTouch(*last));
+        last = digit;
+      } else {
+        last_of_others = std::max(last_of_others, touch);
       }
-      if (std::isnan(touch) || At(touch).shift > begin.shift + kMoved) late = digit;
     }
-    return late;
+    if (!last || FindTouch(*last) <= last_of_others + kLate) return std::nullopt;
+    return At(FindTouch(*last)).shift > begin.shift + kMoved ? last : std::nullopt;
   }
 
   std::optional<size_t> FindFirstDigit() const {
@@ -141,7 +142,7 @@ class Course {
 
   const TrialResult& result_;
   const std::vector<LoadSample>& samples_;
-  double closure_start_ = kUnset, lift_off_ = kUnset;
+  double closure_start_, lift_off_ = kUnset;
 };
 
 /** Digits with a drive at its limit for most of the time before, where not all are. */
@@ -211,10 +212,11 @@ bool SaysItAll(Outcome outcome) {
 }  // namespace
 
 std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
-                                       const std::vector<LoadSample>& samples) {
+                                       const std::vector<LoadSample>& samples,
+                                       double closure_start) {
   if (SaysItAll(result.outcome) || samples.empty()) return std::nullopt;
   Diagnosis diagnosis;
-  const Course course(result, samples);
+  const Course course(result, samples, closure_start);
   const std::optional<Loss> loss = course.FindLoss();
   const LoadSample& before = loss ? course.BeforeLoss(*loss) : samples.back();
   const double lost_at = loss ? samples[loss->sample].time : course.FindEndOfClosing();

@@ -11,8 +11,8 @@ first of these that holds (all limits proposed by graspbench):
     push          a force beyond table and hand above 0.2 N and half the weight, before the loss; of an
                   object that was not lifted at any time
     late digit    when the first digit touched, a digit's command was behind its by 0.15 of the
-                  closing or by half of it, or it touched 0.2 s after the last of the others; and it
-                  never touched, or the object had moved by 2 mm by then
+                  closing or by half of it; or it touched 0.2 s after the last of the others, when the
+                  object had moved by 2 mm
     low friction  a slipping part has less than 0.75 of the least friction of the others
     weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
     no touch      a digit never touched
@@ -88,9 +88,12 @@ struct Diagnosis {
   }
 };
 
-/** None of a success, and of a trial whose outcome says it all (unreachable, not seen, ..). @param result  as TableLift::End knows it, with phases, contacts, touches and weight;
-times since the start of closure.   @param samples  of the whole trial. */
+/** None of a success, and of a trial whose outcome says it all (unreachable, not seen, ..).
+@param result  as TableLift::End knows it, with phases, contacts, touches and weight; times since the
+start of closure.   @param samples  of the whole trial.
+@param closure_start  since the start of placing [s]; NaN: not reached. */
 std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
-                                       const std::vector<LoadSample>& samples);
+                                       const std::vector<LoadSample>& samples,
+                                       double closure_start);
 
 }  // namespace graspbench

@@ -401,7 +401,7 @@ TrialResult TableLift::End() {
   result.contact_events = notes_.events.MakeEvents();
   for (ContactEvent& event : result.contact_events) event.time -= notes_.closure_start;
   result.timing = CalcContactTiming(result.contacts, 0.0);
-  result.diagnosis = FindDiagnosis(result, notes_.loads.samples());
+  result.diagnosis = FindDiagnosis(result, notes_.loads.samples(), notes_.closure_start);
   return result;
 }
 

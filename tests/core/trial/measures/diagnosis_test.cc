@@ -29,8 +29,7 @@ struct Story {
     result.weight = 1.0;
     result.contacts = {{"TH", true, 0.5}, {"FF", false, 0.5}, {"MF", false, 0.5}};
     result.touches.resize(3);
-    result.phases = {{NameOf(Phase::kPlacing), -kClosure},
-                     {NameOf(Phase::kClosure), 0.0},
+    result.phases = {{NameOf(Phase::kClosure), 0.0},
                      {NameOf(Phase::kLiftOff), kLiftOff - kClosure}};
     for (double time = 0.01; time < kEnd; time += 0.01) {
       LoadSample sample;
@@ -43,14 +42,14 @@ struct Story {
       samples.push_back(sample);
     }
   }
-  Diagnosis Find() const { return *FindDiagnosis(result, samples); }
+  Diagnosis Find() const { return *FindDiagnosis(result, samples, kClosure); }
 };
 
 TEST(Diagnosis, ASuccessAndAnUnreachableObjectHaveNone) {
   Story story(2.2);
   for (const Outcome outcome : {Outcome::kSuccess, Outcome::kUnreachable, Outcome::kNotSeen}) {
     story.result.outcome = outcome;
-    EXPECT_FALSE(FindDiagnosis(story.result, story.samples));
+    EXPECT_FALSE(FindDiagnosis(story.result, story.samples, kClosure));
   }
 }
 
