@@ -16,11 +16,13 @@ namespace {
 
 constexpr double kMostInterruption = 0.03;  // of a run of slipping [s]
 constexpr double kLookBack = 0.3;           // from the loss to its cause [s]
+constexpr double kLookAhead = 0.1;          // to a slip that shows the cause [s]
 constexpr double kLeastPush = 0.2;          // [N]
 constexpr double kLeastPushWeights = 0.5;
 constexpr double kBehind = 0.15;      // of the closing
 constexpr double kBehindShare = 0.5;  // of the closing of the first to touch
 constexpr double kLate = 0.2;         // after the last of the others [s]
+constexpr double kClosed = 0.99;      // of the way to the target posture
 constexpr double kMoved = 0.002;      // [m]
 constexpr double kLowFriction = 0.75;
 
@@ -84,14 +86,24 @@ class Course {
     return samples_[loss.sample > 0 ? loss.sample - 1 : 0];
   }
 
-  /** The first one; of an object that was lifted only before it was lost. */
-  const LoadSample* FindPush(double lost_at) const {
+  /** The first one; of an object that was lifted only while the hand still touched it. */
+  const LoadSample* FindPush() const {
     const double least = std::max(kLeastPush, kLeastPushWeights * result_.weight);
+    const double until = std::isnan(lift_off_) ? samples_.back().time : FindEndOfGrip();
     for (const LoadSample& sample : samples_) {
-      if (!std::isnan(lift_off_) && sample.time > lost_at) break;
+      if (sample.time > until + kMostInterruption) break;
       if (sample.push > least) return &sample;
     }
     return nullptr;
+  }
+
+  double FindEndOfGrip() const {
+    for (size_t at = samples_.size(); at-- > 0;) {
+      for (const PartSample& part : samples_[at].parts) {
+        if (part.force > 0.0f) return samples_[at].time;
+      }
+    }
+    return samples_.back().time;
   }
 
   /** The digit whose command was behind when the first one touched, or that came long after all
@@ -117,6 +129,15 @@ class Course {
     }
     if (!last || FindTouch(*last) <= last_of_others + kLate) return std::nullopt;
     return At(FindTouch(*last)).shift > begin.shift + kMoved ? last : std::nullopt;
+  }
+
+  /** One that never touched though it was asked for all of its way before the loss. */
+  std::optional<size_t> FindMissingDigit(double lost_at) const {
+    for (size_t digit = 0; digit < num_digits(); ++digit) {
+      if (!std::isnan(FindTouch(digit))) continue;
+      if (At(lost_at).parts[digit].closing >= kClosed) return digit;
+    }
+    return std::nullopt;
   }
 
   std::optional<size_t> FindFirstDigit() const {
@@ -173,7 +194,7 @@ std::optional<size_t> FindWeakDigit(const Course& course, const std::vector<Load
 /** A part that slips with much less friction than the others have. */
 std::optional<size_t> FindSlipperyPart(const std::vector<LoadSample>& samples, double around) {
   for (const LoadSample& sample : samples) {
-    if (sample.time > around + kMostInterruption || sample.time < around - kLookBack) continue;
+    if (sample.time > around + kLookAhead || sample.time < around - kLookBack) continue;
     for (size_t part = 0; part < sample.parts.size(); ++part) {
       const PartSample& one = sample.parts[part];
       if (!one.is_sliding || one.force == 0.0f) continue;
@@ -219,7 +240,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
   const Course course(result, samples, closure_start);
   const std::optional<Loss> loss = course.FindLoss();
   const LoadSample& before = loss ? course.BeforeLoss(*loss) : samples.back();
-  const double lost_at = loss ? samples[loss->sample].time : course.FindEndOfClosing();
+  const double lost_at = loss ? samples[loss->sample].time : course.FindEndOfGrip();
   const Loads loads = CalcLoads(before, loss ? loss->part : before.parts.size());
   diagnosis.time = lost_at;
   diagnosis.bearable = loads.bearable;
@@ -234,7 +255,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     diagnosis.text = text;
   };
 
-  const LoadSample* push = course.FindPush(lost_at);
+  const LoadSample* push = course.FindPush();
   if (push) {
     diagnosis.cause = FailureCause::kPush;
     diagnosis.time = push->time;
@@ -263,15 +284,12 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     blame(FailureCause::kWeakDigit, *weak,
           fmt::format("A drive of {} gave all it could, which pressed with {}.",
                       course.NameOfPart(*weak), Newtons(before.parts[*weak].force)));
-  } else if (const auto missing =
-                 std::find_if(result.contacts.begin(), result.contacts.end(),
-                              [](const DigitContact& contact) { return std::isnan(contact.time); });
-             missing != result.contacts.end()) {
-    const auto digit = static_cast<size_t>(missing - result.contacts.begin());
+  } else if (const auto missing = course.FindMissingDigit(lost_at)) {
     diagnosis.time = course.FindEndOfClosing();
-    blame(FailureCause::kNoTouch, digit,
-          fmt::format("{} never touched the object; its nearest was {} mm.", missing->digit.str(),
-                      FormatFixed(1e3 * result.touches[digit].smallest_gap, 1)));
+    blame(FailureCause::kNoTouch, *missing,
+          fmt::format("{} never touched the object; its nearest was {} mm.",
+                      course.NameOfPart(*missing),
+                      FormatFixed(1e3 * result.touches[*missing].smallest_gap, 1)));
   } else if (result.outcome == Outcome::kPushedAway && course.FindFirstDigit()) {
     const size_t first = *course.FindFirstDigit();
     diagnosis.time = course.FindTouch(first);

@@ -4,18 +4,18 @@ Why a trial failed: the first disturbance, the first loss that mattered, what th
 and what would have been needed. One answer, kept in the trial's record, so that every page and
 command says the same.
 
-The loss that mattered is the part of the hand whose last run of slipping or not touching, up to the
-end of the trial, began first; runs that are interrupted by less than 30 ms are one. Its cause is the
+The loss that mattered is the part of the hand whose last run of slipping or not touching, up to
+the end of the trial, began first; runs interrupted by less than 30 ms are one. Its cause is the
 first of these that holds (all limits proposed by graspbench):
 
-    push          a force beyond table and hand above 0.2 N and half the weight, before the loss; of an
-                  object that was not lifted at any time
+    push          a force beyond table and hand above 0.2 N and half the weight; of an object that
+                  was lifted while the hand still touched it
     late digit    when the first digit touched, a digit's command was behind its by 0.15 of the
-                  closing or by half of it; or it touched 0.2 s after the last of the others, when the
-                  object had moved by 2 mm
+                  closing or by half of it; or it touched 0.2 s after the last of the others, when
+                  the object had moved by 2 mm
     low friction  a slipping part has less than 0.75 of the least friction of the others
     weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
-    no touch      a digit never touched
+    no touch      a digit never touched, though it was asked for all of its way before the loss
     pushed by a digit   the object was pushed away before it was held
     weak grip     friction, sum mu N, could not bear the weight
     no balance    it could have; the forces did not act against each other */
@@ -89,8 +89,8 @@ struct Diagnosis {
 };
 
 /** None of a success, and of a trial whose outcome says it all (unreachable, not seen, ..).
-@param result  as TableLift::End knows it, with phases, contacts, touches and weight; times since the
-start of closure.   @param samples  of the whole trial.
+@param result  as TableLift::End knows it, with phases, contacts, touches and weight; times since
+the start of closure.   @param samples  of the whole trial.
 @param closure_start  since the start of placing [s]; NaN: not reached. */
 std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
                                        const std::vector<LoadSample>& samples,

@@ -2,9 +2,9 @@
 /** @file
 What each part of a hand bore over a trial, every 10 ms: what a diagnosis looks back on.
 
-A part is a grasping digit or, last, the rest of the hand. Besides the hand only gravity and the table
-act on the object, and the table's horizontal force is at most its normal force times a friction of
-kTableFriction. What the balance of momentum over a sample leaves beyond that was a push:
+A part is a grasping digit or, last, the rest of the hand. Besides the hand only gravity and the
+table act on the object, and the table's horizontal force is at most its normal force times a
+friction of kTableFriction. What the balance of momentum over a sample leaves beyond was a push:
 
     F_rest = m dv/dt - m g - F_hand
     push   = max(0, |F_rest,xy| - kTableFriction N_table) + |F_rest,z - N_table|
