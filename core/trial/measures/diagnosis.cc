@@ -290,7 +290,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
           fmt::format("{} never touched the object; its nearest was {} mm.",
                       course.NameOfPart(*missing),
                       FormatFixed(1e3 * result.touches[*missing].smallest_gap, 1)));
-  } else if (result.outcome == Outcome::kPushedAway && course.FindFirstDigit()) {
+  } else if (std::isnan(course.lift_off()) && course.FindFirstDigit()) {
     const size_t first = *course.FindFirstDigit();
     diagnosis.time = course.FindTouch(first);
     blame(FailureCause::kPushedByDigit, first,

@@ -16,7 +16,7 @@ first of these that holds (all limits proposed by graspbench):
     low friction  a slipping part has less than 0.75 of the least friction of the others
     weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
     no touch      a digit never touched, though it was asked for all of its way before the loss
-    pushed by a digit   the object was pushed away before it was held
+    pushed by a digit   the trial was over before lift-off
     weak grip     friction, sum mu N, could not bear the weight
     no balance    it could have; the forces did not act against each other */
 
