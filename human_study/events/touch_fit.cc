@@ -202,7 +202,6 @@ struct Equations {
 struct Trial {
   double time = 0.0;
   std::array<double, kSettlingDepths.size()> log_evidence{};
-  std::array<double, kSettlingDepths.size()> speed{};  // against the object [m/s]
 };
 
 class Fitter {
@@ -231,7 +230,6 @@ class Fitter {
       }
       const Equations::Solution solution = equations.Solve();
       speed = solution.unknowns[kSpeed] + object.rate;
-      trial.speed[k] = speed;
       trial.log_evidence[k] = speed < kMinSpeed ? -INFINITY : solution.log_evidence;
       least_misfit_ = std::min(least_misfit_, solution.misfit);
     }
@@ -263,18 +261,6 @@ double FindBest(const std::vector<Trial>& trials) {
     for (const double value : trial.log_evidence) best = std::max(best, value);
   }
   return best;
-}
-
-double FindBestSpeed(const std::vector<Trial>& trials) {
-  double best = -INFINITY, speed = 0.0;
-  for (const Trial& trial : trials) {
-    for (size_t k = 0; k < kSettlingDepths.size(); ++k) {
-      if (trial.log_evidence[k] <= best) continue;
-      best = trial.log_evidence[k];
-      speed = trial.speed[k];
-    }
-  }
-  return speed;
 }
 
 /** The stretch outside of which nothing is likely. */
@@ -330,7 +316,6 @@ TouchFit FitTouch(const TouchSamples& samples) {
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
   }
-  fit.speed = FindBestSpeed(trials);
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
   return fit;

@@ -65,7 +65,6 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
-  double speed = 0.0;        ///< against the object at the touch, of the best fit [m/s]
   std::string missing;       ///< why there is none; empty when there is one
 };
 

@@ -82,24 +82,15 @@ bool DiffersInDetectorOnly(const Universe& a, const Universe& b) {
 }
 
 /** How far digits go on after they touched, from the contacts of trials that count; few trials tell
-as much as all. Who slows down softly looks as if the skin gave way: where most contacts are slow
-nothing is learned. */
+as much as all. */
 void LearnFrom(const std::vector<StudyTrial>& trials, StudyResult& result) {
-  constexpr double kFast = 0.08;  // [m/s]
   std::vector<TouchFit> fits;
-  size_t num_slow = 0;
   for (const StudyTrial& trial : trials) {
     if (!trial.IsKept()) continue;
     for (const DigitContactEvents& digit : trial.analysis->contacts) {
-      if (!digit.contact.IsFound() || !digit.fit.missing.empty()) continue;
-      if (digit.fit.speed < kFast) {
-        ++num_slow;
-      } else {
-        fits.push_back(digit.fit);
-      }
+      if (digit.contact.IsFound() && digit.fit.missing.empty()) fits.push_back(digit.fit);
     }
   }
-  if (fits.size() < num_slow) return;
   result.num_learned = static_cast<int>(fits.size());
   result.study.config.analysis.contact.depths = LearnDepths(fits);
 }

@@ -9,12 +9,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeight = 0.02;  // of a plate over the half x < 0 of the table [m]
+constexpr double kSlabHeight = 0.02;  // of a plate over the half x < 0 of the table [m]
 constexpr int kTexels = 256;
 
 LightMap MakeMap(const Vector3d& to_light, bool has_plate) {
   LightMap map;
-  map.light = MakeStageLight(to_light, {{-0.2, -0.2, 0.0}, {0.2, 0.2, kHeight}});
+  map.light = MakeStageLight(to_light, {{-0.2, -0.2, 0.0}, {0.2, 0.2, kSlabHeight}});
   map.size = kTexels;
   map.depth.assign(static_cast<size_t>(kTexels) * kTexels, 1.0f);
   if (!has_plate) return map;
@@ -25,7 +25,7 @@ LightMap MakeMap(const Vector3d& to_light, bool has_plate) {
       const Eigen::Vector4d start =
           S_from_map * Eigen::Vector4d((x + 0.5) / kTexels, (y + 0.5) / kTexels, 0.0, 1.0);
       const Eigen::Vector4d way = S_from_map * Eigen::Vector4d(0.0, 0.0, 1.0, 0.0);
-      const double depth = (kHeight - start.z()) / way.z();
+      const double depth = (kSlabHeight - start.z()) / way.z();
       if (start.x() + depth * way.x() < 0.0) map.depth[y * kTexels + x] = static_cast<float>(depth);
     }
   }
@@ -49,7 +49,7 @@ TEST(TableLightTest, PenumbraOfAHalfPlaneIsTheCutOfADisc) {
   const LightMap map = MakeMap(Vector3d::UnitZ(), true);
   constexpr int kSize = 100;  // texels of 1 mm
   const std::vector<uint8_t> light = CalcTableLight(map, map, {-0.05, -0.05, 0.1, 0.1}, kSize);
-  const double key_radius = 0.13 * kHeight, sky_radius = 0.8 * kHeight;
+  const double key_radius = 0.13 * kSlabHeight, sky_radius = 0.8 * kSlabHeight;
   for (int x = 4; x < kSize - 4; ++x) {
     const double place = -0.05 + 0.001 * (x + 1.0);  // the mean of 4 texels, x - 1 to x + 2
     const uint8_t* const value = &light[2 * (50 * kSize + x)];
@@ -69,7 +69,7 @@ TEST(TableLightTest, ShadowLiesAwayFromALowLight) {
   for (int x = 0; x < kSize; ++x) {
     if (light[2 * (50 * kSize + x)] < 128) last_dark = x;
   }
-  EXPECT_NEAR(-0.05 + 0.001 * (last_dark + 1.5), -kHeight, 0.002);
+  EXPECT_NEAR(-0.05 + 0.001 * (last_dark + 1.5), -kSlabHeight, 0.002);
 }
 
 }  // namespace

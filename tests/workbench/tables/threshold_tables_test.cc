@@ -11,8 +11,8 @@ TEST(ThresholdTables, SayWhatIsNotKnownAndWhatNeverHeld) {
   ThresholdSummary summary;
   summary.scale = &kThresholdScales[1];
   summary.num_trials = 23;
-  summary.cells = {{"tum", "can", "g3", 8, 1, 0, {2, 5}, 0.7, 0.5, HUGE_VAL},
-                   {"tum", "cup", "g3", 2, 2, 0, {}, HUGE_VAL}};
+  summary.cells = {{"", "tum", "can", "g3", 8, 1, 0, {2, 5}, 0.7, 0.5, HUGE_VAL},
+                   {"", "tum", "cup", "g3", 2, 2, 0, {}, HUGE_VAL}};
   const std::string text = FormatThresholdTables(summary);
   for (const char* part : {"0.70 N", "0.50 N to none held", "2, 5", "none held", "n/a",
                            "10 draws, 23 trials, 2 not monotone"}) {

@@ -84,10 +84,8 @@ std::string FindCommandHelp(const CLI::App& program, const std::vector<std::stri
       if (!entries.empty()) return FormatGlossary(entries);
     }
     if (!next) {
-      throw Error(ErrorKind::kUsage, "\"" + word +
-                                         "\" is no command, no file and no word of the "
-                                         "glossary" +
-                                         SuggestNames(word, names));
+      throw Error(ErrorKind::kUsage,
+                  "\"" + word + "\" is no command, file or word" + SuggestNames(word, names));
     }
     above += (above.empty() ? "" : " ") + command->get_name();
     command = next;
