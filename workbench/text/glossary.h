@@ -1,6 +1,7 @@
 #pragma once
 /** @file
-The manual's glossary (workbench/manual/pages/glossary.md), compiled in, for `graspbench help WORD`. */
+The manual's glossary (workbench/manual/pages/glossary.md), compiled in, for
+`graspbench help WORD`. */
 
 #include <string>
 #include <string_view>
