@@ -1,7 +1,7 @@
 #pragma once
 /** @file
 Pads as the rules of development see them: where they are in a posture, which way they face, and
-how the fingertip that carries them points. The side of a fingertip likewise. */
+how the fingertip that carries them points; so is the side of a fingertip. */
 
 #include <Eigen/Core>
 #include <string>
