@@ -40,7 +40,9 @@ TEST(LoadRecorder, APushIsSeenWithItsForceAndTime) {
   double most = 0.0;
   for (const LoadSample& sample : samples) {
     const bool is_pushed = sample.time > 2.99 && sample.time < 3.07;
-    if (!is_pushed) EXPECT_LT(sample.push, 0.01) << sample.time;
+    if (!is_pushed) {
+      EXPECT_LT(sample.push, 0.01) << sample.time;
+    }
     if (!sample.is_on_table) most = std::fmax(most, sample.push);
   }
   EXPECT_NEAR(most, 0.3 + 0.4, 0.02) << "across and up";
