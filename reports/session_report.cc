@@ -3,7 +3,9 @@
 #include "core/base/hash.h"
 #include "core/base/text/text.h"
 #include "datasets/analysis/conditions/basin_summary.h"
+#include "datasets/plan/map_design.h"
 #include "reports/basin_page.h"
+#include "reports/map_page.h"
 #include "reports/page/layout.h"
 #include "reports/page/write_page.h"
 #include "reports/sections/section.h"
@@ -56,6 +58,7 @@ std::filesystem::path WriteReport(const std::filesystem::path& folder, const Ses
 
 /** The page of a session that is more than its trials; empty: it is not. */
 std::string MakeKindPage(const Session& session) {
+  if (IsMap(session.config)) return MakeMapPage(session, LoadMap(session));
   if (!session.config.conditions.empty())
     return MakeSweepPage(session, SummariseSweep(session, LoadThresholds(session)));
   if (!IsBasin(session)) return "";

@@ -61,6 +61,11 @@ std::string FormatGrasps(const Hand& hand, const DevelopConfig& config,
     if (grasp.palm_gap != kPalmGap) {
       text += fmt::format("    palm_gap_m: {:.{}f}\n", grasp.palm_gap, kGraspDecimals + 3);
     }
+    if (!one.check.empty()) {
+      text +=
+          fmt::format("    held_share: {:.2f}\n", static_cast<double>(CountSuccesses(one.check)) /
+                                                      static_cast<double>(one.check.size()));
+    }
     text += "    pre_deg: " + FormatPosture(hand, grasp.q_pre, kGraspDecimals) +
             "\n    target_deg: " + FormatPosture(hand, grasp.q_target, kGraspDecimals) +
             "\n    changed: >-\n      " + DescribeDevelopment(hand, one) + "\n";

@@ -9,6 +9,10 @@ const FileKeys& ListHandGraspKeys() {
       {"grasps.ID.palm_may_touch", "false", "true of power grasps"},
       {"grasps.ID.palm_gap_m", "0.003",
        "of a power grasp: how far the palm stops before the object; it may draw it in", 0, 0.05},
+      {"grasps.ID.held_share", "",
+       "of shapes not met in development, how many it held; of grasps that can take an object, "
+       "those that held half are preferred",
+       0, 1},
       {"grasps.ID.approach", "automatic", "from where the hand comes: automatic, above or side"},
       {"grasps.ID.changed", "", "where the postures come from, for people"},
       {"grasps.ID.closing", "",

@@ -28,6 +28,7 @@ Grasp ReadGrasp(const Hand& hand, const GraspTaxon& taxon, const YAML::Node& nod
   map.Read("tilt_deg", tilt_deg);
   map.Read("palm_may_touch", grasp.palm_may_touch, Needed::kNo);
   map.Read("palm_gap_m", grasp.palm_gap, Needed::kNo);
+  map.Read("held_share", grasp.held_share, Needed::kNo);
   ReadApproach(map, grasp.approach);
   map.Read("changed", changed, Needed::kNo);
   grasp.tilt = RadFromDeg(tilt_deg);

@@ -60,6 +60,8 @@ struct Grasp {
   std::map<std::string, ClosingSchedule> closing;  ///< by digit; those left out close as all do
   bool palm_may_touch = false;                     ///< power grasps
   double palm_gap = kPalmGap;  ///< of a power grasp: palm to object when closing begins [m]
+  /** Of shapes not met in development, the share that it held (core/develop); NaN: not known. */
+  double held_share = kUnset;
   Approach approach = Approach::kAutomatic;
   std::string object;                  ///< id of the object it was made for; empty: any
   std::optional<Placement> placement;  ///< absent: computed from postures and sizes

@@ -29,4 +29,16 @@ std::vector<double> AdjustHolm(const std::vector<double>& p) {
   return adjusted;
 }
 
+std::vector<double> AdjustBenjaminiHochberg(const std::vector<double>& p) {
+  std::vector<double> adjusted = p;
+  const std::vector<size_t> order = SortTests(p);
+  const double count = static_cast<double>(order.size());
+  double least = 1.0;
+  for (size_t i = order.size(); i > 0; --i) {
+    least = std::min(least, count * p[order[i - 1]] / static_cast<double>(i));
+    adjusted[order[i - 1]] = least;
+  }
+  return adjusted;
+}
+
 }  // namespace graspbench

@@ -4,6 +4,8 @@
 #include "datasets/analysis/conditions/basin_summary.h"
 #include "datasets/analysis/conditions/sweep_summary.h"
 #include "datasets/analysis/conditions/threshold_summary.h"
+#include "datasets/analysis/map/map_result.h"
+#include "datasets/plan/map_design.h"
 
 namespace graspbench {
 
@@ -11,7 +13,9 @@ void ExportResult(const std::filesystem::path& folder, const Session& session, b
   const bool is_sweep = !session.config.conditions.empty();
   const std::vector<ThresholdSummary> thresholds = LoadThresholds(session);
   std::vector<ExportTable> tables = MakeThresholdTables(thresholds);
-  if (is_sweep) {
+  if (IsMap(session.config)) {
+    for (ExportTable& table : MakeMapTables(LoadMap(session))) tables.push_back(std::move(table));
+  } else if (is_sweep) {
     for (ExportTable& table : MakeSweepTables(SummariseSweep(session, thresholds))) {
       tables.push_back(std::move(table));
     }

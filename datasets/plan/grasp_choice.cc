@@ -1,6 +1,7 @@
 #include "datasets/plan/grasp_choice.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/text/text.h"
 #include "core/base/units.h"
@@ -37,6 +38,14 @@ bool CanTake(const SessionInputs& inputs, const SessionHand& hand, const Grasp& 
   return prediction.reaches() && prediction.is_clear();
 }
 
+/** Larger is better. That a grasp can take the object comes first, then that its development found
+it to hold what it had not met, then contacts. */
+std::array<int, 3> RankGrasp(const Grasp& grasp, const GraspPrediction& prediction) {
+  constexpr double kLeastHeldShare = 0.5;
+  return {2 * prediction.reaches() + prediction.is_clear(), !(grasp.held_share < kLeastHeldShare),
+          prediction.Rank()};
+}
+
 const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
                            const std::shared_ptr<const GraspObject>& object) {
   const auto named = object->best_grasp.find(hand.hand->id);
@@ -44,12 +53,13 @@ const Grasp& FindBestGrasp(const SessionInputs& inputs, const SessionHand& hand,
     if (const Grasp* grasp = FindGrasp(hand, *object, named->second)) return *grasp;
   }
   const Grasp* best = nullptr;
-  int best_rank = -1;
+  std::array<int, 3> best_rank = {-1, 0, 0};
   for (const std::string& id : object->grasp_order) {
     const Grasp* grasp = FindGrasp(hand, *object, id);
     if (!grasp) continue;
     if (grasp->placement) return *grasp;
-    const int rank = FitOnce(inputs, hand, *grasp, object).prediction.Rank();
+    const std::array<int, 3> rank =
+        RankGrasp(*grasp, FitOnce(inputs, hand, *grasp, object).prediction);
     if (rank <= best_rank) continue;
     best = grasp;
     best_rank = rank;

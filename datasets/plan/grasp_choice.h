@@ -25,8 +25,9 @@ object, or is what the object names as best for this hand, stays as it is. */
 Grasp FindFitted(const SessionInputs& inputs, const SessionHand& hand, const Grasp& grasp,
                  const std::shared_ptr<const GraspObject>& object);
 
-/** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else the first
-in the object's order that holds it by prediction, else the one of the highest rank. */
+/** As MakePlan says (session_plan.h). "best" is what the object names for this hand, else of
+those that can take it by prediction one that held half of the shapes that its development had not
+met (Grasp::held_share), else any, the highest rank and then the first in the object's order. */
 std::vector<const Grasp*> FindGrasps(const SessionConfig& config, const SessionInputs& inputs,
                                      const SessionHand& hand,
                                      const std::shared_ptr<const GraspObject>& object);

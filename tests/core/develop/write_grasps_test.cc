@@ -60,6 +60,7 @@ TEST(FormatGraspsTest, AHandWithThemHasTheSameGrasps) {
     EXPECT_EQ(read[k].palm_gap, made.palm_gap);
     EXPECT_EQ(read[k].digits, made.digits);
     EXPECT_EQ(read[k].palm_may_touch, made.id == "g3");
+    EXPECT_EQ(read[k].held_share, made.id == "g3" ? 0.0 : 0.5);
   }
   fs::remove_all(folder);
 }

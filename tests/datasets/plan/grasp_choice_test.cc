@@ -110,6 +110,27 @@ TEST(GraspChoice, TheFirstThatIsClearIsBest) {
       PredictGrasp(*inputs.hands[0].hand, pinch, *CompleteObject(inputs.objects[1])).is_clear());
 }
 
+// A grasp whose development held next to nothing is taken only where no other can take the object.
+TEST(GraspChoice, WhatDidNotHoldInDevelopmentComesLast) {
+  const auto bar = MakeBlock("bar", 0.03);
+  SessionInputs inputs = MakeInputsOf({bar});
+  const auto best = [&] {
+    return FindGrasps(SessionConfig(), inputs, inputs.hands[0], bar).at(0)->id;
+  };
+  ASSERT_EQ(best(), "g4");
+  const auto set_share = [&](const std::string& id, double share) {
+    for (Grasp& grasp : inputs.hands[0].grasps) {
+      if (grasp.id == id) grasp.held_share = share;
+    }
+  };
+  set_share("g4", 0.49);
+  EXPECT_EQ(best(), "g1");
+  set_share("g1", 0.1);
+  EXPECT_EQ(best(), "g4") << "both alike";
+  set_share("g4", 0.5);
+  EXPECT_EQ(best(), "g4");
+}
+
 TEST(GraspChoice, WhatTheObjectNamesStaysAsItIs) {
   auto slab = MakeBlock("slab", 0.2);
   slab->best_grasp["mine"] = "g1";

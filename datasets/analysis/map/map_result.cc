@@ -1,0 +1,141 @@
+#include "datasets/analysis/map/map_result.h"
+
+#include <algorithm>
+
+#include "core/base/text/csv.h"
+#include "datasets/analysis/map/map_trials.h"
+#include "datasets/plan/map_design.h"
+
+namespace graspbench {
+namespace {
+
+struct TableRow {
+  const MapPartResult* part;
+  const MapCell* cell;
+
+  const MapMeasureRow& measure() const { return RowOf(kMapMeasures, cell->measure); }
+};
+
+/** The level of a factor of the cell's, or its name; null: it has no such. */
+Json FindPlace(const TableRow& row, size_t place, bool is_name) {
+  if (row.cell->where.size() <= place) return {};
+  const MapLevel& level = row.cell->where[place];
+  const MapFactor& factor = row.part->map.factors[level.factor];
+  return is_name ? factor.name : factor.levels[level.level];
+}
+
+std::vector<CsvColumn<TableRow>> ListMapColumns() {
+  using Row = TableRow;
+  return {
+      {"part", "string", "", "session of the map", [](const Row& row) { return row.part->id; }},
+      {"measure", "string", "",
+       "success (0 or 1), threshold (binary logarithm of the margin), push (net share of pairs), "
+       "breaking_force [N]",
+       [](const Row& row) { return Json(row.measure().name); }},
+      {"hand", "string", "", "id of the hand", [](const Row& row) { return row.cell->hand; }},
+      {"late_digit", "string", "", "last or first to touch without delay",
+       [](const Row& row) { return Json(NameLateDigit(row.cell->late)); }},
+      {"factor", "string", "", "of the region; empty: everywhere",
+       [](const Row& row) { return FindPlace(row, 0, true); }},
+      {"level", "string", "", "its level", [](const Row& row) { return FindPlace(row, 0, false); }},
+      {"with_factor", "string", "", "a second factor of the region",
+       [](const Row& row) { return FindPlace(row, 1, true); }},
+      {"with_level", "string", "", "and its level",
+       [](const Row& row) { return FindPlace(row, 1, false); }},
+      {"pairs", "integer", "", "of a trial without delay and its late ones",
+       [](const Row& row) { return row.cell->num_pairs; }},
+      {"objects", "integer", "", "in these pairs",
+       [](const Row& row) { return row.cell->num_objects; }},
+      {"undelayed", "number", "", "mean of the measure without delay",
+       [](const Row& row) { return JsonNumber(row.cell->undelayed); }},
+      {"effect", "number", "", "mean over pairs, for 100 ms of delay; of push not by time",
+       [](const Row& row) { return JsonNumber(row.cell->estimate); }},
+      {"low", "number", "", "95 % interval from drawing objects",
+       [](const Row& row) {
+         return row.cell->interval ? JsonNumber(row.cell->interval->low) : Json();
+       }},
+      {"high", "number", "", "likewise",
+       [](const Row& row) {
+         return row.cell->interval ? JsonNumber(row.cell->interval->high) : Json();
+       }},
+      {"no_interval", "string", "", "why there is none",
+       [](const Row& row) { return Json(row.cell->interval ? "" : row.cell->interval.reason()); }},
+      {"p", "number", "", "of no effect, by the signs of objects",
+       [](const Row& row) { return JsonNumber(row.cell->p); }},
+      {"adjusted_p", "number", "", "for the false discovery rate, over all cells of the measure",
+       [](const Row& row) { return JsonNumber(row.cell->adjusted_p); }},
+      {"verdict", "string", "", "costs, gains, none, ceiling, floor, undecided",
+       [](const Row& row) { return Json(RowOf(kMapVerdicts, row.cell->verdict).name); }}};
+}
+
+MapPartResult MakePart(const MapPart& part, const Session& session, const MapData& data) {
+  return {part.id, part.title, static_cast<int>(session.records.size()),
+          static_cast<int>(session.plan.size()), MapSimultaneity(data)};
+}
+
+}  // namespace
+
+std::vector<std::string> MapResult::findings() const {
+  std::vector<std::string> sentences;
+  for (const std::string& hand : parts.front().map.hands) {
+    sentences.push_back(DescribeFinding(parts.front().map, natural.at(hand), hand));
+  }
+  return sentences;
+}
+
+MapResult LoadMap(const Session& session) {
+  MapResult result;
+  for (const MapPart& part : ListMapParts(false)) {
+    if (result.parts.empty()) {
+      const MapData data = ListMapTrials(session, {});
+      result.parts.push_back(MakePart(part, session, data));
+      for (const std::string& hand : result.parts.front().map.hands) {
+        result.natural[hand] = FindNaturalRelation(data, hand);
+      }
+      continue;
+    }
+    const std::filesystem::path folder = session.folder / "map" / part.id;
+    if (!HasSession(folder)) continue;
+    const Session rest = LoadSession(folder, OnDamage::kAccept, RecordParts::kBrief);
+    result.parts.push_back(MakePart(part, rest, ListMapTrials(rest, LoadThresholds(rest))));
+  }
+  return result;
+}
+
+std::vector<ExportTable> MakeMapTables(const MapResult& result) {
+  std::vector<TableRow> rows;
+  for (const MapPartResult& part : result.parts) {
+    for (const MapCell& cell : part.map.cells) {
+      if (cell.num_pairs > 0) rows.push_back({&part, &cell});
+    }
+  }
+  const auto columns = ListMapColumns();
+  return {{"map", FormatCsv(columns, rows), MakeTableSchema(columns, "")}};
+}
+
+Json ToJson(const MapResult& result) {
+  Json parts = Json::array();
+  for (const MapPartResult& part : result.parts) {
+    Json json = ToJson(part.map);
+    json["id"] = part.id;
+    json["trials"] = part.num_trials;
+    json["planned"] = part.num_planned;
+    parts.push_back(json);
+  }
+  Json natural = Json::object();
+  for (const auto& [hand, relation] : result.natural) {
+    if (!relation) {
+      natural[hand] = {{"none", relation.reason()}};
+      continue;
+    }
+    natural[hand] = {{"trials", relation->num_trials},
+                     {"objects", relation->num_objects},
+                     {"correlation", JsonNumber(relation->correlation)},
+                     {"low", JsonNumber(relation->interval.low)},
+                     {"high", JsonNumber(relation->interval.high)},
+                     {"cause", relation->cause}};
+  }
+  return {{"findings", result.findings()}, {"parts", parts}, {"natural", natural}};
+}
+
+}  // namespace graspbench

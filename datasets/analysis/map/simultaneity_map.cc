@@ -1,0 +1,369 @@
+#include "datasets/analysis/map/simultaneity_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "core/base/enum_table.h"
+#include "core/base/random.h"
+#include "core/base/text/range_text.h"
+#include "core/base/text/text.h"
+#include "core/statistics/multiple_tests.h"
+
+namespace graspbench {
+namespace {
+
+constexpr int kNumMapResamples = 1999;
+constexpr double kMapDose = 0.1;  // effects are told for so much delay [s]
+constexpr double kFalseDiscoveryRate = 0.05;
+constexpr double kCeiling = 0.975;
+constexpr double kFloor = 0.025;
+constexpr size_t kMostChanged = 3;
+
+/** A hand's pair: one draw in one region with one late digit. */
+struct Pair {
+  std::vector<size_t> levels;
+  std::string object;
+  double undelayed = kUnset;
+  double effect = kUnset;
+  std::string changed;  ///< name of a late trial with another value; empty: none
+};
+
+double CalcSign(double change) { return change > 0.0 ? 1.0 : change < 0.0 ? -1.0 : 0.0; }
+
+/** NaN where a trial of the pair has no value. */
+double CalcPairEffect(MapMeasure measure, double undelayed,
+                      const std::vector<std::pair<double, double>>& delayed) {
+  double products = 0.0, squares = 0.0, signs = 0.0;
+  for (const auto& [delay, value] : delayed) {
+    products += delay * (value - undelayed);
+    squares += delay * delay;
+    // Two digits that never touch are as far as each other; inf - inf is no number.
+    signs += value == undelayed ? 0.0 : std::isnan(value) ? kUnset : CalcSign(value - undelayed);
+  }
+  if (std::isnan(undelayed) || delayed.empty()) return kUnset;
+  if (measure == MapMeasure::kPush) return signs / static_cast<double>(delayed.size());
+  return kMapDose * products / squares;
+}
+
+using PairKey = std::tuple<std::string, int, std::vector<size_t>>;
+
+/** Of one hand, late digit and measure, those that have a value. */
+std::vector<Pair> ListPairs(const MapData& data, const std::string& hand, LateDigit late,
+                            MapMeasure measure) {
+  const auto place = static_cast<size_t>(measure);
+  std::map<PairKey, double> undelayed;
+  std::map<PairKey, std::vector<const MapTrial*>> delayed;
+  for (const MapTrial& trial : data.trials) {
+    if (trial.hand != hand) continue;
+    const PairKey key(trial.object, trial.draw, trial.levels);
+    if (trial.late == LateDigit::kNone) undelayed[key] = trial.values[place];
+    if (trial.late == late) delayed[key].push_back(&trial);
+  }
+  std::vector<Pair> pairs;
+  for (const auto& [key, trials] : delayed) {
+    const auto found = undelayed.find(key);
+    if (found == undelayed.end()) continue;
+    std::vector<std::pair<double, double>> values;
+    std::string changed;
+    for (const MapTrial* trial : trials) {
+      values.emplace_back(trial->delay, trial->values[place]);
+      if (changed.empty() && trial->values[place] != found->second) changed = trial->name;
+    }
+    const double effect = CalcPairEffect(measure, found->second, values);
+    if (std::isnan(effect)) continue;
+    pairs.push_back({std::get<2>(key), std::get<0>(key), found->second, effect, changed});
+  }
+  return pairs;
+}
+
+bool IsWithin(const Pair& pair, const std::vector<MapLevel>& where) {
+  return std::all_of(where.begin(), where.end(), [&](const MapLevel& level) {
+    return pair.levels[level.factor] == level.level;
+  });
+}
+
+/** Sums of an object's effects, and their number. */
+struct ObjectSum {
+  double sum = 0.0, count = 0.0;
+};
+
+double CalcPooledMean(const std::vector<ObjectSum>& objects, const std::vector<size_t>& members) {
+  ObjectSum all;
+  for (const size_t member : members) {
+    all.sum += objects[member].sum;
+    all.count += objects[member].count;
+  }
+  return all.sum / all.count;
+}
+
+Answer<Interval> CalcCellInterval(const std::vector<ObjectSum>& objects, const std::string& id) {
+  const bool none_changed = std::all_of(objects.begin(), objects.end(),
+                                        [](const ObjectSum& one) { return one.sum == 0.0; });
+  const auto calc_mean = [&](const std::vector<size_t>& members) {
+    return CalcPooledMean(objects, members);
+  };
+  constexpr size_t kMinObjects = 5;
+  if (none_changed && objects.size() >= kMinObjects) return Interval{0.0, 0.0};
+  const Answer<BootstrapInterval> drawn =
+      CalcBootstrap(objects.size(), calc_mean, id, kNumMapResamples);
+  return drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
+}
+
+double CalcSignP(const std::vector<ObjectSum>& objects, const std::string& id) {
+  double observed = 0.0, size = 0.0;
+  for (const ObjectSum& one : objects) {
+    observed += one.sum;
+    size += std::abs(one.sum);
+  }
+  RandomStream random(id, "signs");
+  int num_as_large = 0;
+  for (int k = 0; k < kNumMapResamples; ++k) {
+    double sum = 0.0;
+    for (const ObjectSum& one : objects) sum += random.NextIndex(2) == 0 ? one.sum : -one.sum;
+    // Sums of the same numbers in another order differ in their last bits.
+    num_as_large += std::abs(sum) >= std::abs(observed) - 1e-12 * size ? 1 : 0;
+  }
+  return (1.0 + num_as_large) / (1.0 + kNumMapResamples);
+}
+
+MapCell MakeCell(const std::vector<Pair>& pairs, MapCell cell, const std::string& id) {
+  std::map<std::string, ObjectSum> by_object;
+  double undelayed = 0.0;
+  for (const Pair& pair : pairs) {
+    if (!IsWithin(pair, cell.where)) continue;
+    ++cell.num_pairs;
+    by_object[pair.object].sum += pair.effect;
+    by_object[pair.object].count += 1.0;
+    undelayed += pair.undelayed;
+    const bool is_shown = cell.measure == MapMeasure::kSuccess && !pair.changed.empty();
+    if (is_shown && cell.changed.size() < kMostChanged) cell.changed.push_back(pair.changed);
+  }
+  if (cell.num_pairs == 0) return cell;
+  std::vector<ObjectSum> objects;
+  for (const auto& [name, sum] : by_object) objects.push_back(sum);
+  cell.num_objects = static_cast<int>(objects.size());
+  cell.undelayed = undelayed / cell.num_pairs;
+  std::vector<size_t> all(objects.size());
+  std::iota(all.begin(), all.end(), size_t{0});
+  cell.estimate = CalcPooledMean(objects, all);
+  cell.interval = CalcCellInterval(objects, id);
+  cell.p = CalcSignP(objects, id);
+  return cell;
+}
+
+/** Everywhere, then every level, then every two levels of two factors. */
+std::vector<std::vector<MapLevel>> ListPlaces(const std::vector<MapFactor>& factors) {
+  std::vector<MapLevel> levels;
+  for (size_t factor = 0; factor < factors.size(); ++factor) {
+    for (size_t level = 0; level < factors[factor].levels.size(); ++level) {
+      levels.push_back({factor, level});
+    }
+  }
+  std::vector<std::vector<MapLevel>> places = {{}};
+  for (const MapLevel& level : levels) places.push_back({level});
+  for (const MapLevel& a : levels) {
+    for (const MapLevel& b : levels) {
+      if (a.factor < b.factor) places.push_back({a, b});
+    }
+  }
+  return places;
+}
+
+int CountObjectsToDecide(const MapCell& cell, double bound) {
+  const double half_width = 0.5 * (cell.interval->high - cell.interval->low);
+  const double size = std::abs(cell.estimate);
+  const double wanted = std::max(size, bound - size);
+  return static_cast<int>(std::ceil(cell.num_objects * std::pow(half_width / wanted, 2.0)));
+}
+
+void Decide(MapCell& cell) {
+  const MapMeasureRow& measure = RowOf(kMapMeasures, cell.measure);
+  if (!cell.interval) return;
+  const bool excludes_zero = cell.interval->low > 0.0 || cell.interval->high < 0.0;
+  const bool is_rate = cell.measure == MapMeasure::kSuccess;
+  if (excludes_zero && cell.adjusted_p <= kFalseDiscoveryRate) {
+    cell.verdict = cell.estimate * measure.harm > 0.0 ? MapVerdict::kCosts : MapVerdict::kGains;
+  } else if (is_rate && cell.undelayed <= kFloor) {
+    cell.verdict = MapVerdict::kFloor;
+  } else if (cell.interval->low > -measure.bound && cell.interval->high < measure.bound) {
+    cell.verdict = is_rate && cell.undelayed >= kCeiling ? MapVerdict::kCeiling : MapVerdict::kNone;
+  } else {
+    cell.num_objects_to_decide = CountObjectsToDecide(cell, measure.bound);
+  }
+}
+
+/** Of the cells from `begin` on, all of one measure. */
+void DecideAll(std::vector<MapCell>& cells, size_t begin) {
+  std::vector<double> p;
+  for (size_t i = begin; i < cells.size(); ++i) p.push_back(cells[i].p);
+  const std::vector<double> adjusted = AdjustBenjaminiHochberg(p);
+  for (size_t i = begin; i < cells.size(); ++i) {
+    cells[i].adjusted_p = adjusted[i - begin];
+    Decide(cells[i]);
+  }
+}
+
+}  // namespace
+
+const char* NameLateDigit(LateDigit late) { return late == LateDigit::kFirst ? "first" : "last"; }
+
+SimultaneityMap MapSimultaneity(const MapData& data) {
+  SimultaneityMap map;
+  map.factors = data.factors;
+  for (const MapTrial& trial : data.trials) {
+    GRASPBENCH_DEMAND(trial.levels.size() == data.factors.size(), trial.object);
+    if (std::count(map.hands.begin(), map.hands.end(), trial.hand) == 0) {
+      map.hands.push_back(trial.hand);
+    }
+  }
+  for (const MapMeasureRow& measure : kMapMeasures) {
+    const size_t begin = map.cells.size();
+    for (const std::string& hand : map.hands) {
+      for (const LateDigit late : {LateDigit::kLast, LateDigit::kFirst}) {
+        const std::vector<Pair> pairs = ListPairs(data, hand, late, measure.value);
+        if (pairs.empty()) continue;
+        for (const std::vector<MapLevel>& where : ListPlaces(map.factors)) {
+          MapCell cell;
+          cell.hand = hand;
+          cell.late = late;
+          cell.measure = measure.value;
+          cell.where = where;
+          const std::string id = std::string(measure.name) + " " + hand + " " +
+                                 NameLateDigit(late) + " " + NameWhere(map, cell);
+          map.cells.push_back(MakeCell(pairs, cell, id));
+        }
+      }
+    }
+    DecideAll(map.cells, begin);
+  }
+  return map;
+}
+
+const MapCell* FindCell(const SimultaneityMap& map, MapMeasure measure, const std::string& hand,
+                        LateDigit late, const std::vector<MapLevel>& where) {
+  const auto is_same = [](const MapLevel& a, const MapLevel& b) {
+    return a.factor == b.factor && a.level == b.level;
+  };
+  const auto found = std::find_if(map.cells.begin(), map.cells.end(), [&](const MapCell& cell) {
+    return cell.measure == measure && cell.hand == hand && cell.late == late &&
+           std::equal(cell.where.begin(), cell.where.end(), where.begin(), where.end(), is_same);
+  });
+  return found == map.cells.end() ? nullptr : &*found;
+}
+
+std::string NameWhere(const SimultaneityMap& map, const MapCell& cell) {
+  std::string name;
+  for (const MapLevel& level : cell.where) {
+    const MapFactor& factor = map.factors[level.factor];
+    name += (name.empty() ? "" : ", ") + factor.name + " " + factor.levels[level.level];
+  }
+  return name.empty() ? "everywhere" : name;
+}
+
+std::string FormatEffect(const MapCell& cell) {
+  const MapMeasureRow& measure = RowOf(kMapMeasures, cell.measure);
+  if (std::isnan(cell.estimate)) return "n/a";
+  const std::string estimate = FormatFixed(measure.scale * cell.estimate, measure.decimals);
+  if (!cell.interval) return estimate + " (" + cell.interval.reason() + ")";
+  return estimate + " (" + FormatFixed(measure.scale * cell.interval->low, measure.decimals) +
+         " to " + FormatFixed(measure.scale * cell.interval->high, measure.decimals) + ")";
+}
+
+namespace {
+
+/** The cells of two levels with this verdict, the largest effects first. */
+std::vector<const MapCell*> ListRegions(const SimultaneityMap& map, const std::string& hand,
+                                        MapMeasure measure, MapVerdict verdict) {
+  std::vector<const MapCell*> regions;
+  for (const MapCell& cell : map.cells) {
+    if (cell.hand == hand && cell.measure == measure && cell.late == LateDigit::kLast &&
+        cell.where.size() == 2 && cell.verdict == verdict) {
+      regions.push_back(&cell);
+    }
+  }
+  std::stable_sort(regions.begin(), regions.end(), [](const MapCell* a, const MapCell* b) {
+    return std::abs(a->estimate) > std::abs(b->estimate);
+  });
+  return regions;
+}
+
+int CountRegions(const SimultaneityMap& map, const std::string& hand, MapMeasure measure) {
+  return static_cast<int>(
+      std::count_if(map.cells.begin(), map.cells.end(), [&](const MapCell& cell) {
+        return cell.hand == hand && cell.measure == measure && cell.late == LateDigit::kLast &&
+               cell.where.size() == 2 && cell.num_pairs > 0;
+      }));
+}
+
+std::string DescribeRegions(const SimultaneityMap& map, const std::vector<const MapCell*>& regions,
+                            int num_all, const std::string& what) {
+  const std::string count =
+      std::to_string(regions.size()) + " of " + std::to_string(num_all) + " regions";
+  if (regions.empty())
+    return "A late last digit " + what + " in none of " + std::to_string(num_all) + " regions. ";
+  return "A late last digit " + what + " in " + count + ", most where " +
+         NameWhere(map, *regions.front()) + ": " + FormatEffect(*regions.front()) + ". ";
+}
+
+}  // namespace
+
+std::string DescribeMap(const SimultaneityMap& map, const std::string& hand) {
+  std::string text;
+  for (const MapMeasure measure : {MapMeasure::kSuccess, MapMeasure::kThreshold}) {
+    const int num_all = CountRegions(map, hand, measure);
+    if (num_all == 0) continue;
+    const bool is_success = measure == MapMeasure::kSuccess;
+    const auto list = [&](MapVerdict verdict) { return ListRegions(map, hand, measure, verdict); };
+    text += DescribeRegions(map, list(MapVerdict::kCosts), num_all,
+                            is_success ? "costs success" : "asks for more grip");
+    const std::vector<const MapCell*> gains = list(MapVerdict::kGains);
+    if (!gains.empty()) {
+      text += DescribeRegions(map, gains, num_all, is_success ? "gains success" : "asks for less");
+    }
+    const size_t num_none = list(MapVerdict::kNone).size();
+    const size_t num_ends = list(MapVerdict::kCeiling).size() + list(MapVerdict::kFloor).size();
+    const size_t num_open = list(MapVerdict::kUndecided).size();
+    text += "It makes no difference in " + std::to_string(num_none) +
+            ", success is at its ceiling "
+            "or floor in " +
+            std::to_string(num_ends) + ", and " + std::to_string(num_open) + " are not decided. ";
+  }
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+Json ToJson(const SimultaneityMap& map) {
+  Json factors = Json::array();
+  for (const MapFactor& factor : map.factors) {
+    factors.push_back({{"name", factor.name}, {"levels", factor.levels}});
+  }
+  Json sentences = Json::object();
+  for (const std::string& hand : map.hands) sentences[hand] = DescribeMap(map, hand);
+  Json cells = Json::array();
+  for (const MapCell& cell : map.cells) {
+    if (cell.num_pairs == 0) continue;
+    Json row = {{"measure", RowOf(kMapMeasures, cell.measure).name},
+                {"hand", cell.hand},
+                {"late_digit", NameLateDigit(cell.late)},
+                {"where", NameWhere(map, cell)},
+                {"pairs", cell.num_pairs},
+                {"objects", cell.num_objects},
+                {"undelayed", JsonNumber(cell.undelayed)},
+                {"estimate", JsonNumber(cell.estimate)},
+                {"low", cell.interval ? JsonNumber(cell.interval->low) : Json()},
+                {"high", cell.interval ? JsonNumber(cell.interval->high) : Json()},
+                {"p", JsonNumber(cell.p)},
+                {"adjusted_p", JsonNumber(cell.adjusted_p)},
+                {"verdict", RowOf(kMapVerdicts, cell.verdict).name}};
+    if (!cell.interval) row["no_interval"] = cell.interval.reason();
+    if (cell.num_objects_to_decide > 0) row["objects_to_decide"] = cell.num_objects_to_decide;
+    if (!cell.changed.empty()) row["changed"] = cell.changed;
+    cells.push_back(row);
+  }
+  return {{"factors", factors}, {"says", sentences}, {"cells", cells}};
+}
+
+}  // namespace graspbench

@@ -1,0 +1,272 @@
+#include "reports/map_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/enum_table.h"
+#include "core/base/hash.h"
+#include "core/base/text/text.h"
+#include "core/base/version.h"
+#include "reports/page/sectioned_page.h"
+#include "reports/plots/svg_plot.h"
+
+namespace graspbench {
+namespace {
+
+struct MapView {
+  const Session& session;
+  const MapResult& result;
+};
+
+/** One plane of a map: what a part says of one measure, hand and late digit. */
+struct Plane {
+  const MapPartResult& part;
+  const MapMeasureRow& measure;
+  std::string hand;
+  LateDigit late;
+
+  std::string Name() const {
+    return hand + ", late " + NameLateDigit(late) + " digit: " + measure.label;
+  }
+};
+
+std::vector<Plane> ListPlanes(const MapResult& result) {
+  std::vector<Plane> planes;
+  for (const MapPartResult& part : result.parts) {
+    for (const MapMeasureRow& measure : kMapMeasures) {
+      // Success and push are asked of every trial; the first part has most of them.
+      const bool is_general =
+          measure.value == MapMeasure::kSuccess || measure.value == MapMeasure::kPush;
+      if (is_general && &part != &result.parts.front()) continue;
+      for (const std::string& hand : part.map.hands) {
+        for (const LateDigit late : {LateDigit::kLast, LateDigit::kFirst}) {
+          if (FindCell(part.map, measure.value, hand, late, {})) {
+            planes.push_back({part, measure, hand, late});
+          }
+        }
+      }
+    }
+  }
+  return planes;
+}
+
+bool ExcludesZero(const MapCell& cell) {
+  return cell.interval && (cell.interval->low > 0.0 || cell.interval->high < 0.0);
+}
+
+double FindLargestEffect(const Plane& plane) {
+  double largest = 0.0;
+  for (const MapCell& cell : plane.part.map.cells) {
+    if (cell.measure != plane.measure.value || cell.hand != plane.hand) continue;
+    if (cell.late == plane.late && ExcludesZero(cell)) {
+      largest = std::max(largest, std::abs(cell.estimate));
+    }
+  }
+  return largest;
+}
+
+HeatMap::Cell DrawCell(const Plane& plane, const std::vector<MapLevel>& where, double largest) {
+  const MapCell* const cell =
+      FindCell(plane.part.map, plane.measure.value, plane.hand, plane.late, where);
+  HeatMap::Cell drawn;
+  if (!cell || cell->num_pairs == 0) return drawn;
+  drawn.text = FormatFixed(plane.measure.scale * cell->estimate, plane.measure.decimals);
+  drawn.hint = NameWhere(plane.part.map, *cell) + ": " + FormatEffect(*cell) + ", " +
+               std::to_string(cell->num_pairs) + " pairs of " +
+               FormatCount(cell->num_objects, "object") + ", " +
+               RowOf(kMapVerdicts, cell->verdict).name;
+  const double gain = -plane.measure.harm * cell->estimate;
+  drawn.rate = ExcludesZero(*cell) ? 0.5 + 0.5 * gain / largest : kUnset;
+  return drawn;
+}
+
+Html DrawPlane(const Plane& plane) {
+  const SimultaneityMap& map = plane.part.map;
+  std::vector<MapLevel> levels;
+  HeatMap drawn;
+  drawn.text.title = plane.Name();
+  drawn.text.description =
+      "A table of levels by levels; where both are the same, that level alone.";
+  for (size_t factor = 0; factor < map.factors.size(); ++factor) {
+    for (size_t level = 0; level < map.factors[factor].levels.size(); ++level) {
+      const MapCell* const alone =
+          FindCell(map, plane.measure.value, plane.hand, plane.late, {{factor, level}});
+      if (!alone || alone->num_pairs == 0) continue;
+      levels.push_back({factor, level});
+      drawn.columns.push_back(map.factors[factor].levels[level]);
+      drawn.groups.push_back(map.factors[factor].name);
+      drawn.rows.push_back(map.factors[factor].name + " " + map.factors[factor].levels[level]);
+    }
+  }
+  const double largest = FindLargestEffect(plane);
+  for (const MapLevel& row : levels) {
+    for (const MapLevel& column : levels) {
+      std::vector<MapLevel> where = {row, column};
+      if (row.factor == column.factor) where = {row};
+      const bool is_cell =
+          row.factor < column.factor || (row.factor == column.factor && row.level == column.level);
+      drawn.cells.push_back(is_cell ? DrawCell(plane, where, largest) : HeatMap::Cell());
+    }
+  }
+  return MakeFigure(plane.Name() + ". Hatched: the 95 % interval includes 0.",
+                    "shaded rows or columns: a factor with which a late digit matters; dark is "
+                    "gain, light is cost.",
+                    MakeScroll(plane.Name(), DrawHeatMap(drawn)));
+}
+
+Html DrawFindings(const MapView& view) {
+  std::vector<std::string> sentences = view.result.findings();
+  for (const MapPartResult& part : view.result.parts) {
+    for (const std::string& hand : part.map.hands) {
+      const std::string says = DescribeMap(part.map, hand);
+      if (!says.empty()) sentences.push_back(hand + ", " + part.title + ": " + says);
+    }
+  }
+  Html content = MakeList(sentences);
+  for (const Diagnostic& entry : view.session.findings.entries()) {
+    content += MakeParagraph(entry.text);
+  }
+  for (const MapPartResult& part : view.result.parts) {
+    if (part.num_trials < part.num_planned) {
+      content += MakeParagraph(part.title + ": " + std::to_string(part.num_trials) + " of " +
+                               FormatCount(part.num_planned, "planned trial") + " are there.");
+    }
+  }
+  return content;
+}
+
+Html DrawPlanes(const MapView& view) {
+  Html content = MakeParagraph(
+      "A region is one level, or two levels of two factors, with all levels of the others. Point "
+      "at "
+      "a cell for its interval, pairs and verdict.");
+  for (const Plane& plane : ListPlanes(view.result)) content += DrawPlane(plane);
+  return content;
+}
+
+Html DrawRegionTable(const std::vector<std::pair<const MapPartResult*, const MapCell*>>& rows,
+                     const std::string& caption) {
+  Table table(caption, {{"Hand"},
+                        {"Measure"},
+                        {"Late digit"},
+                        {"Region"},
+                        {"Pairs", Align::kNumber},
+                        {"Objects", Align::kNumber},
+                        {"Effect (95 % interval)", Align::kProse},
+                        {"p adjusted", Align::kNumber},
+                        {"Verdict"},
+                        {"Trials that changed", Align::kProse, "for graspbench trial DIR NAME"}});
+  for (const auto& [part, cell] : rows) {
+    std::string changed;
+    for (const std::string& name : cell->changed) changed += (changed.empty() ? "" : "; ") + name;
+    std::string verdict = RowOf(kMapVerdicts, cell->verdict).name;
+    if (cell->num_objects_to_decide > 0) {
+      verdict += ": some " + FormatCount(cell->num_objects_to_decide, "object") + " would decide";
+    }
+    table.AddRow({Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
+                  Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),
+                  Text(std::to_string(cell->num_pairs)), Text(std::to_string(cell->num_objects)),
+                  Text(FormatEffect(*cell)), Text(FormatFixed(cell->adjusted_p, 4)), Text(verdict),
+                  Text(changed.empty() ? "-" : changed)});
+  }
+  return table.ToHtml();
+}
+
+Html DrawRegions(const MapView& view) {
+  std::vector<std::pair<const MapPartResult*, const MapCell*>> all, found;
+  for (const MapPartResult& part : view.result.parts) {
+    for (const MapCell& cell : part.map.cells) {
+      if (cell.num_pairs == 0) continue;
+      all.emplace_back(&part, &cell);
+      const bool is_found =
+          cell.verdict == MapVerdict::kCosts || cell.verdict == MapVerdict::kGains;
+      if (is_found || cell.where.empty()) found.emplace_back(&part, &cell);
+    }
+  }
+  return DrawRegionTable(found,
+                         "Everywhere, and the regions in which a late digit costs or gains.") +
+         MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "region"),
+                     DrawRegionTable(all, "Every region of every measure."));
+}
+
+Html DrawNatural(const MapView& view) {
+  Table table("Late digits and success among trials without delay.",
+              {{"Hand"},
+               {"Trials", Align::kNumber},
+               {"Objects", Align::kNumber},
+               {"Correlation (95 % interval)", Align::kProse},
+               {"With a cause held (95 % interval)", Align::kProse},
+               {"Goes back to", Align::kProse}});
+  const auto format = [](double value, const Interval& interval) {
+    return FormatFixed(value, 2) + " (" + FormatFixed(interval.low, 2) + " to " +
+           FormatFixed(interval.high, 2) + ")";
+  };
+  for (const auto& [hand, relation] : view.result.natural) {
+    if (!relation) {
+      table.AddRow(
+          {Text(hand), Text("-"), Text("-"), Text(relation.reason()), Text("-"), Text("-")});
+      continue;
+    }
+    std::string held;
+    for (const NaturalRelation::Cause& cause : relation->causes) {
+      held += (held.empty() ? "" : "; ") + cause.name + " " + format(cause.partial, cause.interval);
+    }
+    table.AddRow({Text(hand), Text(std::to_string(relation->num_trials)),
+                  Text(std::to_string(relation->num_objects)),
+                  Text(format(relation->correlation, relation->interval)), Text(held),
+                  Text(relation->cause.empty() ? "-" : relation->cause)});
+  }
+  return MakeParagraph(
+             "A correlation, not an effect: below 0, late digits go with failures between draws of "
+             "one object and region. Whether lateness is why is what the delays above decide.") +
+         table.ToHtml();
+}
+
+Html DrawMethods(const MapView& view) {
+  std::string factors;
+  for (const MapFactor& factor : view.result.parts.front().map.factors) {
+    factors += (factors.empty() ? "" : "; ") + factor.name + " (";
+    for (size_t i = 0; i < factor.levels.size(); ++i) {
+      factors += (i > 0 ? ", " : "") + factor.levels[i];
+    }
+    factors += ")";
+  }
+  return MakeMethodsText(
+      {"Grasps were simulated with graspbench " + std::string(program_version()) +
+       " in a regular fraction of the combinations of " + factors +
+       ". In every region each draw was tried without delay and with the digit that touched last, "
+       "or first, closing later. Effects are means over such pairs, for 100 ms of delay by a line "
+       "through the trial without delay; of the push, the share of pairs in which the object was "
+       "pushed farther until all digits touched, less that in which it was pushed less far, a "
+       "digit "
+       "that never touched being the farthest. 95 % intervals come from drawing objects with "
+       "replacement, p values from the signs of objects' sums, adjusted for a false discovery rate "
+       "of 5 % over all cells of a measure."});
+}
+
+}  // namespace
+
+std::string MakeMapPage(const Session& session, const MapResult& result) {
+  static const std::vector<PageSection<MapView>> sections = {
+      {"findings", "Where it matters that the digits touch at once", &DrawFindings},
+      {"maps", "Maps", &DrawPlanes},
+      {"regions", "Regions", &DrawRegions},
+      {"natural", "Without delays", &DrawNatural},
+      {"methods", "Methods", &DrawMethods}};
+  int num_trials = 0, num_planned = 0;
+  for (const MapPartResult& part : result.parts) {
+    num_trials += part.num_trials;
+    num_planned += part.num_planned;
+  }
+  const std::string trials =
+      std::to_string(num_trials) + " of " + FormatCount(num_planned, "planned trial") + " finished";
+  PageFrame frame = {"Map of simultaneity", trials + DescribeDamage(session.damage)};
+  frame.commands = {"graspbench map simultaneity --out DIR", "graspbench report DIR"};
+  frame.facts = {{"Seed", std::to_string(session.config.seed)},
+                 {"Trials", trials},
+                 {"Hash of the configuration", CalcHashHex(FormatJson(ToJson(session.config)))}};
+  frame.references = {"roethling2007", "sherman2011", "efron1987"};
+  return MakeSectionedPage(frame, sections, MapView{session, result});
+}
+
+}  // namespace graspbench

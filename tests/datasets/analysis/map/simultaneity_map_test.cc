@@ -1,0 +1,131 @@
+#include "datasets/analysis/map/simultaneity_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace graspbench {
+namespace {
+
+using Values = std::array<double, std::size(kMapMeasures)>;
+
+MapTrial MakeTrial(int object, int draw, LateDigit late, double delay, const Values& values) {
+  MapTrial trial;
+  trial.hand = "tum";
+  trial.object = "object" + std::to_string(object);
+  trial.draw = draw;
+  trial.levels = {static_cast<size_t>(draw % 2)};
+  trial.late = late;
+  trial.delay = delay;
+  trial.values = values;
+  trial.name = trial.object + ":" + std::to_string(draw);
+  return trial;
+}
+
+/** Objects with four draws each, two a level; what a delay gives is `value(object, draw, delay)`. */
+MapData MakeData(int num_objects, const std::function<Values(int, int, double)>& value) {
+  MapData data;
+  data.factors = {{"grip", {"weak", "firm"}}};
+  for (int object = 0; object < num_objects; ++object) {
+    for (int draw = 0; draw < 4; ++draw) {
+      data.trials.push_back(
+          MakeTrial(object, draw, LateDigit::kNone, 0.0, value(object, draw, 0.0)));
+      for (const double delay : {0.1, 0.3}) {
+        data.trials.push_back(
+            MakeTrial(object, draw, LateDigit::kLast, delay, value(object, draw, delay)));
+      }
+    }
+  }
+  return data;
+}
+
+const MapCell& Find(const SimultaneityMap& map, MapMeasure measure,
+                    const std::vector<MapLevel>& where = {}) {
+  return *FindCell(map, measure, "tum", LateDigit::kLast, where);
+}
+
+// By hand: 0.1 (0.1 (y1 - y0) + 0.3 (y3 - y0)) / (0.01 + 0.09).
+TEST(SimultaneityMap, EffectsAreSlopesThroughTheTrialWithoutDelay) {
+  const MapData data = MakeData(10, [](int, int, double delay) {
+    return Values{delay == 0.3 ? 0.0 : 1.0, 1.0 + 2.0 * delay, kUnset, 4.0 - delay};
+  });
+  const SimultaneityMap map = MapSimultaneity(data);
+  EXPECT_NEAR(Find(map, MapMeasure::kSuccess).estimate, -0.3, 1e-12);
+  EXPECT_NEAR(Find(map, MapMeasure::kThreshold).estimate, 0.2, 1e-12);
+  EXPECT_NEAR(Find(map, MapMeasure::kBreakingForce).estimate, -0.1, 1e-12);
+  EXPECT_EQ(FindCell(map, MapMeasure::kPush, "tum", LateDigit::kLast, {}), nullptr);
+  EXPECT_EQ(Find(map, MapMeasure::kSuccess).num_pairs, 40);
+  EXPECT_EQ(Find(map, MapMeasure::kSuccess).num_objects, 10);
+  EXPECT_EQ(Find(map, MapMeasure::kSuccess).changed,
+            (std::vector<std::string>{"object0:0", "object0:2", "object0:1"}));
+}
+
+// A digit that never touches is the farthest push, and no farther than another that never does.
+TEST(SimultaneityMap, NeverTouchedIsTheWorstRankOfThePush) {
+  const MapData data = MakeData(6, [](int object, int, double delay) {
+    if (object == 0) return Values{kUnset, kUnset, INFINITY, kUnset};
+    if (object == 1) return Values{kUnset, kUnset, delay == 0.0 ? INFINITY : 0.01, kUnset};
+    return Values{kUnset, kUnset, delay == 0.3 ? INFINITY : 0.01 + delay, kUnset};
+  });
+  const MapCell& cell = Find(MapSimultaneity(data), MapMeasure::kPush);
+  EXPECT_EQ(cell.num_pairs, 24);
+  EXPECT_NEAR(cell.estimate, (0.0 - 1.0 + 4.0) / 6.0, 1e-12);
+}
+
+TEST(SimultaneityMap, ALevelHoldsItsOwnPairs) {
+  const MapData data = MakeData(12, [](int object, int draw, double delay) {
+    const bool is_lost = draw % 2 == 0 && delay > 0.0;
+    return Values{is_lost || object == 11 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  });
+  const SimultaneityMap map = MapSimultaneity(data);
+  const MapCell& weak = Find(map, MapMeasure::kSuccess, {{0, 0}});
+  const MapCell& firm = Find(map, MapMeasure::kSuccess, {{0, 1}});
+  EXPECT_EQ(weak.verdict, MapVerdict::kCosts);
+  EXPECT_EQ(NameWhere(map, weak), "grip weak");
+  EXPECT_EQ(firm.estimate, 0.0);
+  EXPECT_EQ(firm.verdict, MapVerdict::kNone);
+  EXPECT_NEAR(firm.undelayed, 11.0 / 12.0, 1e-12);
+}
+
+TEST(SimultaneityMap, NothingIsSaidAtTheCeilingOrAtTheFloor) {
+  for (const double success : {0.0, 1.0}) {
+    const MapData data = MakeData(8, [&](int, int, double) {
+      return Values{success, kUnset, kUnset, kUnset};
+    });
+    EXPECT_EQ(Find(MapSimultaneity(data), MapMeasure::kSuccess).verdict,
+              success == 0.0 ? MapVerdict::kFloor : MapVerdict::kCeiling);
+  }
+}
+
+// Half of the objects lose all, half gain all: the mean is zero and the interval wide.
+TEST(SimultaneityMap, WhatTheIntervalLeavesOpenIsUndecided) {
+  const MapData data = MakeData(20, [](int object, int, double delay) {
+    const bool is_lost = (object % 2 == 0) == (delay > 0.0);
+    return Values{is_lost ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  });
+  const MapCell& cell = Find(MapSimultaneity(data), MapMeasure::kSuccess);
+  EXPECT_NEAR(cell.estimate, 0.0, 1e-12);
+  EXPECT_EQ(cell.verdict, MapVerdict::kUndecided);
+  EXPECT_GT(cell.num_objects_to_decide, 20);
+}
+
+TEST(SimultaneityMap, FewerThanFiveObjectsHaveNoInterval) {
+  const MapData data = MakeData(4, [](int, int, double delay) {
+    return Values{delay > 0.0 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  });
+  const MapCell& cell = Find(MapSimultaneity(data), MapMeasure::kSuccess);
+  EXPECT_FALSE(cell.interval);
+  EXPECT_EQ(cell.verdict, MapVerdict::kUndecided);
+}
+
+TEST(SimultaneityMap, APairNeedsItsTrialWithoutDelay) {
+  MapData data = MakeData(6, [](int, int, double delay) {
+    return Values{delay > 0.0 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  });
+  data.trials.erase(data.trials.begin());
+  EXPECT_EQ(Find(MapSimultaneity(data), MapMeasure::kSuccess).num_pairs, 23);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,82 @@
+#include "datasets/plan/map_design.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "datasets/plan/conditions.h"
+
+namespace graspbench {
+namespace {
+
+/** The regions of a part, as often as their undelayed trials are planned: once each. */
+std::vector<std::vector<size_t>> ListRegionsOf(const SessionConfig& config) {
+  std::vector<std::vector<size_t>> regions = {FindMapLevels({}, config)};
+  for (const Condition& condition : config.conditions) {
+    if (ApplyCondition(condition, config).late == LateDigit::kNone) {
+      regions.push_back(FindMapLevels(condition, config));
+    }
+  }
+  return regions;
+}
+
+TEST(MapDesign, TwoLevelsOfTwoFactorsMeetEquallyOften) {
+  for (const MapPart& part : ListMapParts(false)) {
+    const auto regions = ListRegionsOf(MakeMapSession(part, SessionConfig()));
+    EXPECT_EQ(regions.size(), part.varies_grip ? 28u : 16u) << part.id;
+    EXPECT_EQ(std::set(regions.begin(), regions.end()).size(), regions.size()) << part.id;
+    const size_t num_factors = ListMapFactors().size();
+    for (size_t a = 0; a < num_factors; ++a) {
+      for (size_t b = a + 1; b < num_factors; ++b) {
+        std::map<std::pair<size_t, size_t>, int> counts;
+        // A firm grip has no drive law: without it the fraction is whole.
+        for (const auto& region : regions) {
+          if (region[2] != 3) ++counts[{region[a], region[b]}];
+        }
+        for (const auto& [levels, count] : counts) {
+          EXPECT_EQ(count, counts.begin()->second) << part.id << " " << a << " " << b;
+        }
+      }
+    }
+  }
+}
+
+TEST(MapDesign, EveryRegionIsTriedWithEachDelayOfEachDigit) {
+  const MapPart part = ListMapParts(false).front();
+  const SessionConfig config = MakeMapSession(part, SessionConfig());
+  EXPECT_EQ(config.conditions.size(), 28u * 5u - 1u);
+  std::map<std::vector<size_t>, std::set<std::pair<LateDigit, double>>> doses;
+  for (const Condition& condition : config.conditions) {
+    const ConditionInputs made = ApplyCondition(condition, config);
+    doses[FindMapLevels(condition, config)].insert({made.late, made.delay});
+  }
+  for (const auto& [region, found] : doses) {
+    EXPECT_EQ(found.count({LateDigit::kLast, 0.3}) + found.count({LateDigit::kFirst, 0.1}), 2u);
+  }
+}
+
+TEST(MapDesign, TheBaseIsTheFirstLevelOfEachFactor) {
+  const SessionConfig config = MakeMapSession(ListMapParts(true).front(), SessionConfig());
+  EXPECT_EQ(config.strategy.grip, "margin");
+  EXPECT_EQ(config.strategy.grip_margin, 1.5);
+  EXPECT_EQ(config.strategy.grip_force, 0.0);
+  EXPECT_EQ(config.strategy.touch_speed, 1.0);
+  EXPECT_EQ(config.variation.offset, 0.002);
+  EXPECT_EQ(FindMapLevels({}, config), std::vector<size_t>(6, 0));
+}
+
+TEST(MapDesign, AMapIsKnownByItsConditions) {
+  SessionConfig base;
+  base.hands = {"tum"};
+  base.seed = 7;
+  SessionConfig config = MakeMapSession(ListMapParts(true).front(), base);
+  EXPECT_TRUE(IsMap(config));
+  EXPECT_TRUE(IsMap(MakeMapSession(ListMapParts(false).front(), base)));
+  EXPECT_FALSE(IsMap(base));
+  config.conditions.pop_back();
+  EXPECT_FALSE(IsMap(config));
+}
+
+}  // namespace
+}  // namespace graspbench
