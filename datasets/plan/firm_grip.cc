@@ -27,6 +27,13 @@ Json StrategyToJson(const StrategyConfig& strategy) {
   return json;
 }
 
+void DropUnusedGrip(StrategyConfig& strategy) {
+  const StrategyConfig firm = MakeFirmStrategy();
+  if (strategy.grip != firm.grip) return;
+  strategy.grip_force = firm.grip_force;
+  strategy.grip_margin = firm.grip_margin;
+}
+
 void AddFirmGrip(Json& conditions) {
   if (!conditions.is_object() || !conditions.contains("strategy")) return;
   Json& strategy = conditions["strategy"];

@@ -12,6 +12,9 @@ namespace graspbench {
 /** Without what a firm grip does not say or does not look at. */
 Json StrategyToJson(const StrategyConfig& strategy);
 
+/** A firm grip with the values that its frozen configuration does not say. */
+void DropUnusedGrip(StrategyConfig& strategy);
+
 /** Adds to "strategy" of these conditions, where there is one, what it does not say. */
 void AddFirmGrip(Json& conditions);
 

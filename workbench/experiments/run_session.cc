@@ -1,6 +1,7 @@
 #include "workbench/experiments/run_session.h"
 
 #include "core/base/hash.h"
+#include "datasets/plan/firm_grip.h"
 #include "datasets/plan/input_copies.h"
 #include "workbench/experiments/output_folder.h"
 
@@ -25,6 +26,7 @@ PreparedSession PrepareSession(const SessionRequest& request) {
     prepared.session = LoadSession(request.out, request.on_damage, RecordParts::kBrief);
   if (request.config) {
     prepared.config = *request.config;
+    DropUnusedGrip(prepared.config.strategy);
   } else if (names_a_session) {
     prepared.config = prepared.session.config;
   }

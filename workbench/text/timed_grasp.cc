@@ -14,6 +14,7 @@
 #include "core/grasp/grasp_keys.h"
 #include "core/hand/load_hand.h"
 #include "core/statistics/summary.h"
+#include "datasets/journal/sealed_store.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
@@ -62,6 +63,7 @@ std::map<std::string, std::map<std::string, double>> ReadContacts(const fs::path
 
 std::map<std::string, ClosingSchedule> ReadStudyTiming(const fs::path& study,
                                                        const std::vector<std::string>& digits) {
+  VerifyStore(study, OnDamage::kRefuse);
   const auto contacts = ReadContacts(study);
   std::set<std::string> known;
   for (const auto& [trial, times] : contacts) {

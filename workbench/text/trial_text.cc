@@ -97,6 +97,20 @@ std::string FormatSeat(const TrialResult& result) {
   return text + "\n";
 }
 
+/** What a margin was taken of, where that is not a force of these contacts. */
+std::string DescribeMargin(const GripRecord& grip) {
+  constexpr double kNothing = 1e-3;  // of the weight
+  if (grip.told_friction == 0.0) return "";
+  if (std::isnan(grip.smallest)) {
+    return "no forces of the touching contacts were found that bear the weight: the margin is of "
+           "two opposed sides, m g / (2 mu)\n";
+  }
+  if (grip.smallest > kNothing * grip.told_weight) return "";
+  return "the opposing digit and the rest of the hand would bear the weight without the others: "
+         "the "
+         "margin asks these for nothing but the least force\n";
+}
+
 /** What a regulated grip asked and reached. */
 std::string FormatGrip(const TrialResult& result) {
   if (!result.grip) return "";
@@ -112,7 +126,11 @@ std::string FormatGrip(const TrialResult& result) {
                   FormatFixed(digit.closed, 2), FormatFixed(digit.held, 2),
                   FormatPercent(digit.closing), NameOf(digit.fault)});
   }
-  return text + table.Format();
+  if (!std::isnan(grip.rest_held)) {
+    table.AddRow({"rest of the hand", FormatFixed(grip.rest_asked, 2), "",
+                  FormatFixed(grip.rest_held, 2), "", ""});
+  }
+  return text + table.Format() + DescribeMargin(grip);
 }
 
 /** This trial and the nearest success beside each other. */

@@ -17,7 +17,7 @@ namespace graspbench {
 enum class GripFault {
   kNone,
   kNoTouch,   ///< it never touched
-  kNotFelt,   ///< it has no elements to feel by
+  kNotFelt,   ///< it has no elements to feel by, or presses where it has none
   kPosture,   ///< it is at its target posture
   kLimit,     ///< a drive of it is at its torque limit
   kCoupling,  ///< a coupled joint of it is at its stop
@@ -71,10 +71,12 @@ struct GripRecord {
   /** The smallest with which the contacts bear the weight, of a digit that does not oppose the
   others; NaN: none was found, or nobody asked [N]. */
   double smallest = kUnset;
-  double force = 0.0;        ///< asked of such a digit in the end [N]
-  double asked = kUnset;     ///< sum over the hand [N]
-  double closed = kUnset;    ///< at the start of lift-off [N]; NaN: not reached
-  double held = kUnset;      ///< mean over the hold [N]; NaN: none
+  double force = 0.0;      ///< asked of such a digit in the end [N]
+  double asked = kUnset;   ///< sum over the hand [N]
+  double closed = kUnset;  ///< at the start of lift-off [N]; NaN: not reached
+  double held = kUnset;    ///< mean over the hold [N]; NaN: none
+  /** The part of `asked` and `held` of what does not grasp but touches, as the palm; NaN: none. */
+  double rest_asked = kUnset, rest_held = kUnset;
   double peak = 0.0;         ///< of the filtered sum, of the whole trial [N]
   bool was_in_band = false;  ///< what ended stabilisation; else its longest time
   std::vector<DigitGripRecord> digits;
@@ -89,6 +91,8 @@ struct GripRecord {
     field("asked_n", &R::asked);
     field("closed_n", &R::closed, FieldMayMiss{});
     field("held_n", &R::held, FieldMayMiss{});
+    field("rest_asked_n", &R::rest_asked, FieldMayMiss{});
+    field("rest_held_n", &R::rest_held, FieldMayMiss{});
     field("peak_n", &R::peak);
     field("was_in_band", &R::was_in_band);
     field("digits", &R::digits);

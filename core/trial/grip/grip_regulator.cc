@@ -178,7 +178,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
     closed_ = sum_;
     for (DigitGrip& digit : digits_) {
       digit.closed = digit.force;
-      digit.fault = FindFault(digit, digit.asked, digit.force);
+      digit.fault = FindFault(digit, digit.asked, digit.force, digit.pressed);
     }
   }
   phase_ = phase;
@@ -192,6 +192,7 @@ void GripRegulator::Observe(Phase phase, World& world, const std::vector<HandCon
     DigitGrip& digit = digits_[d];
     const double force = sensors ? sensors->CalcFeltForce(digit.digit) : loads[d].force;
     digit.force += weight * (force - digit.force);
+    digit.pressed += weight * (loads[d].force - digit.pressed);
     if (loads[d].force > 0.0) {
       digit.torque = loads[d].torque;
       digit.stiffness = CalcClosingStiffness(*setup_->hand, world.dynamics(), loads[d], way_);
@@ -242,9 +243,12 @@ void GripRegulator::NoteHold(Phase phase) {
   ++num_held_;
   held_sum_ += sum_;
   held_asked_ += asked_;
+  rest_held_sum_ += rest_force_;
+  rest_held_asked_ += rest_asked_;
   for (DigitGrip& digit : digits_) {
     digit.held_sum += digit.force;
     digit.asked_sum += digit.asked;
+    digit.pressed_sum += digit.pressed;
   }
 }
 
@@ -342,8 +346,11 @@ void GripRegulator::Command(WorldCommand& command) const {
   }
 }
 
-GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double reached) const {
-  if (!digit.is_felt) return GripFault::kNotFelt;
+GripFault GripRegulator::FindFault(const DigitGrip& digit, double asked, double reached,
+                                   double pressed) const {
+  // By sensed touch: much of what it presses with falls where it has no elements.
+  const bool misses_much = std::abs(pressed - reached) > kGripTolerance * std::max(asked, reached);
+  if (!digit.is_felt || misses_much) return GripFault::kNotFelt;
   if (!digit.has_touched) return GripFault::kNoTouch;
   if (std::abs(reached - asked) <= kGripTolerance * asked) return GripFault::kNone;
   if (reached > asked) return GripFault::kBalance;
@@ -367,6 +374,10 @@ GripRecord GripRegulator::MakeRecord() const {
   record.asked = num_held_ > 0 ? held_asked_ / num_held_ : asked_;
   record.closed = closed_;
   if (num_held_ > 0) record.held = held_sum_ / num_held_;
+  if (num_held_ > 0 && rest_held_sum_ > 0.0) {
+    record.rest_asked = rest_held_asked_ / num_held_;
+    record.rest_held = rest_held_sum_ / num_held_;
+  }
   record.peak = peak_;
   record.was_in_band = was_in_band_;
   for (const DigitGrip& digit : digits_) {
@@ -378,8 +389,9 @@ GripRecord GripRegulator::MakeRecord() const {
     if (num_held_ > 0) of.held = digit.held_sum / num_held_;
     of.closing = digit.CalcClosing();
     const bool was_lost = num_held_ == 0 && !std::isnan(closed_);  // then the end says nothing
-    of.fault =
-        was_lost ? digit.fault : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force);
+    of.fault = was_lost ? digit.fault
+                        : FindFault(digit, of.asked, num_held_ > 0 ? of.held : digit.force,
+                                    num_held_ > 0 ? digit.pressed_sum / num_held_ : digit.pressed);
   }
   return record;
 }

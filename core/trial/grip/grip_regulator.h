@@ -80,7 +80,8 @@ class GripRegulator {
     double force = 0.0, asked = 0.0;  // filtered [N]
     double stiffness = kLeastStiffness;
     Eigen::VectorXd torque = {};  // that holds a unit of force (num_dofs)
-    double closed = kUnset, held_sum = 0.0, asked_sum = 0.0;
+    double pressed = 0.0;         // what it presses with in truth, filtered [N]
+    double closed = kUnset, held_sum = 0.0, asked_sum = 0.0, pressed_sum = 0.0;
     GripFault fault = GripFault::kNone;  // at the start of lift-off
 
     double CalcClosing() const { return law.closing() + beyond; }
@@ -99,7 +100,7 @@ class GripRegulator {
   void TakeBack(DigitGrip& digit, const World& world) const;
   bool IsAtLimit(const DigitGrip& digit, double share) const;
   bool IsStopped(const DigitGrip& digit) const;
-  GripFault FindFault(const DigitGrip& digit, double asked, double reached) const;
+  GripFault FindFault(const DigitGrip& digit, double asked, double reached, double pressed) const;
   double CalcAskedForce() const;
   void NoteHold(Phase phase);
 
@@ -119,6 +120,7 @@ class GripRegulator {
   double time_ = 0.0, in_band_since_ = kUnset, next_look_ = 0.0;
   double asked_ = 0.0, sum_ = 0.0;  // A, S
   double peak_ = 0.0, closed_ = kUnset, held_sum_ = 0.0, held_asked_ = 0.0;
+  double rest_held_sum_ = 0.0, rest_held_asked_ = 0.0;
   bool was_in_band_ = false;
   int num_held_ = 0;
   Phase phase_ = Phase::kPlacing;

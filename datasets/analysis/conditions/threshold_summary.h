@@ -45,6 +45,9 @@ struct CellThreshold {
   std::vector<int> not_monotone;       ///< numbers of trials
   double median = kUnset;              ///< infinite: half of the draws or more never held
   double low = kUnset, high = kUnset;  ///< 95 % interval; NaN: too few draws
+
+  /** The median takes in a draw that the least grip held: it may be lower. */
+  bool is_at_most() const { return num_draws > 0 && 2 * num_below >= num_draws; }
 };
 
 struct ThresholdSummary {

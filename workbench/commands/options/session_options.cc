@@ -75,6 +75,22 @@ void SessionOptions::RefuseTwice(const std::string& setting) const {
   }
 }
 
+namespace {
+
+/** A grip's value that its kind does not look at. */
+void RefuseUnusedGrip(const std::string& setting, const StrategyConfig& strategy) {
+  const std::string key = setting.substr(0, setting.find('='));
+  const std::string posture = RowOf(kGripModes, GripMode::kPosture).name;
+  const bool is_force = key == "strategy.grip_force_n" && strategy.grip == posture;
+  const bool is_margin =
+      key == "strategy.grip_margin" && strategy.grip != RowOf(kGripModes, GripMode::kMargin).name;
+  if (!is_force && !is_margin) return;
+  throw Error(ErrorKind::kUsage, "--set " + setting + " has no use where strategy.grip is " +
+                                     strategy.grip + "; leave it out, or set strategy.grip");
+}
+
+}  // namespace
+
 SessionConfig SessionOptions::MakeConfig() const {
   SessionConfig config;
   if (!session_file_.empty()) config = LoadSessionConfig(session_file_);
@@ -94,6 +110,7 @@ void SessionOptions::ApplyTo(SessionConfig& config) const {
     RefuseTwice(setting);
     ApplySetting(setting, config);
   }
+  for (const std::string& setting : settings_) RefuseUnusedGrip(setting, config.strategy);
   ReplaceNames(config);  // those of options are ids already
   for (const SettingOption& row : kOptions) {
     if (IsGiven(row.option)) row.copy(given_, config);
