@@ -63,8 +63,8 @@ std::map<std::string, std::map<std::string, double>> ReadContacts(const fs::path
 
 std::map<std::string, ClosingSchedule> ReadStudyTiming(const fs::path& study,
                                                        const std::vector<std::string>& digits) {
-  VerifyStore(study, OnDamage::kRefuse);
   const auto contacts = ReadContacts(study);
+  VerifyStore(study, OnDamage::kRefuse);
   std::set<std::string> known;
   for (const auto& [trial, times] : contacts) {
     for (const auto& [digit, time] : times) known.insert(digit);

@@ -34,6 +34,16 @@ TEST(GripCheckTest, AForceThatNoDriveGivesIsRefusedWithTheLargest) {
   EXPECT_EQ(FindRefusal(MakeConfig("posture", 900.0)), "");  // nobody looks at it
 }
 
+// The estimate is of pads; a power grasp presses with links nearer to the palm, so with more.
+TEST(GripCheckTest, APowerGraspIsNotAskedForWhatItsPadsGive) {
+  SessionConfig config = MakeConfig("force", 15.0);
+  config.grasps = {"g1"};
+  EXPECT_NE(FindRefusal(config).find("in the grasp g1"), std::string::npos);
+  config.objects = {"can"};
+  config.grasps = {"g3"};
+  EXPECT_EQ(FindRefusal(config), "");
+}
+
 TEST(GripCheckTest, AMarginNeedsFriction) {
   SessionConfig config = MakeConfig("margin", 0.0);
   EXPECT_EQ(FindRefusal(config), "");

@@ -6,6 +6,7 @@
 #include "core/base/files/files.h"
 #include "core/grasp/grasp_file.h"
 #include "core/hand/load_hand.h"
+#include "datasets/journal/sealed_store.h"
 #include "tests/datasets/session/fake_session.h"
 
 namespace graspbench {
@@ -30,6 +31,7 @@ class TimedGraspTest : public testing::Test {
     }
     WriteFileAtomically(folder_.path() / "trials.csv", trials);
     WriteFileAtomically(folder_.path() / "events.csv", events);
+    SealOutput(folder_.path(), {"trials.csv", "events.csv"}, {});
   }
   std::string FindFault(const std::vector<std::string>& digits = {"TH", "FF", "MF"}) {
     try {
@@ -66,6 +68,9 @@ TEST_F(TimedGraspTest, RefusesWhatCannotBePlayed) {
   EXPECT_NE(FindFault().find("stay open for good"), std::string::npos);
   Write({{500, 500.01, 500.02}});
   EXPECT_EQ(FindFault(), "");
+  const auto events = folder_.path() / "events.csv";
+  WriteFileAtomically(events, ReadFile(events) + "P01-0,contact,FF,1,0.5\n");
+  EXPECT_NE(FindFault().find("damaged"), std::string::npos) << FindFault();
 }
 
 TEST_F(TimedGraspTest, TheFileIsReadBack) {

@@ -100,6 +100,21 @@ TEST(GripRegulator, APowerGraspEndsInItsTargetPosture) {
   }
 }
 
+// What touches beside the digits is asked for its share, too: the sums add up.
+TEST(GripRegulator, TheRestOfTheHandHasItsShare) {
+  const TrialResult result = RunSetup(MakeRegulated("tum", "g3", "force", 3.0, 0.05, 0.8));
+  ASSERT_TRUE(result.grip);
+  const GripRecord& grip = *result.grip;
+  double asked = std::isnan(grip.rest_asked) ? 0.0 : grip.rest_asked;
+  double held = std::isnan(grip.rest_held) ? 0.0 : grip.rest_held;
+  for (const DigitGripRecord& digit : grip.digits) {
+    asked += digit.asked;
+    held += digit.held;
+  }
+  EXPECT_NEAR(asked, grip.asked, 1e-9 * grip.asked);
+  EXPECT_NEAR(held, grip.held, 1e-9 * grip.held);
+}
+
 // The command never moves to and fro while it holds: that would be chatter.
 TEST(GripRegulator, HoldsWithoutChatter) {
   const TrialSetup setup = MakeRegulated("tum", "g2", "force", 0.7);

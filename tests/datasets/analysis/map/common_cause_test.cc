@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "tests/datasets/analysis/map/planted_worlds.h"
 
 namespace graspbench {
@@ -12,7 +10,7 @@ namespace {
 struct Verdict {
   MapFinding finding;
   std::string cause;
-  double estimate, low, high;
+  double estimate;
 };
 
 Verdict Judge(PlantedWorld world) {
@@ -22,36 +20,37 @@ Verdict Judge(PlantedWorld world) {
   const Answer<NaturalRelation> natural = FindNaturalRelation(world.data, hand);
   const MapCell& all = *FindCell(map, MapMeasure::kSuccess, hand, LateDigit::kLast, {});
   return {FindWhatMatters(map, natural, hand), natural ? natural->cause : natural.reason(),
-          all.estimate, all.interval ? all.interval->low : kUnset,
-          all.interval ? all.interval->high : kUnset};
+          all.estimate};
 }
 
-// Worlds by planted_worlds.h, which knows nothing of the analysis. Seeds below 1000 were looked at
-// while it was written.
+// Worlds by planted_worlds.h, which knows nothing of the analysis. Those with seeds below 1000 were
+// looked at while it was written; of a hundred others of each kind see the validation page.
 TEST(CommonCause, PlantedWorldsGetTheirName) {
-  int num_right = 0, num_all = 0, num_causes = 0, num_covered = 0;
   for (const MapFinding truth :
        {MapFinding::kMatters, MapFinding::kNoEffect, MapFinding::kCommonCause}) {
-    std::map<std::string, int> found;
-    for (uint64_t seed = 1000; seed < 1007; ++seed) {
+    for (uint64_t seed = 1000; seed < 1004; ++seed) {
       const PlantedWorld world = MakeWorld(truth, seed);
       const Verdict verdict = Judge(world);
-      ++found[RowOf(kMapFindings, verdict.finding).name];
-      num_right += verdict.finding == truth;
-      num_causes += truth == MapFinding::kCommonCause && verdict.cause == world.cause;
-      num_covered += verdict.low <= world.effect && world.effect <= verdict.high;
-      ++num_all;
-    }
-    for (const auto& [name, count] : found) {
-      std::printf("%s: %s %d\n", RowOf(kMapFindings, truth).name, name.c_str(), count);
+      const std::string what = RowOf(kMapFindings, truth).name + std::to_string(seed);
+      EXPECT_EQ(verdict.finding, truth) << what;
+      if (truth == MapFinding::kCommonCause) {
+        EXPECT_EQ(verdict.cause, world.cause) << what;
+      }
+      EXPECT_NEAR(verdict.estimate, world.effect, 0.012) << what;
     }
   }
-  std::printf("right %d of %d, causes %d of 7, effect within its interval %d\n", num_right, num_all,
-              num_causes, num_covered);
-  EXPECT_GE(num_right, num_all - 1);
-  EXPECT_GE(num_causes, 6);
-  EXPECT_GE(num_covered, num_all - 3);
 }
+
+// Success depends on the lateness alone, which depends on nothing: no cause is made up.
+TEST(CommonCause, ARelationWithoutACauseHasNone) {
+  const PlantedWorld world = MakeWorld(MapFinding::kMatters, 1000);
+  const Answer<NaturalRelation> natural =
+      FindNaturalRelation(world.data, world.data.trials.front().hand);
+  ASSERT_TRUE(natural) << natural.reason();
+  EXPECT_EQ(natural->cause, "");
+}
+
+TEST(CommonCause, WithoutTrialsThereIsNoRelation) { EXPECT_FALSE(FindNaturalRelation({}, "tum")); }
 
 }  // namespace
 }  // namespace graspbench

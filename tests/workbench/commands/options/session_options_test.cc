@@ -76,6 +76,18 @@ TEST_F(SessionOptionsTest, AnOptionAndASettingOfTheSameAreRefused) {
   }
 }
 
+TEST_F(SessionOptionsTest, AValueOfAnotherKindOfGripIsRefused) {
+  command_.parse("--set strategy.grip_force_n=3 --set strategy.grip=posture", false);
+  try {
+    options_.MakeConfig();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "--set strategy.grip_force_n=3 has no use where strategy.grip is posture; leave it "
+                 "out, or set strategy.grip");
+  }
+}
+
 TEST_F(SessionOptionsTest, ListsReplaceTheirDefaults) {
   command_.parse("--hand shadow --object can,cup --grasp g1", false);
   const SessionConfig config = options_.MakeConfig();
