@@ -75,8 +75,8 @@ HeatMap::Cell DrawCell(const Plane& plane, const std::vector<MapLevel>& where, d
                std::to_string(cell->num_pairs) + " pairs of " +
                FormatCount(cell->num_objects, "object") + ", " +
                RowOf(kMapVerdicts, cell->verdict).name;
-  const double gain = -plane.measure.harm * cell->estimate;
-  drawn.rate = ExcludesZero(*cell) ? 0.5 + 0.5 * gain / largest : kUnset;
+  const double cost = plane.measure.harm * cell->estimate;
+  drawn.rate = ExcludesZero(*cell) ? 0.5 + 0.5 * cost / largest : kUnset;
   return drawn;
 }
 
@@ -110,7 +110,7 @@ Html DrawPlane(const Plane& plane) {
   }
   return MakeFigure(plane.Name() + ". Hatched: the 95 % interval includes 0.",
                     "shaded rows or columns: a factor with which a late digit matters; dark is "
-                    "gain, light is cost.",
+                    "cost, light is gain.",
                     MakeScroll(plane.Name(), DrawHeatMap(drawn)));
 }
 
@@ -155,19 +155,19 @@ Html DrawRegionTable(const std::vector<std::pair<const MapPartResult*, const Map
                         {"Effect (95 % interval)", Align::kProse},
                         {"p adjusted", Align::kNumber},
                         {"Verdict"},
-                        {"Trials that changed", Align::kProse, "for graspbench trial DIR NAME"}});
+                        {"A trial that changed", Align::kText,
+                         "of the first such: graspbench trial DIR NAME"}});
   for (const auto& [part, cell] : rows) {
-    std::string changed;
-    for (const std::string& name : cell->changed) changed += (changed.empty() ? "" : "; ") + name;
     std::string verdict = RowOf(kMapVerdicts, cell->verdict).name;
     if (cell->num_objects_to_decide > 0) {
       verdict += ": some " + FormatCount(cell->num_objects_to_decide, "object") + " would decide";
     }
-    table.AddRow({Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
-                  Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),
-                  Text(std::to_string(cell->num_pairs)), Text(std::to_string(cell->num_objects)),
-                  Text(FormatEffect(*cell)), Text(FormatFixed(cell->adjusted_p, 4)), Text(verdict),
-                  Text(changed.empty() ? "-" : changed)});
+    table.AddRow(
+        {Text(cell->hand), Text(RowOf(kMapMeasures, cell->measure).label),
+         Text(NameLateDigit(cell->late)), Text(NameWhere(part->map, *cell)),
+         Text(std::to_string(cell->num_pairs)), Text(std::to_string(cell->num_objects)),
+         Text(FormatEffect(*cell)), Text(FormatFixed(cell->adjusted_p, 4)), Text(verdict),
+         cell->changed.empty() ? Text("-") : Element("code", {}, Text(cell->changed.front()))});
   }
   return table.ToHtml();
 }

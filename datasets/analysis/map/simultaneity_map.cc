@@ -100,13 +100,16 @@ double CalcPooledMean(const std::vector<ObjectSum>& objects, const std::vector<s
 }
 
 Answer<Interval> CalcCellInterval(const std::vector<ObjectSum>& objects, const std::string& id) {
-  const bool none_changed = std::all_of(objects.begin(), objects.end(),
-                                        [](const ObjectSum& one) { return one.sum == 0.0; });
   const auto calc_mean = [&](const std::vector<size_t>& members) {
     return CalcPooledMean(objects, members);
   };
   constexpr size_t kMinObjects = 5;
-  if (none_changed && objects.size() >= kMinObjects) return Interval{0.0, 0.0};
+  // Objects that all say the same leave nothing to draw.
+  const double first = objects.front().sum / objects.front().count;
+  const bool are_alike = std::all_of(objects.begin(), objects.end(), [&](const ObjectSum& one) {
+    return one.sum / one.count == first;
+  });
+  if (are_alike && objects.size() >= kMinObjects) return Interval{first, first};
   const Answer<BootstrapInterval> drawn =
       CalcBootstrap(objects.size(), calc_mean, id, kNumMapResamples);
   return drawn ? Answer<Interval>(drawn->interval) : Answer<Interval>(drawn.none());
@@ -280,7 +283,7 @@ std::vector<const MapCell*> ListRegions(const SimultaneityMap& map, const std::s
   std::vector<const MapCell*> regions;
   for (const MapCell& cell : map.cells) {
     if (cell.hand == hand && cell.measure == measure && cell.late == LateDigit::kLast &&
-        cell.where.size() == 2 && cell.verdict == verdict) {
+        cell.where.size() == 2 && cell.num_pairs > 0 && cell.verdict == verdict) {
       regions.push_back(&cell);
     }
   }

@@ -7,22 +7,6 @@
 namespace graspbench {
 namespace {
 
-struct Verdict {
-  MapFinding finding;
-  std::string cause;
-  double estimate;
-};
-
-Verdict Judge(PlantedWorld world) {
-  world.data.factors[planted::kOffset].scales_draws = true;
-  const std::string hand = world.data.trials.front().hand;
-  const SimultaneityMap map = MapSimultaneity(world.data);
-  const Answer<NaturalRelation> natural = FindNaturalRelation(world.data, hand);
-  const MapCell& all = *FindCell(map, MapMeasure::kSuccess, hand, LateDigit::kLast, {});
-  return {FindWhatMatters(map, natural, hand), natural ? natural->cause : natural.reason(),
-          all.estimate};
-}
-
 // Worlds by planted_worlds.h, which knows nothing of the analysis. Those with seeds below 1000 were
 // looked at while it was written; of a hundred others of each kind see the validation page.
 TEST(CommonCause, PlantedWorldsGetTheirName) {
@@ -30,7 +14,7 @@ TEST(CommonCause, PlantedWorldsGetTheirName) {
        {MapFinding::kMatters, MapFinding::kNoEffect, MapFinding::kCommonCause}) {
     for (uint64_t seed = 1000; seed < 1004; ++seed) {
       const PlantedWorld world = MakeWorld(truth, seed);
-      const Verdict verdict = Judge(world);
+      const MapJudgement verdict = JudgeWorld(world);
       const std::string what = RowOf(kMapFindings, truth).name + std::to_string(seed);
       EXPECT_EQ(verdict.finding, truth) << what;
       if (truth == MapFinding::kCommonCause) {

@@ -402,4 +402,13 @@ inline PlantedWorld MakeWorld(MapFinding kind, uint64_t seed) {
   return world;
 }
 
+/** What the map says of a world. */
+struct MapJudgement {
+  MapFinding finding;
+  std::string cause;
+  double estimate;
+  Interval interval;
+};
+MapJudgement JudgeWorld(PlantedWorld world);
+
 }  // namespace graspbench
