@@ -131,7 +131,7 @@ std::string FormatContacts(ShellScene& scene) {
   }
   if (below.empty()) return table.Format();
   return table.Format() + "below its cone: torsion uses " + below +
-         " of what the pad bears; a pad slips when the\nsquares of both shares sum to 1\n";
+         " of what the pad bears;\na pad slips when the squares of both shares sum to 1\n";
 }
 
 std::string FormatTiming(ShellScene& scene) {
