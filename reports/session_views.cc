@@ -23,6 +23,8 @@ struct ChosenTrial {
   std::string name;
 };
 
+/** Every failure, and a success of each condition; failures first, because there is room for so many
+only. */
 std::vector<ChosenTrial> ChooseViewedTrials(const Session& session, const SessionSummary& summary,
                                             const SessionModels& models) {
   std::vector<ChosenTrial> chosen;
@@ -30,12 +32,21 @@ std::vector<ChosenTrial> ChooseViewedTrials(const Session& session, const Sessio
     const auto hand = models.FindHand(cell.hand);
     const auto object = models.FindObject(cell.object);
     if (!hand || !object || !IsDrawnInFull(cell, summary)) continue;
-    for (const TrialRecord* record : ChooseTrialPerOutcome(cell, *hand, session)) {
+    const auto add = [&](const TrialRecord* record) {
       chosen.push_back(
           {record, hand, object,
            NameOfCell(cell, models) + ", trial " + std::to_string(record->plan.trial)});
+    };
+    for (const TrialRecord* record : ChooseTrialPerOutcome(cell, *hand, session)) {
+      if (IsSuccess(record->result.outcome)) add(record);
+    }
+    for (const TrialRecord* record : ChooseShownTrials(cell, summary)) {
+      if (!IsSuccess(record->result.outcome)) add(record);
     }
   }
+  std::stable_partition(chosen.begin(), chosen.end(), [](const ChosenTrial& trial) {
+    return !IsSuccess(trial.record->result.outcome);
+  });
   return chosen;
 }
 
@@ -69,7 +80,7 @@ SessionViews DrawSessionViews(const Session& session, const SessionSummary& summ
       TracedTrial traced = trace(trial.record->plan);
       content = DrawAgreement(LoadWhole(session, *trial.record).result, traced.result);
       content += views.Add({trial.hand, trial.object, std::move(traced),
-                            "view-" + trial.record->plan.id, trial.name});
+                            MakeViewAnchor(trial.record->plan), trial.name});
     } catch (const Error& fault) {
       content = MakeNote("warning", "No course", MakeParagraph(fault.what()));
     }
@@ -77,8 +88,8 @@ SessionViews DrawSessionViews(const Session& session, const SessionSummary& summ
   }
   if (list.empty()) return {};
   Html body = MakeParagraph(
-      "One trial of each way in which the trials of a condition ended, carried out again: picture, "
-      "forces at the end of each phase, curves; with scripts a scene to turn and to play.");
+      "Every failed trial and one success of each condition, carried out again: picture, forces at "
+      "the end of each phase, curves; with scripts a scene to turn and to play.");
   if (num_shown < chosen.size()) {
     body += MakeParagraph("The first " + std::to_string(num_shown) + " of " +
                           FormatCount(static_cast<int64_t>(chosen.size()), "trial") +

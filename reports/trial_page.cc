@@ -32,21 +32,6 @@ Html DrawResult(const DrawnTrial& data) {
   const std::string reason = result.reason.empty() ? "." : ": " + result.reason + ".";
   const Html diagnosis =
       result.diagnosis ? Element("p", {{"class", "verdict"}}, result.diagnosis->text) : Html();
-  Table table("Measures of the trial.", {{"Measure"}, {"Value", Align::kNumber}});
-  const auto add = [&table](const char* name, double value, int decimals) {
-    table.AddRow({Text(name), Text(FormatFixed(value, decimals))});
-  };
-  add("GCT [ms]", MsFromS(result.timing.gct), 1);
-  add("GFT [ms]", MsFromS(result.timing.gft), 1);
-  add("GOT [ms]", MsFromS(result.timing.got), 1);
-  add("GFT% [%]", 100.0 * result.timing.gft_ratio, 1);
-  add("GOT% [%]", 100.0 * result.timing.got_ratio, 1);
-  add("Stability sigma [N]", result.stability.sigma, 2);
-  add("Grip before lift-off [N]", result.grip_force, 2);
-  add("Rise in the hand before lift-off [mm]", MmFromM(result.closure_rise), 1);
-  add("Lift [mm]", MmFromM(result.lift_height), 1);
-  add("Slip while held [mm]", MmFromM(result.hold_slip), 2);
-  add("Deepest penetration [mm]", MmFromM(result.worst_penetration), 2);
   const Seat seat = FindSeat(result);
   return MakeParagraph("Outcome: " + WordsOf(result.outcome) + reason +
                        (seat == Seat::kUnknown ? "" : " Seat: " + WordsOf(seat) + ".") +
@@ -54,15 +39,35 @@ Html DrawResult(const DrawnTrial& data) {
                        (result.opposition ? std::string(" Opposition: ") +
                                                 RowOf(kOppositions, *result.opposition).name + "."
                                           : "")) +
-         diagnosis + table.ToHtml();
+         diagnosis;
+}
+
+Html DrawMeasures(const DrawnTrial& data) {
+  const TrialResult& result = data.record.result;
+  Table table("Measures of the trial.", {{"Measure"}, {"Value", Align::kNumber}});
+  const auto add = [&table](const char* name, double value, int decimals) {
+    table.AddRow({Text(name), Text(FormatFixed(value, decimals))});
+  };
+  const std::string remark =
+      result.timing.contact_before_start ? std::string(", ") + kNotComparable : "";
+  const auto add_time = [&](const std::string& name, double value) {
+    table.AddRow({Text(name + remark), Text(FormatFixed(value, 1))});
+  };
+  add_time("GCT [ms]", MsFromS(result.timing.gct));
+  add_time("GFT [ms]", MsFromS(result.timing.gft));
+  add_time("GOT [ms]", MsFromS(result.timing.got));
+  add_time("GFT% [%]", 100.0 * result.timing.gft_ratio);
+  add_time("GOT% [%]", 100.0 * result.timing.got_ratio);
+  add("Stability sigma [N]", result.stability.sigma, 2);
+  add("Grip before lift-off [N]", result.grip_force, 2);
+  add("Rise in the hand before lift-off [mm]", MmFromM(result.closure_rise), 1);
+  add("Lift [mm]", MmFromM(result.lift_height), 1);
+  add("Slip while held [mm]", MmFromM(result.hold_slip), 2);
+  add("Deepest penetration [mm]", MmFromM(result.worst_penetration), 2);
+  return table.ToHtml();
 }
 
 Html DrawPictures(const DrawnTrial& data) {
-  if (!data.course.empty()) {
-    return Element(
-        "p", {},
-        Text("All phases stand in pictures under ") + LinkTo("course", "Course") + Text("."));
-  }
   if (data.record.result.snapshots.empty()) {
     return Element("p", {{"class", "missing"}}, "The trial ended before its first picture.");
   }
@@ -87,8 +92,9 @@ Html DrawContacts(const DrawnTrial& data) {
 
 Html DrawCourse(const DrawnTrial& data) {
   if (!data.course.empty()) return data.course;
-  return MakeParagraph(
-      "Not shown: the trial was changed on its way, so it cannot be carried out again.");
+  return DrawPictures(data) + MakeParagraph(
+                                  "No scene to turn: the trial was changed on its way, so it "
+                                  "cannot be carried out again.");
 }
 
 Html DrawCards(const DrawnTrial& data) {
@@ -172,8 +178,8 @@ std::string MakeTrialPage(const TrialPageData& data) {
   }
   static const std::vector<PageSection<DrawnTrial>> sections = {
       {"result", "Result", &DrawResult},
-      {"pictures", "Pictures", &DrawPictures},
-      {"course", "Course", &DrawCourse},
+      {"course", "Timeline", &DrawCourse},
+      {"measures", "Measures", &DrawMeasures},
       {"contacts", "Contacts", &DrawContacts},
       {"state", "Summary", &DrawCards},
       {"script", "Reproduce in the shell", &DrawScript},

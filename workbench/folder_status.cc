@@ -1,22 +1,29 @@
 #include "workbench/folder_status.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <set>
 #include <thread>
 
 #include "core/base/text/text.h"
 #include "datasets/campaign/campaign_progress.h"
 #include "datasets/campaign/check_records.h"
+#include "datasets/journal/append_file.h"
+#include "datasets/journal/journal_files.h"
 #include "datasets/journal/sealed_store.h"
 #include "datasets/journal/unverified_files.h"
 #include "datasets/shards/worker_log.h"
 #include "workbench/experiments/machines/shell_quote.h"
 #include "workbench/tables/progress_tables.h"
+#include "workbench/terminal/progress.h"
 
 namespace graspbench {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr double kQuiet = 5.0;  // without a new line, before anybody asks who writes it [s]
 
 void AddNote(const std::string& note, FolderStatus& status) {
   status.notes += (status.notes.empty() ? "note: " : "\nnote: ") + note;
@@ -67,10 +74,24 @@ uintmax_t CalcSize(const fs::path& folder) {
   return size;
 }
 
+/** Of an unfinished session that is not shared out: shards say of themselves how they are. */
+std::string DescribeWriter(const fs::path& folder, const SessionProgress& progress) {
+  const std::vector<fs::path> journals = ListJournals(folder);
+  const bool ends_here = progress.num_finished >= progress.num_trials || !progress.shards.empty();
+  if (ends_here || journals.empty()) return "";
+  double age = std::numeric_limits<double>::infinity();
+  for (const fs::path& journal : journals) {
+    age = std::min(age, CalcAge(journal));
+    if (age < kQuiet || IsBeingWritten(journal)) return "";
+  }
+  return "; no process of this machine works on it, the last trial ended " + FormatDuration(age) +
+         " ago";
+}
+
 void AddSession(const fs::path& folder, const SessionProgress& progress, FolderStatus& status) {
   status.text += folder.string() + ": " + std::to_string(progress.num_finished) + " of " +
-                 FormatCount(progress.num_trials, "trial") + " finished\n" +
-                 FormatShards(progress.shards, "trials");
+                 FormatCount(progress.num_trials, "trial") + " finished" +
+                 DescribeWriter(folder, progress) + "\n" + FormatShards(progress.shards, "trials");
   status.num_done = progress.num_finished;
   status.num_all = progress.num_trials;
   status.is_finished = progress.num_finished >= progress.num_trials;

@@ -241,14 +241,18 @@ void PrintPlan(const std::filesystem::path& folder, int count, const std::string
   }
 }
 
-void PrintExperimentPlan(const PreparedSession& experiment) {
-  PrintPlan(experiment.folder, static_cast<int>(experiment.session.plan.size()), "trial");
+void PrintExperimentPlan(const PreparedSession& experiment, bool as_json) {
+  PrintPlan(experiment.folder, static_cast<int>(experiment.session.plan.size()), "trial", as_json);
 }
 
 void DemandFinished(bool is_finished) {
   if (is_finished) return;
   throw Error(ErrorKind::kInterrupted,
               "stopped; what has run is kept. Continue with the same command");
+}
+
+void AddJsonOption(CLI::App& command, bool& as_json) {
+  command.add_flag("--json", as_json, "print one JSON object");
 }
 
 void AddResumeOption(CLI::App& command, bool& resume) {

@@ -44,6 +44,9 @@ struct ContactTiming {
   bool contact_before_start = false;
 };
 
+/** Stands beside the times of a trial with a contact before the start. */
+inline constexpr char kNotComparable[] = "early contact: not comparable";
+
 /** A digit that never touches makes GCT and GFT missing; GOT needs the thumb and one other digit.
 An unknown t0 (NaN) makes GCT missing, GCT missing or 0 the ratios. @pre at most one thumb. Asserts
 the order of the three measures. */

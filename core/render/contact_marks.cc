@@ -14,17 +14,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPointRadius = 0.0015;  // [m]
-constexpr double kShaftRadius = 0.0010;  // [m]
-constexpr double kHeadRadius = 0.0026;   // [m]
-constexpr double kHeadLength = 0.0070;   // [m]
-constexpr double kConeLength = 0.018;    // [m]
-constexpr double kWireRadius = 0.0004;   // [m]
+constexpr double kPointRadius = 0.0015;   // [m]
+constexpr double kFailedRadius = 0.0040;  // [m]
+constexpr double kShaftRadius = 0.0010;   // [m]
+constexpr double kHeadRadius = 0.0026;    // [m]
+constexpr double kHeadLength = 0.0070;    // [m]
+constexpr double kConeLength = 0.018;     // [m]
+constexpr double kWireRadius = 0.0004;    // [m]
 constexpr int kNumSpokes = 10;
 constexpr int kNumSegments = 8;  // around a wire
 
 const Eigen::Vector3f kForceColour(0.80f, 0.12f, 0.02f);
 const Eigen::Vector3f kPointColour(0.05f, 0.05f, 0.05f);
+const Eigen::Vector3f kFailedColour(0.85f, 0.0f, 0.60f);
 const Eigen::Vector3f kStaticColour(0.05f, 0.42f, 0.08f);
 const Eigen::Vector3f kDynamicColour(0.05f, 0.16f, 0.75f);
 
@@ -93,9 +95,11 @@ void AddCone(double half_angle, const Pose& X_WM, MarkMesh* marks) {
 
 void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per_force,
                      Scene* scene) {
-  MarkMesh points, forces, still_cones, sliding_cones;
+  MarkMesh points, failed, forces, still_cones, sliding_cones;
   for (const ContactMark& contact : contacts) {
-    points.Add(MakeSphere(kPointRadius, 16), MakePose(Eigen::Matrix3d::Identity(), contact.p_WC));
+    (contact.has_failed ? failed : points)
+        .Add(MakeSphere(contact.has_failed ? kFailedRadius : kPointRadius, 16),
+             MakePose(Eigen::Matrix3d::Identity(), contact.p_WC));
     const double force = contact.force_W.norm();
     if (force > 0.0) {
       forces.Add(MakeArrow(length_per_force * force),
@@ -107,6 +111,7 @@ void AddContactMarks(const std::vector<ContactMark>& contacts, double length_per
     }
   }
   points.MoveTo(scene, kPointColour);
+  failed.MoveTo(scene, kFailedColour);
   forces.MoveTo(scene, kForceColour);
   still_cones.MoveTo(scene, kStaticColour);
   sliding_cones.MoveTo(scene, kDynamicColour);

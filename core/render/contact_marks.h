@@ -2,7 +2,8 @@
 /** @file
 Contacts as marks over a picture: a point where hand and object touch, an arrow for the force on the
 object that ends there, and the friction cone that the arrow may not leave, green where the contact
-stands still (static friction) and blue where it slides (dynamic). */
+stands still (static friction) and blue where it slides (dynamic). A contact that failed has a large
+magenta point. */
 
 #include <Eigen/Core>
 #include <vector>
@@ -17,6 +18,7 @@ struct ContactMark {
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< on the object [N]
   double mu = 0.0;                                    ///< of its state
   bool is_sliding = false;
+  bool has_failed = false;
 };
 
 /** Adds the marks to a scene. The cone opens against nhat_W, with its tip at the contact and the

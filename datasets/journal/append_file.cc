@@ -41,6 +41,14 @@ bool EndsInTornLine(const std::filesystem::path& path) {
   return is_read && last != '\n';
 }
 
+bool IsBeingWritten(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool is_taken = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  return is_taken;
+}
+
 AppendFile::AppendFile(const std::filesystem::path& path)
     : AppendFile(path, "\"" + path.string() +
                            "\" is being written by another process; wait until it is finished or "

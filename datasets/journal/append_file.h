@@ -14,6 +14,10 @@ namespace graspbench {
 /** False when there is no such file. */
 bool EndsInTornLine(const std::filesystem::path& path);
 
+/** Whether a process of this machine holds it open to append, now. False where there is no such
+file and on a file system without locks. */
+bool IsBeingWritten(const std::filesystem::path& path);
+
 class AppendFile {
  public:
   /** A file system without locks is written without one: then a second writer is not noticed.

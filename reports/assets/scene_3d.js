@@ -9,7 +9,7 @@
   var LONGEST_ARROW = 0.045;   // [m]
   var CONE_LENGTH = 0.018;     // [m]
   var SPOKES = 10;
-  var COLOURS = { point: 0x0d0d0d, force: 0xe06000, stick: 0x1f8a3a, slide: 0x2050d0 };
+  var COLOURS = { point: 0x0d0d0d, failed: 0xd90099, force: 0xcc1f05, stick: 0x0d6b14, slide: 0x0d29bf };
 
   var opened = null;           // one view at a time has a WebGL context
   var models = {};             // promises, by the element's id
@@ -62,7 +62,8 @@
   }
 
   /* Contact points, forces that end there, friction cones; drawn over all else. */
-  function Marks(parent, contacts) {
+  function Marks(parent, contacts, failed) {
+    this.failed = failed;  // links
     this.group = new THREE.Group();
     parent.add(this.group);
     this.contacts = contacts;
@@ -88,10 +89,12 @@
       cone: unitCone()
     };
     function material(Type, colour) {
-      return new Type({ color: colour, depthTest: false, transparent: true });
+      return new Type({ color: new THREE.Color(colour).convertSRGBToLinear(), depthTest: false,
+        transparent: true });
     }
     this.paints = {
       point: material(THREE.MeshBasicMaterial, COLOURS.point),
+      failed: material(THREE.MeshBasicMaterial, COLOURS.failed),
       force: material(THREE.MeshBasicMaterial, COLOURS.force),
       stick: material(THREE.LineBasicMaterial, COLOURS.stick),
       slide: material(THREE.LineBasicMaterial, COLOURS.slide)
@@ -101,11 +104,12 @@
   Marks.prototype.addItem = function () {
     var s = this.shapes, p = this.paints;
     var item = {
-      root: new THREE.Group(), arrow: new THREE.Group(), shaft: new THREE.Mesh(s.shaft, p.force),
+      root: new THREE.Group(), arrow: new THREE.Group(), ball: new THREE.Mesh(s.ball, p.point),
+      shaft: new THREE.Mesh(s.shaft, p.force),
       cone: new THREE.LineSegments(s.cone, p.stick)
     };
     item.arrow.add(item.shaft, new THREE.Mesh(s.head, p.force));
-    item.root.add(new THREE.Mesh(s.ball, p.point), item.arrow, item.cone);
+    item.root.add(item.ball, item.arrow, item.cone);
     item.root.traverse(function (node) { node.renderOrder = 1; });
     this.group.add(item.root);
     this.items.push(item);
@@ -120,6 +124,9 @@
       item.root.visible = !!c;
       if (!c) continue;
       item.root.position.copy(c.p);
+      var hasFailed = this.failed.indexOf(String(c.link)) >= 0;
+      item.ball.material = hasFailed ? this.paints.failed : this.paints.point;
+      item.ball.scale.setScalar(hasFailed ? 2.5 : 1);
       var length = c.force.length();
       item.arrow.visible = this.withForces && length > 0;
       if (item.arrow.visible) {
@@ -145,7 +152,23 @@
     this.button.addEventListener('click', this.open.bind(this));
     this.stage.appendChild(this.button);
     this.cursors = [].slice.call(root.querySelectorAll('.cursor'));
+    root.addEventListener('click', this.goWhere.bind(this));
   }
+
+  /* A click on a curve or a phase: the view opens and goes there. */
+  View.prototype.goWhere = function (event) {
+    var plot = event.target.closest && event.target.closest('svg.plot');
+    var cursor = plot && plot.querySelector('.cursor');
+    if (!cursor || this.button.hidden) return;
+    var box = plot.getBoundingClientRect();
+    var x = (event.clientX - box.left) * plot.viewBox.baseVal.width / box.width;
+    var share = (x - Number(cursor.dataset.left)) / Number(cursor.dataset.width);
+    var from = Number(cursor.dataset.from), to = Number(cursor.dataset.to);
+    var time = from + share * (to - from);
+    if (this.renderer) return this.show(time);
+    this.time = time;
+    this.open();
+  };
 
   View.prototype.open = function () {
     if (opened === this) return;
@@ -185,7 +208,8 @@
     var extras = motion.scene.userData;
     this.extras = extras;
     this.end = extras.times_s[extras.times_s.length - 1];
-    this.marks = new Marks(motion.scene.children[0], extras.contacts);
+    this.marks = new Marks(motion.scene.children[0], extras.contacts,
+                           (this.root.dataset.failed || '').split(' '));
     if (motion.animations.length > 0) {
       this.mixer = new THREE.AnimationMixer(motion.scene);
       this.action = this.mixer.clipAction(motion.animations[0]);
@@ -265,7 +289,8 @@
     this.panel.appendChild(this.words);
     this.panel.appendChild(make('p', 'small',
       'Drag to turn, wheel to zoom, right button to move. Space plays, arrow keys step, Home and End ' +
-      'jump. Drawn over the bodies, orange: force on the object; green cone: stands still, blue cone: slides.'));
+      'jump. Drawn over the bodies, red arrow: force on the object; green cone: stands still, blue cone: ' +
+      'slides; magenta point: the contact that failed.'));
     this.stage.parentNode.insertBefore(this.panel, this.stage.nextSibling);
   };
 
@@ -288,17 +313,6 @@
       event.preventDefault();
     };
     this.root.addEventListener('keydown', this.onKey);
-    this.onPlot = function (event) {
-      var plot = event.target.closest && event.target.closest('svg.plot');
-      var cursor = plot && plot.querySelector('.cursor');
-      if (!cursor) return;
-      var box = plot.getBoundingClientRect();
-      var x = (event.clientX - box.left) * plot.viewBox.baseVal.width / box.width;
-      var share = (x - Number(cursor.dataset.left)) / Number(cursor.dataset.width);
-      var from = Number(cursor.dataset.from), to = Number(cursor.dataset.to);
-      self.show(from + share * (to - from));
-    };
-    this.root.addEventListener('click', this.onPlot);
     this.onResize = this.resize.bind(this);
     window.addEventListener('resize', this.onResize);
   };
@@ -386,7 +400,6 @@
       this.renderer.forceContextLoss();
     }
     this.root.removeEventListener('keydown', this.onKey);
-    this.root.removeEventListener('click', this.onPlot);
     window.removeEventListener('resize', this.onResize);
     this.renderer = this.controls = this.panel = this.mixer = null;
     this.root.classList.remove('open');

@@ -115,19 +115,6 @@ std::vector<int> PlaceMarkLabels(const std::vector<LinePlot::Mark>& marks, const
   return rows;
 }
 
-/** With what a script needs to place it. */
-Html DrawCursor(const Axis& axis, double left, double width, double top, double bottom) {
-  return Element("line", {{"class", "cursor"},
-                          {"x1", Px(left)},
-                          {"y1", Px(top)},
-                          {"x2", Px(left)},
-                          {"y2", Px(bottom)},
-                          {"data-left", Px(left)},
-                          {"data-width", Px(width)},
-                          {"data-from", FormatFixed(axis.ticks().front().value, 6)},
-                          {"data-to", FormatFixed(axis.ticks().back().value, 6)}});
-}
-
 }  // namespace
 
 Html DrawLinePlot(const LinePlot& plot) {
@@ -173,7 +160,10 @@ Html DrawLinePlot(const LinePlot& plot) {
     content += Line("mark", x, row_top, x, bottom);
     content += Label("middle small", x, row_top - kLegendRow / 2.0, plot.marks[m].label);
   }
-  if (plot.has_cursor) content += DrawCursor(axis_x, left, kWidth, top, bottom);
+  if (plot.has_cursor) {
+    content += DrawCursor(axis_x.ticks().front().value, axis_x.ticks().back().value, left, kWidth,
+                          top, bottom);
+  }
   std::vector<std::string> labels;
   for (size_t i = 0; i < plot.series.size(); ++i) {
     const LinePlot::Series& series = plot.series[i];

@@ -36,6 +36,18 @@ Html Line(const std::string& css_class, double x1, double y1, double x2, double 
       {{"class", css_class}, {"x1", Px(x1)}, {"y1", Px(y1)}, {"x2", Px(x2)}, {"y2", Px(y2)}});
 }
 
+Html DrawCursor(double from, double to, double left, double width, double top, double bottom) {
+  return Element("line", {{"class", "cursor"},
+                          {"x1", Px(left)},
+                          {"y1", Px(top)},
+                          {"x2", Px(left)},
+                          {"y2", Px(bottom)},
+                          {"data-left", Px(left)},
+                          {"data-width", Px(width)},
+                          {"data-from", FormatFixed(from, 6)},
+                          {"data-to", FormatFixed(to, 6)}});
+}
+
 Html Label(const std::string& css_class, double x, double y, const std::string& text) {
   return Element("text", {{"class", css_class}, {"x", Px(x)}, {"y", Px(y)}}, text);
 }

@@ -29,6 +29,10 @@ Html Rect(const std::string& css_class, double x, double y, double width, double
 
 Html Line(const std::string& css_class, double x1, double y1, double x2, double y2);
 
+/** A vertical line that a script moves to a value between `from` and `to`, which stand at left and
+left + width; not seen without it. */
+Html DrawCursor(double from, double to, double left, double width, double top, double bottom);
+
 /** Text centred about y in height; css_class says where x is: "start", "middle" or "end". */
 Html Label(const std::string& css_class, double x, double y, const std::string& text);
 

@@ -1,6 +1,8 @@
 #include "reports/plots/trial_plots.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/error.h"
@@ -8,6 +10,7 @@
 #include "datasets/records/trace_table.h"
 #include "reports/page/assets.h"
 #include "reports/plots/line_plot.h"
+#include "reports/plots/svg_parts.h"
 
 namespace graspbench {
 namespace {
@@ -117,6 +120,43 @@ std::vector<Html> DrawTrialPlots(const Hand& hand, const TracedTrial& traced,
     }
   }
   return plots;
+}
+
+Html DrawPhaseStrip(const TracedTrial& traced, const std::string& name) {
+  constexpr double kWidth = 640.0, kHeight = 26.0, kRow = 20.0;
+  if (traced.trace.empty()) return {};
+  const double end = std::max(traced.trace.back().time, traced.trace.front().time + kPlotInterval);
+  const auto place = [&](double time) { return kWidth * std::clamp(time / end, 0.0, 1.0); };
+  std::vector<std::pair<double, std::string>> phases;  // start, name
+  for (const PhaseStart& phase : traced.result.phases) {
+    if (phase.name == NameOf(Phase::kDone)) continue;
+    phases.emplace_back(phase.time + traced.closure_start, phase.name);
+  }
+  if (phases.empty() || phases.front().first > 0.0) {
+    phases.emplace(phases.begin(), 0.0, NameOf(traced.trace.front().phase));
+  }
+  Html content;
+  for (size_t p = 0; p < phases.size(); ++p) {
+    const double left = place(phases[p].first);
+    const double right = p + 1 < phases.size() ? place(phases[p + 1].first) : kWidth;
+    const std::string hint = phases[p].second + " from " + FormatFixed(phases[p].first, 3) + " s";
+    content += Rect("phase", left, 0.0, right - left, kHeight, hint);
+    if (CalcLabelWidth({phases[p].second}) > right - left) continue;
+    content += Label("middle small", 0.5 * (left + right), 0.5 * kHeight, phases[p].second);
+  }
+  const std::optional<Diagnosis>& diagnosis = traced.result.diagnosis;
+  const bool has_fault = diagnosis && std::isfinite(diagnosis->time);
+  if (has_fault) {
+    const double x = place(diagnosis->time);
+    content += Line("fault", x, 0.0, x, kHeight + 0.5 * kRow);
+    content += Label(
+        x < 0.5 * kWidth ? "start small" : "end small", x + (x < 0.5 * kWidth ? 4.0 : -4.0),
+        kHeight + 0.5 * kRow,
+        std::string(NameOf(diagnosis->cause)) + " at " + FormatFixed(diagnosis->time, 3) + " s");
+  }
+  content += DrawCursor(0.0, end, 0.0, kWidth, 0.0, kHeight);
+  return Svg("img", kWidth, kHeight + (has_fault ? kRow : 1.0),
+             {"Phases, " + name, "The phases of the trial over its time."}, content);
 }
 
 std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std::string& name) {

@@ -1,10 +1,14 @@
 #include "reports/scenes/scene_3d.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/render/contact_marks.h"
 #include "core/render/hand_scene.h"
 #include "core/shape/primitives.h"
 #include "datasets/gltf/trial_gltf.h"
@@ -22,12 +26,41 @@ constexpr int kPosterWidth = 640, kPosterHeight = 480;
 constexpr int kFilmWidth = 360, kFilmHeight = 270;  // many: they are most of a page's time
 constexpr double kInPicture = 0.35;  // of the hand's base; an object beyond is left out [m]
 
-/** Closed and before lift-off; of a shorter trial its end. */
-const TraceInstant& FindShownInstant(const std::vector<const TraceInstant*>& ends) {
+/** Where it began to fail; of a success closed and before lift-off, of a shorter one its end. */
+const TraceInstant& FindShownInstant(const TracedTrial& traced,
+                                     const std::vector<const TraceInstant*>& ends) {
+  const std::optional<Diagnosis>& diagnosis = traced.result.diagnosis;
+  if (diagnosis && std::isfinite(diagnosis->time)) {
+    const TraceInstant* shown = &traced.trace.front();
+    for (const TraceInstant& instant : traced.trace) {
+      if (instant.time <= diagnosis->time + 1e-9) shown = &instant;
+    }
+    return *shown;
+  }
   for (const TraceInstant* end : ends) {
     if (end->phase == Phase::kStabilisation && end != ends.back()) return *end;
   }
   return *ends.back();
+}
+
+/** Of the digit that is to blame, or else of what gave way first, if it touches then. */
+std::vector<int> FindFailedLinks(const TrialView& view, const TraceInstant& shown) {
+  const std::optional<Diagnosis>& diagnosis = view.traced.result.diagnosis;
+  if (!diagnosis) return {};
+  for (const std::string& part : {diagnosis->digit, diagnosis->lost}) {
+    std::vector<int> links;
+    for (const HandContact& contact : shown.contacts) {
+      const int digit = view.hand->FindDigitOfLink(contact.link);
+      const std::string of = digit < 0 ? "palm" : view.hand->digits[static_cast<size_t>(digit)].id;
+      if (of == part) links.push_back(contact.link);
+    }
+    if (!links.empty()) return links;
+  }
+  return {};
+}
+
+std::string FormatLinks(const std::vector<int>& links) {
+  return fmt::format("{}", fmt::join(links, " "));
 }
 
 Camera PlaceViewCamera(const TrialView& view, const std::vector<const TraceInstant*>& ends) {
@@ -120,7 +153,14 @@ Html TrialViews::DrawWherePossible(const std::function<Html()>& draw) {
 Html TrialViews::DrawPoster(const TrialView& view, const TraceInstant& shown,
                             const Camera& camera) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>(kPosterWidth, kPosterHeight);
-  const Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
+  Scene scene = MakeGraspScene(view.hand, shown.q, shown.X_WH, view.object, shown.X_WO);
+  const std::vector<int> failed = FindFailedLinks(view, shown);
+  std::vector<ContactMark> marks = MakeContactMarks(shown);
+  for (size_t i = 0; i < marks.size(); ++i) {
+    marks[i].has_failed =
+        std::find(failed.begin(), failed.end(), shown.contacts[i].link) != failed.end();
+  }
+  AddContactMarks(marks, FindArrowScale(view.traced), &scene);
   return Element(
       "img",
       {{"src", MakeDataUri("image/webp", EncodeWebp(renderer_->Render(scene, camera)))},
@@ -175,7 +215,7 @@ Html TrialViews::Add(const TrialView& view) {
                    view.name + ": there is no course to show.");
   }
   const std::vector<const TraceInstant*> ends = ListPhaseEnds(view.traced.trace);
-  const TraceInstant& shown = FindShownInstant(ends);
+  const TraceInstant& shown = FindShownInstant(view.traced, ends);
   const Camera camera = PlaceViewCamera(view, ends);
   const std::string motion = view.anchor + "-motion";
   const std::string hand = FindOrAddModel(view.hand->content_hash + view.hand->id, "hand ",
@@ -197,12 +237,16 @@ Html TrialViews::Add(const TrialView& view) {
        {"data-object", object},
        {"data-motion", motion},
        {"data-camera", FormatCamera(camera)},
+       {"data-failed", FormatLinks(FindFailedLinks(view, shown))},
        {"data-time", FormatFixed(shown.time, 4)}},
-      Element("div", {{"class", "stage"}}, poster) + film + DrawPhaseTable(view, ends) +
-          MakeFigure("Forces and joints over the trial. Dashed lines: the phases.",
+      Element("div", {{"class", "stage"}}, poster) +
+          MakeScroll("Phases of " + view.name, DrawPhaseStrip(view.traced, view.name)) +
+          MakeFigure("Forces and joints over the trial. Dashed lines: the phases. Where scripts "
+                     "run, a click on a curve or a phase takes the 3-D scene to that time.",
                      "forces that fall before lift-off; a digit that never presses; joints that go "
                      "on closing while the object is held.",
                      Element("div", {{"class", "plots"}}, plots)) +
+          film + DrawPhaseTable(view, ends) +
           MakeDataBlock(motion, MakeMotionGlb(*view.hand, *view.object, view.traced)));
 }
 

@@ -30,6 +30,8 @@ std::vector<const TrialRecord*> ChooseShownTrials(const CellSummary& cell,
 
 std::string MakeTrialAnchor(const PlannedTrial& planned) { return "trial-" + planned.id; }
 
+std::string MakeViewAnchor(const PlannedTrial& planned) { return "view-" + planned.id; }
+
 std::string DescribeShownTrials(size_t num_shown, const CellSummary& cell) {
   if (num_shown == cell.records.size()) return {};
   return std::to_string(num_shown) + " of " + std::to_string(cell.records.size()) +

@@ -22,6 +22,9 @@ std::vector<const TrialRecord*> ChooseShownTrials(const CellSummary& cell,
 /** Of a shown trial's row, for links: "trial-3f2a...". */
 std::string MakeTrialAnchor(const PlannedTrial& planned);
 
+/** Of its scene in 3-D, where the page has one: "view-3f2a...". */
+std::string MakeViewAnchor(const PlannedTrial& planned);
+
 /** "71 of 2381 trials, evenly spaced; export/trials.csv has all of them." Empty when all are shown.
 */
 std::string DescribeShownTrials(size_t num_shown, const CellSummary& cell);

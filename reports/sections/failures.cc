@@ -30,6 +30,13 @@ Html FormatDraw(const ReportData& data, const PlannedTrial& planned) {
               FormatFixed(DegFromRad(draw.offset_yaw), 1));
 }
 
+/** To its scene, or, of a page without, to what makes one. */
+Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
+  const std::string anchor = MakeViewAnchor(planned);
+  const bool has_view = data.views.markup().find("id=\"" + anchor + "\"") != std::string::npos;
+  return LinkTo(has_view ? anchor : "views", has_view ? "show" : "how");
+}
+
 Html DrawFailedTrials(const ReportData& data) {
   const Tally& total = data.summary.total;
   if (total.finished == total.successes()) return MakeParagraph("No finished trial failed.");
@@ -38,6 +45,7 @@ Html DrawFailedTrials(const ReportData& data) {
   Table table(
       "Every trial that did not succeed, and why.",
       {{"Trial", Align::kText, "leads to all its values"},
+       {"3-D", Align::kText, "leads to its scene, or says how to make it"},
        {"Hand"},
        {"Object"},
        {"Grasp"},
@@ -46,7 +54,7 @@ Html DrawFailedTrials(const ReportData& data) {
        {"Drawn x, y [mm], yaw [deg]", Align::kNumber, "of the object, off its nominal place"}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
-    table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)),
+    table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)), LinkToView(data, planned),
                   Text(data.models.NameOfHand(planned.hand)),
                   Text(data.models.NameOfObject(planned.object)), Text(planned.grasp),
                   Text(WordsOf(failures[i]->result.outcome)), Text(ExplainEnd(failures[i]->result)),

@@ -10,10 +10,10 @@
 namespace graspbench {
 namespace {
 
-/** A cell of four trials, of which the second and the last failed in two ways. */
+/** A cell of five trials, of which the second, fourth and last failed, two of them alike. */
 class SessionViewsTest : public testing::Test {
  protected:
-  SessionViewsTest() : made_(MakeTrialView()), session_(MakeSession({"box"}, {"box"}, "g1", 4)) {
+  SessionViewsTest() : made_(MakeTrialView()), session_(MakeSession({"box"}, {"box"}, "g1", 5)) {
     models_.hands["box"] = made_.hand;
     models_.objects["box"] = made_.object;
     SceneSnapshot snapshot;
@@ -21,6 +21,7 @@ class SessionViewsTest : public testing::Test {
     for (TrialRecord& record : session_.records) record.result.snapshots = {snapshot};
     session_.records[1].result.outcome = Outcome::kPushedAway;
     session_.records[3].result.outcome = Outcome::kNoContact;
+    session_.records[4].result.outcome = Outcome::kPushedAway;
   }
 
   /** What the page shows, of trials that end as recorded. */
@@ -40,15 +41,16 @@ class SessionViewsTest : public testing::Test {
   SessionModels models_;
 };
 
-TEST_F(SessionViewsTest, ShowsOneTrialOfEachOutcome) {
+TEST_F(SessionViewsTest, ShowsEveryFailureAndThenOneSuccess) {
   const std::string page = Draw([&](const PlannedTrial& planned) { return Trace(planned); });
   tinyxml2::XMLDocument document;
   ParsePage(page, document);
   const tinyxml2::XMLElement& root = *document.RootElement();
-  for (const char* id : {"view-id0", "view-id1", "view-id3"}) {
+  for (const char* id : {"view-id0", "view-id1", "view-id3", "view-id4"}) {
     EXPECT_NE(FindById(root, id), nullptr) << id;
   }
   EXPECT_EQ(FindById(root, "view-id2"), nullptr) << "a second success";
+  EXPECT_LT(page.find("id=\"view-id4\""), page.find("id=\"view-id0\""));
   EXPECT_NE(page.find("trial 1: pushed away"), std::string::npos);
   EXPECT_EQ(page.find("Not as recorded"), std::string::npos);
 }

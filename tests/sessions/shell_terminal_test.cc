@@ -92,7 +92,7 @@ class Window {
   }
   void StartShell() {
     Enter(std::string("clear; '") + GRASPBENCH_PROGRAM + "' shell");
-    WaitUntil("graspbench> ");
+    WaitUntil("> ");
   }
   pid_t FindShell() const {
     const std::string parent = SplitLines(Tmux("display -p '#{pane_pid}'")).at(0);
@@ -110,7 +110,8 @@ void ExpectPicture(const Window& window, WindowSize size) {
   const std::vector<std::string> lines = window.ReadScreen();
   const auto rows = static_cast<size_t>(size.rows);
   ASSERT_EQ(lines.size(), rows);
-  EXPECT_EQ(lines[rows - 1].substr(0, 11), "graspbench>");
+  EXPECT_EQ(lines[rows - 1].substr(0, 7), "shadow ");
+  EXPECT_EQ(lines[rows - 1].back(), '>');
   EXPECT_NE(lines[rows - 2].find("grasp view"), std::string::npos) << lines[rows - 2];
   const std::string colours = window.Tmux("capture-pane -p -e");
   EXPECT_NE(colours.find("\x1b[38;2;"), std::string::npos);
@@ -132,7 +133,7 @@ TEST_P(ShellTerminal, StandsWhatAPersonDoes) {
   window.WaitUntil("Shadow Hand (shadow)");
   window.Enter("view");
   window.WaitUntil("grasp view, placing");
-  window.WaitUntil("graspbench> ", 3);
+  window.WaitUntil("> ", 3);
   ExpectPicture(window, size);
 
   const WindowSize other = {size.columns + 20, size.rows - 4};
@@ -142,7 +143,7 @@ TEST_P(ShellTerminal, StandsWhatAPersonDoes) {
   window.WaitUntil("unknown command");
   window.Enter("view");
   window.WaitUntil("grasp view, placing", 2);
-  window.WaitUntil("graspbench> ", 5);
+  window.WaitUntil("> ", 5);
   ExpectPicture(window, other);
 
   window.Tmux("set-buffer 'draw 1\ndraw 2\nnote pasted\ndraw 3\n'");
@@ -180,7 +181,7 @@ TEST_P(ShellTerminal, StandsWhatAPersonDoes) {
   window.StartShell();  // which knows the lines of the one before
   window.Press("Up");
   window.Press("Up");
-  window.WaitUntil("graspbench> goto 0.1");
+  window.WaitUntil("> goto 0.1");
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ShellTerminal,

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+
 #include "core/base/error.h"
 #include "core/base/files/files.h"
 #include "tests/datasets/session/fake_session.h"
@@ -33,6 +36,36 @@ TEST(FolderStatus, CountsWhatIsFinished) {
     for (size_t i = 1; i < plan.size(); ++i) journal.Append(MakeFakeRecord(plan[i]));
   }
   EXPECT_TRUE(read().is_finished);
+}
+
+TEST(FolderStatus, SaysWhenNobodyWorksOnAnUnfinishedSession) {
+  const TemporaryFolder folder;
+  const std::filesystem::path session = folder.path() / "s";
+  const std::vector<PlannedTrial> plan = CreateFakeSession(session, 2);
+  const auto is_abandoned = [&] {
+    return ReadFolderStatus(session, 600.0).text.find("no process of this machine works on it") !=
+           std::string::npos;
+  };
+  const auto age = [&] {  // past the seconds in which nobody is asked
+    const std::filesystem::path journal = session / "journal" / "0.jsonl";
+    std::filesystem::last_write_time(
+        journal, std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
+  };
+  EXPECT_FALSE(is_abandoned()) << "it has not begun";
+  {
+    JournalWriter journal(session, 0);
+    journal.Append(MakeFakeRecord(plan[0]));
+    age();
+    EXPECT_FALSE(is_abandoned()) << "somebody writes it";
+  }
+  age();
+  EXPECT_TRUE(is_abandoned());
+  {
+    JournalWriter journal(session, 0);
+    for (size_t i = 1; i < plan.size(); ++i) journal.Append(MakeFakeRecord(plan[i]));
+  }
+  age();
+  EXPECT_FALSE(is_abandoned()) << "it is finished";
 }
 
 TEST(FolderStatus, AnotherFolderIsRefused) {

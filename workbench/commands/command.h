@@ -47,6 +47,8 @@ void AddSettingsOption(CLI::App& command, std::vector<std::string>& settings,
                        const std::string& example);
 /** "--evaluations" and "--fitness-trials". */
 void AddSearchOptions(CLI::App& command, OptimiseConfig& config, const std::string& of);
+/** "--json": one object instead of lines for a person. */
+void AddJsonOption(CLI::App& command, bool& as_json);
 /** "--replace": an older result of the command's own kind. */
 void AddReplaceOption(CLI::App& command, bool& replace);
 /** "--plan-only": for several machines. */
@@ -55,7 +57,7 @@ void AddPlanOnlyOption(CLI::App& command, bool& plan_only);
 void PrintPlan(const std::filesystem::path& folder, int count, const std::string& unit,
                bool as_json = false);
 /** The same of an experiment: how several machines work on it. */
-void PrintExperimentPlan(const PreparedSession& experiment);
+void PrintExperimentPlan(const PreparedSession& experiment, bool as_json = false);
 /** @throws Error(kInterrupted) saying how to go on, unless it is. */
 void DemandFinished(bool is_finished);
 /** "--resume": with the settings and the copies of the inputs that are in the folder of --out. */

@@ -53,6 +53,7 @@ std::string FormatNames(const std::vector<std::string>& names) {
 struct LineEditor::Impl {
   EditLine* editor = nullptr;
   History* history = nullptr;
+  std::function<std::string()> make_prompt;
   std::string prompt;
   Completer completer;
   std::filesystem::path history_file;
@@ -122,13 +123,13 @@ void RestoreTerminal() {
   if (has_settings) ::tcsetattr(STDIN_FILENO, TCSANOW, &first_settings);
 }
 
-LineEditor::LineEditor(const std::string& prompt, Completer completer,
+LineEditor::LineEditor(std::function<std::string()> prompt, Completer completer,
                        const std::filesystem::path& history_file)
     : impl_(std::make_unique<Impl>()) {
   if (!has_settings) has_settings = ::tcgetattr(STDIN_FILENO, &first_settings) == 0;
   // Its characters alone: numbers stay as they are. Without it every letter beyond ASCII is dropped.
   if (!::setlocale(LC_CTYPE, "C.UTF-8")) ::setlocale(LC_CTYPE, "");
-  impl_->prompt = prompt;
+  impl_->make_prompt = std::move(prompt);
   impl_->completer = std::move(completer);
   impl_->history_file = history_file;
   impl_->editor = el_init("graspbench", stdin, stdout, stderr);
@@ -155,6 +156,7 @@ LineEditor::~LineEditor() {
 
 std::optional<std::string> LineEditor::Read() {
   int length = 0;
+  impl_->prompt = impl_->make_prompt();
   errno = 0;
   const char* text = el_gets(impl_->editor, &length);
   if (text == nullptr || length <= 0) {

@@ -16,9 +16,10 @@ class LineEditor {
  public:
   using Completer = std::function<std::vector<std::string>(const std::string& line)>;
 
-  /** @param history_file  of earlier shells, to which each line is added; empty: none. Without it,
+  /** @param prompt  asked before every line.
+  @param history_file  of earlier shells, to which each line is added; empty: none. Without it,
   or when it cannot be written, everything else goes on. */
-  LineEditor(const std::string& prompt, Completer completer,
+  LineEditor(std::function<std::string()> prompt, Completer completer,
              const std::filesystem::path& history_file = {});
   ~LineEditor();
   /** The next line without its end; empty after Ctrl-C; unset at the end of input. */

@@ -65,7 +65,14 @@ void LiveDisplay::WaitForTheClock() {
     std::this_thread::sleep_for(kNap);
 }
 
-void LiveDisplay::Show() {
+LiveDisplay::~LiveDisplay() {
+  shell_.region.Clear();
+  if (shell_.live_card.empty()) return;
+  shell_.region.Show(DrawCard());
+  shell_.region.Leave();
+}
+
+std::vector<std::string> LiveDisplay::DrawCard() {
   ShellScene& scene = shell_.scene();
   std::vector<std::string> lines;
   for (const LiveCard& card : kCards) {
@@ -77,7 +84,12 @@ void LiveDisplay::Show() {
       AddLines(DescribeView(scene, SceneView()), lines);
     }
   }
-  AddLines(FormatStatus(scene), lines);
+  return lines;
+}
+
+void LiveDisplay::Show() {
+  std::vector<std::string> lines = DrawCard();
+  AddLines(FormatStatus(shell_.scene()), lines);
   shell_.region.Show(lines);
 }
 

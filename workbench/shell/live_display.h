@@ -17,7 +17,8 @@ std::vector<std::string> ListLiveCards();
 class LiveDisplay {
  public:
   explicit LiveDisplay(Shell& shell);
-  ~LiveDisplay() { shell_.region.Clear(); }
+  /** What `live` chose stays as it was in the end. */
+  ~LiveDisplay();
   LiveDisplay(const LiveDisplay&) = delete;
   LiveDisplay& operator=(const LiveDisplay&) = delete;
 
@@ -28,6 +29,7 @@ class LiveDisplay {
 
  private:
   using Clock = std::chrono::steady_clock;
+  std::vector<std::string> DrawCard();
   void Show();
   void WaitForTheClock();
 

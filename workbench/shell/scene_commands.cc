@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "core/base/error.h"
@@ -255,6 +256,19 @@ void DriveJoint(Shell& shell, const ShellArguments& arguments) {
   PrintResult(FormatStatus(scene));
 }
 
+namespace {
+
+/** "0.002s" for a key that ends in _s is 0.002, as everywhere in the shell. */
+std::string TakeUnitOff(const std::string& key, const std::string& value) {
+  const std::string unit = key.substr(key.find_last_of("_.") + 1);
+  if (unit.size() >= value.size() || key.find('_') == key.npos) return value;
+  const std::string number = value.substr(0, value.size() - unit.size());
+  const bool has_unit = ToLower(value.substr(number.size())) == unit;
+  return has_unit && std::isdigit(static_cast<unsigned char>(number.back())) ? number : value;
+}
+
+}  // namespace
+
 void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
   if (!arguments.empty() && arguments[0] == "-e") {
     if (arguments.size() < 2 || (arguments[1] != "on" && arguments[1] != "off")) {
@@ -271,10 +285,12 @@ void ChangeSetting(Shell& shell, const ShellArguments& arguments) {
   }
   const std::string known = FormatSettings(choice.config, key);
   if (known.empty()) {
-    throw Error(ErrorKind::kUsage, "no setting has \"" + key + "\" in its name; set lists them");
+    throw Error(ErrorKind::kUsage, "no setting has \"" + key + "\" in its name" +
+                                       SuggestNames(key, ListSettingKeys(choice.config)) +
+                                       "; set lists them");
   }
   if (arguments.size() < 2) return PrintResult(known);
-  ApplySetting(key + "=" + arguments[1], choice.config);
+  ApplySetting(key + "=" + TakeUnitOff(key, arguments[1]), choice.config);
   Take(shell, choice);
 }
 
@@ -339,6 +355,11 @@ void OpenTrial(Shell& shell, const ShellArguments& arguments) {
 
 void UndoChange(Shell& shell, const ShellArguments&) {
   shell.Undo();
+  ShowScene(shell, {});
+}
+
+void RedoChange(Shell& shell, const ShellArguments&) {
+  shell.Redo();
   ShowScene(shell, {});
 }
 

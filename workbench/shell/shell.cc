@@ -6,7 +6,9 @@
 #include <atomic>
 #include <iterator>
 
+#include "core/base/config.h"
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 #include "workbench/shell/line_editor.h"
 #include "workbench/shell/shell_commands.h"
 #include "workbench/terminal/terminal.h"
@@ -45,6 +47,11 @@ void Catch(int signal, void (*handler)(int), int flags = 0, struct sigaction* fo
   action.sa_handler = handler;  // without SA_RESTART: reading a line ends, too
   action.sa_flags = flags;
   ::sigaction(signal, &action, former);
+}
+
+size_t CountEdits(const SceneChoice& choice) {
+  return choice.joints.size() + choice.closing.size() + choice.drives.size() +
+         (choice.hand_place ? 1 : 0) + (choice.learned ? 1 : 0);
 }
 
 void CatchCrashes() {
@@ -87,6 +94,7 @@ void Shell::Change(const SceneChoice& choice) {
   const SceneChoice former = scene_.choice();
   scene_.Choose(choice);
   former_.push_back(former);
+  undone_.clear();
   explanation.clear();
   comparison.clear();
 }
@@ -99,12 +107,56 @@ void Shell::ChangeNow(const SceneChoice& choice) {
 
 void Shell::Undo() {
   if (former_.empty()) throw Error(ErrorKind::kUsage, "nothing was changed that could be undone");
-  const double time = scene_.time();
-  scene_.Choose(former_.back());
+  const SceneChoice now = choice();
+  TakeInstead(former_.back());
   former_.pop_back();
+  undone_.push_back(now);
+}
+
+void Shell::Redo() {
+  if (undone_.empty()) throw Error(ErrorKind::kUsage, "nothing was undone since the last change");
+  const SceneChoice now = choice();
+  TakeInstead(undone_.back());
+  undone_.pop_back();
+  former_.push_back(now);
+}
+
+void Shell::TakeInstead(const SceneChoice& choice) {
+  const double time = scene().time();
+  scene_.Choose(choice);
   explanation.clear();
   comparison.clear();
   scene_.GoTo(time, [this] { return IsStopped(); });
+}
+
+std::optional<SceneChoice> Shell::FindUnchanged() const {
+  const SessionConfig& now = choice().config;
+  std::optional<SceneChoice> first;
+  for (auto former = former_.rbegin(); former != former_.rend(); ++former) {
+    const SessionConfig& config = former->config;
+    if (config.hands != now.hands || config.objects != now.objects || config.grasps != now.grasps ||
+        former->folder != choice().folder) {
+      break;
+    }
+    first = *former;
+  }
+  const bool is_same = first && CountEdits(*first) == CountEdits(choice()) &&
+                       ConfigToJson(first->config) == ConfigToJson(now);
+  return is_same ? std::nullopt : first;
+}
+
+std::string FormatPrompt(Shell& shell) {
+  const SessionConfig& config = shell.choice().config;
+  if (!shell.is_loaded()) {
+    return config.hands.front() + " " + config.objects.front() + " " + config.grasps.front() + "> ";
+  }
+  ShellScene& scene = shell.scene();
+  const TrialSetup& setup = scene.setup();
+  std::string text = setup.hand->id + " " + setup.object->id + " " + setup.grasp.id + ", " +
+                     (scene.is_over() ? "ended" : NameOf(scene.notes().phase)) + " " +
+                     FormatFixed(scene.time(), 3) + " s";
+  if (shell.num_changes() > 0) text += ", " + FormatCount(shell.num_changes(), "change");
+  return text + "> ";
 }
 
 Shell::Reply Shell::Execute(const std::string& line, const std::string& where) {

@@ -32,6 +32,7 @@ class Shell {
 
   /** The first one is loaded when somebody asks for it. @throws Error when that cannot be. */
   ShellScene& scene();
+  bool is_loaded() const { return scene_.is_loaded(); }
   /** What the scene is or will be made of; loads nothing. */
   const SceneChoice& choice() const { return scene_.choice(); }
   /** Takes another choice, which `Undo` takes back; the trial starts again. */
@@ -41,6 +42,8 @@ class Shell {
   /** The choice before the last change, at the time at which the trial stood now.
   @throws Error(kUsage) when there was none. */
   void Undo();
+  /** The choice that the last `Undo` took back. @throws Error(kUsage) when there is none. */
+  void Redo();
   int num_changes() const { return static_cast<int>(former_.size()); }
   void Quit() { is_ended_ = true; }
   /** Whether a script ends at its first line that is refused; a person goes on. */
@@ -51,6 +54,10 @@ class Shell {
   bool IsStopped() const;
   /** To be shown with "stopped by Ctrl-C" where work was cut short. */
   bool was_stopped() const { return was_stopped_; }
+
+  /** The first choice of the same hand, object and grasp, before what was changed since; unset:
+  nothing was. */
+  std::optional<SceneChoice> FindUnchanged() const;
 
   /** What was carried out, as a script. */
   const std::vector<std::string>& script() const { return script_; }
@@ -64,13 +71,18 @@ class Shell {
 
  private:
   Reply Carry(const std::string& line, const std::string& where);
+  /** Stands where the trial stood, and forgets what was said of another choice. */
+  void TakeInstead(const SceneChoice& choice);
 
   ShellScene scene_;
-  std::vector<SceneChoice> former_;
+  std::vector<SceneChoice> former_, undone_;
   std::vector<std::string> script_;
   bool is_ended_ = false, stops_at_errors_ = true;
   mutable bool was_stopped_ = false;
 };
+
+/** "tum golf_ball g3, closure 0.840 s, 2 changes> "; loads nothing. */
+std::string FormatPrompt(Shell& shell);
 
 /** From now on Ctrl-C stops the work of a shell; a second one before it has stopped ends the
 program. SIGTERM and SIGHUP stop it too and let the program end in order. A crash gives the terminal

@@ -18,6 +18,7 @@ namespace graspbench {
 namespace {
 
 constexpr int kBarWidth = 20;
+constexpr double kWholeCone = 0.99;     // share of a cone below which its limit is explained
 constexpr double kAtLimit = 1e-3;       // from it [rad]
 constexpr double kAtSlideLimit = 1e-5;  // [m]
 
@@ -30,6 +31,12 @@ std::vector<HandContact> FindContacts(ShellScene& scene) {
 std::string NameDigit(const Hand& hand, int link) {
   const int digit = hand.FindDigitOfLink(link);
   return digit < 0 ? "palm" : hand.digits[static_cast<size_t>(digit)].id;
+}
+
+/** Share of the largest spin moment, mu N r, in use; NaN: a point, which resists no spin. */
+double CalcTorsionShare(const HandContact& contact) {
+  const double most = contact.mu * contact.normal_force * contact.torsion_radius;
+  return most > 0.0 ? std::abs(contact.spin_moment) / most : kUnset;
 }
 
 /** "[....#....]": where a value is between its limits. */
@@ -112,13 +119,19 @@ std::string FormatContacts(ShellScene& scene) {
   if (contacts.empty()) return "the hand does not touch the object\n";
   TextTable table(
       {"digit", "link", "normal [N]", "friction [N]", "of its cone", "state", "slip [mm/s]"});
+  std::string below;
   for (const HandContact& contact : contacts) {
-    table.AddRow({NameDigit(hand, contact.link), hand.links[static_cast<size_t>(contact.link)].name,
-                  FormatFixed(contact.normal_force, 3), FormatFixed(contact.friction_W.norm(), 3),
-                  FormatPercent(CalcConeShare(contact)), DescribeState(contact),
-                  FormatFixed(MmFromM(contact.slip_speed), 2)});
+    const std::string& link = hand.links[static_cast<size_t>(contact.link)].name;
+    const double share = CalcConeShare(contact), torsion = CalcTorsionShare(contact);
+    table.AddRow({NameDigit(hand, contact.link), link, FormatFixed(contact.normal_force, 3),
+                  FormatFixed(contact.friction_W.norm(), 3), FormatPercent(share),
+                  DescribeState(contact), FormatFixed(MmFromM(contact.slip_speed), 2)});
+    if (!contact.is_at_limit || share > kWholeCone || std::isnan(torsion)) continue;
+    below += (below.empty() ? "" : ", ") + link + " " + FormatPercent(torsion);
   }
-  return table.Format();
+  if (below.empty()) return table.Format();
+  return table.Format() + "below its cone: torsion uses " + below +
+         " of what the pad bears;\na pad slips when the squares of both shares sum to 1\n";
 }
 
 std::string FormatTiming(ShellScene& scene) {
@@ -136,7 +149,8 @@ std::string FormatTiming(ShellScene& scene) {
          fmt::format("GCT {} ms, GFT {} ms ({}), GOT {} ms ({}); since the start of closure\n",
                      FormatFixed(MsFromS(timing.gct), 1), FormatFixed(MsFromS(timing.gft), 1),
                      FormatPercent(timing.gft_ratio), FormatFixed(MsFromS(timing.got), 1),
-                     FormatPercent(timing.got_ratio));
+                     FormatPercent(timing.got_ratio)) +
+         (timing.contact_before_start ? kNotComparable + std::string("\n") : "");
 }
 
 std::string FormatStability(ShellScene& scene) {
@@ -181,6 +195,15 @@ std::string FormatSettings(const SessionConfig& config, const std::string& part)
     }
   }
   return text;
+}
+
+std::vector<std::string> ListSettingKeys(const SessionConfig& config) {
+  std::vector<std::string> keys;
+  std::istringstream settings(FormatSettings(config, ""));
+  for (std::string line; std::getline(settings, line);) {
+    keys.push_back(line.substr(0, line.find(' ')));
+  }
+  return keys;
 }
 
 std::string FormatChanges(const ShellScene& scene) {

@@ -3,6 +3,7 @@
 What the shell shows of a scene, as text: one card each. */
 
 #include <string>
+#include <vector>
 
 #include "workbench/shell/shell_scene.h"
 
@@ -21,6 +22,7 @@ std::string FormatTiming(ShellScene& scene);
 /** Sigma, epsilon and the pull that the contacts would stand along the palm's six half axes, now. */
 std::string FormatStability(ShellScene& scene);
 
+std::vector<std::string> ListSettingKeys(const SessionConfig& config);
 /** "sim.step_s 0.002" of all settings whose names hold `part`. */
 std::string FormatSettings(const SessionConfig& config, const std::string& part);
 /** What differs from the grasp and from the session's defaults; empty: nothing. */

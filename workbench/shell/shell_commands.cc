@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/base/config.h"
 #include "core/base/error.h"
 #include "core/grasp/standard_grasp.h"
 #include "core/hand/load_hand.h"
@@ -14,6 +13,7 @@
 #include "objects/catalogue.h"
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
+#include "workbench/shell/shell_cards.h"
 #include "workbench/shell/shell_picture.h"
 #include "workbench/terminal/terminal.h"
 #include "workbench/text/typed_words.h"
@@ -61,16 +61,7 @@ const ShellCommand& FindCommand(const std::string& given) {
 using Names = std::vector<std::string>;
 
 Names ListSettings(Shell&, size_t index) {
-  Names keys;
-  if (index > 0) return keys;
-  const Json config = ConfigToJson(SessionConfig());
-  for (const auto& [block, values] : config.items()) {
-    if (block == "seed" || block == "approach" || block == "positioning" || block == "touch")
-      keys.push_back(block);
-    if (!values.is_object()) continue;
-    for (const auto& [key, value] : values.items()) keys.push_back(block + "." + key);
-  }
-  return keys;
+  return index == 0 ? ListSettingKeys(SessionConfig()) : Names();
 }
 
 Names ListHandNames(Shell&, size_t index) { return index == 0 ? ListHands() : Names(); }
@@ -103,7 +94,8 @@ Names ListTurns(Shell& shell, size_t index) {
 
 Names ListTargets(Shell&, size_t index) {
   Names names = ListRunTargets();
-  if (index == 0) names.emplace_back("to");
+  if (index <= 1) names.emplace_back("to");
+  if (index == 0) names.emplace_back("all");
   return names;
 }
 
@@ -166,14 +158,15 @@ const std::vector<ShellCommand>& ListShellCommands() {
        "open results/pilot 0123456789abcdef", 2, 2, 0, nullptr, &OpenTrial},
       {"undo", kScene, "", "Take the last change back and go to the same time.", "undo", 0, 0, -1,
        nullptr, &UndoChange},
+      {"redo", kScene, "", "Take the last undo back.", "redo", 0, 0, -1, nullptr, &RedoChange},
       {"diff", kScene, "", "Say what differs from the grasp and the defaults.", "diff", 0, 0, -1,
        nullptr, &ShowChanges},
       {"save", kScene, "FILE.yaml", "Write the grasp as it is now as a grasp file.",
        "save my_grasp.yaml", 1, 1, 0, nullptr, &SaveGrasp},
       {"step", kTime, "[N]", "Go on by N steps of the physics (1).", "step 10", 0, 1, -1, nullptr,
        &StepTrial},
-      {"run", kTime, "[to PHASE|contact|slip|end]",
-       "Go on to there (end); slips count from lift-off on.", "run to lift-off", 0, 2, -1,
+      {"run", kTime, "[all] [to PHASE|contact|slip|end]",
+       "Go on to there (end); all: the best grasp of every object.", "run to lift-off", 0, 3, -1,
        &ListTargets, &RunTrial},
       {"goto", kTime, "TIME", "Stand at this time, earlier or later (0 to 3600 s).", "goto 1.25s",
        1, 1, -1, nullptr, &GoToTime},
@@ -216,6 +209,8 @@ const std::vector<ShellCommand>& ListShellCommands() {
        "report bulb.html", 1, 1, 0, nullptr, &ReportTrial},
       {"note", kShell, "TEXT", "Keep a remark in the log.", "note the thumb slips first", 1,
        kAnyNumber, -1, nullptr, &TakeNote},
+      {"history", kShell, "[N]", "List the last N lines that were carried out (20).", "history 5",
+       0, 1, -1, nullptr, &ShowHistory},
       {"help", kShell, "[COMMAND]", "List the commands, or explain one.", "help run", 0, 1, -1,
        &ListTopics, &ShowHelp},
       {"quit", kShell, "", "Leave.", "quit", 0, 0, -1, nullptr, &Leave}};
@@ -299,6 +294,17 @@ void ShowHelp(Shell& shell, const ShellArguments& arguments) {
   PrintResult(text +
               "\nhelp COMMAND, or COMMAND ?, says more. Beginnings are enough: con, sta.\n"
               "Ctrl-C stops what runs.\n");
+}
+
+void ShowHistory(Shell& shell, const ShellArguments& arguments) {
+  const std::vector<std::string>& lines = shell.script();
+  const auto count = static_cast<size_t>(
+      arguments.empty() ? 20 : ParseCount(arguments[0], "the number of lines", 1, 1000000));
+  std::string text;
+  for (size_t i = lines.size() - std::min(count, lines.size()); i < lines.size(); ++i) {
+    text += fmt::format("{:>4}  {}\n", i + 1, lines[i]);
+  }
+  PrintResult(text.empty() ? "nothing was carried out yet\n" : text);
 }
 
 void TakeNote(Shell&, const ShellArguments&) {}

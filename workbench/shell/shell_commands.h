@@ -50,6 +50,7 @@ void DriveJoint(Shell& shell, const ShellArguments& arguments);
 void ChangeSetting(Shell& shell, const ShellArguments& arguments);
 void OpenTrial(Shell& shell, const ShellArguments& arguments);
 void UndoChange(Shell& shell, const ShellArguments& arguments);
+void RedoChange(Shell& shell, const ShellArguments& arguments);
 void ShowChanges(Shell& shell, const ShellArguments& arguments);
 void SaveGrasp(Shell& shell, const ShellArguments& arguments);
 ///@}
@@ -87,6 +88,7 @@ void ReportTrial(Shell& shell, const ShellArguments& arguments);
 ///@}
 ///@{ shell_commands.cc
 void ShowHelp(Shell& shell, const ShellArguments& arguments);
+void ShowHistory(Shell& shell, const ShellArguments& arguments);
 void TakeNote(Shell& shell, const ShellArguments& arguments);
 void Leave(Shell& shell, const ShellArguments& arguments);
 ///@}

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
+#include "core/statistics/proportion.h"
+#include "objects/catalogue.h"
 #include "workbench/shell/live_display.h"
 #include "workbench/shell/shell.h"
 #include "workbench/shell/shell_cards.h"
@@ -131,29 +134,80 @@ std::string FindRunTarget(const std::string& given) {
               "\"" + given + "\" is nothing to run to" + SuggestNames(given, ListRunTargets()));
 }
 
-}  // namespace
-
-void RunTrial(Shell& shell, const ShellArguments& arguments) {
-  if (arguments.size() == 2 && ToLower(arguments[0]) != "to") {
-    throw Error(ErrorKind::kUsage, "\"" + arguments[0] + "\" is unknown here; see: help run");
-  }
-  const std::string target = arguments.empty() ? "end" : FindRunTarget(ToLower(arguments.back()));
-  DemandTimeLeft(shell);
-  const ShellScene& scene = shell.scene();
-  if (target == "end") return Advance(shell, [] { return false; });
+/** Whether the scene is there, asked after every step. @throws Error(kUsage) when it was before. */
+std::function<bool()> MakeEnding(const ShellScene& scene, const std::string& target) {
+  if (target == "end") return [] { return false; };
   if (target == "slip") {
-    const size_t count = CountLosses(scene);
-    return Advance(shell, [&] { return CountLosses(scene) > count; });
+    return [&scene, count = CountLosses(scene)] { return CountLosses(scene) > count; };
   }
   if (target == "contact") {
-    const size_t count = CountTouched(scene);
-    return Advance(shell, [&] { return CountTouched(scene) > count; });
+    return [&scene, count = CountTouched(scene)] { return CountTouched(scene) > count; };
   }
   const Phase phase = RowFromName(kPhases, target, "phase").value;
   if (scene.notes().phase >= phase) {
     throw Error(ErrorKind::kUsage, "the " + target + " has begun; see: goto, reset");
   }
-  Advance(shell, [&] { return scene.notes().phase >= phase; });
+  return [&scene, phase] { return scene.notes().phase >= phase; };
+}
+
+void PlayAll(Shell& shell, const SceneChoice& before, const std::string& target) {
+  ShellScene& scene = shell.scene();
+  SceneChoice choice;
+  choice.config = before.config;
+  choice.config.grasps = {"best"};
+  choice.draw = before.draw;
+  int num_played = 0, num_successes = 0;
+  for (const std::string& object : ListObjects()) {
+    choice.config.objects = {object};
+    scene.Choose(choice);
+    const std::function<bool()> ends = MakeEnding(scene, target);
+    {
+      LiveDisplay display(shell);
+      while (!shell.IsStopped() && scene.Advance() && !ends()) display.Tick();
+    }
+    if (shell.IsStopped()) break;
+    ++num_played;
+    num_successes += scene.is_over() && IsSuccess(scene.course().End().outcome);
+    PrintResult(
+        fmt::format("{:<16} {:<4} {}", object, scene.setup().grasp.id, FormatStatus(scene)));
+  }
+  if (target == "end" && num_played > 0) {
+    PrintResult(fmt::format("success  {}\n", FormatRate(num_successes, num_played)));
+  }
+}
+
+/** The hand's best grasp of every object of the catalogue, one after the other, up to there; then
+the scene is as it was. */
+void RunAll(Shell& shell, const std::string& target) {
+  ShellScene& scene = shell.scene();
+  const SceneChoice before = scene.choice();
+  const double time = scene.time();
+  const auto go_back = [&] {
+    scene.Choose(before);
+    scene.GoTo(time, [] { return false; });
+  };
+  try {
+    PlayAll(shell, before, target);
+  } catch (...) {
+    go_back();
+    throw;
+  }
+  go_back();
+}
+
+}  // namespace
+
+void RunTrial(Shell& shell, const ShellArguments& given) {
+  ShellArguments arguments = given;
+  const bool is_all = !arguments.empty() && ToLower(arguments.front()) == "all";
+  if (is_all) arguments.erase(arguments.begin());
+  if (arguments.size() == 3 || (arguments.size() == 2 && ToLower(arguments[0]) != "to")) {
+    throw Error(ErrorKind::kUsage, "\"" + arguments[0] + "\" is unknown here; see: help run");
+  }
+  const std::string target = arguments.empty() ? "end" : FindRunTarget(ToLower(arguments.back()));
+  if (is_all) return RunAll(shell, target);
+  DemandTimeLeft(shell);
+  Advance(shell, MakeEnding(shell.scene(), target));
 }
 
 void GoToTime(Shell& shell, const ShellArguments& arguments) {

@@ -25,14 +25,14 @@ constexpr int kMaxTrials = 10000;
 constexpr double kJustBefore = 0.01;  // [s]
 constexpr int kNumNeighbours = 10;    // draws among which a successful one is looked for
 
-/** The choice's trials of the draws 0 to count - 1, or as many as there was time for. */
-std::vector<TrialResult> RunDraws(Shell& shell, int count) {
+/** The scene's trials of the draws 0 to count - 1, or as many as there was time for. */
+std::vector<TrialResult> RunDraws(Shell& shell, ShellScene& scene, int count) {
   std::vector<TrialResult> results;
   int num_successes = 0;
   for (int draw = 0; draw < count && !shell.IsStopped(); ++draw) {
     shell.region.Show({fmt::format("trial {} of {}, success {}", draw + 1, count,
                                    MakePlainText(FormatRate(num_successes, draw)))});
-    results.push_back(shell.scene().runner().Run(shell.scene().MakeSetup(draw)));
+    results.push_back(scene.runner().Run(scene.MakeSetup(draw)));
     num_successes += IsSuccess(results.back().outcome);
   }
   shell.region.Clear();
@@ -59,7 +59,8 @@ std::string FormatTrials(const std::vector<TrialResult>& results) {
   for (size_t draw = 0; draw < results.size(); ++draw) {
     const TrialResult& result = results[draw];
     table.AddRow({std::to_string(draw), NameOf(result.outcome),
-                  FormatFixed(MsFromS(result.timing.gft), 1),
+                  FormatFixed(MsFromS(result.timing.gft), 1) +
+                      (result.timing.contact_before_start ? " early" : ""),
                   FormatFixed(result.stability.sigma, 2), result.reason});
   }
   const int count = static_cast<int>(results.size());
@@ -90,11 +91,24 @@ std::string FormatComparison(const DrawnTrials& trials_before,
   }
   const Interval change = CalcPairedDifferenceInterval(pairs);
   return fmt::format(
-      "against {}, {}{}, on {}: {} won, {} lost; the rate changes by {} to {} points\n",
+      "against {}, {}{}, success {} on {}: {} won, {} lost; the rate changes by {} to {} points\n",
       trials_before.choice.config.hands.front(), trials_before.grasp,
       trials_before.choice.joints.empty() ? "" : " with joints set by hand",
+      fmt::format("{}/{}", CountSuccesses(before), before.size()),
       FormatCount(pairs.num_pairs(), "same draw"), pairs.second_only, pairs.first_only,
       FormatFixed(100.0 * change.low, 1), FormatFixed(100.0 * change.high, 1));
+}
+
+/** The draws as they were before the changes by hand, for `trials` to compare with; unset: there
+is nothing before, or it was stopped. */
+std::optional<DrawnTrials> RunUnchanged(Shell& shell, int count) {
+  const std::optional<SceneChoice> before = shell.FindUnchanged();
+  if (!before || before->place || !AreSameDraws(*before, shell.choice())) return std::nullopt;
+  ShellScene scene;
+  scene.Choose(*before);
+  DrawnTrials trials = {*before, scene.setup().grasp.id, RunDraws(shell, scene, count)};
+  if (shell.IsStopped()) return std::nullopt;
+  return trials;
 }
 
 /** Of all points of a link. */
@@ -150,7 +164,7 @@ std::string DescribeNeighbour(Shell& shell) {
   if (scene.choice().place) {
     return "nearest  the object was put by hand, so there is no draw to compare with\n";
   }
-  const std::vector<TrialResult> results = RunDraws(shell, kNumNeighbours);
+  const std::vector<TrialResult> results = RunDraws(shell, scene, kNumNeighbours);
   for (int draw = 0; draw < static_cast<int>(results.size()); ++draw) {
     if (!IsSuccess(results[static_cast<size_t>(draw)].outcome)) continue;
     const double candidate =
@@ -176,13 +190,14 @@ void RunTrials(Shell& shell, const ShellArguments& arguments) {
   }
   const int count =
       arguments.empty() ? 10 : ParseCount(arguments[0], "the number of trials", 1, kMaxTrials);
-  const std::vector<TrialResult> results = RunDraws(shell, count);
+  const SceneChoice& choice = shell.scene().choice();
+  const std::optional<DrawnTrials> before =
+      shell.trials && AreSameDraws(shell.trials->choice, choice) ? shell.trials
+                                                                 : RunUnchanged(shell, count);
+  const std::vector<TrialResult> results = RunDraws(shell, shell.scene(), count);
   if (results.empty()) return;
   std::string text = FormatTrials(results);
-  const SceneChoice& choice = shell.scene().choice();
-  if (shell.trials && AreSameDraws(shell.trials->choice, choice)) {
-    text += FormatComparison(*shell.trials, results);
-  }
+  if (before) text += FormatComparison(*before, results);
   shell.trials = DrawnTrials{choice, shell.scene().setup().grasp.id, results};
   shell.comparison = text;
   PrintResult(text);

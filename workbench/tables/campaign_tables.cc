@@ -45,6 +45,40 @@ std::string FormatComparisonTable(const Campaign& campaign) {
   return table.Format();
 }
 
+std::string FormatCampaign(const Campaign& campaign, const std::filesystem::path& folder,
+                           const std::filesystem::path& report) {
+  const std::string comparison = FormatComparisonTable(campaign);
+  return "\n" + FormatVariantsTable(campaign) + (comparison.empty() ? "" : "\n" + comparison) +
+         "\nreport   " + report.string() + "\ndata     " + (folder / "summary.csv").string() + "\n";
+}
+
+Json MakeCampaignJson(const Campaign& campaign, const std::filesystem::path& folder,
+                      const std::filesystem::path& report) {
+  Json variants = Json::array(), methods = Json::array();
+  for (const VariantTotal& total : ListVariantTotals(campaign)) {
+    variants.push_back({{"variant", NameOf(total.variant)},
+                        {"scenes", total.num_scenes},
+                        {"trials", total.trials},
+                        {"successes", total.successes},
+                        {"median_sigma_n", JsonNumber(total.median_sigma)},
+                        {"median_gft_ratio", JsonNumber(total.median_gft_ratio)},
+                        {"median_got_ratio", JsonNumber(total.median_got_ratio)},
+                        {"median_gct_s", JsonNumber(total.median_gct)}});
+  }
+  for (const MethodTotal& total : ListMethodTotals(campaign)) {
+    methods.push_back({{"method", total.method},
+                       {"searches", total.num_searches},
+                       {"median_best_fitness", JsonNumber(total.median_best_fitness)},
+                       {"reached_90", total.num_reached_90},
+                       {"median_evaluations_to_90", JsonNumber(total.median_evaluations_to_90)}});
+  }
+  return {{"campaign", folder.string()},
+          {"report", report.string()},
+          {"scenes", campaign.scenes.size()},
+          {"variants", variants},
+          {"methods", methods}};
+}
+
 std::string DescribeNumericalFailures(const Campaign& campaign) {
   std::string text;
   const auto add = [&text](const std::string& where, const std::string& what) {

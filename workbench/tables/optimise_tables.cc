@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/files/files.h"
 #include "core/base/text/text.h"
 #include "core/base/units.h"
 #include "core/hand/hand.h"
@@ -99,6 +100,17 @@ std::string ListSceneFiles(const std::filesystem::path& folder) {
     if (std::filesystem::exists(path)) text += "grasp    " + path.string() + "\n";
   }
   return text + "data     " + (folder / "result.json").string() + "\n";
+}
+
+Json MakeSceneJson(const std::filesystem::path& folder) {
+  Json grasps = Json::array();
+  for (const Variant variant : kNewVariants) {
+    const std::filesystem::path path = folder / (std::string(NameOf(variant)) + ".yaml");
+    if (std::filesystem::exists(path)) grasps.push_back(path.string());
+  }
+  return {{"folder", folder.string()},
+          {"grasps", grasps},
+          {"result", Json::parse(ReadFile(folder / "result.json"))}};
 }
 
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations) {

@@ -6,6 +6,7 @@ What an optimisation decided, for the terminal. */
 #include <string>
 #include <vector>
 
+#include "core/base/text/json.h"
 #include "core/optimise/grasp_optimiser.h"
 #include "datasets/scene/evaluation_journal.h"
 #include "datasets/scene/learning_plan.h"
@@ -20,6 +21,9 @@ std::string FormatOptimisation(const SceneInputs& inputs, const SceneConfig& con
 
 /** The grasps that were found and the data, a line each with a line feed. */
 std::string ListSceneFiles(const std::filesystem::path& folder);
+
+/** The same as JSON, with what result.json holds. */
+Json MakeSceneJson(const std::filesystem::path& folder);
 
 /** Which trials failed numerically, in a sentence each; endless ones are among them. Empty: none. */
 std::string DescribeNumericalFailures(const std::vector<EvaluationRecord>& evaluations);

@@ -58,6 +58,32 @@ std::string FormatRemoved(const StudyResult& result) {
   return text + FormatAdvice(result);
 }
 
+std::string FormatStudy(const StudyResult& result, const std::filesystem::path& folder,
+                        const std::filesystem::path& report) {
+  return FormatFreeze(result.study) + FormatRemoved(result) + FormatWarnings(result) +
+         FormatZeroGft(result.statistics.zero_gft) + FormatOpeningArgument(result) +
+         FormatIndependence(result) + "kept     " + std::to_string(result.CountKept()) + " of " +
+         FormatCount(static_cast<int>(result.trials.size()), "trial") + "\ntables   " +
+         (folder / "measures.csv").string() + "\nR        " + (folder / "tidy").string() +
+         "\nBIDS     " + (folder / "bids").string() + "\nreport   " + report.string() + "\n";
+}
+
+Json MakeStudyJson(const StudyResult& result, const std::filesystem::path& folder,
+                   const std::filesystem::path& report) {
+  Json removed = Json::array();
+  for (const RemovalGroup& group : GroupRemoved(result.trials)) {
+    removed.push_back(
+        {{"code", group.code}, {"trials", group.trials.size()}, {"reason", group.text}});
+  }
+  return {{"study", folder.string()},
+          {"report", report.string()},
+          {"measures", (folder / "measures.csv").string()},
+          {"trials", result.trials.size()},
+          {"kept", result.CountKept()},
+          {"removed", removed},
+          {"warnings", result.warnings.size()}};
+}
+
 std::string FormatSuggestions(const StudySuggestions& suggestions) {
   std::string text = fmt::format("now      {} of {} count", suggestions.num_kept,
                                  FormatCount(suggestions.num_trials, "trial"));

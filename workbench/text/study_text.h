@@ -2,8 +2,10 @@
 /** @file
 What a human study found, for the terminal. */
 
+#include <filesystem>
 #include <string>
 
+#include "core/base/text/json.h"
 #include "human_study/study/run/run_study.h"
 #include "human_study/study/suggest/suggest_settings.h"
 #include "human_study/study/synthetic/demo_study.h"
@@ -31,6 +33,14 @@ std::string FormatOpeningArgument(const StudyResult& result);
 
 /** Whether people are more simultaneous than independent digits; empty when no trial counts. */
 std::string FormatIndependence(const StudyResult& result);
+
+/** All of the above that a run says, and where the rest is. */
+std::string FormatStudy(const StudyResult& result, const std::filesystem::path& folder,
+                        const std::filesystem::path& report);
+
+/** How many trials count and why others do not, and where the rest is. */
+Json MakeStudyJson(const StudyResult& result, const std::filesystem::path& folder,
+                   const std::filesystem::path& report);
 
 /** Found minus true times of a made-up study. */
 std::string FormatTruth(const TruthComparison& comparison);

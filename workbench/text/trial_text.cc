@@ -147,6 +147,11 @@ std::string FormatBeside(const ExaminedTrial& trial) {
   add("GCT [ms]", [](const TrialResult& r) { return FormatFixed(MsFromS(r.timing.gct), 1); });
   add("GFT [ms]", [](const TrialResult& r) { return FormatFixed(MsFromS(r.timing.gft), 1); });
   add("GOT [ms]", [](const TrialResult& r) { return FormatFixed(MsFromS(r.timing.got), 1); });
+  if (a.timing.contact_before_start || b.timing.contact_before_start) {
+    add("these times", [](const TrialResult& r) {
+      return std::string(r.timing.contact_before_start ? kNotComparable : "");
+    });
+  }
   add("grip before lift-off [N]",
       [](const TrialResult& r) { return FormatFixed(r.grip_force, 2); });
   add("sigma before lift-off [N]",

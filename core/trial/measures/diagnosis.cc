@@ -14,16 +14,15 @@
 namespace graspbench {
 namespace {
 
+constexpr double kSampleInterval = 0.01;    // of samples [s]
 constexpr double kMostInterruption = 0.03;  // of a run of slipping [s]
 constexpr double kLookBack = 0.3;           // from the loss to its cause [s]
 constexpr double kLookAhead = 0.1;          // to a slip that shows the cause [s]
 constexpr double kLeastPush = 0.2;          // [N]
 constexpr double kLeastPushWeights = 0.5;
-constexpr double kBehind = 0.15;      // of the closing
-constexpr double kBehindShare = 0.5;  // of the closing of the first to touch
-constexpr double kLate = 0.2;         // after the last of the others [s]
+constexpr float kBehind = 0.08f;      // of the closing
+constexpr float kBehindShare = 0.5f;  // of the closing of the one that touched
 constexpr double kClosed = 0.99;      // of the way to the target posture
-constexpr double kMoved = 0.002;      // [m]
 constexpr double kLowFriction = 0.75;
 
 std::string Times(double time) { return FormatFixed(time, 3) + " s"; }
@@ -106,29 +105,29 @@ class Course {
     return samples_.back().time;
   }
 
-  /** The digit whose command was behind when the first one touched, or that came long after all
-  others to an object that had moved by then. */
+  /** The digit whose command was farthest behind that of another when that one first touched. */
   std::optional<size_t> FindLateDigit() const {
-    const std::optional<size_t> first = FindFirstDigit();
-    if (!first) return std::nullopt;
-    const LoadSample& begin = At(FindTouch(*first));
-    const float ahead = begin.parts[*first].closing;
-    std::optional<size_t> last;
-    double last_of_others = FindTouch(*first);
-    for (size_t digit = 0; digit < num_digits(); ++digit) {
-      const float own = begin.parts[digit].closing;
-      if (own < ahead - kBehind || own < kBehindShare * ahead) return digit;
-      const double touch = FindTouch(digit);
-      if (std::isnan(touch) || digit == *first) continue;
-      if (!last || touch > FindTouch(*last)) {
-        if (last) last_of_others = std::max(last_of_others, FindTouch(*last));
-        last = digit;
-      } else {
-        last_of_others = std::max(last_of_others, touch);
+    std::optional<size_t> late;
+    float farthest = 0.0f;
+    for (size_t other = 0; other < num_digits(); ++other) {
+      const double touch = FindTouch(other);
+      if (std::isnan(touch)) continue;
+      const std::vector<PartSample>& parts =
+          At(touch - kSampleInterval).parts;  // before it is held back
+      const float ahead = parts[other].closing;
+      for (size_t digit = 0; digit < num_digits(); ++digit) {
+        // Regulation holds back the command of a digit whose drive gives all it can.
+        if (FindTouch(digit) <= touch || IsAtLimit(digit, touch - kLookBack, touch)) {
+          continue;
+        }
+        const float behind = ahead - parts[digit].closing;
+        const bool is_late = behind > kBehind || parts[digit].closing < kBehindShare * ahead;
+        if (!is_late || behind <= farthest) continue;
+        late = digit;
+        farthest = behind;
       }
     }
-    if (!last || FindTouch(*last) <= last_of_others + kLate) return std::nullopt;
-    return At(FindTouch(*last)).shift > begin.shift + kMoved ? last : std::nullopt;
+    return late;
   }
 
   /** One that never touched though it was asked for all of its way before the loss. */
@@ -149,6 +148,17 @@ class Course {
     return first;
   }
 
+  /** Whether a drive of it was at its limit in most of the time between. */
+  bool IsAtLimit(size_t digit, double from, double until) const {
+    int num_samples = 0, num_at_limit = 0;
+    for (const LoadSample& sample : samples_) {
+      if (sample.time > until || sample.time < from) continue;
+      ++num_samples;
+      num_at_limit += sample.parts[digit].is_at_limit;
+    }
+    return 2 * num_at_limit > num_samples;
+  }
+
   double FindEndOfClosing() const {
     return std::isnan(lift_off_) ? samples_.back().time : lift_off_;
   }
@@ -166,44 +176,50 @@ class Course {
   double closure_start_, lift_off_ = kUnset;
 };
 
-/** Digits with a drive at its limit for most of the time before, where not all are. */
-std::optional<size_t> FindWeakDigit(const Course& course, const std::vector<LoadSample>& samples,
-                                    double until) {
-  std::vector<int> at_limit(course.num_digits(), 0);
-  std::vector<double> force(course.num_digits(), 0.0);
-  int num_samples = 0;
-  for (const LoadSample& sample : samples) {
-    if (sample.time > until || sample.time < until - kLookBack) continue;
-    ++num_samples;
-    for (size_t digit = 0; digit < course.num_digits(); ++digit) {
-      at_limit[digit] += sample.parts[digit].is_at_limit;
-      force[digit] += sample.parts[digit].force;
-    }
-  }
+/** Digits with a drive at its limit in most of the time just before, or since the first touch, where
+not all are: the one that presses least. */
+std::optional<size_t> FindWeakDigit(const Course& course, double until) {
+  const std::vector<PartSample>& parts = course.At(until).parts;
+  const std::optional<size_t> first = course.FindFirstDigit();
+  const double first_touch = first ? course.FindTouch(*first) : until;
   std::optional<size_t> weak;
-  int num_weak = 0;
+  size_t num_weak = 0;
   for (size_t digit = 0; digit < course.num_digits(); ++digit) {
-    if (2 * at_limit[digit] <= num_samples) continue;
+    if (!course.IsAtLimit(digit, until - kLookBack, until) &&
+        !course.IsAtLimit(digit, first_touch, until)) {
+      continue;
+    }
     ++num_weak;
-    if (!weak || force[digit] < force[*weak]) weak = digit;
+    if (!weak || parts[digit].force < parts[*weak].force) weak = digit;
   }
-  if (num_weak == static_cast<int>(course.num_digits())) return std::nullopt;
-  return weak;
+  return num_weak < course.num_digits() ? weak : std::nullopt;
 }
 
-/** A part that slips with much less friction than the others have. */
-std::optional<size_t> FindSlipperyPart(const std::vector<LoadSample>& samples, double around) {
+struct SlipperyPart {
+  size_t part;
+  double friction;  // in the sample in which it slips
+};
+
+/** A part that slipped up to then with much less friction than the others have. */
+std::optional<SlipperyPart> FindSlipperyPart(const std::vector<LoadSample>& samples, double until) {
+  std::vector<float> most(samples.front().parts.size(), 0.0f);  // friction; 0: never touched
   for (const LoadSample& sample : samples) {
-    if (sample.time > around + kLookAhead || sample.time < around - kLookBack) continue;
-    for (size_t part = 0; part < sample.parts.size(); ++part) {
+    for (size_t part = 0; part < most.size(); ++part) {
+      most[part] = std::max(most[part], sample.parts[part].friction);
+    }
+  }
+  for (const LoadSample& sample : samples) {
+    if (sample.time > until + kLookAhead) break;
+    for (size_t part = 0; part < most.size(); ++part) {
       const PartSample& one = sample.parts[part];
       if (!one.is_sliding || one.force == 0.0f) continue;
       float least = std::numeric_limits<float>::infinity();
-      for (size_t other = 0; other < sample.parts.size(); ++other) {
-        if (other == part || sample.parts[other].force == 0.0f) continue;
-        least = std::min(least, sample.parts[other].friction);
+      for (size_t other = 0; other < most.size(); ++other) {
+        if (other != part && most[other] > 0.0f) least = std::min(least, most[other]);
       }
-      if (std::isfinite(least) && one.friction < kLowFriction * least) return part;
+      if (std::isfinite(least) && one.friction < kLowFriction * least) {
+        return SlipperyPart{part, one.friction};
+      }
     }
   }
   return std::nullopt;
@@ -212,14 +228,19 @@ std::optional<size_t> FindSlipperyPart(const std::vector<LoadSample>& samples, d
 struct Loads {
   double others = 0.0;    // [N]
   double bearable = 0.0;  // [N]
+  double pressing = 0.0;  // weight and normal forces together, which friction has to bear [N]
 };
 
-Loads CalcLoads(const LoadSample& sample, size_t part) {
+Loads CalcLoads(const LoadSample& sample, size_t part, double weight) {
   Loads loads;
+  Eigen::Vector3d rest_W(0.0, 0.0, -weight);
   for (size_t at = 0; at < sample.parts.size(); ++at) {
     if (at != part) loads.others += sample.parts[at].force;
     loads.bearable += sample.parts[at].friction * sample.parts[at].force;
+    rest_W += sample.parts[at].normal_W.cast<double>();
   }
+  if (sample.is_on_table) rest_W.z() = std::max(0.0, rest_W.z());
+  loads.pressing = rest_W.norm();
   return loads;
 }
 
@@ -241,7 +262,7 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
   const std::optional<Loss> loss = course.FindLoss();
   const LoadSample& before = loss ? course.BeforeLoss(*loss) : samples.back();
   const double lost_at = loss ? samples[loss->sample].time : course.FindEndOfGrip();
-  const Loads loads = CalcLoads(before, loss ? loss->part : before.parts.size());
+  const Loads loads = CalcLoads(before, loss ? loss->part : before.parts.size(), result.weight);
   diagnosis.time = lost_at;
   diagnosis.bearable = loads.bearable;
   if (loss) {
@@ -269,18 +290,18 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     blame(FailureCause::kLateDigit, *late,
           course.NameOfPart(*late) +
               (std::isnan(touch)
-                   ? " was late and had not touched when the hand was lifted"
+                   ? std::string(" was late and had not touched when the ") +
+                         (std::isnan(course.lift_off()) ? "trial ended" : "hand was lifted")
                    : fmt::format(" touched {} ms after {}",
                                  FormatFixed(1e3 * (touch - course.FindTouch(first)), 0),
                                  course.NameOfPart(first))) +
               fmt::format("; by then the object had been moved by {} mm.",
                           FormatFixed(1e3 * then.shift, 1)));
   } else if (const auto slippery = FindSlipperyPart(samples, lost_at)) {
-    const PartSample& part = course.At(lost_at).parts[*slippery];
-    blame(FailureCause::kLowFriction, *slippery,
+    blame(FailureCause::kLowFriction, slippery->part,
           fmt::format("{} slipped: its friction is {}, much less than that of the others.",
-                      course.NameOfPart(*slippery), FormatFixed(part.friction, 2)));
-  } else if (const auto weak = FindWeakDigit(course, samples, lost_at)) {
+                      course.NameOfPart(slippery->part), FormatSignificant(slippery->friction, 2)));
+  } else if (const auto weak = FindWeakDigit(course, lost_at)) {
     blame(FailureCause::kWeakDigit, *weak,
           fmt::format("A drive of {} gave all it could, which pressed with {}.",
                       course.NameOfPart(*weak), Newtons(before.parts[*weak].force)));
@@ -301,10 +322,16 @@ std::optional<Diagnosis> FindDiagnosis(const TrialResult& result,
     diagnosis.cause = FailureCause::kWeakGrip;
     diagnosis.text = "The grip was too weak: friction could bear " + Newtons(loads.bearable) +
                      " of the weight of " + Newtons(result.weight) + ".";
+  } else if (loads.bearable < loads.pressing) {
+    diagnosis.cause = FailureCause::kPressedOut;
+    diagnosis.text = "The object was pressed out of the grip: normal forces and weight left " +
+                     Newtons(loads.pressing) + " to friction, which could bear " +
+                     Newtons(loads.bearable) + ".";
   } else {
-    diagnosis.cause = FailureCause::kNoBalance;
-    diagnosis.text = "Friction could have borne the weight (" + Newtons(loads.bearable) + " of " +
-                     Newtons(result.weight) + "), but the forces did not balance.";
+    diagnosis.cause = FailureCause::kTurned;
+    diagnosis.text = "The object turned in the grip: friction could have borne the forces (" +
+                     Newtons(loads.bearable) + " of " + Newtons(loads.pressing) +
+                     "), but their moments did not balance.";
   }
   if (loss) {
     diagnosis.text += fmt::format(

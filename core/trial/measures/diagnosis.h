@@ -10,15 +10,17 @@ first of these that holds (all limits proposed by graspbench):
 
     push          a force beyond table and hand above 0.2 N and half the weight; of an object that
                   was lifted while the hand still touched it
-    late digit    when the first digit touched, a digit's command was behind its by 0.15 of the
-                  closing or by half of it; or it touched 0.2 s after the last of the others, when
-                  the object had moved by 2 mm
-    low friction  a slipping part has less than 0.75 of the least friction of the others
+    late digit    when another digit first touched, the command of one that had not was behind its
+                  by 0.08 of the closing or by half of it; the farthest behind
+    low friction  a part that slipped up to then has less than 0.75 of the least friction of the
+                  others
     weak digit    some, not all, of the digits had a drive at its limit in most of the 0.3 s before
     no touch      a digit never touched, though it was asked for all of its way before the loss
     pushed by a digit   the trial was over before lift-off
     weak grip     friction, sum mu N, could not bear the weight
-    no balance    it could have; the forces did not act against each other */
+    pressed out   nor what the normal forces leave over, |sum N n + m g|; the table bears what of it
+                  presses on it
+    turned        it could have: no lack of force, but their moments did not balance */
 
 #include <optional>
 #include <string>
@@ -42,7 +44,8 @@ enum class FailureCause {
   kWeakDigit,
   kPushedByDigit,
   kWeakGrip,
-  kNoBalance,
+  kPressedOut,
+  kTurned,
 };
 struct FailureCauseRow {
   FailureCause value;
@@ -56,7 +59,8 @@ inline constexpr FailureCauseRow kFailureCauses[] = {
     {FailureCause::kWeakDigit, "weak digit"},
     {FailureCause::kPushedByDigit, "pushed by a digit"},
     {FailureCause::kWeakGrip, "weak grip"},
-    {FailureCause::kNoBalance, "no balance"}};
+    {FailureCause::kPressedOut, "pressed out"},
+    {FailureCause::kTurned, "turned"}};
 inline const char* NameOf(FailureCause cause) { return RowOf(kFailureCauses, cause).name; }
 inline Json ToJson(FailureCause cause) { return NameOf(cause); }
 /** @throws Json::exception or Error(kFormat). */
@@ -65,7 +69,7 @@ inline void ReadJson(const Json& json, FailureCause& cause) {
 }
 
 struct Diagnosis {
-  FailureCause cause = FailureCause::kNoBalance;
+  FailureCause cause = FailureCause::kTurned;
   std::string digit;      ///< that is to blame; empty: none alone
   double time = kUnset;   ///< at which the trial began to fail, since the start of placing [s]
   std::string lost;       ///< the part that gave way first for good, a digit or "palm"; empty: none

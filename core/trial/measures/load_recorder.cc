@@ -36,7 +36,7 @@ bool LoadRecorder::IsAtLimit(size_t part, const World& world, const WorldCommand
     if (!(drive.torque_limit > 0.0)) return false;
     const double torque =
         drive.stiffness * (command.q[joint] - CalcDrivePosition(*hand_, world.state(), joint));
-    return torque * (way_[joint] > 0.0 ? 1.0 : -1.0) >= kAtLimit * drive.torque_limit;
+    return std::abs(torque) >= kAtLimit * drive.torque_limit;
   });
 }
 
@@ -65,8 +65,11 @@ void LoadRecorder::Observe(double time, double duration, const World& world,
   const Eigen::Vector3d rest =
       (mass * (state.v_WOcm - v_begun_W_) - impulse_W_) / length - mass * state.gravity_W;
   const double table = table_impulse_ / length;
-  sample.push =
-      std::max(0.0, rest.head<2>().norm() - kTableFriction * table) + std::abs(rest.z() - table);
+  has_touched_ = has_touched_ || !impulse_W_.isZero();
+  const Eigen::Vector2d v_W = state.v_WOcm.head<2>();
+  const double along = has_touched_ ? rest.head<2>().norm() - kTableFriction * table
+                                    : rest.head<2>().dot(v_W.stableNormalized());
+  sample.push = std::max(0.0, along) + std::abs(rest.z() - table);
 
   sample.parts.resize(joints_.size() + 1);
   std::vector<Eigen::Vector3d> friction_W(sample.parts.size(), Eigen::Vector3d::Zero());
@@ -76,6 +79,7 @@ void LoadRecorder::Observe(double time, double duration, const World& world,
     PartSample& part = sample.parts[at];
     part.is_sliding = (part.force == 0.0f || part.is_sliding) && IsSliding(contact);
     part.force += static_cast<float>(contact.normal_force);
+    part.normal_W += (contact.normal_force * contact.nhat_W).cast<float>();
     friction_W[at] += contact.friction_W;
     limit[at] += contact.mu * contact.normal_force;
     friction[at] += contact.mu_dynamic * contact.normal_force;

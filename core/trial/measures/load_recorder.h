@@ -9,6 +9,9 @@ friction of kTableFriction. What the balance of momentum over a sample leaves be
     F_rest = m dv/dt - m g - F_hand
     push   = max(0, |F_rest,xy| - kTableFriction N_table) + |F_rest,z - N_table|
 
+Before the hand first touches it, the table can only hold back an object that lay at rest, and what
+moves it was a push: there max(0, F_rest,xy v / |v|) stands for the first term.
+
 It is exact where forces are those of the end of an implicit step (ImplicitWorld). */
 
 #include <memory>
@@ -21,12 +24,14 @@ It is exact where forces are those of the end of an implicit step (ImplicitWorld
 namespace graspbench {
 
 struct PartSample {
-  float force = 0.0f;        ///< sum of normal forces [N]
+  float force = 0.0f;  ///< sum of normal forces [N]
+  /** Sum of its normal forces as vectors, into the object [N]. */
+  Eigen::Vector3f normal_W = Eigen::Vector3f::Zero();
   float cone_share = 0.0f;   ///< of its friction cone, all contacts together, in use
   float friction = 0.0f;     ///< dynamic, mean weighted by force; 0: it does not touch
   float closing = 0.0f;      ///< s that was asked of the digit
   bool is_sliding = false;   ///< all of its contacts
-  bool is_at_limit = false;  ///< a drive that closes it gives all it can
+  bool is_at_limit = false;  ///< a drive of it gives all it can, either way
 };
 
 struct LoadSample {
@@ -60,6 +65,7 @@ class LoadRecorder {
   std::vector<LoadSample> samples_;
   Eigen::Vector3d impulse_W_ = Eigen::Vector3d::Zero();  // of the hand, since the last sample [N s]
   double table_impulse_ = 0.0;                           // [N s]
+  bool has_touched_ = false;                             // the hand, the object
   double begun_ = kUnset;                                // the sample, [s]
   Eigen::Vector3d v_begun_W_ = Eigen::Vector3d::Zero();  // of the object's centre of mass [m/s]
   Eigen::Vector2d rest_W_ = Eigen::Vector2d::Zero();     // [m]

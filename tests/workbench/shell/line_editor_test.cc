@@ -47,12 +47,12 @@ std::string Type(const std::vector<std::string>& keys,
     action.sa_handler = &IgnoreInterrupt;
     ::sigaction(SIGINT, &action, nullptr);
     ::setenv("TERM", "xterm", 1);
-    LineEditor editor(
-        "> ",
-        [](const std::string& line) {
-          return line == "co" ? std::vector<std::string>{"contacts"} : std::vector<std::string>();
-        },
-        history_file);
+    LineEditor editor([] { return std::string("> "); },
+                      [](const std::string& line) {
+                        return line == "co" ? std::vector<std::string>{"contacts"}
+                                            : std::vector<std::string>();
+                      },
+                      history_file);
     std::string lines;
     while (const std::optional<std::string> line = editor.Read()) lines += "[" + *line + "]";
     if (::write(answers[1], lines.data(), lines.size()) < 0) ::_exit(1);

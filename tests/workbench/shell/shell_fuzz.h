@@ -142,6 +142,7 @@ inline bool IsCostly(const std::string& line) {
     return word.size() >= at_least && std::string(command).rfind(word, 0) == 0;
   };
   return may_be("view", 1) || may_be("trials", 2) || may_be("judge", 2) || may_be("why", 1) ||
+         (may_be("run", 2) && first == "all") ||
          (may_be("optimise", 2) && (first == "1" || first == "2"));
 }
 inline bool MayEnd(const std::string& line) {

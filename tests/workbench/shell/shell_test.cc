@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/text/text.h"
 #include "core/grasp/placement.h"
 #include "tests/workbench/shell/shell_fuzz.h"
@@ -32,6 +34,61 @@ TEST_F(ShellTest, UndoTakesEveryChangeBack) {
   for (size_t i = 0; i < lines.size(); ++i) shell_.Execute("undo");
   EXPECT_EQ(Describe(), start);
   EXPECT_EQ(shell_.Execute("undo"), Shell::Reply::kRefused);
+}
+
+TEST_F(ShellTest, RedoTakesEveryUndoBack) {
+  EXPECT_EQ(shell_.Execute("redo"), Shell::Reply::kRefused);
+  for (const char* line : {"draw 2", "joint FFq2 30", "goto 0.3"}) shell_.Execute(line);
+  const std::string changed = Describe();
+  shell_.Execute("undo");
+  shell_.Execute("undo");
+  EXPECT_NE(Describe(), changed);
+  EXPECT_EQ(shell_.Execute("redo"), Shell::Reply::kDone);
+  EXPECT_EQ(shell_.Execute("redo"), Shell::Reply::kDone);
+  EXPECT_EQ(Describe(), changed);
+  shell_.Execute("undo");
+  shell_.Execute("draw 5");  // from here on there is another future
+  EXPECT_EQ(shell_.Execute("redo"), Shell::Reply::kRefused);
+}
+
+TEST_F(ShellTest, ThePromptSaysWhatIsChosenAndWhen) {
+  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball best> ");
+  shell_.Execute("goto 0.1");
+  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g1, placing 0.100 s> ");
+  shell_.Execute("draw 2");
+  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g1, placing 0.000 s, 1 change> ");
+}
+
+TEST_F(ShellTest, ASettingTakesItsUnit) {
+  EXPECT_EQ(shell_.Execute("set sim.step_s 0.002s"), Shell::Reply::kDone);
+  EXPECT_EQ(shell_.choice().config.sim.step, 0.002);
+  EXPECT_EQ(shell_.Execute("set sim.step_s 0.004mm"), Shell::Reply::kRefused);
+  EXPECT_EQ(shell_.Execute("set sim.step_s s"), Shell::Reply::kRefused);
+  EXPECT_EQ(shell_.choice().config.sim.step, 0.002);
+}
+
+TEST_F(ShellTest, TrialsCompareWithTheSceneBeforeItsChanges) {
+  MakeCheap(shell_);
+  shell_.Execute("hand shadow");
+  EXPECT_EQ(shell_.Execute("trials 2"), Shell::Reply::kDone);
+  EXPECT_EQ(shell_.comparison.find("against"), std::string::npos) << "nothing was changed";
+  shell_.Execute("object can");
+  EXPECT_EQ(shell_.Execute("joint FFJ3 30"), Shell::Reply::kDone);
+  EXPECT_EQ(shell_.Execute("trials 2"), Shell::Reply::kDone);
+  EXPECT_NE(shell_.comparison.find("on 2 same draws"), std::string::npos) << shell_.comparison;
+}
+
+TEST_F(ShellTest, RunAllPlaysEveryObjectAndComesBack) {
+  MakeCheap(shell_);
+  shell_.Execute("joint FFq2 30");
+  shell_.Execute("goto 0.2");
+  const std::string before = Describe();
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(shell_.Execute("run all to closure"), Shell::Reply::kDone);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 21) << text;
+  EXPECT_NE(text.find("pencil"), std::string::npos);
+  EXPECT_EQ(Describe(), before);
 }
 
 TEST_F(ShellTest, UndoStandsAtTheSameTime) {

@@ -18,7 +18,7 @@ namespace {
 
 struct BasinOptions {
   BasinRequest request;
-  bool plan_only = false;
+  bool plan_only = false, json = false;
   double trial_time_limit = kTrialTimeLimit;
   int num_workers = 1;
 };
@@ -27,7 +27,7 @@ void Run(const BasinOptions& options) {
   const PreparedSession basin = PrepareBasin(options.request);
   if (options.plan_only) {
     RecordPlanning(basin.folder);
-    return PrintExperimentPlan(basin);
+    return PrintExperimentPlan(basin, options.json);
   }
   const std::atomic<bool>& stop = CatchInterrupts();
   TerminalObserver observer({}, stop);
@@ -40,6 +40,15 @@ void Run(const BasinOptions& options) {
   ExportResult(basin.folder, session);
   const std::filesystem::path report = WriteSessionReport(basin.folder, session);
   const BasinSummary summary = SummariseBasin(ListBasinSamples(session));
+  if (options.json) {
+    return PrintJson({{"folder", basin.folder.string()},
+                      {"report", report.string()},
+                      {"samples", summary.num_samples},
+                      {"successes", summary.num_successes},
+                      {"radius", summary.radius},
+                      {"radius_offset_mm", MmFromM(summary.radius_offset)},
+                      {"radius_yaw_deg", DegFromRad(summary.radius_yaw)}});
+  }
   PrintResult(NameBasin(basin.inputs, session.plan.front()) + ": basin radius " +
               FormatFixed(summary.radius, 2) + " (" +
               FormatFixed(MmFromM(summary.radius_offset), 1) + " mm, " +
@@ -76,6 +85,7 @@ void AddBasinCommand(CLI::App& program, ExitCode&) {
       ->required()
       ->option_text("DIR");
   AddReplaceOption(command, request.replace);
+  AddJsonOption(command, options->json);
   command.callback([options] { Run(*options); });
 }
 

@@ -25,14 +25,15 @@ struct OptimiseOptions {
   std::optional<int> replay;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
-  std::string out;
-  bool resume = false;
-  bool plan_only = false;
+  fs::path out;
+  bool resume = false, plan_only = false, json = false;
 };
 
-ExitCode Finish(const fs::path& folder, const SceneConfig& config, const SceneInputs& inputs,
+ExitCode Finish(const fs::path& folder, const SceneInputs& inputs, const OptimiseOptions& options,
                 const OptimisedGrasp& result) {
-  PrintResult(FormatOptimisation(inputs, config, result) + "\n" + ListSceneFiles(folder));
+  const std::string text = FormatOptimisation(inputs, options.config, result);
+  options.json ? PrintJson(MakeSceneJson(folder))
+               : PrintResult(text + "\n" + ListSceneFiles(folder));
   const std::string failures = DescribeNumericalFailures(LoadScene(folder).evaluations);
   if (!failures.empty()) PrintMessage(failures);
   return failures.empty() ? kExitOk : kExitNumericalFailures;
@@ -49,14 +50,12 @@ ExitCode Optimise(OptimiseOptions options) {
     SetConfigValue(setting, static_cast<TrialConditions&>(config));
   }
   CheckOptimiseConfig(config.optimise);
-  const SceneInputs inputs =
-      LoadSceneInputs(config, options.resume ? fs::path(options.out) : fs::path());
-  const fs::path folder =
-      options.out.empty() ? NameSceneFolder(config, inputs) : fs::path(options.out);
+  const SceneInputs inputs = LoadSceneInputs(config, options.resume ? options.out : fs::path());
+  const fs::path folder = options.out.empty() ? NameSceneFolder(config, inputs) : options.out;
   if (options.plan_only) {
     PlanScene(folder, config);
     RecordPlanning(folder);
-    PrintPlan(folder, 1, "scene");
+    PrintPlan(folder, 1, "scene", options.json);
     return kExitOk;
   }
   const std::atomic<bool>& stop = CatchInterrupts();
@@ -68,7 +67,7 @@ ExitCode Optimise(OptimiseOptions options) {
       },
       stop);
   try {
-    return Finish(folder, config, inputs,
+    return Finish(folder, inputs, options,
                   RunSceneStage(folder, config, inputs, options.num_workers, observer, stop,
                                 options.trial_time_limit));
   } catch (const Error& error) {
@@ -121,6 +120,7 @@ void AddOptions(CLI::App& command, OptimiseOptions& options) {
       ->default_str("results/optimise-HAND-OBJECT-HASH");
   AddResumeOption(command, options.resume);
   AddTrialTimeoutOption(command, options.trial_time_limit);
+  AddJsonOption(command, options.json);
   command
       .add_option("--replay", options.replay,
                   "simulate individual N of the finished folder again and save its grasp")

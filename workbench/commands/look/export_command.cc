@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <set>
@@ -21,7 +23,7 @@ struct ExportOptions {
   std::string folder;
   std::string out;                // empty: the session's own folder
   std::vector<std::string> mjcf;  // ids of trials, or "all"; empty: tables
-  bool replace = false;
+  bool replace = false, json = false;
   bool with_records = false;
   bool with_ro_crate = false;
   OnDamage on_damage = OnDamage::kRefuse;
@@ -50,13 +52,14 @@ void ExportMjcf(const ExportOptions& options, const Session& session) {
       std::filesystem::path(is_own ? options.folder + "/export/mjcf" : options.out);
   StagedFolder staged({folder, "mjcf", options.replace || is_own, {options.folder}});
   MjcfExporter exporter;
-  std::string written;
+  std::vector<std::string> scenes;
   for (const PlannedTrial& planned : trials) {
     exporter.Export(MakeTrialSetup(session.config, inputs, planned), staged.path() / planned.id);
-    written += (folder / planned.id / "scene.xml").string() + "\n";
+    scenes.push_back((folder / planned.id / "scene.xml").string());
   }
   staged.Commit();
-  PrintResult(written);
+  if (options.json) return PrintJson({{"folder", options.folder}, {"scenes", scenes}});
+  PrintResult(fmt::format("{}\n", fmt::join(scenes, "\n")));
 }
 
 void ExportTables(const ExportOptions& options, const Session& session) {
@@ -71,7 +74,14 @@ void ExportTables(const ExportOptions& options, const Session& session) {
   if (options.with_ro_crate) {
     WriteFileAtomically(folder / "ro-crate-metadata.json", FormatRoCrate(folder));
   }
-  PrintResult((folder / "export" / "trials.csv").string() + "\n");
+  const std::string table = (folder / "export" / "trials.csv").string();
+  if (options.json) {
+    return PrintJson({{"folder", options.folder},
+                      {"table", table},
+                      {"planned", session.plan.size()},
+                      {"finished", session.records.size()}});
+  }
+  PrintResult(table + "\n");
 }
 
 void Export(const ExportOptions& options) {
@@ -108,6 +118,7 @@ void AddExportCommand(CLI::App& program, ExitCode&) {
       "also ro-crate-metadata.json: what is in the folder and how it came about, for archives");
   ro_crate->excludes("--out")->excludes("--mjcf");
   AddReplaceOption(command, options->replace);
+  AddJsonOption(command, options->json);
   AddAcceptDamageOption(command, options->on_damage);
   command.callback([options] { Export(*options); });
 }

@@ -20,7 +20,7 @@ struct ReportOptions {
   fs::path out;    ///< empty: the result's own folder
   fs::path paper;  ///< empty: the page alone
   std::string figures = "shown";
-  bool replace = false;
+  bool replace = false, json = false;
   PageViews views = PageViews::kAsBefore;
   OnDamage on_damage = OnDamage::kRefuse;
 };
@@ -36,10 +36,8 @@ void WritePaper(const ReportOptions& options, const fs::path& page) {
     if (has_pdf && path.extension() == ".svg") ConvertSvgToPdf(path);
   }
   staged.Commit();
-  if (!has_pdf) {
-    PrintMessage("figures are SVG only; with the Debian package librsvg2-bin they are PDF, too");
-  }
-  PrintResult(options.paper.string() + "\n");
+  if (has_pdf) return;
+  PrintMessage("figures are SVG only; with the Debian package librsvg2-bin they are PDF, too");
 }
 
 void Report(const ReportOptions& options) {
@@ -59,8 +57,14 @@ void Report(const ReportOptions& options) {
            WriteResultPage(options.folder, staged.path(), options.on_damage, options.views);
     staged.Commit();
   }
-  PrintResult(page.string() + "\n");
-  if (!options.paper.empty()) WritePaper(options, page);
+  if (!options.json) PrintResult(page.string() + "\n");
+  const Json paper = options.paper.empty() ? Json() : Json(options.paper.string());
+  if (!paper.is_null()) WritePaper(options, page);
+  if (options.json) {
+    PrintJson({{"folder", options.folder.string()}, {"report", page.string()}, {"paper", paper}});
+  } else if (!paper.is_null()) {
+    PrintResult(options.paper.string() + "\n");
+  }
 }
 
 }  // namespace
@@ -105,6 +109,7 @@ void AddReportCommand(CLI::App& program, ExitCode&) {
   add_views("--no-3d", PageViews::kWithout, "leave them out of a page that has them")
       ->excludes(with);
   AddReplaceOption(command, options->replace);
+  AddJsonOption(command, options->json);
   AddAcceptDamageOption(command, options->on_damage);
   command.callback([options] { Report(*options); });
 }

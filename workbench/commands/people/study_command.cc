@@ -24,7 +24,7 @@ struct StudyOptions {
   std::string data;  ///< folder of the recordings; empty: that of study.yaml
   std::string out;
   std::string robot;  ///< folder of a session; empty: what study.yaml says
-  bool replace = false;
+  bool replace = false, json = false;
   std::vector<std::string> settings;
 };
 
@@ -52,13 +52,8 @@ StudyResult RunAndWrite(const StudyOptions& options, StagedFolder& staged) {
   const fs::path out = options.out;
   const fs::path report = out / page.lexically_relative(staged.path());
   staged.Commit();
-  PrintResult(FormatFreeze(result.study) + FormatRemoved(result) + FormatWarnings(result) +
-              FormatZeroGft(result.statistics.zero_gft) + FormatOpeningArgument(result) +
-              FormatIndependence(result) + "kept     " + std::to_string(result.CountKept()) +
-              " of " + FormatCount(static_cast<int>(result.trials.size()), "trial") +
-              "\ntables   " + (out / "measures.csv").string() + "\nR        " +
-              (out / "tidy").string() + "\nBIDS     " + (out / "bids").string() + "\nreport   " +
-              report.string() + "\n");
+  options.json ? PrintJson(MakeStudyJson(result, out, report))
+               : PrintResult(FormatStudy(result, out, report));
   return result;
 }
 
@@ -123,6 +118,7 @@ void AddStudyCommand(CLI::App& program, ExitCode& exit_code) {
       ->default_str("that of study.yaml");
   AddSettingsOption(run, options->settings, "contact.detector=surface");
   add_common(run);
+  AddJsonOption(run, options->json);
   run.callback([options, &exit_code] {
     if (RunStudyFile(*options).CountKept() == 0) exit_code = kExitFailed;
   });

@@ -32,7 +32,7 @@ struct CampaignOptions {
   CampaignConfig config;
   std::vector<std::string> settings;
   bool compare = false;
-  bool plan_only = false;
+  bool plan_only = false, json = false;
   bool resume = false;
   int num_workers = 1;
   double trial_time_limit = kTrialTimeLimit;
@@ -71,7 +71,7 @@ ExitCode Run(CampaignOptions options) {
   if (options.plan_only) {
     const int num_scenes = PlanCampaign(request);
     RecordPlanning(folder);
-    PrintPlan(folder, num_scenes, "scene");
+    PrintPlan(folder, num_scenes, "scene", options.json);
     return kExitOk;
   }
   PrintMessage(folder.string() + " on " + FormatCount(options.num_workers, "worker"));
@@ -91,10 +91,9 @@ ExitCode Run(CampaignOptions options) {
                  " with real hands kept; rows without a success are trials to come");
   }
   ExportCampaign(folder, campaign);
-  const std::string comparison = FormatComparisonTable(campaign);
-  PrintResult("\n" + FormatVariantsTable(campaign) + (comparison.empty() ? "" : "\n" + comparison) +
-              "\nreport   " + WriteCampaignReport(folder, campaign).string() + "\ndata     " +
-              (folder / "summary.csv").string() + "\n");
+  const fs::path report = WriteCampaignReport(folder, campaign);
+  options.json ? PrintJson(MakeCampaignJson(campaign, folder, report))
+               : PrintResult(FormatCampaign(campaign, folder, report));
   const std::string failures = DescribeNumericalFailures(campaign);
   if (failures.empty()) return kExitOk;
   PrintMessage(failures);
@@ -137,11 +136,12 @@ void AddCampaignCommand(CLI::App& program, ExitCode& exit_code) {
                   "trials DIR writes such a table")
       ->option_text("FILE.csv");
   AddTrialTimeoutOption(command, options->trial_time_limit);
+  AddJsonOption(command, options->json);
   command.callback([options, &command, &exit_code] {
     if (options->resume) {
-      CheckResume(command, {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
-                            "--search", "--grip", "--grip-limit", "--compare", "--set",
-                            "--plan-only", "--grip", "--grip-limit", "--search"});
+      CheckResume(command,
+                  {"--hand", "--object", "--evaluations", "--fitness-trials", "--trials",
+                   "--search", "--grip", "--grip-limit", "--compare", "--set", "--plan-only"});
     }
     exit_code = Run(*options);
   });

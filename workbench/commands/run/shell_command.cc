@@ -116,9 +116,9 @@ ExitCode RunShell(const ShellOptions& options) {
   const SessionConfig& first = shell.choice().config;
   PrintResult("hand " + first.hands.front() + ", object " + first.objects.front() +
               "; help lists the commands, Tab completes names, Ctrl-C stops what runs\n");
-  LineEditor editor(
-      "graspbench> ", [&shell](const std::string& line) { return FindCompletions(shell, line); },
-      FindHistoryFile());
+  LineEditor editor([&shell] { return FormatPrompt(shell); },
+                    [&shell](const std::string& line) { return FindCompletions(shell, line); },
+                    FindHistoryFile());
   LineSource source;
   source.next = [&editor] { return editor.Read(); };
   source.is_person = true;

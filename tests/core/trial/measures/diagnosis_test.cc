@@ -74,7 +74,21 @@ TEST(Diagnosis, FrictionThatCannotBearTheWeightIsAWeakGrip) {
   const Diagnosis weak = Story(2.2, 0.3).Find();  // 0.6 (0.6 + 0.3 + 0.3) N = 0.72 N of 1 N
   EXPECT_EQ(weak.cause, FailureCause::kWeakGrip);
   EXPECT_NEAR(weak.bearable, 0.72, 1e-6);
-  EXPECT_EQ(Story(2.2, 2.0).Find().cause, FailureCause::kNoBalance);
+  EXPECT_EQ(Story(2.2, 2.0).Find().cause, FailureCause::kTurned);
+}
+
+// 0.6 (4 + 2 + 2) N = 4.8 N bears the weight of 1 N, but not 5 N more.
+TEST(Diagnosis, NormalForcesThatPressTheObjectDownPressItOutOnceTheTableIsGone) {
+  Story story(2.2);
+  for (LoadSample& sample : story.samples) {
+    if (sample.time >= 1.5) sample.parts[0].normal_W = Eigen::Vector3f(0.0f, 0.0f, -5.0f);
+  }
+  EXPECT_EQ(story.Find().cause, FailureCause::kPressedOut);
+  EXPECT_NE(story.Find().text.find("left 6.00 N to friction, which could bear 4.80 N"),
+            std::string::npos)
+      << story.Find().text;
+  for (LoadSample& sample : story.samples) sample.is_on_table = true;
+  EXPECT_EQ(story.Find().cause, FailureCause::kTurned);
 }
 
 TEST(Diagnosis, APushComesBeforeAllElse) {

@@ -54,6 +54,8 @@ TEST(LoadRecorder, TwoDigitsPressAlikeAndTheRestNotAtAll) {
   ASSERT_EQ(last.parts.size(), 3u);
   EXPECT_GT(last.parts[0].force, 0.1);
   EXPECT_NEAR(last.parts[0].force, last.parts[1].force, 0.1 * last.parts[0].force);
+  EXPECT_NEAR(last.parts[0].normal_W.norm(), last.parts[0].force, 0.1 * last.parts[0].force);
+  EXPECT_LT((last.parts[0].normal_W + last.parts[1].normal_W).norm(), 0.2 * last.parts[0].force);
   EXPECT_EQ(last.parts[2].force, 0.0);
   EXPECT_NEAR(last.parts[0].friction, 0.5, 0.2) << "of cube and skin";
   EXPECT_LE(last.parts[0].cone_share, 1.0 + 1e-6);
