@@ -28,19 +28,16 @@ std::vector<size_t> ListLevels(int run, bool varies_grip) {
   return levels;
 }
 
-Condition MakeCondition(const std::vector<size_t>& levels, const std::string& delay,
-                        const SessionConfig& config) {
-  Condition condition;
-  for (size_t i = 0; i < levels.size(); ++i) {
-    if (levels[i] == 0) continue;
-    const std::string& setting = ListMapFactors()[i].levels[levels[i]].setting;
-    condition.settings.push_back(NormaliseSetting(setting, config));
+/** Of each factor and level, as conditions write it. */
+std::vector<std::vector<std::string>> ListSettings(const SessionConfig& config) {
+  std::vector<std::vector<std::string>> settings;
+  for (const MapFactorRow& factor : ListMapFactors()) {
+    settings.emplace_back();
+    for (const MapLevelRow& level : factor.levels) {
+      settings.back().push_back(NormaliseSetting(level.setting, config));
+    }
   }
-  if (!delay.empty()) condition.settings.push_back(NormaliseSetting(delay, config));
-  for (const std::string& setting : condition.settings) {
-    condition.name += (condition.name.empty() ? "" : ", ") + setting;
-  }
-  return condition;
+  return settings;
 }
 
 }  // namespace
@@ -79,19 +76,28 @@ SessionConfig MakeMapSession(const MapPart& part, SessionConfig base) {
     ApplySetting(factor.levels.front().setting, base);
   }
   SessionConfig config = base;
+  const auto settings = ListSettings(base);
+  std::vector<std::string> delays = {""};
+  for (const double delay : part.delays) {
+    for (const char* key : {"delay.last=", "delay.first="}) {
+      delays.push_back(NormaliseSetting(key + FormatJson(delay), base));
+    }
+  }
   const int num_runs = part.varies_grip ? kNumRuns : kNumRunsWithoutGrip;
   for (int run = 0; run < num_runs; ++run) {
     const std::vector<size_t> levels = ListLevels(run, part.varies_grip);
     if (levels[kLaw] > 0 && levels[kGrip] == kFirm) continue;
-    std::vector<std::string> delays = {""};
-    for (const double delay : part.delays) {
-      delays.push_back("delay.last=" + FormatJson(delay));
-      delays.push_back("delay.first=" + FormatJson(delay));
-    }
     for (const std::string& delay : delays) {
-      Condition condition = MakeCondition(levels, delay, base);
+      Condition condition;
+      for (size_t i = 0; i < levels.size(); ++i) {
+        if (levels[i] > 0) condition.settings.push_back(settings[i][levels[i]]);
+      }
+      if (!delay.empty()) condition.settings.push_back(delay);
       if (condition.settings.empty()) continue;  // the base
-      ApplyCondition(condition, base);           // what cannot be combined is refused here
+      for (const std::string& setting : condition.settings) {
+        condition.name += (condition.name.empty() ? "" : ", ") + setting;
+      }
+      ApplyCondition(condition, base);  // what cannot be combined is refused here
       config.conditions.push_back(std::move(condition));
     }
   }
@@ -101,11 +107,13 @@ SessionConfig MakeMapSession(const MapPart& part, SessionConfig base) {
 bool IsMap(const SessionConfig& config) {
   if (config.conditions.empty()) return false;
   const auto has_name = [](const Condition& a, const Condition& b) { return a.name == b.name; };
+  SessionConfig base = config;
+  base.conditions.clear();
   for (const bool is_quick : {false, true}) {
-    SessionConfig base = config;
-    base.conditions.clear();
-    const std::vector<Condition> all =
-        MakeMapSession(ListMapParts(is_quick).front(), base).conditions;
+    const MapPart part = ListMapParts(is_quick).front();
+    const size_t most = (1 + 2 * part.delays.size()) * kNumRuns;
+    if (config.conditions.size() > most || config.conditions.size() < most / 2) continue;
+    const std::vector<Condition> all = MakeMapSession(part, base).conditions;
     if (std::equal(all.begin(), all.end(), config.conditions.begin(), config.conditions.end(),
                    has_name)) {
       return true;
@@ -114,16 +122,19 @@ bool IsMap(const SessionConfig& config) {
   return false;
 }
 
-std::vector<size_t> FindMapLevels(const Condition& condition, const SessionConfig& config) {
-  std::vector<size_t> levels;
-  for (const MapFactorRow& factor : ListMapFactors()) {
-    size_t level = 0;
-    for (size_t i = 1; i < factor.levels.size(); ++i) {
-      const std::string setting = NormaliseSetting(factor.levels[i].setting, config);
-      const auto& all = condition.settings;
-      if (std::find(all.begin(), all.end(), setting) != all.end()) level = i;
+std::vector<std::vector<size_t>> ListMapLevels(const std::vector<Condition>& conditions,
+                                               const SessionConfig& config) {
+  const auto settings = ListSettings(config);
+  std::vector<std::vector<size_t>> levels;
+  for (const Condition& condition : conditions) {
+    levels.emplace_back(settings.size(), 0);
+    const auto& all = condition.settings;
+    for (size_t factor = 0; factor < settings.size(); ++factor) {
+      for (size_t level = 1; level < settings[factor].size(); ++level) {
+        const bool has_it = std::find(all.begin(), all.end(), settings[factor][level]) != all.end();
+        if (has_it) levels.back()[factor] = level;
+      }
     }
-    levels.push_back(level);
   }
   return levels;
 }

@@ -49,7 +49,9 @@ SessionConfig MakeMapSession(const MapPart& part, SessionConfig base);
 /** Whether a session is the first part of a map, of either size. */
 bool IsMap(const SessionConfig& config);
 
-/** The level of each factor under a condition; the grip's is the base's where it is not varied. */
-std::vector<size_t> FindMapLevels(const Condition& condition, const SessionConfig& config);
+/** The level of each factor under each condition; the grip's is the base's where it is not varied.
+*/
+std::vector<std::vector<size_t>> ListMapLevels(const std::vector<Condition>& conditions,
+                                               const SessionConfig& config);
 
 }  // namespace graspbench

@@ -25,10 +25,10 @@ std::map<std::string, Region> ListRegions(const SessionConfig& config) {
   std::map<std::string, Region> regions;
   std::vector<Condition> conditions = config.conditions;
   conditions.push_back({});
-  for (const Condition& condition : conditions) {
-    const ConditionInputs made = ApplyCondition(condition, config);
-    regions[condition.name] = {FindMapLevels(condition, config), made.config, made.late,
-                               made.delay};
+  const auto levels = ListMapLevels(conditions, config);
+  for (size_t i = 0; i < conditions.size(); ++i) {
+    const ConditionInputs made = ApplyCondition(conditions[i], config);
+    regions[conditions[i].name] = {levels[i], made.config, made.late, made.delay};
   }
   return regions;
 }

@@ -12,13 +12,11 @@ namespace {
 
 /** The regions of a part, as often as their undelayed trials are planned: once each. */
 std::vector<std::vector<size_t>> ListRegionsOf(const SessionConfig& config) {
-  std::vector<std::vector<size_t>> regions = {FindMapLevels({}, config)};
+  std::vector<Condition> undelayed = {{}};
   for (const Condition& condition : config.conditions) {
-    if (ApplyCondition(condition, config).late == LateDigit::kNone) {
-      regions.push_back(FindMapLevels(condition, config));
-    }
+    if (ApplyCondition(condition, config).late == LateDigit::kNone) undelayed.push_back(condition);
   }
-  return regions;
+  return ListMapLevels(undelayed, config);
 }
 
 TEST(MapDesign, TwoLevelsOfTwoFactorsMeetEquallyOften) {
@@ -47,9 +45,10 @@ TEST(MapDesign, EveryRegionIsTriedWithEachDelayOfEachDigit) {
   const SessionConfig config = MakeMapSession(part, SessionConfig());
   EXPECT_EQ(config.conditions.size(), 28u * 5u - 1u);
   std::map<std::vector<size_t>, std::set<std::pair<LateDigit, double>>> doses;
-  for (const Condition& condition : config.conditions) {
-    const ConditionInputs made = ApplyCondition(condition, config);
-    doses[FindMapLevels(condition, config)].insert({made.late, made.delay});
+  const auto levels = ListMapLevels(config.conditions, config);
+  for (size_t i = 0; i < levels.size(); ++i) {
+    const ConditionInputs made = ApplyCondition(config.conditions[i], config);
+    doses[levels[i]].insert({made.late, made.delay});
   }
   for (const auto& [region, found] : doses) {
     EXPECT_EQ(found.count({LateDigit::kLast, 0.3}) + found.count({LateDigit::kFirst, 0.1}), 2u);
@@ -63,7 +62,7 @@ TEST(MapDesign, TheBaseIsTheFirstLevelOfEachFactor) {
   EXPECT_EQ(config.strategy.grip_force, 0.0);
   EXPECT_EQ(config.strategy.touch_speed, 1.0);
   EXPECT_EQ(config.variation.offset, 0.002);
-  EXPECT_EQ(FindMapLevels({}, config), std::vector<size_t>(6, 0));
+  EXPECT_EQ(ListMapLevels({{}}, config).at(0), std::vector<size_t>(6, 0));
 }
 
 TEST(MapDesign, AMapIsKnownByItsConditions) {

@@ -58,7 +58,7 @@ TEST(SimultaneityMap, EffectsAreSlopesThroughTheTrialWithoutDelay) {
   EXPECT_EQ(Find(map, MapMeasure::kSuccess).num_pairs, 40);
   EXPECT_EQ(Find(map, MapMeasure::kSuccess).num_objects, 10);
   EXPECT_EQ(Find(map, MapMeasure::kSuccess).changed,
-            (std::vector<std::string>{"object0:0", "object0:2", "object0:1"}));
+            (std::vector<std::string>{"object0:0", "object0:1", "object0:2"}));
 }
 
 // A digit that never touches is the farthest push, and no farther than another that never does.
