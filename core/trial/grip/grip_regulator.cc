@@ -26,7 +26,8 @@ constexpr double kStopAngle = 1e-3;       // [rad]
 constexpr double kMostTorqueShare = 4.0;  // c, and its inverse the least
 /** Of a drive's torque limit: it bears its finger whatever the grip. */
 constexpr double kLeastTorque = 0.02;
-constexpr double kMostShift = 1.0;  // rate of s over that of the closure
+constexpr double kMostShift = 1.0;   // rate of s over that of the closure
+constexpr double kLeastRest = 5e-3;  // mean of the hold below which nothing else presses [N]
 
 }  // namespace
 
@@ -374,7 +375,7 @@ GripRecord GripRegulator::MakeRecord() const {
   record.asked = num_held_ > 0 ? held_asked_ / num_held_ : asked_;
   record.closed = closed_;
   if (num_held_ > 0) record.held = held_sum_ / num_held_;
-  if (num_held_ > 0 && rest_held_sum_ > 0.0) {
+  if (num_held_ > 0 && rest_held_sum_ > kLeastRest * num_held_) {
     record.rest_asked = rest_held_asked_ / num_held_;
     record.rest_held = rest_held_sum_ / num_held_;
   }
