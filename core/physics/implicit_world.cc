@@ -23,6 +23,7 @@ constexpr double kBiasProductTolerance = 1e-4;
 /** What moves no faster stands [rad/s, m/s]. A contact settles within its relaxation time, so 1e-5 N
 of its force are still missing then. */
 constexpr double kStandingSpeed = 1e-8;
+constexpr double kMostSpeed = 1e6;  // [m/s], [rad/s]
 
 Matrix3d MakeRotation(const Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();
@@ -294,7 +295,10 @@ StepReport ImplicitWorld::Step(const WorldCommand& command) {
   state_.w_WO = v_.segment<3>(object);
   state_.v_WOcm = v_.segment<3>(object + 3);
   ++step_number_;
-  report.is_finite = v_.allFinite() && state_.p_WOcm.allFinite();
+  // Faster, half a step is no number any more, and contacts are looked for after it.
+  report.is_finite = v_.allFinite() && v_.cwiseAbs().maxCoeff() < kMostSpeed &&
+                     state_.p_WOcm.allFinite() && state_.R_WO.allFinite() && state_.q.allFinite() &&
+                     state_.X_WH.matrix().allFinite();
   stands_ = converged && is_as_before && v_.cwiseAbs().maxCoeff() < kStandingSpeed &&
             problem_.u.cwiseAbs().maxCoeff() < kStandingSpeed;
   last_command_ = command;

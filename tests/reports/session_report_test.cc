@@ -209,8 +209,9 @@ TEST(SessionReport, EveryFailureIsTwoLinksFromTheTop) {
   const auto top = ListAttribute(*FindById(root, "result"), "href");
   EXPECT_NE(std::find(top.begin(), top.end(), "#failures"), top.end());
   const std::string anchor = "trial-" + session.records[4].plan.id;
+  // Its trial, and how its scene in 3-D is had.
   EXPECT_EQ(ListAttribute(*FindById(root, "failures"), "href"),
-            (std::vector<std::string>{"#" + anchor}));
+            (std::vector<std::string>{"#" + anchor, "#views"}));
   ExpectContains(TextOfSection(page, "failures"), "tum-cup-g3:1");
   ExpectContains(TextOfSection(page, "failures"), "the object was pushed aside");
   ASSERT_NE(FindById(root, anchor), nullptr);

@@ -54,7 +54,7 @@ TEST_F(ShellTest, RedoTakesEveryUndoBack) {
 TEST_F(ShellTest, ThePromptSaysWhatIsChosenAndWhen) {
   EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball best> ");
   shell_.Execute("goto 0.1");
-  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g1, placing 0.100 s> ");
+  EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g1, closure 0.100 s> ");
   shell_.Execute("draw 2");
   EXPECT_EQ(FormatPrompt(shell_), "tum golf_ball g1, placing 0.000 s, 1 change> ");
 }
