@@ -1,0 +1,30 @@
+#include "datasets/analysis/map/map_result.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/datasets/analysis/map/made_map.h"
+
+namespace graspbench {
+namespace {
+
+TEST(MapResult, TellsWhatWasPlantedInEveryForm) {
+  const MapResult result = LoadMap(MakeMapSessionResult());
+  ASSERT_EQ(result.parts.size(), 1u);
+  EXPECT_EQ(result.parts[0].num_trials, result.parts[0].num_planned);
+  const MapCell* const cell =
+      FindCell(result.parts[0].map, MapMeasure::kSuccess, "tum", LateDigit::kLast, {{2, 0}});
+  ASSERT_NE(cell, nullptr);
+  EXPECT_NEAR(cell->estimate, -1.0 / 3.0, 1e-12) << "all lost by 0.3 s";
+  EXPECT_EQ(cell->changed.size(), 3u);
+  ASSERT_EQ(result.findings().size(), 1u);
+  EXPECT_EQ(result.findings()[0].rfind("tum: matters.", 0), 0u) << result.findings()[0];
+  const Json json = ToJson(result);
+  EXPECT_EQ(json["parts"][0]["id"], "success");
+  const std::vector<ExportTable> tables = MakeMapTables(result);
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].name, "map");
+  EXPECT_NE(tables[0].csv.find("success,success,tum,last,grip,margin 1.5,,,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

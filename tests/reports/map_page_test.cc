@@ -1,0 +1,22 @@
+#include "reports/map_page.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/datasets/analysis/map/made_map.h"
+
+namespace graspbench {
+namespace {
+
+TEST(MapPage, LeadsWithWhatItFoundAndNamesTrials) {
+  const Session session = MakeMapSessionResult();
+  const std::string page = MakeMapPage(session, LoadMap(session));
+  const size_t finding = page.find("tum: matters.");
+  ASSERT_NE(finding, std::string::npos);
+  EXPECT_LT(finding, page.find("Maps</h2>"));
+  EXPECT_NE(page.find("grip margin 1.5"), std::string::npos);
+  EXPECT_NE(page.find(":0@delay.last=0.3"), std::string::npos);
+  EXPECT_EQ(page.find("<object0>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench
