@@ -22,16 +22,10 @@ constexpr double kAfter = 0.08;         // .. and after it [s]
 constexpr size_t kMinBefore = 5;        // samples, from farther back where some are hidden
 constexpr double kFarthestBack = 0.15;  // [s]
 constexpr double kLongest = 1.5;        // no digit touches earlier before the hold [s]
-constexpr double kFarAway = 25e-3;    // a tip this far from its place in the hold is on its way [m]
-constexpr double kMeanTime = 0.04;    // over which a way is averaged for its direction [s]
-constexpr double kClear = 5.0;        // SD of its noise beyond which a mean is off its place
-constexpr double kPauseTime = 0.04;   // over which a speed is taken, on either side [s]
-constexpr double kPauseGap = 1.5e-3;  // farther from its place a tip that stops has not touched [m]
-constexpr double kResumed = 2.5;      // .. if it goes on this many times as fast
-// A last leg from rest is steeper than a reach's: some 5 ms late where the surface is known; without,
-// its direction is not that of the approach.
-constexpr double kPauseAtSurface = 3.5e-3, kPauseAtPlace = 15e-3;  // [s]
-constexpr double kTick = 1e-6;         // [s] rounding of the clock decides nothing
+constexpr double kFarAway = 25e-3;  // a tip this far from its place in the hold is on its way [m]
+constexpr double kMeanTime = 0.04;  // over which a way is averaged for its direction [s]
+constexpr double kClear = 5.0;      // SD of its noise beyond which a mean is off its place
+constexpr double kTick = 1e-6;      // [s] rounding of the clock decides nothing
 constexpr double kUsefulRate = 200.0;  // more samples than that are averaged [Hz]
 
 /** Measured samples up to the hold's end. */
@@ -109,33 +103,6 @@ size_t FindRest(const Clearances& clearances, size_t from, double near) {
   return clearances.times.size() - 1;
 }
 
-/** The end of the last stop off its place before it rests; `far` when it does not stop. What settles
-after a touch never gets faster again. */
-size_t FindLastPause(const Clearances& clearances, size_t far, size_t rest, double noise) {
-  const std::vector<double>& times = clearances.times;
-  const double expected = std::max(1.0, std::floor(kPauseTime / clearances.interval + kTick));
-  const double unsure = noise / std::sqrt(expected);
-  const double speed_unsure = std::sqrt(2.0) * unsure / kPauseTime;
-  const auto mean_between = [&](double begin, double end) {
-    const SampleRun run = FindSamples(times, begin, end);
-    double sum = 0.0;
-    for (size_t i = run.first; i < run.last; ++i) sum += clearances.values[i];
-    return sum / static_cast<double>(run.size());
-  };
-  double fastest = 0.0;
-  for (size_t i = rest; i > far; --i) {
-    const double before = mean_between(times[i] - kPauseTime - kTick, times[i] - kTick);
-    const double after = mean_between(times[i] + kTick, times[i] + kPauseTime + kTick);
-    const double speed = (before - after) / kPauseTime;
-    if (std::isnan(speed)) continue;
-    fastest = std::max(fastest, speed);
-    const bool is_off = 0.5 * (before + after) > std::max(kPauseGap, kClear * unsure);
-    const bool is_slow = kResumed * speed < fastest && fastest - speed > kClear * speed_unsure;
-    if (is_off && is_slow) return i;
-  }
-  return far;
-}
-
 /** Neighbours without a gap between them averaged, so that few samples are left. */
 void Thin(double interval, TouchSamples& samples) {
   const auto size = static_cast<size_t>(1.0 / (kUsefulRate * interval) + 1e-6);
@@ -157,8 +124,7 @@ void Thin(double interval, TouchSamples& samples) {
   samples.noise /= std::sqrt(static_cast<double>(size));
 }
 
-TouchSamples CutApproach(const Clearances& clearances, double hold, double noise,
-                         double pause_error) {
+TouchSamples CutApproach(const Clearances& clearances, double hold, double noise) {
   const std::vector<double>& times = clearances.times;
   const double deepest = std::max(kDeepest, kNoiseFactor * noise);
   auto far =
@@ -172,15 +138,12 @@ TouchSamples CutApproach(const Clearances& clearances, double hold, double noise
   if (far < 0) return {};
   TouchSamples samples;
   samples.noise = noise;
+  samples.first = times[static_cast<size_t>(far)];
   const size_t rest =
       FindRest(clearances,
                static_cast<size_t>(far) + 1 < times.size() ? static_cast<size_t>(far) + 1
                                                            : static_cast<size_t>(far),
                std::max(1e-4, noise / 2.0));
-  const size_t pause = FindLastPause(clearances, static_cast<size_t>(far), rest, noise);
-  if (pause != static_cast<size_t>(far)) samples.pause_error = pause_error;
-  far = static_cast<Column>(pause);
-  samples.first = times[static_cast<size_t>(far)];
   samples.last = std::min(times[rest] + kSlack, times.back());
   if (!(samples.first < samples.last)) return {};
   for (size_t i = 0; i < times.size() && times[i] <= samples.last + kAfter + kTick; ++i) {
@@ -298,7 +261,7 @@ TouchSamples TakeApproachToSurface(const Trajectory& p_O, const SurfaceDistance&
   Clearances clearances =
       MeasureBefore(p_O, hold, [&](const Vector3d& p) { return distance(p) - rest; });
   MarkAway(TakeWay(p_O, hold, noise), place, noise, clearances);
-  TouchSamples samples = CutApproach(clearances, hold.time, noise, kPauseAtSurface);
+  TouchSamples samples = CutApproach(clearances, hold.time, noise);
   samples.touch_place = pad_offset - rest;
   return samples;
 }
@@ -317,7 +280,7 @@ TouchSamples TakeApproachToPlace(const Trajectory& p_O, const Vector3d& place, c
   for (size_t i = 0; i < clearances.times.size() && clearances.times[i] < after; ++i) {
     clearances.is_away[i] = true;
   }
-  TouchSamples samples = CutApproach(clearances, hold.time, noise, kPauseAtPlace);
+  TouchSamples samples = CutApproach(clearances, hold.time, noise);
   samples.direction = direction;
   return samples;
 }

@@ -22,8 +22,7 @@ Eigen::Vector3d FindHoldPlace(const Trajectory& p_O, const Hold& hold);
 
 /** Clearance from the surface less that at the place of the hold. The touch is looked for from
 where it was last farther than 5 mm (or six standard deviations of the noise), because no skin
-yields more, or farther than 25 mm from its place, or from where it last stopped at more than 1.5 mm and then went
-on 2.5 times as fast, to where it has come to rest.
+yields more, or farther than 25 mm from its place, to where it has come to rest.
 @param place  of the hold, in O.
 @param noise  SD of a coordinate [m].
 @param pad_offset  of the marker at the touch [m]; NaN: not known.

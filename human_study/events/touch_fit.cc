@@ -316,7 +316,6 @@ TouchFit FitTouch(const TouchSamples& samples) {
     fit.time[k] = sum > 0.0 ? first + moment / sum : samples.first;
     fit.variance[k] = sum > 0.0 ? std::max(0.0, squares / sum - Square(moment / sum)) : 0.0;
   }
-  fit.pause_error = samples.pause_error;
   const double degrees = static_cast<double>(samples.times.size());
   fit.noise_ratio = std::sqrt(fitter.least_misfit() / degrees);
   return fit;
@@ -339,7 +338,6 @@ TouchFit MixFits(const TouchFit& a, const TouchFit& b, double share) {
     mix.variance[k] = (1.0 - share_b) * a.variance[k] + share_b * b.variance[k] +
                       (1.0 - share_b) * share_b * apart * apart;
   }
-  mix.pause_error = std::max(a.pause_error, b.pause_error);
   mix.noise_ratio = std::max(a.noise_ratio, b.noise_ratio);
   return mix;
 }
@@ -387,8 +385,7 @@ EventTime CalcTouchTime(const TouchFit& fit, const DepthWeights& weights) {
   const double unseen = kUnseen * touch.at_once * std::max(0.0, fit.time[0] - fit.time[1]);
   // Where the best fit leaves more than the noise, the model is wrong by as much.
   const double own = std::max(1.0, fit.noise_ratio) * std::sqrt(touch.variance);
-  event.uncertainty =
-      std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own), fit.pause_error);
+  event.uncertainty = std::hypot(std::hypot(kModel, learned), std::hypot(unseen, own));
   return event;
 }
 

@@ -49,11 +49,10 @@ struct TouchSamples {
   /** m: the object's own motion along the clearance, as many, from anywhere; away from the digit is
   negative [m]. Empty: it rests. */
   std::vector<double> object_motion;
-  double noise = 0.0;        ///< SD of a place [m]
-  double tremor = 0.0;       ///< RMS of a place while the digit is free (8 to 12 Hz) [m]
-  double first = 0.0;        ///< the touch lies between first ..
-  double last = 0.0;         ///< .. and last [s]
-  double pause_error = 0.0;  ///< SD of a touch after a stop off the place; 0: it did not stop [s]
+  double noise = 0.0;   ///< SD of a place [m]
+  double tremor = 0.0;  ///< RMS of a place while the digit is free (8 to 12 Hz) [m]
+  double first = 0.0;   ///< the touch lies between first ..
+  double last = 0.0;    ///< .. and last [s]
   /** Clearance at the touch, where it is known from a given pad offset [m]; else NaN. */
   double touch_place = std::numeric_limits<double>::quiet_NaN();
   /** Of the clearance, unit; zero: along a surface's normal. No part of the fit. */
@@ -65,7 +64,6 @@ struct TouchFit {
   std::array<double, kSettlingDepths.size()> log_evidence{};
   std::array<double, kSettlingDepths.size()> time{};      ///< mean [s]
   std::array<double, kSettlingDepths.size()> variance{};  ///< of the time [s^2]
-  double pause_error = 0.0;                               ///< TouchSamples::pause_error [s]
   double noise_ratio = 1.0;  ///< RMS of the best fit's residuals over the noise
   std::string missing;       ///< why there is none; empty when there is one
 };

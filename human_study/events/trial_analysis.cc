@@ -318,10 +318,10 @@ TrialAnalysis AnalyseTrial(FilteredTrial& filtered, const AnalysisOptions& optio
       analysis.trial_doubts.push_back(std::move(doubt));
     }
   }
+  for (Doubt& doubt : FindSwappedThumb(trial.digits, tips, analysis.hold)) {
+    analysis.trial_doubts.push_back(std::move(doubt));
+  }
   FindTrialContacts(filtered, travel, options, analysis);
-  const ThumbCheck thumb = CheckThumb(trial, analysis.contacts, FindReachEnd(analysis));
-  analysis.thumb_label = thumb.label;
-  if (!thumb.text.empty()) analysis.trial_doubts.push_back({"thumb_not_opposed", thumb.text});
   CalcMeasures(options, analysis);
   return analysis;
 }

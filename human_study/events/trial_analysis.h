@@ -14,7 +14,6 @@ measures. */
 #include "core/grasp/contact_order.h"
 #include "human_study/events/contact_detector.h"
 #include "human_study/events/doubts/plausibility.h"
-#include "human_study/events/doubts/thumb_label.h"
 #include "human_study/events/hand_opening.h"
 #include "human_study/events/hold.h"
 #include "human_study/events/lift_off.h"
@@ -88,9 +87,8 @@ struct TrialAnalysis {
   bool used_filled = false;  ///< an event that a measure rests on was decided on filled samples
   bool used_gap = false;     ///< .. or fell into a gap
   double low_pass = std::numeric_limits<double>::quiet_NaN();  ///< ReachTrial::low_pass [Hz]
-  ThumbLabel thumb_label = ThumbLabel::kTold;
-  std::vector<Doubt> trial_doubts;  ///< about the trial as such
-  std::vector<Doubt> doubts;        ///< those, then those about the contacts believed
+  std::vector<Doubt> trial_doubts;                             ///< about the trial as such
+  std::vector<Doubt> doubts;  ///< those, then those about the contacts believed
 };
 
 /** @throws Error as CheckOptions, Error(kRange) for a cut-off above 0.4 of the rate. What a trial

@@ -15,7 +15,9 @@ using Eigen::Vector3d;
 
 constexpr double kCarriedRigid = 5e-3;  // [m] tips that carry a thing stay as far apart as this
 constexpr double kObjectStays = 10e-3;  // [m] an object that moved less stayed
-constexpr double kRisen = 0.03;  // [m] a hand that closed on a thing takes it as high as this
+constexpr double kRisen = 0.03;      // [m] a hand that closed on a thing takes it as high as this
+constexpr double kOpposition = 1.3;  // a digit this many times farther out than the thumb
+constexpr double kOpposed = 0.02;    // .. and by this much [m]
 
 /** The sample of an instant; -1 outside. */
 int FindSampleAt(const std::vector<double>& times, double time) {
@@ -88,6 +90,33 @@ std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const Obj
                        "was: it is not on what the hand carries. Name the object's own marker "
                        "under markers, or none",
                        MmFromM(risen))}};
+}
+
+std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
+                                    const std::vector<SmoothPath>& tips, const Hold& hold) {
+  if (digits.size() < 4 || !digits.front().is_thumb || !hold.IsFound()) return {};
+  const int at = FindSampleAt(tips.front().path.times, hold.time);
+  if (at < 0 || !AreAllSeen(tips, static_cast<size_t>(at))) return {};
+  const auto held = static_cast<size_t>(at);
+  Vector3d sum = Vector3d::Zero();
+  for (const SmoothPath& tip : tips) sum += FindTipPlace(tip, held);
+  // From the middle of all others.
+  const auto out_of = [&](size_t d) {
+    const Vector3d others =
+        (sum - FindTipPlace(tips[d], held)) / static_cast<double>(tips.size() - 1);
+    return (FindTipPlace(tips[d], held) - others).norm();
+  };
+  size_t farthest = 0;
+  for (size_t d = 1; d < tips.size(); ++d) {
+    if (out_of(d) > out_of(farthest)) farthest = d;
+  }
+  const double thumb = out_of(0), most = out_of(farthest);
+  if (farthest == 0 || most < kOpposition * thumb || most < thumb + kOpposed) return {};
+  return {{"thumb_not_opposed",
+           fmt::format("in the hold digit {} is opposite all others ({:.0f} mm from their middle), "
+                       "the thumb is not ({:.0f} mm): their labels are likely exchanged through "
+                       "the whole file. Correct markers in study.yaml",
+                       digits[farthest].digit, MmFromM(most), MmFromM(thumb))}};
 }
 
 }  // namespace graspbench

@@ -1,10 +1,13 @@
 #pragma once
 /** @file
-One more doubt of plausibility.h, about what a marker stands for.
+Two more doubts of plausibility.h, about what the markers stand for.
 
   object_left_behind: in the grip of the hold, or without one of the recording's end, the digits rise
     together by 30 mm (or plausibility.min_carried_m, if that is less), and the recorded object
-    stays: its marker is not on what the hand carries. One of four digits or more may move. */
+    stays: its marker is not on what the hand carries. One of four digits or more may move.
+  thumb_not_opposed: in the hold another digit, not the thumb, is opposite all others: their labels
+    are likely exchanged through the whole file. Not seen where a thing is narrower than the row of
+    the fingers is long. */
 
 #include <vector>
 
@@ -16,5 +19,9 @@ namespace graspbench {
 std::vector<Doubt> FindLeftBehind(const std::vector<SmoothPath>& tips, const ObjectTravel& travel,
                                   const Hold& hold, const LiftOffOptions& lift_off,
                                   const PlausibilityOptions& options);
+
+/** Of four digits or more with a thumb, all seen in the hold. */
+std::vector<Doubt> FindSwappedThumb(const std::vector<DigitTrack>& digits,
+                                    const std::vector<SmoothPath>& tips, const Hold& hold);
 
 }  // namespace graspbench

@@ -123,19 +123,6 @@ std::vector<StudyWarning> FindFilteredExports(const StudyResult& result) {
                    cutoffs.size(), result.trials.size(), cutoff, MsFromS(kDelay / cutoff))}};
 }
 
-std::vector<StudyWarning> FindExchangedThumbs(const StudyResult& result) {
-  int num_unlikely = 0;
-  for (const StudyTrial& trial : result.trials) {
-    num_unlikely += trial.IsKept() && trial.analysis->thumb_label == ThumbLabel::kUnlikely;
-  }
-  if (num_unlikely == 0 || 2 * num_unlikely < result.CountKept()) return {};
-  return {{"thumb_exchanged",
-           fmt::format("in {} of {} trials the row of the fingertips, or the wrist, says that the "
-                       "labels of thumb and finger are exchanged: a thumb is shorter and off the "
-                       "row. Check thumb, index and wrist under markers",
-                       num_unlikely, result.CountKept())}};
-}
-
 std::vector<StudyWarning> FindTwoRates(const StudyResult& result) {
   if (!(result.highest_rate > kSameRate * result.lowest_rate)) return {};
   return {{"two_rates",

@@ -7,8 +7,6 @@ What a person should know of a whole study before its numbers: none of it remove
   frozen_samples: a fifth of all samples, and 100, repeated the one before and count as missing.
   spikes: a thousandth of all samples, and 20, were where no marker gets to and back.
   filtered_export: recordings were low-passed before they were exported (low_pass_trace.h).
-  thumb_exchanged: in most trials that count the row of the fingertips or the wrist, one of them,
-    says that the labels of thumb and finger are exchanged (thumb_label.h).
   two_rates: recordings differ in their sampling rate by more than 2 %.
   review_lapsed: a person confirmed another time of contact than the one found now. */
 
@@ -29,7 +27,6 @@ std::vector<StudyWarning> FindNeverTouching(const StudyResult& result);
 std::vector<StudyWarning> FindManyFrozen(const StudyResult& result);
 std::vector<StudyWarning> FindSpikes(const StudyResult& result);
 std::vector<StudyWarning> FindFilteredExports(const StudyResult& result);
-std::vector<StudyWarning> FindExchangedThumbs(const StudyResult& result);
 std::vector<StudyWarning> FindTwoRates(const StudyResult& result);
 
 }  // namespace graspbench

@@ -58,14 +58,6 @@ const std::vector<TrialFlag>& TrialFlagList() {
        "the recording was low-passed before it was exported: its instants may be late, its "
        "uncertainties are too small",
        [](const A& a) { return !std::isnan(a.low_pass); }},
-      {"thumb may be exchanged",
-       "the row of the fingertips, or the wrist, says that the labels of thumb and finger are "
-       "exchanged",
-       [](const A& a) { return a.thumb_label == ThumbLabel::kUnlikely; }},
-      {"thumb not told",
-       "neither the row of the fingertips nor a wrist tells the thumb from a finger: exchanged "
-       "labels would not be seen",
-       [](const A& a) { return a.thumb_label == ThumbLabel::kNotTold; }},
       {"touch not told",
        "a digit touched at an instant that cannot be told: no GFT, GOT, GCT, no final opening",
        [](const A& a) { return a.num_unresolved > 0; }},

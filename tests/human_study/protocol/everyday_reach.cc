@@ -70,25 +70,16 @@ struct Digit {
   Vector3d home = Vector3d::Zero();  // offset of the start along the surface
   double home_gap = 0.0, open_gap = 0.0;
   double open_time = 0.0, plan = 0.0, speed = 0.0, end_gap = 0.0;
-  double wait_gap = 0.0, wait_time = 0.0;
   Vector3d marker = Vector3d::Zero();
   double touch = kNever;
   Vector3d touch_O = Vector3d::Zero();
   Eigen::Matrix3d R_OW = Eigen::Matrix3d::Identity();  // at the touch: the digit turns on with it
 
-  double LastLeg() const { return 2.0 * wait_gap / speed; }
   double GapAt(double t, double onset) const {
     if (t < open_time) {
       return home_gap + (open_gap - home_gap) * MinimumJerk((t - onset) / (open_time - onset));
     }
     if (t >= plan) return end_gap - speed * (t - plan);
-    if (wait_time > 0.0) {
-      // From a stop off the surface at an even acceleration to the planned speed.
-      const double leave = plan - LastLeg(), arrive = leave - wait_time;
-      const double since = std::max(0.0, t - leave);
-      return wait_gap * (1.0 - since * since / (LastLeg() * LastLeg())) +
-             (open_gap - wait_gap) * (1.0 - MinimumJerk((t - open_time) / (arrive - open_time)));
-    }
     // Cubic from rest at the opening to the planned speed at the planned touch.
     const double time = plan - open_time, u = (t - open_time) / time;
     const double way = open_gap - end_gap;
@@ -223,11 +214,6 @@ Reach MakeReach(const Conditions& conditions, const std::string& id, int trial) 
                  conditions.digit_sd * random.NextNormal();
     digit.open_time = reach.onset + random.NextUniform(0.58, 0.64) * duration;
     digit.speed = random.NextUniform(conditions.min_touch_speed, conditions.max_touch_speed);
-    if (conditions.max_wait_time > 0.0) {
-      digit.wait_gap = random.NextUniform(conditions.min_wait_gap, conditions.max_wait_gap);
-      digit.wait_time = random.NextUniform(conditions.min_wait_time, conditions.max_wait_time);
-      digit.plan += digit.wait_time + digit.LastLeg();
-    }
     if (d == conditions.hovering_digit) digit.end_gap = conditions.hover_gap, digit.speed = 0.0;
     RandomStream person(id, "marker of digit " + std::to_string(d));
     digit.marker = (7e-3 + 0.8e-3 * person.NextNormal()) * digit.normal +

@@ -62,10 +62,6 @@ struct Conditions {
   double wander = 0.0;                  ///< the same by chance each time: a random walk, SD [s]
   double min_touch_speed = 60e-3;       ///< [m/s]
   double max_touch_speed = 160e-3;
-  double max_wait_time = 0.0;  ///< each digit stops before it touches for up to this, at least ..
-  double min_wait_time = 0.0;  ///< .. this [s]; 0: none does
-  double min_wait_gap = 2e-3;  ///< .. so far off the surface [m]
-  double max_wait_gap = 4e-3;
   double tremor = 0.0;  ///< RMS along each axis, 8 to 11 Hz, less once the digit touches [m]
 
   // What happens.

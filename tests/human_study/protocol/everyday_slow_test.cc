@@ -66,25 +66,6 @@ TEST(EverydaySlow, ContactsAreCoveredOrNotUsableHoweverPeopleMove) {
   }
 }
 
-// A digit that waits 2 to 4 mm off the object before it touches.
-TEST(EverydaySlow, ContactsOfDigitsThatWaitedAreCoveredOrNotUsable) {
-  const Behaviour brief = {"waits 50 to 150 ms", [](Conditions& c) {
-                             c.min_wait_time = 0.05;
-                             c.max_wait_time = 0.15;
-                           }};
-  const Behaviour lasting = {"waits 150 to 400 ms", [](Conditions& c) {
-                               c.min_wait_time = 0.15;
-                               c.max_wait_time = 0.4;
-                             }};
-  for (const ReachMaker make_reach : {ReachMaker(MakeReach), ReachMaker(MakeStrangerReach)}) {
-    for (const Behaviour& behaviour : {brief, lasting}) {
-      for (const bool has_shape : {true, false}) {
-        CheckContacts(behaviour, has_shape, "waiting", make_reach);
-      }
-    }
-  }
-}
-
 // What is stated of contacts was not chosen on these.
 TEST(EverydaySlow, ContactsOfAStrangerAreCovered) {
   for (const bool has_shape : {true, false}) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "core/base/files/files.h"
 #include "core/base/random.h"
@@ -39,9 +38,8 @@ Recording MakeRecording(const Reach& reach, double rate) {
 
 void WriteSettings(const StudyPlan& plan, const fs::path& folder) {
   std::string yaml = "name: Everyday reaches\nmarkers:\n";
-  std::istringstream digits(plan.digits);
-  for (std::string tip; digits >> tip;) yaml += "  " + tip + ": " + tip + "\n";
-  yaml += std::string(plan.has_wrist ? "  wrist: wrist\n" : "") + "  object: [";
+  for (const char* tip : kTips) yaml += std::string("  ") + tip + ": " + tip + "\n";
+  yaml += "  wrist: wrist\n  object: [";
   for (int m = 1; m <= plan.conditions.num_object_markers; ++m) {
     yaml += (m == 1 ? "object_" : ", object_") + std::to_string(m);
   }

@@ -21,9 +21,7 @@ struct StudyPlan {
   std::string seed;
   int num_people = 4;
   int trials_per_person = 10;
-  bool has_shape = true;                                  ///< objects.csv has the cylinder
-  bool has_wrist = true;                                  ///< study.yaml names its marker
-  std::string digits = "thumb index middle ring little";  ///< those that study.yaml names
+  bool has_shape = true;    ///< objects.csv has the cylinder
   double other_rate = 0.0;  ///< of every second trial [Hz]; 0: all have that of the conditions
   std::string settings;     ///< more lines of study.yaml
 };

@@ -168,7 +168,6 @@ TEST(Everyday, WhatMovesBeforeTheOthersArrive) {
   report("turn 15 deg", [](Conditions& c) { c.turn = 0.26; });
   report("soft", [](Conditions& c) { c.min_touch_speed = 5e-3, c.max_touch_speed = 20e-3; });
   report("tremor", [](Conditions& c) { c.tremor = 0.4e-3; });
-  report("waits", [](Conditions& c) { c.min_wait_time = 0.05, c.max_wait_time = 0.3; });
 }
 
 TEST(Everyday, AFilteredExportIsReported) {

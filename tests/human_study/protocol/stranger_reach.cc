@@ -54,15 +54,14 @@ struct Closing {
   double start = 0.0, turn = 0.0;     // of the movement, and where it is widest [s]
   double touch = 0.0, beneath = 0.0;  // [s], [m]
   double duration = 1.0;              // of the whole cosine, if nothing stopped it [s]
-  double wait_gap = 0.0, arrive = 0.0, leave = 0.0;  // stops on its way; 0: it does not
 
   void Aim(double speed) {
     double low = 0.0, high = 4.0 * open;
     for (int i = 0; i < 60; ++i) {
       beneath = 0.5 * (low + high);
-      const double way = LastFrom() + beneath;
+      const double way = open + beneath;
       const double phase = std::acos(2.0 * beneath / way - 1.0);
-      duration = (touch - LastStart()) * kPi / phase;
+      duration = (touch - turn) * kPi / phase;
       (0.5 * way * kPi / duration * std::sin(phase) < speed ? low : high) = beneath;
     }
   }
@@ -71,16 +70,9 @@ struct Closing {
       const double u = std::clamp((t - start) / (turn - start), 0.0, 1.0);
       return home + (open - home) * 0.5 * (1.0 - std::cos(kPi * u));
     }
-    if (t < leave) {
-      const double u = std::min(1.0, (t - turn) / (arrive - turn));
-      return wait_gap + (open - wait_gap) * 0.5 * (1.0 + std::cos(kPi * u));
-    }
-    const double way = LastFrom() + beneath;
-    return 0.5 * way * (1.0 + std::cos(kPi * (t - LastStart()) / duration)) - beneath;
+    const double way = open + beneath;
+    return 0.5 * way * (1.0 + std::cos(kPi * (t - turn) / duration)) - beneath;
   }
-  // Of the cosine that meets the surface.
-  double LastStart() const { return std::max(turn, leave); }
-  double LastFrom() const { return leave > turn ? wait_gap : open; }
 };
 
 double WalkTo(const std::string& id, int trial) {
@@ -137,14 +129,6 @@ Reach MakeStrangerReach(const Conditions& conditions, const std::string& id, int
     digit.closing.home = random.NextUniform(-22e-3, -15e-3);
     digit.closing.open = random.NextUniform(18e-3, 34e-3);
     digit.speed = random.NextUniform(conditions.min_touch_speed, conditions.max_touch_speed);
-    if (conditions.max_wait_time > 0.0) {
-      const double wait = random.NextUniform(conditions.min_wait_time, conditions.max_wait_time);
-      digit.closing.wait_gap = random.NextUniform(conditions.min_wait_gap, conditions.max_wait_gap);
-      const double last_leg = 1.6 * digit.closing.wait_gap / digit.speed;
-      digit.closing.arrive = digit.closing.touch;
-      digit.closing.leave = digit.closing.arrive + wait;
-      digit.closing.touch = digit.closing.leave + last_leg;
-    }
     digit.closing.Aim(digit.speed);
     reach.touch_times[d] = reach.hold_times[d] = digit.closing.touch;
     reach.release_times[d] = std::numeric_limits<double>::quiet_NaN();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace graspbench {
 namespace {
 
@@ -42,6 +44,14 @@ const std::vector<Eigen::Vector3d> kOpposed = {{0.0, -0.04, 0.0},
                                                {0.01, 0.04, 0.0},
                                                {0.03, 0.04, 0.0}};
 
+std::vector<DigitTrack> MakeDigits() {
+  std::vector<DigitTrack> digits(5);
+  const std::array<const char*, 5> names = {"TH", "FF", "MF", "RF", "LF"};
+  for (size_t d = 0; d < 5; ++d) digits[d].digit = names[d];
+  digits[0].is_thumb = true;
+  return digits;
+}
+
 TEST(FindLeftBehind, AHandThatRisesWithoutItsObject) {
   const auto find = [](double rise, double moved) {
     return FindLeftBehind(MakeTips(kOpposed, rise), MakeStill(moved), MakeHoldAt(1.0), {}, {});
@@ -72,6 +82,21 @@ TEST(FindLeftBehind, AlsoWhereTheHoldIsAloftOrNotFound) {
     }
     EXPECT_EQ(find(hold, loose), 0u);
   }
+}
+
+TEST(FindSwappedThumb, TheOpposingDigitIsTheThumb) {
+  const std::vector<DigitTrack> digits = MakeDigits();
+  EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(kOpposed, 0.0), MakeHoldAt(1.0)).empty());
+  std::vector<Eigen::Vector3d> exchanged = kOpposed;
+  std::swap(exchanged[0], exchanged[1]);
+  const auto doubts = FindSwappedThumb(digits, MakeTips(exchanged, 0.0), MakeHoldAt(1.0));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].code, "thumb_not_opposed");
+  EXPECT_NE(doubts[0].text.find("digit FF is opposite all others"), std::string::npos);
+  // All in one row, as on a flat hand: nothing to say.
+  const std::vector<Eigen::Vector3d> row = {
+      {-0.06, 0.0, 0.0}, {-0.03, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.03, 0.0, 0.0}, {0.06, 0.0, 0.0}};
+  EXPECT_TRUE(FindSwappedThumb(digits, MakeTips(row, 0.0), MakeHoldAt(1.0)).empty());
 }
 
 }  // namespace

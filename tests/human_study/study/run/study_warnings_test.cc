@@ -77,19 +77,6 @@ TEST(FindFilteredExports, SaysHowManyAndHowLate) {
   EXPECT_NE(warnings[0].text.find("some 38 ms late"), std::string::npos);
 }
 
-TEST(FindExchangedThumbs, WarnsWhereTheWristSaysSoInMostTrials) {
-  StudyResult result = MakeResult([](int) { return true; });
-  EXPECT_TRUE(FindExchangedThumbs(result).empty());
-  for (size_t i = 0; i < 6; ++i) result.trials[i].analysis->thumb_label = ThumbLabel::kUnlikely;
-  ASSERT_EQ(FindExchangedThumbs(result).size(), 1u);
-  EXPECT_EQ(FindExchangedThumbs(result)[0].code, "thumb_exchanged");
-  EXPECT_EQ(FindExchangedThumbs(result)[0].text.find("in 6 of 10 trials"), 0u);
-  result.trials[0].removed = result.trials[1].removed = "a person said so";
-  EXPECT_EQ(FindExchangedThumbs(result).size(), 1u);  // 4 of 8
-  result.trials[2].removed = "so did another";
-  EXPECT_TRUE(FindExchangedThumbs(result).empty());
-}
-
 TEST(FindTwoRates, NamesBothBeyondTwoPerCent) {
   StudyResult result;
   result.lowest_rate = 199.0;
