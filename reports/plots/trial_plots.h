@@ -17,11 +17,12 @@ phases. Times count from the start of placing.
 std::vector<Html> DrawTrialPlots(const Hand& hand, const TracedTrial& traced,
                                  const std::string& name);
 
-/** The phases side by side over the time of the trial, with the time at which a failed trial began to
-fail. Empty for a trial that could not begin. */
+/** The phases side by side over the time of the trial, with the time at which a failed trial began
+to fail. Empty for a trial that could not begin. */
 Html DrawPhaseStrip(const TracedTrial& traced, const std::string& name);
 
-/** The curves below each other as one SVG file. @throws Error(kUnsupported) where there is nothing. */
+/** The curves below each other as one SVG file. @throws Error(kUnsupported) where there is nothing.
+*/
 std::string MakeTrialSvg(const Hand& hand, const TracedTrial& traced, const std::string& name);
 
 }  // namespace graspbench
