@@ -4,14 +4,15 @@ What goes with success among trials without delay, and whether that is the digit
 
 Of one hand, x is success and y the rank of GFT (a digit that never touched: the last rank), each
 less what object and levels explain (least squares; a factor that scales the draws is left in, for
-it is a cause to be found); r_xy is their correlation over all trials without delay. It may come from a
-cause of both: with z the size of the draw's offset or turn, treated alike,
+it is a cause to be found); r_xy is their correlation over all trials without delay. It may come
+from a cause of both: with z the size of the draw's offset or turn, treated alike,
 
     r_z = (r_xy - r_xz r_yz) / sqrt((1 - r_xz^2) (1 - r_yz^2))
 
-95 % intervals from drawing objects. A cause is named where the interval of r excludes zero and r_z
-is less than half of r; of several the one that leaves least. That says what most of the relation goes
-back to, not that it is harmless: whether times matter is what delays decide (simultaneity_map.h).
+95 % intervals from drawing objects. A cause is named where the interval of r excludes zero and
+r_z is less than half of r; of several the one that leaves least. That says what most of the
+relation goes back to, not that it is harmless: whether times matter is what delays decide
+(simultaneity_map.h).
 
 What a map finds of a hand, of success and the last digit, by the strongest design first:
 

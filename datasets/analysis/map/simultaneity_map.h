@@ -10,10 +10,10 @@ first or last digit d seconds late. Of the measure y the pair's effect is
     push                                  mean over d of the sign of (y_d - y_0)
 
 so for 100 ms, of a least squares line through the trial without delay; of the push the share of
-pairs in which the late digit pushes farther less that in which it pushes less far, because a digit
-that never touches counts as the farthest push and has no size. A grip threshold enters as its
-binary logarithm; a draw that no grip held counts as one step above the largest. An object that was lost
-breaks at 0 N.
+pairs in which the late digit pushes farther less that in which it pushes less far, because a
+digit that never touches counts as the farthest push and has no size. A grip threshold enters as
+its binary logarithm; a draw that no grip held counts as one step above the largest. An object
+that was lost breaks at 0 N.
 
 A cell of the map is a hand, a late digit and one or two levels; its estimate is the mean over its
 pairs. 95 % intervals come from drawing objects with replacement (core/statistics/bootstrap.h). p is
