@@ -19,7 +19,7 @@ namespace graspbench {
 @pre the rest lies within [0, 1]. */
 std::vector<double> AdjustHolm(const std::vector<double>& p);
 
-/** Likewise, of the false discovery rate. */
+/** As AdjustHolm, for the false discovery rate. */
 std::vector<double> AdjustBenjaminiHochberg(const std::vector<double>& p);
 
 }  // namespace graspbench

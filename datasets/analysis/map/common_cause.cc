@@ -167,7 +167,7 @@ Answer<NaturalRelation> FindNaturalRelation(const MapData& data, const std::stri
 MapFinding FindWhatMatters(const SimultaneityMap& map, const Answer<NaturalRelation>& natural,
                            const std::string& hand) {
   const MapCell* const whole = FindCell(map, MapMeasure::kSuccess, hand, LateDigit::kLast, {});
-  bool is_none =
+  const bool is_none =
       whole && (whole->verdict == MapVerdict::kNone || whole->verdict == MapVerdict::kCeiling);
   for (const MapCell& cell : map.cells) {
     if (cell.hand != hand || cell.measure != MapMeasure::kSuccess ||

@@ -50,11 +50,11 @@ std::vector<CsvColumn<TableRow>> ListMapColumns() {
        [](const Row& row) { return JsonNumber(row.cell->undelayed); }},
       {"effect", "number", "", "mean over pairs, for 100 ms of delay; of push not by time",
        [](const Row& row) { return JsonNumber(row.cell->estimate); }},
-      {"low", "number", "", "95 % interval from drawing objects",
+      {"low", "number", "", "lower end of the 95 % interval from drawing objects",
        [](const Row& row) {
          return row.cell->interval ? JsonNumber(row.cell->interval->low) : Json();
        }},
-      {"high", "number", "", "likewise",
+      {"high", "number", "", "upper end of the 95 % interval",
        [](const Row& row) {
          return row.cell->interval ? JsonNumber(row.cell->interval->high) : Json();
        }},

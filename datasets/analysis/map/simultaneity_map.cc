@@ -8,7 +8,6 @@
 
 #include "core/base/enum_table.h"
 #include "core/base/random.h"
-#include "core/base/text/range_text.h"
 #include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
 
@@ -16,7 +15,7 @@ namespace graspbench {
 namespace {
 
 constexpr int kNumMapResamples = 1999;
-constexpr double kMapDose = 0.1;  // effects are told for so much delay [s]
+constexpr double kMapDose = 0.1;  // effects are for so much delay [s]
 constexpr double kFalseDiscoveryRate = 0.05;
 constexpr double kCeiling = 0.975;
 constexpr double kFloor = 0.025;

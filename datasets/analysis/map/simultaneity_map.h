@@ -31,7 +31,7 @@ verdict:
     floor          without delay at most 2.5 % succeed: nothing is left to lose
     undecided      else, with the number of objects that would decide it
 
-A correlation among trials without delay is told beside this and decides nothing: where both times
+A correlation among trials without delay stands beside this and decides nothing: where both times
 and success follow from a common cause, as where the object lay, it is no effect of the times
 (common_cause.h). */
 
