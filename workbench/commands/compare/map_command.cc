@@ -57,14 +57,14 @@ ExitCode Run(MapOptions& options) {
 
 void AddMapCommand(CLI::App& program, ExitCode& exit_code) {
   CLI::App& group = AddSubcommand(program, "map", "Map where something matters.",
-                                  "  graspbench map simultaneity --quick --out results/map");
+                                  "  graspbench map simultaneity --quick --out results/quick");
   group.require_subcommand(1);
   CLI::App& command = AddSubcommand(
       group, "simultaneity",
       "Map where it matters that the digits touch at once: one digit is made late on the same "
       "draws.",
-      "  graspbench map simultaneity --quick --out results/map      success, some six minutes\n"
-      "  graspbench map simultaneity --out results/map              the rest, about an hour of "
+      "  graspbench map simultaneity --quick --out results/quick    success, some six minutes\n"
+      "  graspbench map simultaneity --out results/map              all of it, about an hour of "
       "one processor\n"
       "The same command again continues it.");
   const auto options = std::make_shared<MapOptions>();
@@ -80,7 +80,7 @@ void AddMapCommand(CLI::App& program, ExitCode& exit_code) {
       ->default_str("results/map-HASH");
   AddAcceptDamageOption(command, options->request.on_damage);
   AddTrialTimeoutOption(command, options->request.trial_time_limit);
-  command.add_flag("--json", options->json, "print the map as one JSON object");
+  AddJsonOption(command, options->json);
   command.callback([options, &exit_code] { exit_code = Run(*options); });
 }
 
