@@ -23,7 +23,7 @@ std::string MakeSessionReport(const Session& session, const SessionSummary& summ
                            sensitivity, numerics, thresholds, views.body};
   const std::string subtitle = FormatCount(static_cast<int>(summary.hands.size()), "hand") + ", " +
                                FormatCount(static_cast<int>(summary.objects.size()), "object") +
-                               ", " + FormatCount(static_cast<int>(summary.cells.size()), "cell") +
+                               ", " + FormatCount(static_cast<int>(summary.cells.size()), "condition") +
                                ", " + std::to_string(summary.total.finished) + " of " +
                                FormatCount(summary.total.planned, "planned trial") +
                                " finished, seed " + std::to_string(session.config.seed) +

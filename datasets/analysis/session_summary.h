@@ -49,6 +49,7 @@ struct Tally {
   Interval rate_interval() const;  ///< 95 %, Wilson
   /** Of all outcomes but success; of equally many "no contact", then the first of ListOutcomes(). */
   Outcome most_frequent_failure() const;
+  bool is_faultless() const { return finished > 0 && successes() == finished; }
   double share_unconverged() const;  ///< of the steps; NaN without a step
 };
 void AddTally(const Tally& part, Tally& sum);

@@ -150,11 +150,15 @@
     });
   }
 
-  function reveal() {
-    var target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    for (var fold = target; fold; fold = fold.parentElement) {
+  function unfold(element) {
+    for (var fold = element; fold; fold = fold.parentElement) {
       if (fold.nodeName === 'DETAILS') fold.open = true;
     }
+  }
+
+  function reveal() {
+    var target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    unfold(target);
     if (target) target.scrollIntoView();
   }
 
@@ -183,7 +187,7 @@
   addThemeSwitch();
   window.addEventListener('hashchange', reveal);
   window.addEventListener('beforeprint', function () {
-    document.querySelectorAll('details.cell').forEach(function (cell) { cell.open = true; });
+    document.querySelectorAll('details.cell').forEach(unfold);
   });
   if (location.hash) reveal();
 }());

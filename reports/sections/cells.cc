@@ -175,6 +175,13 @@ Html DrawTiming(const CellSummary& cell, const SessionModels& models) {
   return Element("div", {}, html);
 }
 
+Html FormatDraw(const ReportData& data, const PlannedTrial& planned) {
+  const TrialDraw draw = MakeObjectDraw(data.session.config, planned.object, planned.trial);
+  return Text(FormatFixed(MmFromM(draw.offset_x), 1) + ", " +
+              FormatFixed(MmFromM(draw.offset_y), 1) + ", " +
+              FormatFixed(DegFromRad(draw.offset_yaw), 1));
+}
+
 Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
                 const ReportData& data) {
   const Align number = Align::kNumber;
@@ -195,6 +202,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
   columns.push_back({"Energy residual [mJ]", number, "unexplained energy"});
   columns.push_back({"Steps", number, {}});
   columns.push_back({"Not converged", number, "steps whose solve missed its tolerance"});
+  columns.push_back({"Drawn", number, "x, y [mm], yaw [deg] of the object, off its nominal place"});
   columns.push_back({"Trial id"});
   Table table("Trials of " + NameOfCell(cell, data.models) + ".", columns);
   const std::vector<const TrialRecord*> shown = ChooseShownTrials(cell, data.summary);
@@ -221,6 +229,7 @@ Html DrawTrials(const CellSummary& cell, const std::vector<std::string>& digits,
     row.push_back(Text(FormatSignificant(MjFromJ(result.energy_residual), 3)));
     row.push_back(Text(std::to_string(result.num_steps)));
     row.push_back(Text(std::to_string(result.num_unconverged)));
+    row.push_back(FormatDraw(data, record->plan));
     row.push_back(Element("code", {}, record->plan.id));
     table.AddRow(row, MakeTrialAnchor(record->plan));
   }
@@ -309,11 +318,19 @@ Html DrawCells(const ReportData& data) {
               "export/trials.csv beside it their values.");
   for (const std::string& hand : data.summary.hands) {
     Html cells;
+    Html faultless;
+    int num_faultless = 0;
     for (const CellSummary& cell : data.summary.cells) {
-      if (cell.hand == hand) cells += DrawCell(cell, data);
+      if (cell.hand != hand) continue;
+      num_faultless += cell.tally.is_faultless();
+      (cell.tally.is_faultless() ? faultless : cells) += DrawCell(cell, data);
     }
     html += Element("h3", {}, data.models.NameOfHand(hand)) +
             Element("div", {{"class", "cells"}}, cells);
+    if (num_faultless == 0) continue;
+    html += MakeDetails(
+        FormatCount(num_faultless, "condition") + " in which every finished trial succeeded",
+        Element("div", {{"class", "cells"}}, faultless));
   }
   return html;
 }

@@ -1,5 +1,4 @@
 #include "core/base/text/text.h"
-#include "core/base/units.h"
 #include "datasets/session/find_trial.h"
 #include "reports/outcome_words.h"
 #include "reports/page/layout.h"
@@ -23,13 +22,6 @@ std::vector<const TrialRecord*> ListFailures(const SessionSummary& summary) {
   return failures;
 }
 
-Html FormatDraw(const ReportData& data, const PlannedTrial& planned) {
-  const TrialDraw draw = MakeObjectDraw(data.session.config, planned.object, planned.trial);
-  return Text(FormatFixed(MmFromM(draw.offset_x), 1) + ", " +
-              FormatFixed(MmFromM(draw.offset_y), 1) + ", " +
-              FormatFixed(DegFromRad(draw.offset_yaw), 1));
-}
-
 /** To its scene, or, of a page without, to what makes one. */
 Html LinkToView(const ReportData& data, const PlannedTrial& planned) {
   const std::string anchor = MakeViewAnchor(planned);
@@ -42,23 +34,16 @@ Html DrawFailedTrials(const ReportData& data) {
   if (total.finished == total.successes()) return MakeParagraph("No finished trial failed.");
   const std::vector<const TrialRecord*> failures = ListFailures(data.summary);
   const size_t num_rows = std::min(failures.size(), kMaxRows);
-  Table table(
-      "Every trial that did not succeed, and why.",
-      {{"Trial", Align::kText, "leads to all its values"},
-       {"3-D", Align::kText, "leads to its scene, or says how to make it"},
-       {"Hand"},
-       {"Object"},
-       {"Grasp"},
-       {"Outcome"},
-       {"Why", Align::kProse},
-       {"Drawn x, y [mm], yaw [deg]", Align::kNumber, "of the object, off its nominal place"}});
+  Table table("Every trial that did not succeed, and why.",
+              {{"Trial", Align::kText, "leads to all its values"},
+               {"3-D", Align::kText, "leads to its scene, or says how to make it"},
+               {"Outcome"},
+               {"Why", Align::kProse}});
   for (size_t i = 0; i < num_rows; ++i) {
     const PlannedTrial& planned = failures[i]->plan;
     table.AddRow({LinkTo(MakeTrialAnchor(planned), NameTrial(planned)), LinkToView(data, planned),
-                  Text(data.models.NameOfHand(planned.hand)),
-                  Text(data.models.NameOfObject(planned.object)), Text(planned.grasp),
-                  Text(WordsOf(failures[i]->result.outcome)), Text(ExplainEnd(failures[i]->result)),
-                  FormatDraw(data, planned)});
+                  Text(WordsOf(failures[i]->result.outcome)),
+                  Text(ExplainEnd(failures[i]->result))});
   }
   Html html =
       Element("p", {},

@@ -18,15 +18,23 @@ Html DrawGrip(const ReportData& data) {
         "give.");
   }
   const Align number = Align::kNumber;
-  Table table("Regulated grips of each cell: medians of the trials that reached the hold.",
-              {{"Cell"},
+  Table table("Regulated grips of each condition: medians of the trials that reached the hold.",
+              {{"Condition"},
                {"Trials", number, "that reached the hold"},
                {"Asked [N]", number, "sum over the hand"},
                {"Held [N]", number, "sum over the hand, mean of the hold"},
                {"Within 20 %", number, "trials whose held sum is"},
                {"Digits without their force", Align::kText,
                 "more than a fifth off, with the reason and in how many finished trials"}});
+  int num_held = 0;
+  int num_within = 0;
+  std::string off;  // conditions whose grips are mostly not what was asked for
   for (const GripSummary& grip : grips) {
+    num_held += grip.held.n;
+    num_within += grip.num_within;
+    if (2 * grip.num_within < grip.held.n) {
+      off += (off.empty() ? "" : "; ") + NameOfCell(*grip.cell, data.models);
+    }
     const std::string faults = DescribeFaults(grip.faults);
     table.AddRow({LinkTo(grip.cell->key, NameOfCell(*grip.cell, data.models)),
                   Text(std::to_string(grip.held.n)), Text(FormatGripMedian(grip.asked)),
@@ -39,7 +47,10 @@ Html DrawGrip(const ReportData& data) {
              "its drives gives all it can; \"coupling\": a coupled joint is at its stop; "
              "\"balance\": statics give the force to others; \"no touch\", \"not felt\": it never "
              "touched, or has nothing to feel by.") +
-         table.ToHtml();
+         MakeParagraph("The sum is within 20 % of what was asked in " + std::to_string(num_within) +
+                       " of " + FormatCount(num_held, "trial") + " that reached the hold" +
+                       (off.empty() ? "." : "; in fewer than half of them with: " + off + ".")) +
+         MakeDetails("Grips of all conditions", table.ToHtml());
 }
 
 }  // namespace

@@ -130,8 +130,10 @@ Html DrawObjects(const ReportData& data) {
 }
 
 Html DrawMethods(const ReportData& data) {
-  Html html = MakeMethodsText({DescribeMethod(data)}) + DrawMeasures() + DrawOrigins();
-  html += DrawTaxonomies() + DrawHands(data) + DrawObjects(data);
+  Html html = MakeMethodsText({DescribeMethod(data)}) + DrawMeasures() + DrawHands(data);
+  html += MakeDetails("Objects and their content hashes", DrawObjects(data));
+  html += MakeDetails("What is the thesis's, what graspbench's", DrawOrigins());
+  html += MakeDetails("Names of the grasp types in other taxonomies", DrawTaxonomies());
   return html + MakeDetails("The session's complete configuration",
                             MakeConfigTable("The session's complete configuration.",
                                             ToJson(data.session.config)));

@@ -41,7 +41,7 @@ Html DrawSeats(const ReportData& data) {
   }
   return MakeParagraph(
              intro + (counts.empty() ? "These records tell no seats." : Capitalise(counts) + ".")) +
-         table.ToHtml();
+         MakeDetails("Seats of all conditions", table.ToHtml());
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ Html DrawSuccessMap(const ReportData& data) {
   HeatMap map;
   map.text.title = "Successes by object and hand";
   map.text.description =
-      "A table of objects in rows and hands in columns; every cell gives successes, finished "
+      "A table of objects in rows and hands in columns; every entry gives successes, finished "
       "trials and grasp, and leads to its section.";
   const bool has_groups = std::any_of(columns.begin(), columns.end(), [](const MapColumn& column) {
     return !column.grasp.empty();
@@ -81,9 +81,9 @@ Html DrawSuccessMap(const ReportData& data) {
       map.cells.push_back(MakeCell(FindCellOf(column, object, data.summary), column, data.models));
     }
   }
-  return MakeFigure("Successes and finished trials of every cell; g1 to g5 is the grasp.",
+  return MakeFigure("Successes and finished trials of every condition; g1 to g5 is the grasp.",
                     "dashed frames (no success at all) and objects that are weak with every hand. "
-                    "A cell leads to its pictures and times.",
+                    "An entry leads to its pictures and times.",
                     MakeScroll(map.text.title, DrawHeatMap(map)));
 }
 

@@ -22,14 +22,15 @@ Html NameCell(const ReportData& data, const CellThreshold& cell) {
 Html DrawCellThresholds(const ReportData& data, const ThresholdSummary& summary) {
   const ThresholdScale& scale = *summary.scale;
   const Align number = Align::kNumber;
-  Table table("Grip thresholds of the draws of each cell, as a " + std::string(scale.name) + ".",
-              {{"Cell"},
-               {"Draws", number},
-               {"Median", number, "smallest grip with which the draw in the middle succeeds"},
-               {"95 % interval", number, "of order statistics"},
-               {"Held by the least", number, "the threshold is no larger than the scale's end"},
-               {"Never held", number, "by no grip that was asked"},
-               {"Not monotone", number, "trials that fail again with a larger grip"}});
+  Table table(
+      "Grip thresholds of the draws of each condition, as a " + std::string(scale.name) + ".",
+      {{"Condition"},
+       {"Draws", number},
+       {"Median", number, "smallest grip with which the draw in the middle succeeds"},
+       {"95 % interval", number, "of order statistics"},
+       {"Held by the least", number, "the threshold is no larger than the scale's end"},
+       {"Never held", number, "by no grip that was asked"},
+       {"Not monotone", number, "trials that fail again with a larger grip"}});
   for (const CellThreshold& cell : summary.cells) {
     const std::string interval = std::isnan(cell.low) ? "n/a"
                                                       : FormatThreshold(scale, cell.low) + " to " +
@@ -45,7 +46,7 @@ Html DrawCellThresholds(const ReportData& data, const ThresholdSummary& summary)
 Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
   const ThresholdScale& scale = *summary.scale;
   IntervalPlot plot;
-  plot.text.title = "Median grip threshold by cell";
+  plot.text.title = "Median grip threshold by condition";
   plot.text.description = "Medians with 95 % intervals, one row per hand, object and grasp.";
   plot.axis = std::string("grip threshold, ") + scale.name +
               (*scale.unit ? std::string(" [") + scale.unit + "]" : "");
@@ -60,10 +61,11 @@ Html DrawMedians(const ReportData& data, const ThresholdSummary& summary) {
     row.text = FormatThreshold(scale, cell.median);
     plot.rows.push_back(row);
   }
-  return MakeFigure(plot.text.title + ".",
-                    "cells far to the right need a strong grip; the text names those that no grip "
-                    "holds in half of their draws.",
-                    MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
+  return MakeFigure(
+      plot.text.title + ".",
+      "conditions far to the right need a strong grip; the text names those that no grip "
+      "holds in half of their draws.",
+      MakeScroll(plot.text.title, DrawIntervalPlot(plot)));
 }
 
 Html DrawThresholds(const ReportData& data) {
