@@ -46,7 +46,7 @@ async function open(browser, file, width, scheme, withScript) {
 // The text of the document without the script's own parts, from the tree and not from its look.
 const readText = () => {
   const copy = document.body.cloneNode(true);
-  copy.querySelectorAll('.tools, .theme, script').forEach((part) => part.remove());
+  copy.querySelectorAll('.tools, .theme, .open-3d, script').forEach((part) => part.remove());
   return copy.textContent.replace(/\s+/g, ' ');
 };
 

@@ -26,8 +26,11 @@ cd "$work"
 "$program" campaign --hand tum --object golf_ball,can --evaluations 6 --trials 2 --out campaign \
   >/dev/null 2>&1
 "$program" study demo --out study >/dev/null 2>&1
-pages=()
-for result in session basin campaign study; do
+"$program" sweep --hand tum --object golf_ball,can --trials 2 --factor model.friction_scale=1,0.5 --out sweep \
+  >/dev/null 2>&1
+"$program" trial session shadow-pencil-g4:1 --page trial.html >/dev/null 2>&1
+pages=(trial.html)
+for result in session basin campaign study sweep; do
   "$program" report "$result" >/dev/null 2>&1
   pages+=("$result/report/index.html")
 done
