@@ -115,14 +115,7 @@ Html DrawPlane(const Plane& plane) {
 }
 
 Html DrawFindings(const MapView& view) {
-  std::vector<std::string> sentences = view.result.findings();
-  for (const MapPartResult& part : view.result.parts) {
-    for (const std::string& hand : part.map.hands) {
-      const std::string says = DescribeMap(part.map, hand);
-      if (!says.empty()) sentences.push_back(hand + ", " + part.title + ": " + says);
-    }
-  }
-  Html content = MakeList(sentences);
+  Html content = MakeList(view.result.findings());
   for (const Diagnostic& entry : view.session.findings.entries()) {
     content += MakeParagraph(entry.text);
   }
@@ -138,8 +131,7 @@ Html DrawFindings(const MapView& view) {
 Html DrawPlanes(const MapView& view) {
   Html content = MakeParagraph(
       "A region is one level, or two levels of two factors, with all levels of the others. Point "
-      "at "
-      "a cell for its interval, pairs and verdict.");
+      "at an entry for its interval, pairs and verdict.");
   for (const Plane& plane : ListPlanes(view.result)) content += DrawPlane(plane);
   return content;
 }
@@ -187,6 +179,35 @@ Html DrawRegions(const MapView& view) {
                          "Everywhere, and the regions in which a late digit costs or gains.") +
          MakeDetails("All " + FormatCount(static_cast<int>(all.size()), "region"),
                      DrawRegionTable(all, "Every region of every measure."));
+}
+
+Html DrawObjects(const MapView& view) {
+  if (view.result.objects.empty()) return MakeParagraph("There is no pair.");
+  std::vector<Column> columns = {{"Hand"}, {"Late digit"}, {"Object"}, {"Pairs", Align::kNumber}};
+  for (const RateWithDelay& rate : view.result.objects.front().rates) {
+    columns.push_back({FormatFixed(rate.delay, 1) + " s late [%]", Align::kNumber, "successes"});
+  }
+  columns.push_back({"Points for 100 ms (95 % interval)", Align::kNumber});
+  Table table("Success of each object, all regions together.", columns);
+  for (const ObjectEffect& effect : view.result.objects) {
+    std::vector<Html> row = {Text(effect.hand), Text(NameLateDigit(effect.late)),
+                             Text(effect.object), Text(std::to_string(effect.num_pairs))};
+    for (size_t i = 0; i + 5 < columns.size(); ++i) {
+      row.push_back(
+          Text(i < effect.rates.size() ? FormatFixed(100.0 * effect.rates[i].rate, 0) : "n/a"));
+    }
+    const std::string interval = effect.interval
+                                     ? FormatFixed(100.0 * effect.interval->low, 1) + " to " +
+                                           FormatFixed(100.0 * effect.interval->high, 1)
+                                     : effect.interval.reason();
+    row.push_back(Text(FormatFixed(100.0 * effect.estimate, 1) + " (" + interval + ")"));
+    table.AddRow(row);
+  }
+  return MakeParagraph(
+             "Intervals come from drawing an object's pairs with replacement: they are "
+             "of this object in these regions, and of twenty objects one excludes 0 by "
+             "chance.") +
+         table.ToHtml();
 }
 
 Html DrawNatural(const MapView& view) {
@@ -241,7 +262,9 @@ Html DrawMethods(const MapView& view) {
        "digit "
        "that never touched being the farthest. 95 % intervals come from drawing objects with "
        "replacement, p values from the signs of objects' sums, adjusted for a false discovery rate "
-       "of 5 % over all cells of a measure."});
+       "of 5 %, of what holds everywhere over hands and late digits, of regions over all regions "
+       "of a "
+       "measure."});
 }
 
 }  // namespace
@@ -251,6 +274,7 @@ std::string MakeMapPage(const Session& session, const MapResult& result) {
       {"findings", "Where it matters that the digits touch at once", &DrawFindings},
       {"maps", "Maps", &DrawPlanes},
       {"regions", "Regions", &DrawRegions},
+      {"objects", "Object by object", &DrawObjects},
       {"natural", "Without delays", &DrawNatural},
       {"methods", "Methods", &DrawMethods}};
   int num_trials = 0, num_planned = 0;

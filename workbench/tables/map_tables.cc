@@ -21,11 +21,6 @@ void AddRows(const MapPartResult& part, TextTable& table) {
 std::string FormatMap(const MapResult& result) {
   std::string text;
   for (const std::string& finding : result.findings()) text += finding + "\n";
-  for (const MapPartResult& part : result.parts) {
-    for (const std::string& hand : part.map.hands) {
-      text += hand + ", " + part.title + ": " + DescribeMap(part.map, hand) + "\n";
-    }
-  }
   TextTable table({"hand", "measure", "where", "pairs", "late last digit", "verdict"});
   for (const MapPartResult& part : result.parts) AddRows(part, table);
   return text + "\n" + table.Format() +

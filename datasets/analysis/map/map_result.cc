@@ -62,15 +62,25 @@ std::vector<CsvColumn<TableRow>> ListMapColumns() {
        [](const Row& row) { return Json(row.cell->interval ? "" : row.cell->interval.reason()); }},
       {"p", "number", "", "of no effect, by the signs of objects",
        [](const Row& row) { return JsonNumber(row.cell->p); }},
-      {"adjusted_p", "number", "", "for the false discovery rate, over all cells of the measure",
+      {"adjusted_p", "number", "",
+       "for the false discovery rate: everywhere over hands and late digits, a region over all",
        [](const Row& row) { return JsonNumber(row.cell->adjusted_p); }},
       {"verdict", "string", "", "costs, gains, none, ceiling, floor, undecided",
        [](const Row& row) { return Json(RowOf(kMapVerdicts, row.cell->verdict).name); }}};
 }
 
+MapMeasure FindMeasure(const MapPart& part) {
+  if (part.with_judge) return MapMeasure::kBreakingForce;
+  return part.with_thresholds ? MapMeasure::kThreshold : MapMeasure::kSuccess;
+}
+
 MapPartResult MakePart(const MapPart& part, const Session& session, const MapData& data) {
-  return {part.id, part.title, static_cast<int>(session.records.size()),
-          static_cast<int>(session.plan.size()), MapSimultaneity(data)};
+  return {part.id,
+          part.title,
+          static_cast<int>(session.records.size()),
+          static_cast<int>(session.plan.size()),
+          FindMeasure(part),
+          MapSimultaneity(data)};
 }
 
 }  // namespace
@@ -79,6 +89,12 @@ std::vector<std::string> MapResult::findings() const {
   std::vector<std::string> sentences;
   for (const std::string& hand : parts.front().map.hands) {
     sentences.push_back(DescribeFinding(parts.front().map, natural.at(hand), hand));
+    for (const MapPartResult& part : parts) {
+      const std::string regions = DescribeMap(part.map, hand, part.measure);
+      if (!regions.empty()) sentences.push_back(hand + ": " + regions);
+    }
+    const std::string by_object = DescribeObjects(objects, hand);
+    if (!by_object.empty()) sentences.push_back(hand + ": " + by_object);
   }
   return sentences;
 }
@@ -89,6 +105,7 @@ MapResult LoadMap(const Session& session) {
     if (result.parts.empty()) {
       const MapData data = ListMapTrials(session, {});
       result.parts.push_back(MakePart(part, session, data));
+      result.objects = ListObjectEffects(data);
       for (const std::string& hand : result.parts.front().map.hands) {
         result.natural[hand] = FindNaturalRelation(data, hand);
       }
@@ -102,6 +119,39 @@ MapResult LoadMap(const Session& session) {
   return result;
 }
 
+namespace {
+
+/** Of success with the delay at this place; null: there is no such. */
+Json FindRate(const ObjectEffect& effect, size_t place) {
+  return effect.rates.size() > place ? JsonNumber(effect.rates[place].rate) : Json();
+}
+
+std::vector<CsvColumn<ObjectEffect>> ListObjectColumns() {
+  using Row = ObjectEffect;
+  return {{"hand", "string", "", "id of the hand", [](const Row& row) { return row.hand; }},
+          {"object", "string", "", "id of the object", [](const Row& row) { return row.object; }},
+          {"late_digit", "string", "", "last or first to touch without delay",
+           [](const Row& row) { return Json(NameLateDigit(row.late)); }},
+          {"pairs", "integer", "", "of a trial without delay and its late ones",
+           [](const Row& row) { return row.num_pairs; }},
+          {"undelayed", "number", "", "rate of success without delay",
+           [](const Row& row) { return FindRate(row, 0); }},
+          {"rate_at_shorter_delay", "number", "", "rate of success with the shorter delay",
+           [](const Row& row) { return FindRate(row, 1); }},
+          {"rate_at_longer_delay", "number", "", "rate of success with the longer delay",
+           [](const Row& row) { return FindRate(row, 2); }},
+          {"effect", "number", "", "change of the rate for 100 ms of delay",
+           [](const Row& row) { return JsonNumber(row.estimate); }},
+          {"low", "number", "", "lower end of the 95 % interval from drawing pairs",
+           [](const Row& row) { return row.interval ? JsonNumber(row.interval->low) : Json(); }},
+          {"high", "number", "", "upper end of the 95 % interval",
+           [](const Row& row) { return row.interval ? JsonNumber(row.interval->high) : Json(); }},
+          {"no_interval", "string", "", "why there is none",
+           [](const Row& row) { return Json(row.interval ? "" : row.interval.reason()); }}};
+}
+
+}  // namespace
+
 std::vector<ExportTable> MakeMapTables(const MapResult& result) {
   std::vector<TableRow> rows;
   for (const MapPartResult& part : result.parts) {
@@ -110,7 +160,10 @@ std::vector<ExportTable> MakeMapTables(const MapResult& result) {
     }
   }
   const auto columns = ListMapColumns();
-  return {{"map", FormatCsv(columns, rows), MakeTableSchema(columns, "")}};
+  const auto object_columns = ListObjectColumns();
+  return {{"map", FormatCsv(columns, rows), MakeTableSchema(columns, "")},
+          {"map_objects", FormatCsv(object_columns, result.objects),
+           MakeTableSchema(object_columns, "")}};
 }
 
 Json ToJson(const MapResult& result) {
@@ -121,6 +174,21 @@ Json ToJson(const MapResult& result) {
     json["trials"] = part.num_trials;
     json["planned"] = part.num_planned;
     parts.push_back(json);
+  }
+  Json objects = Json::array();
+  for (const ObjectEffect& effect : result.objects) {
+    Json rates = Json::array();
+    for (const RateWithDelay& rate : effect.rates) {
+      rates.push_back({{"delay_s", rate.delay}, {"success", JsonNumber(rate.rate)}});
+    }
+    objects.push_back({{"hand", effect.hand},
+                       {"object", effect.object},
+                       {"late_digit", NameLateDigit(effect.late)},
+                       {"pairs", effect.num_pairs},
+                       {"rates", rates},
+                       {"effect", JsonNumber(effect.estimate)},
+                       {"low", effect.interval ? JsonNumber(effect.interval->low) : Json()},
+                       {"high", effect.interval ? JsonNumber(effect.interval->high) : Json()}});
   }
   Json natural = Json::object();
   for (const auto& [hand, relation] : result.natural) {
@@ -135,7 +203,10 @@ Json ToJson(const MapResult& result) {
                      {"high", JsonNumber(relation->interval.high)},
                      {"cause", relation->cause}};
   }
-  return {{"findings", result.findings()}, {"parts", parts}, {"natural", natural}};
+  return {{"findings", result.findings()},
+          {"parts", parts},
+          {"objects", objects},
+          {"natural", natural}};
 }
 
 }  // namespace graspbench

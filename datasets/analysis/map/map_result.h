@@ -8,6 +8,7 @@ A map of simultaneity as it is stored: the success session with the other parts 
 #include <vector>
 
 #include "datasets/analysis/map/common_cause.h"
+#include "datasets/analysis/map/object_effects.h"
 #include "datasets/session/session_store.h"
 
 namespace graspbench {
@@ -15,24 +16,26 @@ namespace graspbench {
 struct MapPartResult {
   std::string id, title;
   int num_trials = 0, num_planned = 0;
+  MapMeasure measure = MapMeasure::kSuccess;  ///< what the part was run for
   SimultaneityMap map;
 };
 
 struct MapResult {
   std::vector<MapPartResult> parts;                        ///< success first; those that have begun
+  std::vector<ObjectEffect> objects;                       ///< of the first part
   std::map<std::string, Answer<NaturalRelation>> natural;  ///< by hand
 
-  /** What the map finds of each hand, a sentence a hand. */
+  /** What the map finds: of each hand over all regions, by region, by object. */
   std::vector<std::string> findings() const;
 };
 
 /** @param session  the first part, IsMap. @throws as LoadSession. */
 MapResult LoadMap(const Session& session);
 
-/** map.csv: a row for each cell of every part. */
+/** map.csv: a row for each cell of every part; map_objects.csv: a row for each object. */
 std::vector<ExportTable> MakeMapTables(const MapResult& result);
 
-/** {findings: [..], parts: [{id, trials, planned, factors, says, cells}], natural: {HAND: ..}}. */
+/** {findings: [..], parts: [{id, trials, planned, factors, cells}], objects: [..], natural: {HAND: ..}}. */
 Json ToJson(const MapResult& result);
 
 }  // namespace graspbench

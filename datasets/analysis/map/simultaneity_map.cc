@@ -4,81 +4,23 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 #include "core/base/enum_table.h"
 #include "core/base/random.h"
 #include "core/base/text/text.h"
 #include "core/statistics/multiple_tests.h"
+#include "datasets/analysis/map/map_pairs.h"
 
 namespace graspbench {
 namespace {
 
 constexpr int kNumMapResamples = 1999;
-constexpr double kMapDose = 0.1;  // effects are for so much delay [s]
 constexpr double kFalseDiscoveryRate = 0.05;
 constexpr double kCeiling = 0.975;
 constexpr double kFloor = 0.025;
 constexpr size_t kMostChanged = 3;
 
-/** A hand's pair: one draw in one region with one late digit. */
-struct Pair {
-  std::vector<size_t> levels;
-  std::string object;
-  double undelayed = kUnset;
-  double effect = kUnset;
-  std::string changed;  ///< name of a late trial with another value; empty: none
-};
-
-double CalcSign(double change) { return change > 0.0 ? 1.0 : change < 0.0 ? -1.0 : 0.0; }
-
-/** NaN where a trial of the pair has no value. */
-double CalcPairEffect(MapMeasure measure, double undelayed,
-                      const std::vector<std::pair<double, double>>& delayed) {
-  double products = 0.0, squares = 0.0, signs = 0.0;
-  for (const auto& [delay, value] : delayed) {
-    products += delay * (value - undelayed);
-    squares += delay * delay;
-    // Two digits that never touch are as far as each other; inf - inf is no number.
-    signs += value == undelayed ? 0.0 : std::isnan(value) ? kUnset : CalcSign(value - undelayed);
-  }
-  if (std::isnan(undelayed) || delayed.empty()) return kUnset;
-  if (measure == MapMeasure::kPush) return signs / static_cast<double>(delayed.size());
-  return kMapDose * products / squares;
-}
-
-using PairKey = std::tuple<std::string, int, std::vector<size_t>>;
-
-/** Of one hand, late digit and measure, those that have a value. */
-std::vector<Pair> ListPairs(const MapData& data, const std::string& hand, LateDigit late,
-                            MapMeasure measure) {
-  const auto place = static_cast<size_t>(measure);
-  std::map<PairKey, double> undelayed;
-  std::map<PairKey, std::vector<const MapTrial*>> delayed;
-  for (const MapTrial& trial : data.trials) {
-    if (trial.hand != hand) continue;
-    const PairKey key(trial.object, trial.draw, trial.levels);
-    if (trial.late == LateDigit::kNone) undelayed[key] = trial.values[place];
-    if (trial.late == late) delayed[key].push_back(&trial);
-  }
-  std::vector<Pair> pairs;
-  for (const auto& [key, trials] : delayed) {
-    const auto found = undelayed.find(key);
-    if (found == undelayed.end()) continue;
-    std::vector<std::pair<double, double>> values;
-    std::string changed;
-    for (const MapTrial* trial : trials) {
-      values.emplace_back(trial->delay, trial->values[place]);
-      if (changed.empty() && trial->values[place] != found->second) changed = trial->name;
-    }
-    const double effect = CalcPairEffect(measure, found->second, values);
-    if (std::isnan(effect)) continue;
-    pairs.push_back({std::get<2>(key), std::get<0>(key), found->second, effect, changed});
-  }
-  return pairs;
-}
-
-bool IsWithin(const Pair& pair, const std::vector<MapLevel>& where) {
+bool IsWithin(const MapPair& pair, const std::vector<MapLevel>& where) {
   return std::all_of(where.begin(), where.end(), [&](const MapLevel& level) {
     return pair.levels[level.factor] == level.level;
   });
@@ -131,10 +73,10 @@ double CalcSignP(const std::vector<ObjectSum>& objects, const std::string& id) {
   return (1.0 + num_as_large) / (1.0 + kNumMapResamples);
 }
 
-MapCell MakeCell(const std::vector<Pair>& pairs, MapCell cell, const std::string& id) {
+MapCell MakeCell(const std::vector<MapPair>& pairs, MapCell cell, const std::string& id) {
   std::map<std::string, ObjectSum> by_object;
   double undelayed = 0.0;
-  for (const Pair& pair : pairs) {
+  for (const MapPair& pair : pairs) {
     if (!IsWithin(pair, cell.where)) continue;
     ++cell.num_pairs;
     by_object[pair.object].sum += pair.effect;
@@ -197,14 +139,22 @@ void Decide(MapCell& cell) {
   }
 }
 
-/** Of the cells from `begin` on, all of one measure. */
+/** Of the cells from `begin` on, all of one measure: what holds everywhere is one family of
+hypotheses, what holds in a region another. */
 void DecideAll(std::vector<MapCell>& cells, size_t begin) {
-  std::vector<double> p;
-  for (size_t i = begin; i < cells.size(); ++i) p.push_back(cells[i].p);
-  const std::vector<double> adjusted = AdjustBenjaminiHochberg(p);
-  for (size_t i = begin; i < cells.size(); ++i) {
-    cells[i].adjusted_p = adjusted[i - begin];
-    Decide(cells[i]);
+  for (const bool is_everywhere : {true, false}) {
+    std::vector<MapCell*> family;
+    std::vector<double> p;
+    for (size_t i = begin; i < cells.size(); ++i) {
+      if (cells[i].where.empty() != is_everywhere) continue;
+      family.push_back(&cells[i]);
+      p.push_back(cells[i].p);
+    }
+    const std::vector<double> adjusted = AdjustBenjaminiHochberg(p);
+    for (size_t i = 0; i < family.size(); ++i) {
+      family[i]->adjusted_p = adjusted[i];
+      Decide(*family[i]);
+    }
   }
 }
 
@@ -225,7 +175,7 @@ SimultaneityMap MapSimultaneity(const MapData& data) {
     const size_t begin = map.cells.size();
     for (const std::string& hand : map.hands) {
       for (const LateDigit late : {LateDigit::kLast, LateDigit::kFirst}) {
-        const std::vector<Pair> pairs = ListPairs(data, hand, late, measure.value);
+        const std::vector<MapPair> pairs = ListMapPairs(data, hand, late, measure.value);
         if (pairs.empty()) continue;
         for (const std::vector<MapLevel>& where : ListPlaces(map.factors)) {
           MapCell cell;
@@ -300,41 +250,47 @@ int CountRegions(const SimultaneityMap& map, const std::string& hand, MapMeasure
       }));
 }
 
+/** What a late digit does to a measure. */
+struct MapVerbs {
+  MapMeasure measure;
+  const char* costs;
+  const char* gains;
+};
+constexpr MapVerbs kMapVerbs[] = {
+    {MapMeasure::kSuccess, "costs success", "gains success"},
+    {MapMeasure::kThreshold, "asks for more grip", "asks for less grip"},
+    {MapMeasure::kPush, "pushes farther", "pushes less far"},
+    {MapMeasure::kBreakingForce, "weakens the hold", "strengthens the hold"}};
+
+const MapVerbs& VerbsOf(MapMeasure measure) {
+  return *std::find_if(std::begin(kMapVerbs), std::end(kMapVerbs),
+                       [&](const MapVerbs& verbs) { return verbs.measure == measure; });
+}
+
 std::string DescribeRegions(const SimultaneityMap& map, const std::vector<const MapCell*>& regions,
                             int num_all, const std::string& what) {
-  const std::string count =
-      std::to_string(regions.size()) + " of " + std::to_string(num_all) + " regions";
-  if (regions.empty())
-    return "A late last digit " + what + " in none of " + std::to_string(num_all) + " regions. ";
-  return "A late last digit " + what + " in " + count + ", most where " +
+  const std::string start = "A late last digit " + what + " in ";
+  const std::string all = std::to_string(num_all) + " regions";
+  if (regions.empty()) return start + "none of " + all + ". ";
+  return start + std::to_string(regions.size()) + " of " + all + ", most where " +
          NameWhere(map, *regions.front()) + ": " + FormatEffect(*regions.front()) + ". ";
 }
 
 }  // namespace
 
-std::string DescribeMap(const SimultaneityMap& map, const std::string& hand) {
-  std::string text;
-  for (const MapMeasure measure : {MapMeasure::kSuccess, MapMeasure::kThreshold}) {
-    const int num_all = CountRegions(map, hand, measure);
-    if (num_all == 0) continue;
-    const bool is_success = measure == MapMeasure::kSuccess;
-    const auto list = [&](MapVerdict verdict) { return ListRegions(map, hand, measure, verdict); };
-    text += DescribeRegions(map, list(MapVerdict::kCosts), num_all,
-                            is_success ? "costs success" : "asks for more grip");
-    const std::vector<const MapCell*> gains = list(MapVerdict::kGains);
-    if (!gains.empty()) {
-      text += DescribeRegions(map, gains, num_all, is_success ? "gains success" : "asks for less");
-    }
-    const size_t num_none = list(MapVerdict::kNone).size();
-    const size_t num_ends = list(MapVerdict::kCeiling).size() + list(MapVerdict::kFloor).size();
-    const size_t num_open = list(MapVerdict::kUndecided).size();
-    text += "It makes no difference in " + std::to_string(num_none) +
-            ", success is at its ceiling "
-            "or floor in " +
-            std::to_string(num_ends) + ", and " + std::to_string(num_open) + " are not decided. ";
-  }
-  if (!text.empty()) text.pop_back();
-  return text;
+std::string DescribeMap(const SimultaneityMap& map, const std::string& hand, MapMeasure measure) {
+  const int num_all = CountRegions(map, hand, measure);
+  if (num_all == 0) return "";
+  const auto list = [&](MapVerdict verdict) { return ListRegions(map, hand, measure, verdict); };
+  const MapVerbs& verbs = VerbsOf(measure);
+  std::string text = DescribeRegions(map, list(MapVerdict::kCosts), num_all, verbs.costs);
+  const std::vector<const MapCell*> gains = list(MapVerdict::kGains);
+  if (!gains.empty()) text += DescribeRegions(map, gains, num_all, verbs.gains);
+  text += "It makes no difference in " + std::to_string(list(MapVerdict::kNone).size());
+  const size_t num_ends = list(MapVerdict::kCeiling).size() + list(MapVerdict::kFloor).size();
+  if (num_ends > 0) text += ", success is at its ceiling or floor in " + std::to_string(num_ends);
+  return text + ", and " + std::to_string(list(MapVerdict::kUndecided).size()) +
+         " are not decided.";
 }
 
 Json ToJson(const SimultaneityMap& map) {
@@ -342,8 +298,6 @@ Json ToJson(const SimultaneityMap& map) {
   for (const MapFactor& factor : map.factors) {
     factors.push_back({{"name", factor.name}, {"levels", factor.levels}});
   }
-  Json sentences = Json::object();
-  for (const std::string& hand : map.hands) sentences[hand] = DescribeMap(map, hand);
   Json cells = Json::array();
   for (const MapCell& cell : map.cells) {
     if (cell.num_pairs == 0) continue;
@@ -365,7 +319,7 @@ Json ToJson(const SimultaneityMap& map) {
     if (!cell.changed.empty()) row["changed"] = cell.changed;
     cells.push_back(row);
   }
-  return {{"factors", factors}, {"says", sentences}, {"cells", cells}};
+  return {{"factors", factors}, {"cells", cells}};
 }
 
 }  // namespace graspbench

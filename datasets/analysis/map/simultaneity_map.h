@@ -22,7 +22,8 @@ objects' sums are drawn (R. A. Fisher, The Design of Experiments (1935), 21),
 
     p = (1 + draws with a sum at least as large) / (1 + draws),
 
-adjusted over the cells of one measure for the false discovery rate (multiple_tests.h). A cell's
+adjusted for the false discovery rate (multiple_tests.h) in two families of each measure: what
+holds everywhere, over hands and late digits, and what holds in a region, over all regions. A cell's
 verdict:
 
     costs, gains   the interval excludes zero and the adjusted p is at most 0.05
@@ -145,9 +146,9 @@ std::string NameWhere(const SimultaneityMap& map, const MapCell& cell);
 /** "-5.6 (-9.5 to -2.1)" in the measure's unit; why there is no interval. */
 std::string FormatEffect(const MapCell& cell);
 
-/** Three sentences for a hand: where a late digit costs success or grip, where it does not, and
-where that is not known. */
-std::string DescribeMap(const SimultaneityMap& map, const std::string& hand);
+/** Two sentences for a hand: where a late last digit costs of this measure, where it does not, and
+where that is not known; empty: it was not asked. */
+std::string DescribeMap(const SimultaneityMap& map, const std::string& hand, MapMeasure measure);
 
 Json ToJson(const SimultaneityMap& map);
 

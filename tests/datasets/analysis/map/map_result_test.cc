@@ -21,9 +21,11 @@ TEST(MapResult, TellsWhatWasPlantedInEveryForm) {
   const Json json = ToJson(result);
   EXPECT_EQ(json["parts"][0]["id"], "success");
   const std::vector<ExportTable> tables = MakeMapTables(result);
-  ASSERT_EQ(tables.size(), 1u);
+  ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(tables[0].name, "map");
   EXPECT_NE(tables[0].csv.find("success,success,tum,last,grip,margin 1.5,,,"), std::string::npos);
+  EXPECT_EQ(tables[1].name, "map_objects");
+  EXPECT_EQ(json["objects"].size(), 24u) << "twelve objects, first and last digit";
 }
 
 }  // namespace

@@ -3,42 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+
+#include "tests/datasets/analysis/map/made_pairs.h"
 
 namespace graspbench {
 namespace {
-
-using Values = std::array<double, std::size(kMapMeasures)>;
-
-MapTrial MakeTrial(int object, int draw, LateDigit late, double delay, const Values& values) {
-  MapTrial trial;
-  trial.hand = "tum";
-  trial.object = "object" + std::to_string(object);
-  trial.draw = draw;
-  trial.levels = {static_cast<size_t>(draw % 2)};
-  trial.late = late;
-  trial.delay = delay;
-  trial.values = values;
-  trial.name = trial.object + ":" + std::to_string(draw);
-  return trial;
-}
-
-/** Objects with four draws each, two a level; what a delay gives is `value(object, draw, delay)`. */
-MapData MakeData(int num_objects, const std::function<Values(int, int, double)>& value) {
-  MapData data;
-  data.factors = {{"grip", {"weak", "firm"}}};
-  for (int object = 0; object < num_objects; ++object) {
-    for (int draw = 0; draw < 4; ++draw) {
-      data.trials.push_back(
-          MakeTrial(object, draw, LateDigit::kNone, 0.0, value(object, draw, 0.0)));
-      for (const double delay : {0.1, 0.3}) {
-        data.trials.push_back(
-            MakeTrial(object, draw, LateDigit::kLast, delay, value(object, draw, delay)));
-      }
-    }
-  }
-  return data;
-}
 
 const MapCell& Find(const SimultaneityMap& map, MapMeasure measure,
                     const std::vector<MapLevel>& where = {}) {
@@ -125,6 +94,16 @@ TEST(SimultaneityMap, APairNeedsItsTrialWithoutDelay) {
   });
   data.trials.erase(data.trials.begin());
   EXPECT_EQ(Find(MapSimultaneity(data), MapMeasure::kSuccess).num_pairs, 23);
+}
+
+// What holds everywhere is asked of two late digits only; its regions do not dilute it.
+TEST(SimultaneityMap, EverywhereIsAFamilyOfItsOwn) {
+  const SimultaneityMap map = MapSimultaneity(MakeData(10, [](int object, int, double delay) {
+    return Values{delay == 0.3 && object > 1 ? 0.0 : 1.0, kUnset, kUnset, kUnset};
+  }));
+  const MapCell& everywhere = Find(map, MapMeasure::kSuccess);
+  EXPECT_DOUBLE_EQ(everywhere.adjusted_p, everywhere.p) << "one hand, one late digit";
+  EXPECT_GE(Find(map, MapMeasure::kSuccess, {{0, 0}}).adjusted_p, everywhere.p);
 }
 
 }  // namespace
