@@ -20,6 +20,37 @@ struct SweepView {
 
 std::string NameCondition(const std::string& name) { return name.empty() ? "base" : name; }
 
+/** "tum: base 75 %, lowest 25 % (..); success changes with ..": what came out for a hand. */
+std::string DescribeHand(const SweepSummary& summary, const std::string& hand) {
+  const ConditionRow* base = nullptr;
+  const ConditionRow* lowest = nullptr;
+  const ConditionRow* highest = nullptr;
+  for (const ConditionRow& row : summary.rows) {
+    if (row.hand != hand || row.num_finished == 0) continue;
+    if (row.name.empty()) base = &row;
+    if (!lowest || row.medians[0] < lowest->medians[0]) lowest = &row;
+    if (!highest || row.medians[0] > highest->medians[0]) highest = &row;
+  }
+  if (!lowest) return hand + ": no trial is finished.";
+  const auto name = [](const ConditionRow& row) {
+    return FormatFixed(100.0 * row.medians[0], 1) + " % (" + NameCondition(row.name) + ")";
+  };
+  std::string text = hand + ": success from " + name(*lowest) + " to " + name(*highest);
+  if (base && base != lowest && base != highest) text += ", " + name(*base);
+  int num_effects = 0;
+  std::string changed;
+  for (const SweepEffect& effect : summary.effects) {
+    if (effect.hand != hand || effect.measure != ListSweepMeasures()[0].id) continue;
+    ++num_effects;
+    if (!effect.excludes_zero()) continue;
+    changed += (changed.empty() ? "" : ", ") + effect.factors[0] + "=" + effect.levels[0] + " by " +
+               FormatFixed(100.0 * effect.estimate, 1) + " points";
+  }
+  if (num_effects == 0) return text + ".";
+  return text + (changed.empty() ? "; of no level is it decided that it changes success."
+                                 : "; changed by " + changed + " (95 % intervals exclude 0).");
+}
+
 Html DrawConditions(const SweepView& view) {
   std::vector<Column> columns = {{"Condition"}, {"Hand"}, {"Trials", Align::kNumber}};
   for (size_t i = 0; i < ListSweepMeasures().size(); ++i) {
@@ -28,6 +59,10 @@ Html DrawConditions(const SweepView& view) {
         {ListSweepMeasures()[i].label, Align::kNumber, "rate of success; medians of the others"});
   }
   columns.push_back({"Note", Align::kProse});
+  Html lead;
+  for (const std::string& hand : view.summary.hands) {
+    lead += Element("p", {{"class", "verdict"}}, DescribeHand(view.summary, hand));
+  }
   Table table("Conditions and what their trials gave.", columns);
   for (const ConditionRow& row : view.summary.rows) {
     std::vector<Html> cells = {
@@ -40,7 +75,7 @@ Html DrawConditions(const SweepView& view) {
     cells.push_back(Text(row.undecided));
     table.AddRow(cells);
   }
-  return table.ToHtml();
+  return lead + table.ToHtml();
 }
 
 /** The condition with these levels of the first factors and the base's of all others; null: none. */

@@ -51,6 +51,13 @@ ExitCode ExitCodeOf(ErrorKind kind) {
   return kExitFailed;
 }
 
+namespace {
+
+constexpr size_t kMaxListed = 24;
+constexpr size_t kMaxBeside = 8;  // names beside a suggestion; more hide it
+
+}  // namespace
+
 std::string SuggestNames(std::string_view misspelt, const std::vector<std::string>& known) {
   std::string text;
   const auto closest =
@@ -60,8 +67,8 @@ std::string SuggestNames(std::string_view misspelt, const std::vector<std::strin
   if (closest != known.end() &&
       CalcEditDistance(misspelt, *closest) <= std::max<size_t>(1, misspelt.size() / 3)) {
     text += "; did you mean \"" + *closest + "\"?";
+    if (known.size() > kMaxBeside) return text;
   }
-  constexpr size_t kMaxListed = 24;
   text += text.empty() ? ". Known: " : " Known: ";
   for (size_t i = 0; i < known.size() && i < kMaxListed; ++i) text += (i ? ", " : "") + known[i];
   if (known.size() > kMaxListed) text += ", ...";

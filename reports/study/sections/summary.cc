@@ -246,13 +246,12 @@ Html DrawSummary(const StudyPageData& data) {
               LinkTo("removed", FormatCount(num_removed, "trial was", "trials were") + " removed") +
               Text(reasons);
   }
-  return DrawGoodTrial(result) +
-         Element("p", {{"class", "verdict"}},
+  return Element("p", {{"class", "verdict"}},
                  counts + Text(". " + DescribeMainTest(result) +
                                DescribeZeroGft(result.statistics.zero_gft))) +
-         DrawStudyWarnings(result) + DrawFreeze(result.study) + DrawArgument(result) +
-         DrawTwoDigits(result) + DrawReviewed(result) + DrawUnverified(result) +
-         DrawMeasureTable(result);
+         DrawStudyWarnings(result) + DrawGoodTrial(result) + DrawFreeze(result.study) +
+         DrawArgument(result) + DrawTwoDigits(result) + DrawReviewed(result) +
+         DrawUnverified(result) + DrawMeasureTable(result);
 }
 
 }  // namespace

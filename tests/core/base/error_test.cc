@@ -18,6 +18,12 @@ TEST(SuggestNames, LettersExchangedAreOneFault) {
   EXPECT_EQ(SuggestNames("hwso", {"show"}), ". Known: show");  // two exchanges
 }
 
+TEST(SuggestNames, ALongListDoesNotHideTheSuggestion) {
+  const std::vector<std::string> nine = {"a1", "b2", "c3", "d4", "e5", "f6", "g7", "h8", "pencil"};
+  EXPECT_EQ(SuggestNames("pencl", nine), "; did you mean \"pencil\"?");
+  EXPECT_EQ(SuggestNames("cup", nine), ". Known: a1, b2, c3, d4, e5, f6, g7, h8, pencil");
+}
+
 TEST(SuggestNames, DoesNotGuessWhenNothingIsNear) {
   EXPECT_EQ(SuggestNames("xylophone", {"pencil", "cup"}), ". Known: pencil, cup");
   EXPECT_EQ(SuggestNames("a", {}), ". Known: none");

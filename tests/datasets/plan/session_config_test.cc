@@ -68,8 +68,7 @@ TEST(SessionConfig, TellsEveryProblemWithItsLine) {
       "sim:\n  step_s: 1\n  stp_s: 2\nseed: 3\nseed: 4\nvariation: 3\nstrategy:\n"
       "  lift_time_s: slow\n");
   for (const char* part :
-       {"s.yaml:1: error: session: unknown key \"trails\"; did you mean \"trials\"? Known: preset, "
-        "hands",
+       {"s.yaml:1: error: session: unknown key \"trails\"; did you mean \"trials\"?",
         "s.yaml:2: error: trials: 0 is out of range; expected 1 to 100000",
         "s.yaml:3: error: hands: \"tum\" is listed twice",
         "s.yaml:4: error: objects: the list is empty; name at least one, or \"all\"",
@@ -145,9 +144,8 @@ TEST(SessionConfig, AppliesSettings) {
 TEST(SessionConfig, TellsWrongSettings) {
   EXPECT_EQ(FindSettingProblem("trials"),
             "--set \"trials\": expected KEY=VALUE, for example hands=...");
-  EXPECT_EQ(
-      FindSettingProblem("sim.stp_s=1").substr(0, 81),
-      "--set \"sim.stp_s=1\": no setting \"sim.stp_s\"; did you mean \"sim.step_s\"? Known: ha");
+  EXPECT_EQ(FindSettingProblem("sim.stp_s=1"),
+            "--set \"sim.stp_s=1\": no setting \"sim.stp_s\"; did you mean \"sim.step_s\"?");
   EXPECT_EQ(FindSettingProblem("sim={}").substr(0, 39),
             "--set \"sim={}\": no setting \"sim\". Known");
   EXPECT_EQ(FindSettingProblem("trials="), "--set \"trials=\": the value is missing");
