@@ -183,7 +183,7 @@ TEST(FreeSpace, LiftsFromATable) {
 
 TEST(FreeSpace, RefusesBeyondLimitsOnlyWhereTheProfileSaysSo) {
   Pinch pinch;
-  pinch.hand.joints[0].upper = 0.9;
+  pinch.hand.joints[0].upper = 0.001;
   pinch.profile.drives.beyond_limits = "refuse";
   const FreeSpaceResult result = pinch.Run();
   EXPECT_EQ(result.failed_stage, "limits");
