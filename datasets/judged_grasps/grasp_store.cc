@@ -75,18 +75,21 @@ void CheckSameGrasps(const fs::path& folder, const Json& config) {
     if (!there.contains(key) || there.at(key) != value) differences.push_back(key);
   }
   if (differences.empty()) return;
-  throw Error(ErrorKind::kUsage,
-              "\"" + folder.string() + "\" was begun with other inputs or settings; what differs:" +
-                  ListDifferences(differences) +
-                  "\nuse those, or choose another folder with --out");
+  throw Error(ErrorKind::kUsage, "\"" + folder.string() +
+                                     "\" was begun with other inputs or settings; what differs:" +
+                                     ListDifferences(differences) +
+                                     "\nuse those, or choose another folder with --out");
+}
+
+Json LoadGraspConfig(const fs::path& folder) {
+  return LoadFrozen(kJudgedGraspStore, folder).config;
 }
 
 std::vector<JudgedGrasp> LoadJudgedGrasps(const fs::path& folder) {
   LoadFrozen(kJudgedGraspStore, folder);
   Diagnostics findings;
   std::vector<Damage> damage;
-  std::vector<JudgedGrasp> judged =
-      LoadAnswers<JudgedGrasp>(folder / kJournal, findings, damage);
+  std::vector<JudgedGrasp> judged = LoadAnswers<JudgedGrasp>(folder / kJournal, findings, damage);
   RefuseAnswers(folder, damage, OnDamage::kRefuse);
   return judged;
 }

@@ -65,6 +65,9 @@ void CreateJudgedGrasps(const std::filesystem::path& folder, const Json& config)
 first keys that differ; kVersion; kFormat; kIo. */
 void CheckSameGrasps(const std::filesystem::path& folder, const Json& config);
 
+/** The frozen configuration, verified. @throws as LoadFrozen. */
+Json LoadGraspConfig(const std::filesystem::path& folder);
+
 /** All that is judged, verified. @throws as LoadFrozen. */
 std::vector<JudgedGrasp> LoadJudgedGrasps(const std::filesystem::path& folder);
 

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kJitterShift = 0.001;              // [m]
-constexpr double kJitterTurn = RadFromDeg(1.0);     // [rad]
-constexpr size_t kMostNamed = 10;                   // in a message
+constexpr double kJitterShift = 0.001;           // [m]
+constexpr double kJitterTurn = RadFromDeg(1.0);  // [rad]
+constexpr size_t kMostNamed = 10;                // in a message
 
 bool IsFile(const fs::path& path) {
   std::error_code none;
@@ -118,8 +118,7 @@ Eigen::Vector3d DrawDirection(RandomStream& random) {
 Pose DrawDisturbance(const ForeignGrasp& grasp, int jitter) {
   RandomStream random(FormatJson({grasp.source, grasp.index, jitter}), "disturbance of a grasp");
   const Eigen::Vector3d shift = kJitterShift * DrawDirection(random);
-  return MakePose(
-      Eigen::AngleAxisd(kJitterTurn, DrawDirection(random)).toRotationMatrix(), shift);
+  return MakePose(Eigen::AngleAxisd(kJitterTurn, DrawDirection(random)).toRotationMatrix(), shift);
 }
 
 }  // namespace
@@ -138,12 +137,12 @@ fs::path FindObjectMesh(const fs::path& folder, const std::string& name) {
   return {};
 }
 
-GraspInputs LoadGraspInputs(const GraspSources& sources) {
+GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
+                            const fs::path& folder) {
   GraspInputs inputs;
-  inputs.hand = std::make_shared<const Hand>(LoadHand(sources.hand));
-  GraspCollection collection = ReadGraspCollection(sources.files, sources.format, sources.options);
+  inputs.hand = std::make_shared<const Hand>(LoadHand(hand));
   inputs.unread = std::move(collection.unread);
-  ObjectLoader objects(sources.objects);
+  ObjectLoader objects(folder);
   for (ForeignGrasp& grasp : collection.grasps) {
     GraspInput input;
     try {

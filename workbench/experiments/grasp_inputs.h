@@ -15,14 +15,6 @@ the objects they are of. */
 
 namespace graspbench {
 
-struct GraspSources {
-  std::vector<std::string> files;  ///< and folders
-  std::string format = "auto";
-  GraspReadOptions options;
-  std::string hand = "shadow";    ///< by id or folder
-  std::filesystem::path objects;  ///< folder of the meshes; empty: the current one
-};
-
 struct GraspInput {
   ForeignGrasp grasp;
   std::vector<StageCommand> stages;
@@ -42,9 +34,11 @@ with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj o
 @returns empty: there is none. */
 std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
 
-/** @throws Error(kNotFound) listing objects without a mesh; Error(kFormat) when no grasp is left, or
-a mesh cannot be used; as ReadGraspCollection, LoadHand. */
-GraspInputs LoadGraspInputs(const GraspSources& sources);
+/** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
+@throws Error(kNotFound) listing objects without a mesh; Error(kFormat) when no grasp is left, or a
+mesh cannot be used; as LoadHand. */
+GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
+                            const std::filesystem::path& objects);
 
 /** The grasp under a profile. @param jitter  0: as it is; else its root is disturbed at all stages
 by 1 mm and 1 degree in directions drawn from this number. */

@@ -14,7 +14,6 @@ request again continues what was stopped, to the same bytes whatever the number 
 namespace graspbench {
 
 struct JudgeGraspsRequest {
-  GraspSources sources;
   std::vector<std::string> profiles = {"dexgraspbench-fc"};  ///< by name or file
   int jitter = 0;  ///< disturbances of each grasp besides itself
   std::filesystem::path out;
