@@ -152,6 +152,29 @@ std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path, Fie
               "no object and no folder \"" + id_or_path + "\"" + SuggestNames(id_or_path, ids));
 }
 
+std::shared_ptr<const GraspObject> LoadMeshObject(const fs::path& path, double scale) {
+  constexpr double kDensity = 1000.0;  // [kg/m^3]
+  TriMesh drawn = LoadMesh(path, LengthUnit::kM);
+  for (Eigen::Vector3d& p : drawn.vertices) p *= scale;
+  UsableMesh usable = MakeUsable(drawn, PartsApart::kMeant);
+  if (!usable.report.problems.empty()) {
+    throw Error(ErrorKind::kFormat, fmt::format("the mesh \"{}\" (in m, times {:g}) cannot be used:\n",
+                                                path.string(), scale) +
+                                        FormatProblems(usable.report));
+  }
+  auto object = std::make_shared<GraspObject>();
+  object->id = object->name = path.stem().string();
+  object->mesh = std::move(usable.mesh);
+  const Overlap& overlap = usable.report.overlap;
+  object->mass_properties = CalcSolidMassProperties(
+      object->mesh, kDensity * (CalcVolume(object->mesh) - overlap.volume), overlap);
+  object->size = object->size_of_sight = FindBox(object->mesh).sizes();
+  object->surface.friction_static = object->surface.friction_dynamic = 0.0;
+  object->content_hash = CalcContentHash(*object);
+  object->field = LoadField(object->mesh);
+  return object;
+}
+
 std::shared_ptr<const GraspObject> CompleteObject(
     const std::shared_ptr<const GraspObject>& object) {
   if (object->field) return object;

@@ -14,6 +14,7 @@ const std::shared_ptr<const GraspObject> can = LoadObject("can");
 const double distance = can->field->CalcDistance({0.0, 0.0, 0.1});  // from the surface [m]
 @endcode */
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +42,12 @@ distance field comes from the cache when it is there.
 @throws Error(kNotFound) with suggestions; Error(kFormat) listing every problem. */
 std::shared_ptr<const GraspObject> LoadObject(const std::string& id_or_path,
                                               FieldUse field_use = FieldUse::kNow);
+
+/** A mesh alone as a thing to grasp, for those who state mass and friction themselves: O is the frame
+in which it is drawn, in metres times `scale`; it is homogeneous, of 1000 kg/m^3, without friction,
+and may consist of bodies apart. Mended and cached as others.
+@throws as LoadMesh(); Error(kFormat) listing what makes it unusable. */
+std::shared_ptr<const GraspObject> LoadMeshObject(const std::filesystem::path& mesh, double scale);
 
 /** The object with its distance field; itself when it has one. */
 std::shared_ptr<const GraspObject> CompleteObject(const std::shared_ptr<const GraspObject>& object);

@@ -103,7 +103,7 @@ void ImplicitWorld::AddArm(const WorldCommand& command) {
   };
   const int base = dynamics_.num_dofs();
   for (int k = 0; k < 3; ++k) {
-    add(base + k, config_.arm_angular_stiffness, turned[k], 0.0, config_.arm_moment_limit);
+    add(base + k, config_.arm_angular_stiffness, turned[k], command.w_WH[k], config_.arm_moment_limit);
   }
   for (int k = 0; k < 3; ++k) {
     add(base + 3 + k, config_.arm_stiffness, moved[k], command.v_WH[k], config_.arm_force_limit);
@@ -237,7 +237,8 @@ bool ImplicitWorld::IsAsBefore(const WorldCommand& command) const {
          command.torque_limit == last_command_.torque_limit &&
          command.num_steps == last_command_.num_steps &&
          command.X_WH.matrix() == last_command_.X_WH.matrix() && command.v_WH.isZero(0.0) &&
-         last_command_.v_WH.isZero(0.0);
+         last_command_.v_WH.isZero(0.0) && command.w_WH.isZero(0.0) &&
+         last_command_.w_WH.isZero(0.0);
 }
 
 StepReport ImplicitWorld::Step(const WorldCommand& command) {

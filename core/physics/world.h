@@ -42,8 +42,11 @@ Pose CalcPalmPose(const Hand& hand, const WorldState& state);
 /** What the hand is asked for at the end of a step. */
 struct WorldCommand {
   Eigen::VectorXd q;             ///< drive commands (num_joints) [rad]
-  Pose X_WH = Pose::Identity();  ///< rotation must not change
+  Pose X_WH = Pose::Identity();
   Eigen::Vector3d v_WH = Eigen::Vector3d::Zero();
+  /** Where the commanded pose turns [rad/s]; a backend without (compliant_world.h) takes a rotation
+  that does not change. */
+  Eigen::Vector3d w_WH = Eigen::Vector3d::Zero();
   /** Of the drives, where below their own (num_joints) [N m]; empty: their own. */
   Eigen::VectorXd torque_limit = {};
   int num_steps = 1;  ///< of the settings' length that are taken as one

@@ -119,10 +119,26 @@ const StoreKind kDevelopmentStore = {
     /*outputs=*/{},
     /*lines=*/
     {{{"journal.jsonl"}, {"request", "stage", "id", "trials"}, "", "request", "result.json"}}};
+const StoreKind kJudgedGraspStore = {
+    /*name=*/"judged grasps",
+    /*file=*/"grasps.json",
+    /*schema=*/1,
+    /*oldest_schema=*/1,
+    /*sealed_schema=*/1,
+    /*command=*/"graspbench grasps judge",
+    /*remedy=*/"judge the grasps into a new folder",
+    /*files=*/{"grasps.json"},
+    /*derived=*/{"grasps.csv"},
+    /*journals=*/{"journal.jsonl"},
+    /*stores=*/{},
+    /*keeps_torn_lines=*/false,
+    /*shared_journals=*/{},
+    /*outputs=*/{"report"},
+    /*lines=*/{{{"journal.jsonl"}, {"request", "profile", "result"}, "", "request", "grasps.csv"}}};
 
 const StoreKind* FindStoreKind(const fs::path& folder) {
   for (const StoreKind* kind :
-       {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore}) {
+       {&kCampaignStore, &kSessionStore, &kSceneStore, &kDevelopmentStore, &kJudgedGraspStore}) {
     std::error_code status;
     if (fs::exists(folder / kind->file, status)) return kind;
   }

@@ -53,6 +53,7 @@ extern const StoreKind kSessionStore;
 extern const StoreKind kSceneStore;
 extern const StoreKind kCampaignStore;
 extern const StoreKind kDevelopmentStore;
+extern const StoreKind kJudgedGraspStore;
 
 /** The kind whose frozen configuration the folder holds; null: none. */
 const StoreKind* FindStoreKind(const std::filesystem::path& folder);

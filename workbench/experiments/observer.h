@@ -23,7 +23,8 @@ enum class StageKind {
   kBenchmark,
   kComparison,
   kDevelopment,
-  kReplay
+  kReplay,
+  kGrasps
 };
 struct StageRow {
   StageKind value;
@@ -40,7 +41,8 @@ inline constexpr StageRow kStages[] = {
     {StageKind::kBenchmark, "benchmark", "trial", "trials", "run", "trials", true},
     {StageKind::kComparison, "comparison", "search", "searches", "run", "evaluations", false},
     {StageKind::kDevelopment, "development", "grasp", "grasps", "develop", "trials", false},
-    {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true}};
+    {StageKind::kReplay, "replay", "trial", "trials", "replay", "trials", true},
+    {StageKind::kGrasps, "grasps", "verdict", "verdicts", "find", "verdicts", true}};
 
 /** A part of an experiment with a progress of its own. */
 struct Stage {

@@ -3,6 +3,7 @@
 #include "core/grasp/grasp_keys.h"
 #include "core/hand/hand_yaml.h"
 #include "core/hand/tactile_yaml.h"
+#include "datasets/judged_grasps/profile_file.h"
 #include "datasets/pipeline/pipeline_file.h"
 #include "datasets/plan/session_keys.h"
 #include "datasets/plan/sweep_design.h"
@@ -28,6 +29,8 @@ const std::vector<FileFormat>& ListFileFormats() {
         {"study.yaml", "a study of people's grasps, for graspbench study run", ListStudyKeys()},
         {"grasp.yaml", "a grasp of its own file, for graspbench run --grasp FILE",
          ListGraspFileKeys()},
+        {"profile.yaml", "how somebody judges grasps, for graspbench grasps judge --profile FILE",
+         ListProfileKeys()},
         {"pipeline.yaml", "stages that make results, for graspbench pipeline run",
          ListPipelineKeys()},
     };

@@ -12,6 +12,7 @@
 #include "core/shape/obj_file.h"
 #include "core/shape/primitives.h"
 #include "datasets/campaign/real_trials.h"
+#include "datasets/judged_grasps/profile_file.h"
 #include "datasets/plan/session_config.h"
 #include "datasets/plan/session_keys.h"
 #include "datasets/plan/sweep_design.h"
@@ -61,6 +62,12 @@ std::string MakeSweepFile() {
   return "# What `graspbench sweep sweep.yaml --out DIR` simulates; all but `factors` may be left "
          "out.\n" +
          FormatConfig(ConfigToJson(config), ListSweepKeys(), "", "");
+}
+
+std::string MakeProfile() {
+  return "# How `graspbench grasps judge --profile profile.yaml` judges; every key may be left "
+         "out.\n" +
+         FormatConfig(ConfigToJson(FreeSpaceProfile()), ListProfileKeys(), "", "");
 }
 
 std::string MakeStudy() {
@@ -218,12 +225,13 @@ std::string MakeRealTrials(int num_trials, bool is_made_up) {
 }  // namespace
 
 std::vector<std::string> ListNewKinds() {
-  return {"session", "sweep", "object", "hand", "study", "trials"};
+  return {"session", "sweep", "object", "hand", "study", "trials", "profile"};
 }
 
 std::vector<NewFile> MakeNewFiles(const std::string& kind) {
   if (kind == "session") return {{"session.yaml", MakeSession()}};
   if (kind == "sweep") return {{"sweep.yaml", MakeSweepFile()}};
+  if (kind == "profile") return {{"profile.yaml", MakeProfile()}};
   if (kind == "hand") return {{"hand.urdf", MakeHandUrdf()}, {"hand.yaml", MakeHandYaml()}};
   if (kind == "study") {
     return {{"study.yaml", MakeStudy()},
@@ -241,6 +249,7 @@ std::vector<NewFile> MakeNewFiles(const std::string& kind) {
 void CheckNewFiles(const std::string& kind, const std::string& folder) {
   if (kind == "session") LoadSessionConfig(folder + "/session.yaml");
   if (kind == "sweep") MakeSweep(LoadSweepConfig(folder + "/sweep.yaml"));
+  if (kind == "profile") LoadProfile(folder + "/profile.yaml");
   if (kind == "object") LoadObject(folder, FieldUse::kLater);
   if (kind == "hand") LoadStandardGrasps(LoadHand(folder));
   if (kind == "study") LoadStudy(folder + "/study.yaml");

@@ -1,0 +1,66 @@
+#pragma once
+/** @file
+A grasp in free space: hand and object begin where the first stage has them, the object at rest; the
+hand goes through its stages; then, from that instant each time, the object is pushed along each of
+the six half axes of W with its mass times the profile's acceleration, or the hand lifts it from a
+table. The grasp passes when in every look the object has moved less than the profile's limits from
+where it was at the start (of a lift: raised with it). The first push that it does not stand decides.
+
+Where the profile updates commands n times a stage, they jump: root and drives are asked for the
+pose at (k + 1)/n of the way during the k-th part. The root turns along the shortest way at an even
+rate, the joints go straight.
+
+Source: DexGraspBench (Chen, Ke and Wang 2025), src/task/eval_func/{base, fc_mocap, tabletop_mocap}.py
+of its main branch, read 2026-11; there each push repeats the stages, which is the same instant. */
+
+#include <string>
+#include <vector>
+
+#include "core/base/text/record_fields.h"
+#include "core/base/units.h"
+#include "core/trial/protocols/profiled_scene.h"
+
+namespace graspbench {
+
+struct FreeSpaceResult {
+  bool passed = false;
+  std::string failed_stage;  ///< "limits", "start", a stage, "push +x", "lift"; empty: passed
+  std::string reason;        ///< one sentence for a person; empty: passed
+  bool is_numerical = false;  ///< the simulation gave up, which tells nothing of the grasp
+  double start_penetration = 0.0;     ///< of hand and object at the first stage [m]
+  double self_penetration = 0.0;      ///< of the hand in itself at the second stage [m]
+  std::string touching;               ///< digits on the object after the last stage: "TH FF palm"
+  double grip_force = 0.0;            ///< sum of normal forces then [N]
+  double closing_shift = 0.0;         ///< of the object until then [m]
+  double closing_turn_deg = 0.0;
+  int num_stood = 0;                  ///< pushes, of 6, or lifts, of 1
+  double worst_shift = 0.0;           ///< of all looks [m]
+  double worst_turn_deg = 0.0;
+  int num_unconverged = 0;            ///< steps
+  int num_steps = 0;
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using R = FreeSpaceResult;
+    field("passed", &R::passed);
+    field("failed_stage", &R::failed_stage);
+    field("reason", &R::reason);
+    field("is_numerical", &R::is_numerical);
+    field("start_penetration_m", &R::start_penetration);
+    field("self_penetration_m", &R::self_penetration);
+    field("touching", &R::touching);
+    field("grip_force_n", &R::grip_force);
+    field("closing_shift_m", &R::closing_shift);
+    field("closing_turn_deg", &R::closing_turn_deg);
+    field("num_stood", &R::num_stood);
+    field("worst_shift_m", &R::worst_shift);
+    field("worst_turn_deg", &R::worst_turn_deg);
+    field("num_unconverged", &R::num_unconverged);
+    field("num_steps", &R::num_steps);
+  }
+};
+
+/** Never throws for what happens in the physics. @pre the scene is of this profile. */
+FreeSpaceResult RunFreeSpace(const ProfiledScene& scene, const FreeSpaceProfile& profile);
+
+}  // namespace graspbench

@@ -1,0 +1,102 @@
+#include "datasets/grasps/grasp_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** The file itself, or the files of a folder by name. */
+std::vector<fs::path> ListFiles(const std::string& path) {
+  if (!fs::exists(path)) {
+    throw Error(ErrorKind::kNotFound, path + ": there is no such file or folder");
+  }
+  if (!fs::is_directory(path)) return {path};
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
+    if (!entry.is_directory() && entry.path().filename().string().front() != '.') {
+      files.push_back(entry.path());
+    }
+  }
+  if (files.empty()) throw Error(ErrorKind::kNotFound, path + " is a folder without files");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+const std::vector<GraspFormat>& ListGraspFormats() {
+  static const std::vector<GraspFormat> formats = {
+#define GRASPBENCH_GRASP_FORMAT(Name) Make##Name##GraspFormat(),
+#include "datasets/grasps/grasp_format_list.inc"
+#undef GRASPBENCH_GRASP_FORMAT
+  };
+  return formats;
+}
+
+const GraspFormat& FindGraspFormat(const std::string& format, std::string_view bytes,
+                                   const std::string& file) {
+  std::vector<std::string> known;
+  std::string list;
+  for (const GraspFormat& candidate : ListGraspFormats()) {
+    if (format == "auto" ? candidate.recognises(bytes) : format == candidate.id) return candidate;
+    known.emplace_back(candidate.id);
+    list += (list.empty() ? "" : ", ") + std::string(candidate.id);
+  }
+  if (format == "auto") {
+    throw Error(ErrorKind::kFormat,
+                file + (bytes.empty() ? " is empty" : " is a file of no known format of grasps") +
+                    "; known: " + list + ". --format NAME reads it as one of them");
+  }
+  known.emplace_back("auto");
+  throw Error(ErrorKind::kUsage,
+              "there is no format of grasps \"" + format + "\"" + SuggestNames(format, known));
+}
+
+std::vector<ForeignGrasp> ParseGrasps(std::string_view bytes, const std::string& file,
+                                      const std::string& format, const GraspReadOptions& options) {
+  const GraspFormat& found = FindGraspFormat(format, bytes, file);
+  std::vector<ForeignGrasp> grasps = found.read(bytes, file, options);
+  if (grasps.empty()) throw Error(ErrorKind::kFormat, file + " holds no grasp");
+  const std::string name = std::filesystem::path(file).filename().string();
+  for (size_t i = 0; i < grasps.size(); ++i) {
+    grasps[i].source = name;
+    grasps[i].index = static_cast<int>(i);
+    grasps[i].format = found.id;
+  }
+  return grasps;
+}
+
+std::vector<ForeignGrasp> ReadGrasps(const std::string& path, const std::string& format,
+                                     const GraspReadOptions& options) {
+  return ParseGrasps(ReadFile(path), path, format, options);
+}
+
+GraspCollection ReadGraspCollection(const std::vector<std::string>& paths,
+                                    const std::string& format, const GraspReadOptions& options) {
+  GraspCollection collection;
+  for (const std::string& path : paths) {
+    for (const fs::path& file : ListFiles(path)) {
+      ++collection.num_files;
+      const std::string name = fs::is_directory(path) ? fs::relative(file, path).generic_string()
+                                                      : file.filename().string();
+      try {
+        for (ForeignGrasp& grasp : ReadGrasps(file.string(), format, options)) {
+          grasp.source = name;
+          collection.grasps.push_back(std::move(grasp));
+        }
+      } catch (const Error& error) {
+        if (error.kind() == ErrorKind::kUsage) throw;
+        collection.unread.push_back({name, error.what()});
+      }
+    }
+  }
+  return collection;
+}
+
+}  // namespace graspbench

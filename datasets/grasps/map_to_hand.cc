@@ -1,0 +1,197 @@
+#include "datasets/grasps/map_to_hand.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/hand/coupling.h"
+#include "datasets/grasps/shadow_layout.h"
+
+namespace graspbench {
+namespace {
+
+constexpr double kMaxShadowDifference = 1e-3;  // [m]
+
+/** "rh_FFJ4" ends in "FFJ4" behind a separator. */
+bool IsPrefixed(const std::string& full, const std::string& name) {
+  return full.size() > name.size() &&
+         full.compare(full.size() - name.size(), name.size(), name) == 0 &&
+         std::string_view("_:/-.").find(full[full.size() - name.size() - 1]) !=
+             std::string_view::npos;
+}
+
+/** Index of the only element of that name, or with it behind a prefix; -1: none or several. */
+template <class Element>
+int FindByName(const std::vector<Element>& elements, const std::string& name) {
+  int found = -1;
+  for (size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i].name == name) return static_cast<int>(i);
+    if (!IsPrefixed(elements[i].name, name)) continue;
+    if (found >= 0) return -1;
+    found = static_cast<int>(i);
+  }
+  return found;
+}
+
+template <class Element>
+std::vector<std::string> NamesOf(const std::vector<Element>& elements) {
+  std::vector<std::string> names;
+  for (const Element& element : elements) names.push_back(element.name);
+  return names;
+}
+
+struct MappedJoint {
+  int index = -1;
+  double sign = 1.0;
+};
+
+MappedJoint FindJointOf(const ForeignGrasp& grasp, const Hand& hand, const std::string& name) {
+  MappedJoint joint{FindByName(hand.joints, name), 1.0};
+  if (joint.index < 0 && grasp.format == "dexgraspnet") {
+    for (const DexgraspnetJoint& foreign : ListDexgraspnetJoints()) {
+      if (foreign.name == name) joint = {FindByName(hand.joints, foreign.maker), foreign.sign};
+    }
+  }
+  return joint;
+}
+
+std::vector<MappedJoint> FindJoints(const ForeignGrasp& grasp, const Hand& hand) {
+  std::vector<MappedJoint> joints;
+  std::vector<bool> is_taken(hand.joints.size(), false);
+  for (const std::string& name : grasp.joint_names) {
+    const MappedJoint joint = FindJointOf(grasp, hand, name);
+    if (joint.index < 0) {
+      throw Error(
+          ErrorKind::kFormat,
+          fmt::format("{}: the hand {} has no joint \"{}\" (or several behind prefixes){}",
+                      grasp.source, hand.id, name, SuggestNames(name, NamesOf(hand.joints))));
+    }
+    if (is_taken[static_cast<size_t>(joint.index)]) {
+      throw Error(ErrorKind::kFormat,
+                  fmt::format("{}: two of the file's joints are {} of the hand {}", grasp.source,
+                              hand.joints[static_cast<size_t>(joint.index)].name, hand.id));
+    }
+    is_taken[static_cast<size_t>(joint.index)] = true;
+    joints.push_back(joint);
+  }
+  return joints;
+}
+
+/** Between root and palm. */
+bool IsOfWrist(const Hand& hand, int joint) {
+  for (int link = hand.palm_link; link >= 0; link = hand.links[static_cast<size_t>(link)].parent) {
+    if (hand.links[static_cast<size_t>(link)].joint == joint) return true;
+  }
+  return false;
+}
+
+/** Positions of what the file does not state. */
+class UnstatedJoints {
+ public:
+  UnstatedJoints(const ForeignGrasp& grasp, const Hand& hand,
+                 const std::vector<MappedJoint>& stated)
+      : hand_(&hand) {
+    std::string missing, wrist, coupled;
+    for (int j = 0; j < hand.num_joints(); ++j) {
+      const auto is_j = [&](const MappedJoint& joint) { return joint.index == j; };
+      if (std::any_of(stated.begin(), stated.end(), is_j)) continue;
+      const HandJoint& joint = hand.joints[static_cast<size_t>(j)];
+      const bool is_coupled = joint.coupled_to >= 0;
+      std::string& names = is_coupled ? coupled : IsOfWrist(hand, j) ? wrist : missing;
+      names += (names.empty() ? "" : ", ") + joint.name;
+      if (is_coupled) coupled_.push_back(j);
+    }
+    if (!missing.empty()) {
+      throw Error(ErrorKind::kFormat,
+                  fmt::format("{}: the file states no position of {}, which the hand {} has",
+                              grasp.source, missing, hand.id));
+    }
+    if (!wrist.empty()) assumptions_.push_back("joints of the wrist at 0: " + wrist);
+    if (!coupled.empty()) assumptions_.push_back("joints that follow their coupling: " + coupled);
+  }
+  void Fill(Eigen::VectorXd& q) const {
+    Eigen::VectorXd followed = q;
+    ApplyCoupling(*hand_, followed);
+    for (const int j : coupled_) q[j] = followed[j];
+  }
+  const std::vector<std::string>& assumptions() const { return assumptions_; }
+
+ private:
+  const Hand* hand_;
+  std::vector<int> coupled_;
+  std::vector<std::string> assumptions_;
+};
+
+/** The link R whose pose the file gives: the palm, what carries it, or what is fixed to it. */
+int FindRoot(const ForeignGrasp& grasp, const Hand& hand) {
+  const int root = FindByName(hand.links, grasp.root_link);
+  if (grasp.root_link.empty() || root < 0) {
+    throw Error(
+        ErrorKind::kFormat,
+        fmt::format("{}: the hand {} has no link \"{}\", whose pose the file gives; name it "
+                    "by --hand-frame{}",
+                    grasp.source, hand.id, grasp.root_link,
+                    SuggestNames(grasp.root_link, NamesOf(hand.links))));
+  }
+  const auto parent_of = [&](int link) { return hand.links[static_cast<size_t>(link)].parent; };
+  for (int link = hand.palm_link; link >= 0; link = parent_of(link)) {
+    if (link == root) return root;
+  }
+  for (int link = root; link >= 0; link = parent_of(link)) {
+    if (link == hand.palm_link) return root;
+    if (hand.links[static_cast<size_t>(link)].joint >= 0) break;
+  }
+  throw Error(
+      ErrorKind::kFormat,
+      fmt::format("{}: link \"{}\" of the hand {} moves with a digit; a grasp's pose is that "
+                  "of the palm or of a link that carries it",
+                  grasp.source, grasp.root_link, hand.id));
+}
+
+void CheckShadow(const ForeignGrasp& grasp, const Hand& hand) {
+  std::vector<int> indices;
+  for (const std::string& name : ListDexgraspbenchJoints()) {
+    indices.push_back(FindByName(hand.joints, name));
+    if (indices.back() < 0) return;
+  }
+  const double difference = CalcShadowDifference(hand, indices);
+  if (difference > kMaxShadowDifference) {
+    throw Error(
+        ErrorKind::kFormat,
+        fmt::format("{}: a joint of the hand {} lies {:.1f} mm from where the hand of {} has "
+                    "it; expected at most {:.0f} mm. Take the hand that the grasps were "
+                    "made for",
+                    grasp.source, hand.id, 1e3 * difference, grasp.format,
+                    1e3 * kMaxShadowDifference));
+  }
+}
+
+}  // namespace
+
+HandGrasp MapToHand(const ForeignGrasp& grasp, const Hand& hand) {
+  const std::vector<MappedJoint> joints = FindJoints(grasp, hand);
+  const UnstatedJoints unstated(grasp, hand, joints);
+  if (grasp.format == "dexgraspbench") CheckShadow(grasp, hand);
+  const int root = FindRoot(grasp, hand);
+
+  HandGrasp mapped;
+  mapped.assumptions = grasp.assumptions;
+  mapped.assumptions.insert(mapped.assumptions.end(), unstated.assumptions().begin(),
+                            unstated.assumptions().end());
+  for (const GraspStage& stage : grasp.stages) {
+    if (stage.joints.size() != joints.size()) {
+      throw Error(ErrorKind::kFormat,
+                  fmt::format("{}: stage {} has {} positions for {} joints", grasp.source,
+                              stage.name, stage.joints.size(), joints.size()));
+    }
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(hand.num_joints());
+    for (size_t i = 0; i < joints.size(); ++i)
+      q[joints[i].index] = joints[i].sign * stage.joints[i];
+    unstated.Fill(q);
+    mapped.stages.push_back({stage.name, stage.X_OR * CalcLinkPose(hand, q, root).inverse(), q});
+  }
+  return mapped;
+}
+
+}  // namespace graspbench

@@ -1,0 +1,78 @@
+#pragma once
+/** @file
+Grasps that others made, judged under profiles: the folder of `graspbench grasps judge`.
+
+    grasps.json     frozen: files with their hashes, hand, objects, profiles in full, jitter
+    manifest.json   hashes of all of it (manifest.h)
+    journal.jsonl   a line for each task, in their order
+    grasps.csv      the same as a table, when all are judged
+    report/         the page
+
+A task is one grasp, with one disturbance of its root, under one profile. The journal is written in
+the order of the tasks whatever the number of workers, so that an interrupted run that is continued
+leaves the same bytes. */
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/text/json.h"
+#include "core/trial/protocols/free_space.h"
+#include "datasets/scene/answer_journal.h"
+
+namespace graspbench {
+
+struct JudgedGrasp {
+  int request = 0;      ///< number of the task, from 0
+  std::string source;   ///< file of the grasp
+  int index = 0;        ///< in its file
+  std::string object;   ///< as the file names it
+  std::string profile;  ///< its name
+  int jitter = 0;       ///< 0: as it is; else the how manieth disturbance
+  std::string label;    ///< the file's own verdict: "success", "failure", empty: none
+  FreeSpaceResult result;
+  std::optional<std::string> search = {};  ///< see answer_journal.h
+
+  template <class V>
+  static void ListFields(V&& field) {
+    using J = JudgedGrasp;
+    field("request", &J::request);
+    field("source", &J::source);
+    field("index", &J::index);
+    field("object", &J::object);
+    field("profile", &J::profile);
+    field("jitter", &J::jitter);
+    field("label", &J::label);
+    field("result", &J::result);
+    field("search", &J::search);
+  }
+
+  static std::string Format(const JudgedGrasp& record);
+  /** @throws Error(kFormat). */
+  static JudgedGrasp Parse(std::string_view line);
+
+  std::vector<int> trials;  ///< none: asked of a record by AnswerJournal
+};
+
+using GraspJournal = AnswerJournal<JudgedGrasp>;
+
+bool HasJudgedGrasps(const std::filesystem::path& folder);
+/** Makes the folder a store; it exists. @throws Error(kIo). */
+void CreateJudgedGrasps(const std::filesystem::path& folder, const Json& config);
+/** @throws Error(kUsage) when it was made of other files, hands, objects or profiles, naming the
+first keys that differ; kVersion; kFormat; kIo. */
+void CheckSameGrasps(const std::filesystem::path& folder, const Json& config);
+
+/** The frozen configuration, verified. @throws as LoadFrozen. */
+Json LoadGraspConfig(const std::filesystem::path& folder);
+
+/** All that is judged, verified. @throws as LoadFrozen. */
+std::vector<JudgedGrasp> LoadJudgedGrasps(const std::filesystem::path& folder);
+
+/** Writes grasps.csv and seals the store. @throws Error(kIo). */
+void FinishJudgedGrasps(const std::filesystem::path& folder,
+                        const std::vector<JudgedGrasp>& judged);
+
+}  // namespace graspbench

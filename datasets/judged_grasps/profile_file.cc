@@ -1,0 +1,122 @@
+#include "datasets/judged_grasps/profile_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/config.h"
+#include "core/base/files/files.h"
+#include "core/base/text/yaml.h"
+#include "datasets/plan/session_keys.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Problems = std::vector<std::pair<std::string, std::string>>;
+
+template <class Row, size_t N>
+void CheckWord(const Row (&table)[N], const char* key, const std::string& word,
+               Problems& problems) {
+  if (FindRow(table, word)) return;
+  std::string known;
+  for (const std::string& name : ListNames(table)) known += (known.empty() ? "" : ", ") + name;
+  problems.emplace_back(key, "\"" + word + "\" is unknown; expected " + known);
+}
+
+/** The key, and what is wrong with its value. */
+Problems FindProblems(const FreeSpaceProfile& profile) {
+  Problems problems = FindOutOfRange(profile, ListProfileKeys());
+  CheckWord(kOwnOrGiven, "drives.law", profile.drives.law, problems);
+  CheckWord(kBeyondLimits, "drives.beyond_limits", profile.drives.beyond_limits, problems);
+  CheckWord(kOwnOrGiven, "surfaces.pads", profile.surfaces.pads, problems);
+  CheckWord(kProfileTests, "test", profile.test, problems);
+  return problems;
+}
+
+fs::path FindProfileFolder() { return FindDataRoot() / "datasets" / "profiles"; }
+
+}  // namespace
+
+const FileKeys& ListProfileKeys() {
+  static const FileKeys keys = [] {
+    FileKeys rows = {{"about", "", "one line for lists"},
+       {"source", "", "where the values come from"},
+       {"drives.law", "", "own: the hand's drives; given: these four, of every joint that turns"},
+       {"drives.stiffness_nm_per_rad", "", "of a given drive", 0, 1e4},
+       {"drives.damping_nms_per_rad", "", "of a given drive, with that of its joint", 0, 1e3},
+       {"drives.friction_nm", "", "of a given drive, sticking and sliding", 0, 10},
+       {"drives.torque_limit_nm", "", "of a given drive", kAboveZero, 1e3},
+       {"drives.free_distal", "",
+        "joints that a finger's middle joint moves along have a drive of their own"},
+       {"drives.beyond_limits", "",
+        "a stage asks for more than a joint's limits: refuse the grasp, clip the command, or ignore "
+        "it (the stop pushes back)"},
+       {"surfaces.pads", "", "own: the hand's soft pads; given: bare links with this torsion"},
+       {"surfaces.torsion_radius_m", "",
+        "resists spin up to friction times normal force times this; of given pads", 0, 0.1},
+       {"surfaces.friction", "", "of hand and object, and of the hand with itself", 0, 5},
+       {"object_mass_kg", "", "0: by the density", 0, 100},
+       {"object_density_kg_per_m3", "", "of the mesh's volume, where the mass is 0", kAboveZero,
+        3e4},
+       {"stage_time_s", "", "from one stage of the grasp to the next", 0.01, 60},
+       {"stage_updates", "", "the commands change so often in a stage; 0: in every step", 0, 10000},
+       {"test", "",
+        "pushes: six, along the axes of the file's world; lift: from a table at its z = 0"},
+       {"acceleration_m_per_s2", "",
+        "times the object's mass: the push, or the weight of a lift from the start", 0, 1000},
+       {"test_time_s", "", "of each push, or of the lift", 0.01, 60},
+       {"check_interval_s", "", "between looks at how far the object has moved", 0.001, 60},
+       {"lift_height_m", "", "of a lift", 0, 1},
+       {"max_start_penetration_m", "", "of hand and object at the first stage", 0, 0.1},
+       {"max_shift_m", "", "of the object from where it began", kAboveZero, 10},
+       {"max_turn_deg", "", "likewise", kAboveZero, 360}};
+    for (const FileKey& row : ListSessionKeys()) {
+      if (row.key.rfind("sim.", 0) == 0) rows.push_back(row);
+    }
+    return DescribeConfig(FreeSpaceProfile(), rows);
+  }();
+  return keys;
+}
+
+FreeSpaceProfile ParseProfile(const std::string& text, const std::string& file) {
+  FreeSpaceProfile profile;
+  profile.name = fs::path(file).stem().string();
+  Diagnostics problems;
+  const YAML::Node root = ParseYaml(text, file, problems);
+  ReadConfig(root, file, "profile", profile, problems);
+  if (problems.num_errors() == 0) {
+    for (const auto& [key, fault] : FindProblems(profile)) {
+      problems.Fail(file, FindConfigLine(root, key), key + ": " + fault);
+    }
+  }
+  problems.ThrowIfErrors(ErrorKind::kFormat, "the profile cannot be used");
+  return profile;
+}
+
+std::vector<FreeSpaceProfile> ListProfiles() {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(FindProfileFolder(), none)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<FreeSpaceProfile> profiles;
+  for (const fs::path& file : files) {
+    profiles.push_back(ParseProfile(ReadFile(file), file.string()));
+  }
+  return profiles;
+}
+
+FreeSpaceProfile LoadProfile(const std::string& name_or_path) {
+  std::vector<std::string> names;
+  for (const FreeSpaceProfile& profile : ListProfiles()) {
+    if (profile.name == name_or_path) return profile;
+    names.push_back(profile.name);
+  }
+  if (fs::exists(name_or_path)) return ParseProfile(ReadFile(name_or_path), name_or_path);
+  throw Error(ErrorKind::kNotFound, "no profile and no file \"" + name_or_path + "\"" +
+                                        SuggestNames(name_or_path, names));
+}
+
+}  // namespace graspbench

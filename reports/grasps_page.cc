@@ -1,0 +1,199 @@
+#include "reports/grasps_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/hash.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/base/version.h"
+#include "reports/page/sectioned_page.h"
+
+namespace graspbench {
+namespace {
+
+constexpr Align kNumber = Align::kNumber;
+constexpr size_t kMostFailures = 1000;  // rows of a page; grasps.csv has all
+
+struct GraspsView {
+  const Json& config;
+  const std::vector<JudgedGrasp>& judged;
+  const JudgedSummary& summary;
+};
+
+std::string FormatNumber(double value, int decimals) {
+  return std::isfinite(value) ? FormatFixed(value, decimals) : "-";
+}
+
+std::string NameOf(const JudgedGrasp& judged) {
+  return judged.source + ", " + std::to_string(judged.index);
+}
+
+Html DrawSuccess(const GraspsView& view) {
+  Table table("Success under each profile.",
+              {{"Profile"},
+               {"Grasps", kNumber},
+               {"Passed", kNumber},
+               {"Share", kNumber},
+               {"95 % interval [%]", kNumber, "Wilson"},
+               {"Gave up", kNumber, "the simulation, counted as failures"},
+               {"Disturbed", kNumber,
+                "share of the disturbances, 1 mm and 1 degree, of grasps that passed which pass, "
+                "too"}});
+  for (const ProfileSummary& profile : view.summary.profiles) {
+    table.AddRow(
+        {Text(profile.profile), Text(std::to_string(profile.num_judged)),
+         Text(std::to_string(profile.num_passed)),
+         Text(FormatPercent(CalcShare(profile.num_passed, profile.num_judged))),
+         Text(FormatRateInterval(profile.num_passed, profile.num_judged)),
+         Text(std::to_string(profile.num_numerical)),
+         Text(std::isfinite(profile.jitter_share) ? FormatPercent(profile.jitter_share) : "-")});
+  }
+  return table.ToHtml();
+}
+
+Html DrawAgreement(const GraspsView& view) {
+  Table table("Verdicts against the files' own.",
+              {{"Profile"},
+               {"Labelled", kNumber},
+               {"Both pass", kNumber},
+               {"Label only", kNumber},
+               {"Verdict only", kNumber},
+               {"Both fail", kNumber},
+               {"Kappa", kNumber, "1: the same; 0: as by chance"}});
+  bool has_any = false;
+  for (const ProfileSummary& profile : view.summary.profiles) {
+    const PairedCounts& counts = profile.labels;
+    if (counts.num_pairs() == 0) continue;
+    has_any = true;
+    table.AddRow({Text(profile.profile), Text(std::to_string(counts.num_pairs())),
+                  Text(std::to_string(counts.both)), Text(std::to_string(counts.first_only)),
+                  Text(std::to_string(counts.second_only)), Text(std::to_string(counts.neither)),
+                  Text(FormatNumber(CalcKappa(counts), 2))});
+  }
+  return has_any ? table.ToHtml() : MakeParagraph("The files say nothing of success.");
+}
+
+Html DrawTransitions(const GraspsView& view) {
+  if (view.summary.transitions.empty()) return MakeParagraph("There is one profile.");
+  Table table("The same grasps from profile to profile.", {{"From"},
+                                                           {"To"},
+                                                           {"Pass both", kNumber},
+                                                           {"Lost", kNumber},
+                                                           {"Won", kNumber},
+                                                           {"Fail both", kNumber}});
+  for (const ProfileTransition& transition : view.summary.transitions) {
+    const PairedCounts& counts = transition.counts;
+    table.AddRow({Text(transition.from), Text(transition.to), Text(std::to_string(counts.both)),
+                  Text(std::to_string(counts.first_only)), Text(std::to_string(counts.second_only)),
+                  Text(std::to_string(counts.neither))});
+  }
+  return table.ToHtml();
+}
+
+Html DrawGraspTable(const std::string& caption, const std::vector<const JudgedGrasp*>& grasps) {
+  Table table(caption, {{"Grasp", Align::kText, "file, number in it"},
+                        {"Profile"},
+                        {"Verdict"},
+                        {"Failed at"},
+                        {"Moved [mm]", kNumber, "the most in all looks"},
+                        {"Turned [deg]", kNumber},
+                        {"Deep at start [mm]", kNumber},
+                        {"Grip [N]", kNumber, "after the last stage"},
+                        {"Touching"},
+                        {"Why", Align::kProse}});
+  for (const JudgedGrasp* judged : grasps) {
+    const FreeSpaceResult& result = judged->result;
+    table.AddRow({Text(NameOf(*judged)), Text(judged->profile),
+                  Text(result.passed ? "pass" : "fail"),
+                  Text(result.failed_stage.empty() ? "-" : result.failed_stage),
+                  Text(FormatNumber(MmFromM(result.worst_shift), 1)),
+                  Text(FormatNumber(result.worst_turn_deg, 1)),
+                  Text(FormatNumber(MmFromM(result.start_penetration), 1)),
+                  Text(FormatNumber(result.grip_force, 1)),
+                  Text(result.touching.empty() ? "-" : result.touching), Text(result.reason)});
+  }
+  return table.ToHtml();
+}
+
+Html DrawFailures(const GraspsView& view) {
+  Html stages;
+  for (const ProfileSummary& profile : view.summary.profiles) {
+    std::string text = profile.profile + ": ";
+    for (size_t i = 0; i < profile.stages.size(); ++i) {
+      text += (i > 0 ? ", " : "") + profile.stages[i].first + " " +
+              std::to_string(profile.stages[i].second);
+    }
+    if (!profile.stages.empty()) stages += MakeParagraph(text + ".");
+  }
+  std::vector<const JudgedGrasp*> failures;
+  for (const JudgedGrasp& judged : view.judged) {
+    if (judged.jitter == 0 && !judged.result.passed && failures.size() < kMostFailures) {
+      failures.push_back(&judged);
+    }
+  }
+  if (failures.empty()) return MakeParagraph("None.");
+  return stages + DrawGraspTable("Grasps that failed, at most " + std::to_string(kMostFailures) +
+                                     "; grasps.csv has all.",
+                                 failures);
+}
+
+Html DrawNearest(const GraspsView& view) {
+  if (view.summary.nearest.empty()) return MakeParagraph("No grasp was tested.");
+  return MakeParagraph(
+             "Those whose object moved or turned by the most similar amount to what the profile "
+             "allows; another step or friction may turn their verdict.") +
+         DrawGraspTable("Nearest the border of pass and fail.", view.summary.nearest);
+}
+
+Html DrawUnread(const GraspsView& view) {
+  std::vector<std::string> items;
+  for (const Json& file : view.config.value("unread", Json::array())) {
+    items.push_back(file.value("name", "") + ": " + file.value("reason", ""));
+  }
+  return items.empty() ? MakeParagraph("Everything was read and mapped.") : MakeList(items);
+}
+
+Html DrawProfiles(const GraspsView& view) {
+  Html content;
+  for (const Json& profile : view.config.value("profiles", Json::array())) {
+    const std::string name = profile.value("name", "");
+    content += MakeDetails(name + ": " + profile.at("values").value("about", ""),
+                           MakeConfigTable("Values of " + name + ".", profile.at("values")));
+  }
+  return content;
+}
+
+Html DrawGraspsMethods(const GraspsView& view) {
+  return MakeMethodsText(
+      {"Grasps were judged with graspbench " + std::string(program_version()) + " on the hand " +
+       view.config.value("hand", "") +
+       ". The hand began around the object at the first stage of each grasp and was driven through "
+       "the others; then the object was pushed along six directions, from the same instant each, "
+       "or lifted, as the profile says. A verdict holds under its profile alone. Agreement is "
+       "Cohen's kappa, intervals are Wilson's at 95 %."});
+}
+
+}  // namespace
+
+std::string MakeGraspsPage(const Json& config, const std::vector<JudgedGrasp>& judged,
+                           const JudgedSummary& summary) {
+  static const std::vector<PageSection<GraspsView>> sections = {
+      {"success", "Success", &DrawSuccess},
+      {"agreement", "Agreement with the files", &DrawAgreement},
+      {"transitions", "From profile to profile", &DrawTransitions},
+      {"failures", "Failures", &DrawFailures},
+      {"nearest", "Nearest the border", &DrawNearest},
+      {"unread", "Not judged", &DrawUnread},
+      {"profiles", "Profiles", &DrawProfiles},
+      {"methods", "Methods", &DrawGraspsMethods}};
+  PageFrame frame = {"Grasps of others",
+                     FormatCount(summary.num_grasps, "grasp") + " under " +
+                         FormatCount(static_cast<int>(summary.profiles.size()), "profile")};
+  frame.commands = {"graspbench grasps judge FILES --objects DIR --out ANOTHER"};
+  frame.facts = {{"Hand", config.value("hand", "")},
+                 {"Hash of the configuration", CalcHashHex(FormatJson(config))}};
+  return MakeSectionedPage(frame, sections, GraspsView{config, judged, summary});
+}
+
+}  // namespace graspbench

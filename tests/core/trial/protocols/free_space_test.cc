@@ -1,0 +1,203 @@
+#include "core/trial/protocols/free_space.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/physics/known_answers/small_scenes.h"
+
+namespace graspbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kForce = 1.0;      // of each finger [N]
+constexpr double kHalfWidth = 0.03;  // of the block, along x [m]
+constexpr double kMass = 0.1;
+constexpr double kStiffness = 20.0;  // of the drives [N m/rad]
+
+/** Two balls on the block's +x and -x sides (small_scenes.h), pressed by drives that are springs:
+where the block has not moved, each presses with kForce after the squeeze. */
+struct Pinch {
+  FreeSpaceProfile profile;
+  Hand hand = MakeSqueezeHand(2, kHalfWidth, kForce, 0.0);
+  GraspObject object = MakeBlock(kMass);
+  std::vector<StageCommand> stages;
+
+  Pinch() {
+    SoftenFingers();
+    profile.drives.law = "own";
+    profile.surfaces.pads = "given";
+    profile.surfaces.torsion_radius = 0.01;
+    profile.drives.beyond_limits = "ignore";
+    profile.mass = kMass;
+    profile.sim.gravity = 0.0;
+    profile.sim.step = 0.002;
+    // Else the pads' own compliance turns the block before the force along it is resisted.
+    profile.max_turn_deg = 60.0;
+    const Pose X_OH = MakePose(Vector3d(0.0, 0.0, kSqueezeLever));
+    // Drive and contact are springs in series.
+    const double squeeze = kForce * (kSqueezeLever / kStiffness +
+                                     1.0 / (kSqueezeLever * profile.sim.contact_stiffness));
+    const std::vector<std::pair<const char*, double>> angles = {
+        {"pregrasp", 0.0}, {"grasp", 0.5 * squeeze}, {"squeeze", squeeze}};
+    for (const auto& [name, q] : angles) {
+      stages.push_back({name, X_OH, VectorXd::Constant(2, q)});
+    }
+  }
+
+  /** And the root lighter, so that the arm can move it. */
+  void SoftenFingers() {
+    for (HandJoint& joint : hand.joints) joint.drive = {kStiffness, 0.2, 10.0};
+    hand.links[0].mass = 1.0;
+    hand.links[0].I_LLcm = 1e-3 * Eigen::Matrix3d::Identity();
+  }
+
+  FreeSpaceResult Run() const {
+    const std::vector<bool> is_asked(hand.joints.size(), true);
+    const ProfiledScene scene = MakeProfiledScene(
+        MakeProfiledHand(hand, profile, is_asked), MakeProfiledObject(object, profile),
+        Pose::Identity(), stages, profile);
+    return RunFreeSpace(scene, profile);
+  }
+};
+
+// Across the fingers two contacts stand 2 mu N; along them the drives stand more.
+TEST(FreeSpace, HoldsWhatTwoContactsCanHold) {
+  for (const double step : {0.002, 0.0005}) {
+    Pinch pinch;
+    pinch.profile.sim.step = step;
+    pinch.profile.surfaces.friction = 0.4;
+    const double most = 2.0 * 0.4 * kForce / kMass;  // [m/s^2]
+    pinch.profile.acceleration = 0.95 * most;
+    const FreeSpaceResult below = pinch.Run();
+    EXPECT_TRUE(below.passed) << below.reason;
+    EXPECT_EQ(below.num_stood, 6);
+    EXPECT_NEAR(below.grip_force, 2.0 * kForce, 0.02 * kForce);
+    pinch.profile.acceleration = 1.05 * most;
+    const FreeSpaceResult above = pinch.Run();
+    EXPECT_FALSE(above.passed);
+    EXPECT_EQ(above.failed_stage, "push -y") << above.reason;
+    EXPECT_EQ(above.num_stood, 2) << "the pushes along the fingers";
+  }
+}
+
+TEST(FreeSpace, AloneAnObjectFliesWithThePush) {
+  Pinch pinch;
+  pinch.hand = MakeBareHand();
+  pinch.profile.acceleration = 2.0;
+  pinch.profile.test_time = pinch.profile.check_interval = 0.2;
+  pinch.stages = {{"grasp", MakePose(Vector3d(0.0, 0.0, 10.0)), VectorXd()}};
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_TRUE(result.passed) << result.reason;  // a t^2 / 2 = 40 mm
+  EXPECT_NEAR(result.worst_shift, 0.5 * 2.0 * 0.2 * 0.2, 1e-3);
+  EXPECT_EQ(result.touching, "");
+  EXPECT_EQ(result.closing_shift, 0.0) << "without a push it rests";
+}
+
+TEST(FreeSpace, AnEmptyHandFailsInTheFirstPush) {
+  Pinch pinch;
+  for (StageCommand& stage : pinch.stages) stage.X_OH = MakePose(Vector3d(0.0, 0.0, 10.0));
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.failed_stage, "push -x");
+  EXPECT_NE(result.reason.find("nothing touched it"), std::string::npos) << result.reason;
+}
+
+TEST(FreeSpace, AFingerAlonePushesTheObjectAway) {
+  Pinch pinch;
+  pinch.hand = MakeSqueezeHand(1, kHalfWidth, kForce, 0.0);
+  pinch.SoftenFingers();
+  pinch.stages.resize(1);
+  pinch.stages.push_back({"squeeze", pinch.stages[0].X_OH, VectorXd::Constant(1, 0.5)});
+  pinch.stages[0].q = VectorXd::Zero(1);
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.failed_stage, "squeeze") << result.reason;
+  EXPECT_GT(result.closing_shift, pinch.profile.max_shift);
+}
+
+TEST(FreeSpace, OpeningAfterTheGraspLetsGo) {
+  Pinch pinch;
+  pinch.stages[2].q.setConstant(-0.3);
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.touching, "");
+  EXPECT_EQ(result.failed_stage, "push -x") << result.reason;
+}
+
+TEST(FreeSpace, StartPenetrationIsAResult) {
+  Pinch pinch;
+  for (StageCommand& stage : pinch.stages) stage.X_OH.translation().x() = 0.012;
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_EQ(result.failed_stage, "start") << result.reason;
+  EXPECT_NEAR(result.start_penetration, 0.012, 5e-4);
+  pinch.profile.max_start_penetration = 0.02;
+  EXPECT_NE(pinch.Run().failed_stage, "start");
+}
+
+// The root turns and moves with the stages, and carries what it holds.
+TEST(FreeSpace, TheRootTurnsBetweenStages) {
+  for (const int updates : {0, 10}) {
+    Pinch pinch;
+    pinch.profile.stage_updates = updates;
+    pinch.profile.max_shift = 0.2;
+    pinch.profile.acceleration = 1.0;
+    pinch.profile.surfaces.friction = 0.8;
+    const double turn = RadFromDeg(12.0);
+    StageCommand turned = pinch.stages.back();
+    turned.name = "turn";
+    turned.X_OH = MakePose(Vector3d(0.02, 0.0, 0.0)) *
+                  Pose(Eigen::AngleAxisd(turn, Vector3d::UnitX())) * turned.X_OH;
+    pinch.stages.push_back(turned);
+    const FreeSpaceResult result = pinch.Run();
+    EXPECT_TRUE(result.passed) << result.reason;
+    EXPECT_NEAR(result.closing_turn_deg, 12.0, 0.7) << updates;
+    EXPECT_NEAR(result.closing_shift, 0.02, 2e-3) << updates;
+  }
+}
+
+TEST(FreeSpace, LiftsFromATable) {
+  Pinch pinch;
+  pinch.profile.test = "lift";
+  pinch.profile.acceleration = 10.0;
+  pinch.profile.test_time = pinch.profile.check_interval = 0.4;
+  pinch.profile.surfaces.friction = 0.8;  // 1.6 N above a weight of 1 N
+  const auto run = [&] {
+    ProfiledScene scene = MakeProfiledScene(
+        MakeProfiledHand(pinch.hand, pinch.profile, {true, true}),
+        MakeProfiledObject(pinch.object, pinch.profile), MakePose(Vector3d(0.0, 0.0, 0.01)),
+        pinch.stages, pinch.profile);
+    return RunFreeSpace(scene, pinch.profile);
+  };
+  const FreeSpaceResult held = run();
+  EXPECT_TRUE(held.passed) << held.reason;
+  EXPECT_LT(held.worst_shift, 0.01);
+  pinch.profile.surfaces.friction = 0.3;  // 0.6 N
+  const FreeSpaceResult lost = run();
+  EXPECT_EQ(lost.failed_stage, "lift") << lost.reason;
+  EXPECT_NEAR(lost.worst_shift, pinch.profile.lift_height, 0.01) << "it stayed where it was";
+}
+
+TEST(FreeSpace, RefusesBeyondLimitsOnlyWhereTheProfileSaysSo) {
+  Pinch pinch;
+  pinch.hand.joints[0].upper = 0.001;
+  pinch.profile.drives.beyond_limits = "refuse";
+  const FreeSpaceResult result = pinch.Run();
+  EXPECT_EQ(result.failed_stage, "limits");
+  EXPECT_NE(result.reason.find(pinch.hand.joints[0].name), std::string::npos) << result.reason;
+  for (const char* rule : {"clip", "ignore"}) {
+    pinch.profile.drives.beyond_limits = rule;
+    EXPECT_NE(pinch.Run().failed_stage, "limits");
+  }
+}
+
+TEST(FreeSpace, GivesTheSameBytesAgain) {
+  const Pinch pinch;
+  EXPECT_EQ(FormatJson(RecordToJson(pinch.Run())), FormatJson(RecordToJson(pinch.Run())));
+}
+
+}  // namespace
+}  // namespace graspbench

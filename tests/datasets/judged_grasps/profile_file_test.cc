@@ -1,0 +1,82 @@
+#include "datasets/judged_grasps/profile_file.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/base/config.h"
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+
+namespace graspbench {
+namespace {
+
+std::string FindFault(const std::string& text) {
+  try {
+    ParseProfile(text, "mine.yaml");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ProfileFile, ShippedProfilesNameTheirSource) {
+  std::set<std::string> names;
+  for (const FreeSpaceProfile& profile : ListProfiles()) {
+    names.insert(profile.name);
+    EXPECT_FALSE(profile.about.empty()) << profile.name;
+    EXPECT_FALSE(profile.source.empty()) << profile.name;
+  }
+  EXPECT_EQ(names.count("own") + names.count("dexgraspbench-fc") +
+                names.count("dexgraspbench-tabletop"),
+            3u);
+}
+
+// A later default must not change what somebody means by a name.
+TEST(ProfileFile, ShippedProfilesWriteEveryKey) {
+  for (const FreeSpaceProfile& profile : ListProfiles()) {
+    const YAML::Node root = YAML::Load(
+        ReadFile(FindDataRoot() / "datasets" / "profiles" / (profile.name + ".yaml")));
+    for (const std::string& key : ListConfigKeys(profile)) {
+      EXPECT_GT(FindConfigLine(root, key), 0) << profile.name << " lacks " << key;
+    }
+  }
+}
+
+TEST(ProfileFile, DexGraspBenchAsPublished) {
+  const FreeSpaceProfile profile = LoadProfile("dexgraspbench-fc");
+  EXPECT_EQ(profile.drives.stiffness, 5.0);
+  EXPECT_EQ(profile.surfaces.friction, 0.6);
+  EXPECT_NEAR(profile.surfaces.friction * profile.surfaces.torsion_radius, 0.02, 1e-6);
+  EXPECT_EQ(profile.sim.step, 0.004);
+  EXPECT_EQ(profile.mass, 0.1);
+  EXPECT_EQ(profile.acceleration, 10.0);
+  EXPECT_EQ(profile.test_time, 2.0);
+  EXPECT_EQ(profile.max_shift, 0.05);
+  EXPECT_EQ(profile.max_turn_deg, 15.0);
+}
+
+TEST(ProfileFile, OwnHoldsTheDefaults) {
+  FreeSpaceProfile own = LoadProfile("own");
+  own.about = own.source = "";
+  FreeSpaceProfile defaults;
+  defaults.sim.gravity = 0.0;
+  defaults.sim.steady_step_factor = 1;
+  EXPECT_EQ(FindConfigDifferences(own, defaults), std::vector<std::string>());
+}
+
+TEST(ProfileFile, FaultsAreNamedWithTheirLine) {
+  EXPECT_NE(FindFault("about: x\nfrictoin: 1\n").find("mine.yaml:2"), std::string::npos);
+  EXPECT_NE(FindFault("test: shakes\n").find("expected pushes, lift"), std::string::npos);
+  EXPECT_NE(FindFault("stage_time_s: -1\n").find("out of range"), std::string::npos);
+  EXPECT_NE(FindFault("drives: {law: hers}\n").find("expected own, given"), std::string::npos);
+  EXPECT_EQ(FindFault("about: mine\n"), "");
+  EXPECT_THROW(LoadProfile("dexgraspbenhc-fc"), Error);
+}
+
+TEST(ProfileFile, EveryKeyHasAMeaning) {
+  for (const FileKey& key : ListProfileKeys()) EXPECT_FALSE(key.meaning.empty()) << key.key;
+}
+
+}  // namespace
+}  // namespace graspbench

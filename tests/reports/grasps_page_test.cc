@@ -1,0 +1,43 @@
+#include "reports/grasps_page.h"
+
+#include <gtest/gtest.h>
+
+namespace graspbench {
+namespace {
+
+const Json kConfig = {
+    {"hand", "shadow"},
+    {"unread", {{{"name", "b.npy"}, {"reason", "unknown joint <X>"}}}},
+    {"profiles",
+     {{{"name", "own"},
+       {"values", {{"about", "ours"}, {"max_shift_m", 0.05}, {"max_turn_deg", 15.0}}}}}}};
+
+TEST(GraspsPage, ShowsVerdictsWithTheirProfileAndReason) {
+  std::vector<JudgedGrasp> judged(2);
+  for (size_t i = 0; i < judged.size(); ++i) {
+    judged[i].source = "a.npy";
+    judged[i].index = static_cast<int>(i);
+    judged[i].profile = "own";
+    judged[i].label = "success";
+    judged[i].result.passed = i == 0;
+    judged[i].result.worst_shift = 0.04;
+  }
+  judged[1].result.failed_stage = "push -y";
+  judged[1].result.reason = "0.2 s into the push -y the object has moved 51.0 mm";
+  const std::string page =
+      MakeGraspsPage(kConfig, judged, SummariseJudged(judged, FindLimits(kConfig)));
+  EXPECT_NE(page.find("9.5 to 90.5"), std::string::npos) << "Wilson's interval of 1 of 2";
+  EXPECT_NE(page.find("0.2 s into the push -y the object has moved 51.0 mm"), std::string::npos);
+  EXPECT_NE(page.find("a.npy, 1"), std::string::npos);
+  EXPECT_NE(page.find("unknown joint &lt;X&gt;"), std::string::npos);
+}
+
+TEST(GraspsPage, BearsAnEmptyStore) {
+  const std::vector<JudgedGrasp> none;
+  const std::string page =
+      MakeGraspsPage(kConfig, none, SummariseJudged(none, FindLimits(kConfig)));
+  EXPECT_NE(page.find("No grasp was tested."), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graspbench

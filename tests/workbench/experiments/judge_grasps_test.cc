@@ -1,0 +1,101 @@
+#include "workbench/experiments/judge_grasps.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/config.h"
+#include "core/base/error.h"
+#include "core/base/files/files.h"
+#include "datasets/judged_grasps/judged_summary.h"
+#include "tests/datasets/session/fake_session.h"
+#include "tests/workbench/experiments/pinch_inputs.h"
+
+namespace graspbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+const GraspInputs& Inputs() {
+  static const GraspInputs inputs = MakePinchInputs();
+  return inputs;
+}
+
+/** Also a file of the profile, in the folder. */
+JudgeGraspsRequest MakeRequest(const fs::path& folder, const std::string& out) {
+  const fs::path file = folder / "pinch.yaml";
+  WriteFile(file, FormatJson(ConfigToJson(MakePinchProfile())));
+  JudgeGraspsRequest request;
+  request.profiles = {file.string()};
+  request.jitter = 14;  // 45 tasks: several batches
+  request.out = folder / out;
+  return request;
+}
+
+/** Stops after so many verdicts. */
+class Stopper : public Observer {
+ public:
+  Stopper(int num_verdicts, std::atomic<bool>& stop) : num_verdicts_(num_verdicts), stop_(stop) {}
+  void ShowStatus(const BatchStatus& status, int) override {
+    if (status.num_done >= num_verdicts_) stop_ = true;
+  }
+
+ private:
+  int num_verdicts_;
+  std::atomic<bool>& stop_;
+};
+
+TEST(JudgeGrasps, VerdictsAreThoseOfMechanics) {
+  const TemporaryFolder folder;
+  JudgeGraspsRequest request = MakeRequest(folder.path(), "judged");
+  request.jitter = 0;
+  Observer nobody;
+  const std::atomic<bool> stop = false;
+  EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody, stop));
+  const std::vector<JudgedGrasp> judged = LoadJudgedGrasps(request.out);
+  ASSERT_EQ(judged.size(), 3u);
+  EXPECT_TRUE(judged[0].result.passed) << judged[0].result.reason;
+  EXPECT_FALSE(judged[1].result.passed);
+  EXPECT_EQ(judged[1].result.failed_stage, "push -y") << judged[1].result.reason;
+  EXPECT_EQ(judged[2].result.failed_stage, "push -x") << judged[2].result.reason;
+  EXPECT_EQ(judged[2].result.touching, "");
+  EXPECT_EQ(judged[0].label, "success");
+  const JudgedSummary summary = SummariseJudged(judged, FindLimits(LoadGraspConfig(request.out)));
+  EXPECT_EQ(summary.profiles.front().profile, "pinch");
+  EXPECT_EQ(summary.profiles.front().num_passed, 1);
+}
+
+TEST(JudgeGrasps, WorkersAndInterruptionsLeaveTheSameBytes) {
+  const TemporaryFolder folder;
+  Observer nobody;
+  const std::atomic<bool> never = false;
+  const JudgeGraspsRequest plain = MakeRequest(folder.path(), "plain");
+  EXPECT_TRUE(JudgeGrasps(plain, Inputs(), nobody, never));
+  JudgeGraspsRequest stopped = MakeRequest(folder.path(), "stopped");
+  stopped.num_workers = 2;
+  std::atomic<bool> stop = false;
+  Stopper stopper(3, stop);
+  EXPECT_FALSE(JudgeGrasps(stopped, Inputs(), stopper, stop));
+  EXPECT_FALSE(fs::exists(stopped.out / "grasps.csv"));
+  // And what a kill tears off.
+  const fs::path journal = stopped.out / "journal.jsonl";
+  const std::string lines = ReadFile(journal);
+  ASSERT_GT(lines.size(), 10u);
+  WriteFile(journal, lines.substr(0, lines.size() - 7));
+  EXPECT_TRUE(JudgeGrasps(stopped, Inputs(), nobody, never));
+  for (const char* name : {"grasps.json", "journal.jsonl", "grasps.csv", "manifest.json"}) {
+    EXPECT_EQ(ReadFile(plain.out / name), ReadFile(stopped.out / name)) << name;
+  }
+}
+
+TEST(JudgeGrasps, AnotherProfileNeedsAnotherFolder) {
+  const TemporaryFolder folder;
+  Observer nobody;
+  const std::atomic<bool> never = false;
+  JudgeGraspsRequest request = MakeRequest(folder.path(), "judged");
+  request.jitter = 0;
+  EXPECT_TRUE(JudgeGrasps(request, Inputs(), nobody, never));
+  request.profiles = {"own"};
+  EXPECT_THROW(JudgeGrasps(request, Inputs(), nobody, never), Error);
+}
+
+}  // namespace
+}  // namespace graspbench

@@ -1,0 +1,61 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "core/base/text/text.h"
+#include "core/hand/load_hand.h"
+#include "workbench/commands/command.h"
+#include "workbench/commands/options/foreign_grasp_options.h"
+#include "workbench/tables/foreign_grasp_tables.h"
+
+namespace graspbench {
+namespace {
+
+struct InfoRequest {
+  ForeignGraspOptions grasps;
+  std::string hand;
+  bool json = false;
+};
+
+ExitCode ShowGrasps(const InfoRequest& request) {
+  const GraspCollection collection = request.grasps.Read();
+  std::vector<UnmappedGrasp> unmapped;
+  Json json = request.json ? MakeJson(collection) : Json();
+  std::string text = FormatGraspCollection(collection);
+  if (!request.hand.empty()) {
+    const Hand hand = LoadHand(request.hand);
+    unmapped = FindUnmapped(collection.grasps, hand);
+    json["unmapped"] = Json::array();
+    text += std::to_string(collection.grasps.size() - unmapped.size()) + " of " +
+            FormatCount(static_cast<int64_t>(collection.grasps.size()), "grasp") +
+            " can be taken by the hand " + hand.id + "\n";
+    for (const UnmappedGrasp& grasp : unmapped) {
+      json["unmapped"].push_back({{"grasp", grasp.name}, {"reason", grasp.reason}});
+      text += "not taken: " + grasp.name + ": " + grasp.reason + "\n";
+    }
+  }
+  request.json ? PrintJson(json) : PrintResult(text);
+  return collection.unread.empty() && unmapped.empty() ? kExitOk : kExitBadInput;
+}
+
+}  // namespace
+
+void AddGraspsCommand(CLI::App& program, ExitCode& exit_code) {
+  CLI::App& group = AddSubcommand(program, "grasps", "Read grasps that others made.",
+                                  "  graspbench grasps info downloaded/\n"
+                                  "  graspbench grasps info mug.npy --hand shadow");
+  group.require_subcommand(1);
+  const auto request = std::make_shared<InfoRequest>();
+  CLI::App& info = AddSubcommand(
+      group, "info", "Say what files of grasps hold, and which could not be read.",
+      "  graspbench grasps info downloaded/\n"
+      "  graspbench grasps info mug.npy --hand shadow\n"
+      "  graspbench grasps info mug.yaml --hand-frame panda_hand --object-frame mesh --json");
+  request->grasps.AddTo(info);
+  info.add_option("--hand", request->hand, "also try the grasps on a hand: id, or its folder")
+      ->option_text("HAND");
+  AddJsonOption(info, request->json);
+  info.callback([request, &exit_code] { exit_code = ShowGrasps(*request); });
+}
+
+}  // namespace graspbench

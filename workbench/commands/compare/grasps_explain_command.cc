@@ -1,0 +1,95 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "datasets/judged_grasps/profile_file.h"
+#include "workbench/commands/command.h"
+#include "workbench/commands/options/foreign_grasp_options.h"
+#include "workbench/experiments/explain_grasp.h"
+#include "workbench/tables/text_table.h"
+
+namespace graspbench {
+namespace {
+
+struct ExplainOptions {
+  ForeignGraspOptions grasps;
+  std::string hand = "shadow", from = "dexgraspbench-fc", to = "own";
+  std::filesystem::path objects;
+  int number = 0;
+  bool json = false;
+};
+
+const char* NameVerdict(const FreeSpaceResult& result) { return result.passed ? "pass" : "fail"; }
+
+std::string FormatSteps(const std::vector<ExplainStep>& steps) {
+  TextTable table({"value", "from", "to", "verdict", "failed at", "moved [mm]"});
+  std::string turns;
+  for (const ExplainStep& step : steps) {
+    table.AddRow({step.key.empty() ? "(as it is)" : step.key, step.from, step.to,
+                  std::string(NameVerdict(step.result)) + (step.turns ? " *" : ""),
+                  step.result.failed_stage.empty() ? "-" : step.result.failed_stage,
+                  FormatFixed(MmFromM(step.result.worst_shift), 1)});
+    if (!step.turns) continue;
+    turns += "* " + step.key + " from " + step.from + " to " + step.to + " turns the verdict to " +
+             NameVerdict(step.result) +
+             (step.result.reason.empty() ? "" : ": " + step.result.reason) + "\n";
+  }
+  return table.Format() + (turns.empty() ? "no value turns the verdict\n" : turns);
+}
+
+void Explain(const ExplainOptions& options) {
+  const GraspInputs inputs = LoadGraspInputs(options.grasps.Read(), options.hand, options.objects);
+  const auto number = static_cast<size_t>(options.number);
+  if (number >= inputs.grasps.size()) {
+    throw Error(ErrorKind::kUsage,
+                "--grasp " + std::to_string(options.number) + ": there are " +
+                    FormatCount(static_cast<int>(inputs.grasps.size()), "grasp") +
+                    " that can be judged, from 0 on");
+  }
+  const std::vector<ExplainStep> steps = ExplainGrasp(
+      inputs, inputs.grasps[number], LoadProfile(options.from), LoadProfile(options.to));
+  if (!options.json) return PrintResult(FormatSteps(steps));
+  Json json = Json::array();
+  for (const ExplainStep& step : steps) {
+    json.push_back({{"key", step.key},
+                    {"from", step.from},
+                    {"to", step.to},
+                    {"turns", step.turns},
+                    {"result", RecordToJson(step.result)}});
+  }
+  PrintJson({{"grasp", inputs.grasps[number].grasp.source},
+             {"index", inputs.grasps[number].grasp.index},
+             {"steps", json}});
+}
+
+}  // namespace
+
+void AddGraspsExplainCommand(CLI::App& program, ExitCode&) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App& command = AddSubcommand(
+      *program.get_subcommand("grasps"), "explain",
+      "Say which value of a profile turns the verdict on a grasp.",
+      "  graspbench grasps explain mug.npy --objects meshes\n"
+      "  graspbench grasps explain mug.npy --grasp 3 --from own --to mine.yaml --objects meshes");
+  options->grasps.AddTo(command);
+  command.add_option("--grasp", options->number, "which of the files' grasps, from 0 on")
+      ->check(CLI::Range(0, 100000000))
+      ->option_text("N")
+      ->capture_default_str();
+  command.add_option("--from", options->from, "profile to begin with, by name or file")
+      ->option_text("P")
+      ->capture_default_str();
+  command.add_option("--to", options->to, "profile to arrive at")
+      ->option_text("P")
+      ->capture_default_str();
+  command.add_option("--hand", options->hand, "hand by id or folder")
+      ->option_text("HAND")
+      ->capture_default_str();
+  command.add_option("--objects", options->objects, "folder of the meshes")->option_text("DIR");
+  AddJsonOption(command, options->json);
+  command.callback([options] { Explain(*options); });
+}
+
+}  // namespace graspbench

@@ -1,0 +1,43 @@
+#include "workbench/commands/options/foreign_grasp_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "workbench/commands/command.h"
+
+namespace graspbench {
+
+void ForeignGraspOptions::AddTo(CLI::App& command) {
+  std::vector<std::string> formats = {"auto"};
+  for (const GraspFormat& format : ListGraspFormats()) formats.emplace_back(format.id);
+  command.add_option("files", paths_, "files of grasps, or folders: all files below them")
+      ->required()
+      ->option_text("FILES..");
+  command.add_option("--format", format_, "one of " + ListNames(formats))
+      ->option_text("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--hand-frame", read_.hand_frame,
+                  "link of the hand whose pose the files give, where they do not say it reliably")
+      ->option_text("LINK");
+  command
+      .add_option("--object-frame", read_.object_frame,
+                  "frame in which the poses are given: \"mesh\", as the object's mesh is drawn")
+      ->option_text("NAME");
+  command
+      .add_option("--joint-names", read_.joint_names,
+                  "joints in the order of the files' positions, where they have no names")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("NAME,..");
+  command.add_option("--scale", scale_, "of the object's mesh, instead of what the files say")
+      ->check(CLI::PositiveNumber)
+      ->option_text("NUMBER");
+}
+
+GraspCollection ForeignGraspOptions::Read() const {
+  GraspReadOptions options = read_;
+  if (scale_ > 0.0) options.scale = scale_;
+  return ReadGraspCollection(paths_, format_, options);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,193 @@
+#include "workbench/experiments/grasp_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/base/text/text.h"
+#include "core/base/units.h"
+#include "core/hand/load_hand.h"
+#include "core/trial/protocols/profiled_scene.h"
+#include "datasets/grasps/map_to_hand.h"
+#include "objects/catalogue.h"
+
+namespace graspbench {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kJitterShift = 0.001;           // [m]
+constexpr double kJitterTurn = RadFromDeg(1.0);  // [rad]
+constexpr size_t kMostNamed = 10;                // in a message
+
+bool IsFile(const fs::path& path) {
+  std::error_code none;
+  return fs::is_regular_file(path, none);
+}
+
+fs::path FindMeshAt(const fs::path& place) {
+  if (IsFile(place)) return place;
+  for (const char* ending : {".obj", ".stl", ".ply", ".glb", ".gltf"}) {
+    if (IsFile(place.string() + ending)) return place.string() + ending;
+  }
+  for (const char* inside : {"mesh/simplified.obj", "simplified.obj", "mesh.obj"}) {
+    if (IsFile(place / inside)) return place / inside;
+  }
+  return {};
+}
+
+/** Joints of the wrist that no stage moves are not the file's. */
+std::vector<bool> FindAsked(const Hand& hand, const std::vector<GraspInput>& grasps) {
+  std::vector<bool> is_asked(hand.joints.size(), true);
+  for (int link = hand.palm_link; link >= 0; link = hand.links[static_cast<size_t>(link)].parent) {
+    const int joint = hand.links[static_cast<size_t>(link)].joint;
+    if (joint < 0) continue;
+    is_asked[static_cast<size_t>(joint)] =
+        std::any_of(grasps.begin(), grasps.end(), [&](const GraspInput& input) {
+          return std::any_of(input.stages.begin(), input.stages.end(),
+                             [&](const StageCommand& stage) { return stage.q[joint] != 0.0; });
+        });
+  }
+  return is_asked;
+}
+
+class ObjectLoader {
+ public:
+  explicit ObjectLoader(fs::path folder) : folder_(std::move(folder)) {}
+
+  /** Null: there is no such mesh. */
+  std::shared_ptr<const GraspObject> Load(const std::string& name, double scale) {
+    const auto key = std::make_pair(name, scale);
+    if (const auto found = loaded_.find(key); found != loaded_.end()) return found->second;
+    const fs::path mesh = FindObjectMesh(folder_, name);
+    std::shared_ptr<const GraspObject> object;
+    if (!mesh.empty()) {
+      object = LoadMeshObject(mesh, scale);
+    } else if (const auto ids = ListObjects();
+               scale == 1.0 && std::find(ids.begin(), ids.end(), name) != ids.end()) {
+      object = LoadObject(name);
+    }
+    if (!object) missing_.insert(name);
+    loaded_[key] = object;
+    return object;
+  }
+
+  void DemandAll() const {
+    if (missing_.empty()) return;
+    std::string names;
+    size_t count = 0;
+    for (const std::string& name : missing_) {
+      if (++count <= kMostNamed) names += "\n  " + (name.empty() ? "(no name)" : name);
+    }
+    throw Error(ErrorKind::kNotFound,
+                FormatCount(static_cast<int>(missing_.size()), "object") +
+                    " of these grasps found in \"" + (folder_.empty() ? "." : folder_.string()) +
+                    "\" as no mesh:" + names +
+                    "\nname the folder with --objects; a grasp's object is looked for there by "
+                    "its whole path and by every end of it");
+  }
+
+  Json Describe() const {
+    Json objects = Json::array();
+    for (const auto& [key, object] : loaded_) {
+      objects.push_back(
+          {{"name", key.first}, {"scale", key.second}, {"content", object->content_hash}});
+    }
+    return objects;
+  }
+
+ private:
+  fs::path folder_;
+  std::map<std::pair<std::string, double>, std::shared_ptr<const GraspObject>> loaded_;
+  std::set<std::string> missing_;
+};
+
+std::string NameGrasp(const ForeignGrasp& grasp) {
+  return grasp.source + ", grasp " + std::to_string(grasp.index);
+}
+
+Eigen::Vector3d DrawDirection(RandomStream& random) {
+  const Eigen::Vector3d v(random.NextNormal(), random.NextNormal(), random.NextNormal());
+  return v.norm() > 1e-9 ? Eigen::Vector3d(v.normalized()) : Eigen::Vector3d::UnitX();
+}
+
+/** X_HH': where H is instead. */
+Pose DrawDisturbance(const ForeignGrasp& grasp, int jitter) {
+  RandomStream random(FormatJson({grasp.source, grasp.index, jitter}), "disturbance of a grasp");
+  const Eigen::Vector3d shift = kJitterShift * DrawDirection(random);
+  return MakePose(Eigen::AngleAxisd(kJitterTurn, DrawDirection(random)).toRotationMatrix(), shift);
+}
+
+}  // namespace
+
+fs::path FindObjectMesh(const fs::path& folder, const std::string& name) {
+  if (name.empty()) return {};
+  std::vector<fs::path> parts;
+  for (const fs::path& part : fs::path(name).lexically_normal()) {
+    if (part != "/" && part != ".." && !part.empty()) parts.push_back(part);
+  }
+  for (size_t first = 0; first < parts.size(); ++first) {
+    fs::path place = folder;
+    for (size_t i = first; i < parts.size(); ++i) place /= parts[i];
+    if (const fs::path mesh = FindMeshAt(place); !mesh.empty()) return mesh;
+  }
+  return {};
+}
+
+GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
+                            const fs::path& folder) {
+  GraspInputs inputs;
+  inputs.hand = std::make_shared<const Hand>(LoadHand(hand));
+  inputs.unread = std::move(collection.unread);
+  ObjectLoader objects(folder);
+  for (ForeignGrasp& grasp : collection.grasps) {
+    GraspInput input;
+    try {
+      for (const HandStage& stage : MapToHand(grasp, *inputs.hand).stages) {
+        input.stages.push_back({stage.name, stage.X_OH, stage.q});
+      }
+    } catch (const Error& error) {
+      inputs.unread.push_back({NameGrasp(grasp), error.what()});
+      continue;
+    }
+    input.object = objects.Load(grasp.object, grasp.scale);
+    input.grasp = std::move(grasp);
+    inputs.grasps.push_back(std::move(input));
+  }
+  objects.DemandAll();
+  if (inputs.grasps.empty()) {
+    std::string reasons;
+    for (const UnreadFile& file : inputs.unread) {
+      if (reasons.size() < 2000) reasons += "\n  " + file.name + ": " + file.reason;
+    }
+    throw Error(ErrorKind::kFormat, "no grasp can be judged:" + reasons);
+  }
+  inputs.is_asked = FindAsked(*inputs.hand, inputs.grasps);
+  Json grasps = Json::array();
+  for (const GraspInput& input : inputs.grasps) {
+    grasps.push_back({input.grasp.source, input.grasp.index});
+  }
+  inputs.description = {{"hand", inputs.hand->id},
+                        {"hand_content", inputs.hand->content_hash},
+                        {"objects", objects.Describe()},
+                        {"grasps", grasps}};
+  return inputs;
+}
+
+FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,
+                                const FreeSpaceProfile& profile, int jitter) {
+  std::vector<StageCommand> stages = input.stages;
+  if (jitter > 0) {
+    const Pose X_HD = DrawDisturbance(input.grasp, jitter);
+    for (StageCommand& stage : stages) stage.X_OH = stage.X_OH * X_HD;
+  }
+  const ProfiledScene scene = MakeProfiledScene(
+      MakeProfiledHand(*inputs.hand, profile, inputs.is_asked),
+      MakeProfiledObject(*input.object, profile), input.grasp.X_WO, std::move(stages), profile);
+  return RunFreeSpace(scene, profile);
+}
+
+}  // namespace graspbench

@@ -1,0 +1,48 @@
+#pragma once
+/** @file
+What is needed to judge grasps that others made: read from their files, mapped onto the hand, with
+the objects they are of. */
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/text/json.h"
+#include "core/shape/grasp_object.h"
+#include "core/trial/protocols/free_space.h"
+#include "datasets/grasps/grasp_files.h"
+
+namespace graspbench {
+
+struct GraspInput {
+  ForeignGrasp grasp;
+  std::vector<StageCommand> stages;
+  std::shared_ptr<const GraspObject> object;  ///< its mesh in the grasp's scale
+};
+
+struct GraspInputs {
+  std::shared_ptr<const Hand> hand;
+  std::vector<bool> is_asked;      ///< by joint: see MakeProfiledHand
+  std::vector<GraspInput> grasps;  ///< that can be judged
+  std::vector<UnreadFile> unread;  ///< files, and grasps that the hand cannot do, with the reason
+  Json description;                ///< hashes of all of it, without names of places
+};
+
+/** The mesh that a file means by `name`, below `folder`: the path itself or any end of it, as a file,
+with an ending of a mesh, or a folder with mesh/simplified.obj, simplified.obj or mesh.obj.
+@returns empty: there is none. */
+std::filesystem::path FindObjectMesh(const std::filesystem::path& folder, const std::string& name);
+
+/** @param hand  by id or folder.   @param objects  folder of the meshes; empty: the current one.
+@throws Error(kNotFound) listing objects without a mesh; Error(kFormat) when no grasp is left, or a
+mesh cannot be used; as LoadHand. */
+GraspInputs LoadGraspInputs(GraspCollection collection, const std::string& hand,
+                            const std::filesystem::path& objects);
+
+/** The grasp under a profile. @param jitter  0: as it is; else its root is disturbed at all stages
+by 1 mm and 1 degree in directions drawn from this number. */
+FreeSpaceResult JudgeGraspInput(const GraspInputs& inputs, const GraspInput& input,
+                                const FreeSpaceProfile& profile, int jitter = 0);
+
+}  // namespace graspbench
