@@ -5,10 +5,8 @@ not. Each verdict comes from one number's 95 % interval by a rule that was writt
 campaign ran:
 
     claim                                             holds             does not hold
-    good grasps touch simultaneously                  rank correlation of GFT% with success or
-                                                      sigma within conditions, of a hand:
-                                                      one below 0,      all within +-0.3 or above 0
-                                                      after Holm
+    good grasps touch simultaneously                  by no campaign: its trials only go together
+                                                      with what makes digits late
     a pre-grasp can be learned for it                 median GFT% over scenes, step 1:
                                                       factor below 1    factor above 1
     the thumb's target decides how firmly it holds    breaking force over grip, step 2:
@@ -24,9 +22,10 @@ campaign ran:
                                                       above 1/2         below 1/2
 
 Factors, the claims of steps, are judged for each hand as well: what holds for one of two hands has
-not been shown for very different ones. Fewer than five scenes, or than five cells and a hundred
-trials of a correlation, decide nothing. That people strive for simultaneous contacts cannot be
-asked of robots; the claim stands without evidence (human_study). Everything else is not decided.
+not been shown for very different ones. Fewer than five scenes decide nothing. A correlation decides
+nothing either: that digits touch late and grasps fail may both come from where the object lay; the
+same draws with a digit made late decide (simultaneity_map.h). That people strive for simultaneous
+contacts cannot be asked of robots (human_study). Everything else is not decided.
 Rules and limits are proposed by graspbench. */
 
 #include <string>
@@ -58,6 +57,8 @@ struct ThesisClaim {
   const char* id;        ///< "simultaneous"
   const char* topic;     ///< in a figure
   const char* sentence;  ///< what is claimed
+  const char* design;    ///< how its evidence was got
+  const char* decides;   ///< what would decide it where the verdict is that nothing does
   double neutral;        ///< a value that says neither
   std::vector<ClaimEvidence> evidence;
   ClaimVerdict verdict = ClaimVerdict::kNotDecided;

@@ -90,6 +90,22 @@ TEST(ThesisClaims, AreNotDecidedWhereNothingChanges) {
   }
 }
 
+// Late digits go with failures, as they would if both came from where the object lay.
+TEST(ThesisClaims, ACorrelationDecidesNothing) {
+  Campaign campaign = MakeWorthCampaign({});
+  for (size_t i = 0; i < campaign.benchmark.records.size(); ++i) {
+    TrialResult& result = campaign.benchmark.records[i].result;
+    const bool is_late = campaign.benchmark.plan[i].trial % 2 == 1;
+    result.timing.gft_ratio = is_late ? 0.8 : 0.2;
+    if (is_late && i % 3 > 0) result.outcome = Outcome::kSlippedInLiftOff;
+  }
+  const Summarised summarised(campaign);
+  const ThesisClaim claim = JudgeThesis(summarised.campaign, summarised.scenes).front();
+  ASSERT_FALSE(claim.evidence.empty());
+  EXPECT_LT(claim.evidence[0].interval.high, 0.0) << "the correlation itself is certain";
+  EXPECT_EQ(claim.verdict, ClaimVerdict::kNotDecided);
+}
+
 TEST(ThesisClaims, OneHandIsNotTwo) {
   Worth worth;
   worth.gft[1] = worth.gft[2] = 0.2;
