@@ -8,6 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/physics/implicit_world.h"
+#include "core/quality/epsilon_fast.h"
+#include "core/quality/wrench_space.h"
+#include "core/trial/measures/stability_meter.h"
 
 namespace graspbench {
 namespace {
@@ -34,6 +37,7 @@ class FreeSpaceCourse {
         is_lift_(RowFromName(kProfileTests, profile.test, "test").value == ProfileTest::kLift),
         world_(MakeWorld()) {}
 
+  const World& world() const { return *world_; }
   bool is_lift() const { return is_lift_; }
   bool is_finite() const { return report_.is_finite; }
   const StepReport& report() const { return report_; }
@@ -139,6 +143,22 @@ Overlaps FindOverlaps(const ProfiledScene& scene, const ScriptedStage& stage,
   return overlaps;
 }
 
+double CalcEpsilon(const World& world, double radius) {
+  const WorldState& state = world.state();
+  const Eigen::Matrix3d R_OW = state.R_WO.transpose();
+  std::vector<HandContact> touching;
+  world.FindHandContacts(touching);
+  std::vector<GraspContact> contacts;
+  for (const HandContact& contact : touching) {
+    contacts.push_back({R_OW * (contact.p_WC - state.p_WOcm), (R_OW * contact.nhat_W).normalized(),
+                        contact.mu, contact.mu * contact.torsion_radius, std::nullopt});
+  }
+  if (contacts.size() < 2) return 0.0;
+  WrenchSpace space;
+  space.torque_scale = radius;
+  return CalcEpsilonBounds(CalcConeWrenches(contacts, space).wrenches).lower;
+}
+
 std::string ListTouching(const Hand& hand, const std::vector<bool>& link_touches) {
   std::vector<bool> touches(hand.digits.size(), false);
   bool palm_touches = false;
@@ -215,6 +235,7 @@ class FreeSpaceRun {
     result_.closing_turn_deg = closing.turn_deg;
     result_.touching = ListTouching(*scene_.hand, course_.report().link_touches_object);
     result_.grip_force = course_.report().grip_force;
+    result_.epsilon = CalcEpsilon(course_.world(), CalcObjectRadius(*scene_.object));
     return true;
   }
 

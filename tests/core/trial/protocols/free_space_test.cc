@@ -76,6 +76,7 @@ TEST(FreeSpace, HoldsWhatTwoContactsCanHold) {
     EXPECT_TRUE(below.passed) << below.reason;
     EXPECT_EQ(below.num_stood, 6);
     EXPECT_NEAR(below.grip_force, 2.0 * kForce, 0.02 * kForce);
+    EXPECT_GT(below.epsilon, 0.0) << "two soft pads close";
     pinch.profile.acceleration = 1.05 * most;
     const FreeSpaceResult above = pinch.Run();
     EXPECT_FALSE(above.passed);
@@ -103,6 +104,7 @@ TEST(FreeSpace, AnEmptyHandFailsInTheFirstPush) {
   const FreeSpaceResult result = pinch.Run();
   EXPECT_FALSE(result.passed);
   EXPECT_EQ(result.failed_stage, "push -x");
+  EXPECT_EQ(result.epsilon, 0.0);
   EXPECT_NE(result.reason.find("nothing touched it"), std::string::npos) << result.reason;
 }
 
